@@ -1,0 +1,131 @@
+"""One tick of the arm: from a State and a time step to the next State. Pure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from helicoide.ik.goal import best_goal
+from helicoide.ik.guarded import guarded_step
+from helicoide.ik.task import joint_task, pose_task
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Array, frozen
+from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose
+
+ARRIVED_JOINTS = 1e-3
+ARRIVED_PATH = 0.010
+RESTS = 0.1
+GRIPPER_SPEED = 2.0
+
+_STILL = frozen(np.zeros(3))
+Task = tuple[Array, Array, Array]
+
+
+def advance(state: State, dt: float) -> State:
+    """The state dt seconds later; joints, planes and speeds stay within what `guarded_step` promises."""
+    state = _gripper_moved(state, dt)
+    if state.parked:
+        return _parked(state, dt)
+    match state.command:
+        case Hold():
+            return _still(state)
+        case ToJoints(q):
+            return _stepped(state, joint_task(state.q.copy(), q, dt), dt)
+        case Park() | GetReady():
+            return _to_ready(state, dt)
+        case ToPose(T):
+            return _to_pose(_searched(state, T) if _resting(state) else state, T, _STILL, dt)
+        case Along():
+            return _along(state, state.command, dt)
+
+
+def _gripper_moved(state: State, dt: float) -> State:
+    """Time goes on; the gripper closes or opens at its own speed unless the arm was stopped."""
+    step = 0.0
+    if not (isinstance(state.command, Hold) and state.command.stopped):
+        step = min(max(state.gripper_target - state.gripper, -GRIPPER_SPEED * dt), GRIPPER_SPEED * dt)
+    return replace(state, t=state.t + dt, rested=state.rested + dt, gripper=state.gripper + step)
+
+
+def _still(state: State) -> State:
+    return state if not state.speeds.any() else replace(state, speeds=frozen(np.zeros(len(state.q))))
+
+
+def _stepped(state: State, task: Task, dt: float) -> State:
+    """The guarded step towards a task. (Copies keep the kernels to one type: numba tells read-only arrays apart.)"""
+    problem = state.problem
+    q, poses, _, _ = guarded_step(
+        problem.arm, state.q.copy(), state.poses.copy(), task, problem.limit_arrays, problem.plane_arrays, dt
+    )
+    speeds = (q - state.q) / dt
+    for array in (q, poses, speeds):
+        array.flags.writeable = False
+    return replace(state, q=q, poses=poses, speeds=speeds)
+
+
+def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
+    """Towards a tool pose; a detour through another posture comes first."""
+    if state.detour is not None:
+        blocked = state.rested > RESTS and not state.moving
+        if not blocked and np.max(np.abs(state.detour - state.q)) > ARRIVED_JOINTS:
+            return _stepped(state, joint_task(state.q.copy(), state.detour, dt), dt)
+        state = replace(state, detour=None)
+    robot = state.robot
+    task = pose_task(
+        state.poses.copy(), robot.directions, robot.points, robot.T_world_tool_0,
+        T_world_target, state.with_orientation, ahead, dt,
+    )  # fmt: skip
+    return _stepped(state, task, dt)
+
+
+def _searched(state: State, T_world_target: Array) -> State:
+    """Look once for another posture that reaches what this one does not; it becomes the detour."""
+    _, detour = best_goal(state.problem, state.q, T_world_target, state.with_orientation)
+    return replace(state, searched=True, rested=0.0, detour=detour)
+
+
+def _resting(state: State) -> bool:
+    """Whether the wish has rested for a while and the arm has come as near as this posture allows."""
+    return state.rested > RESTS and not state.moving and not state.searched
+
+
+def _along(state: State, command: Along, dt: float) -> State:
+    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer."""
+    target = frozen(command.path.pose(command.s))
+    running = command.playing and command.arrived
+    ahead = frozen(command.path.velocity(command.s)) if running else _STILL
+    if not running and _resting(state):
+        state = _searched(state, target)
+    state = _to_pose(state, target, ahead, dt)
+    if not command.playing:
+        return state
+    near = np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]) < ARRIVED_PATH
+    arrived = command.arrived or bool(near) or (state.searched and not state.moving)
+    s = (command.s + dt) % command.path.period if arrived else command.s
+    return replace(state, command=replace(command, s=s, arrived=arrived), path_s=s)
+
+
+def _to_ready(state: State, dt: float) -> State:
+    """Guarded to `ready`; there a Park command turns the planes off, and a GetReady command ends."""
+    ready = state.robot.poses["ready"]
+    if np.max(np.abs(ready - state.q)) < ARRIVED_JOINTS:
+        if isinstance(state.command, Park):
+            return _parked(replace(state, parked=True), dt)
+        return _still(replace(state, command=Hold()))
+    return _stepped(state, joint_task(state.q.copy(), ready, dt), dt)
+
+
+def _parked(state: State, dt: float) -> State:
+    """With the planes off, on the straight joint path between `home` and `ready`."""
+    if not isinstance(state.command, Park | GetReady):
+        return _still(state)
+    going_home = isinstance(state.command, Park)
+    end = state.robot.poses["home" if going_home else "ready"]
+    left = end - state.q
+    needed = float(np.max(np.abs(left) / (state.problem.limits.speed * dt)))
+    if needed <= 1.0:
+        state = replace(state, command=Hold(), parked=going_home)
+    q = frozen(end if needed <= 1.0 else state.q + left / needed)
+    poses = frozen(link_poses(state.robot.directions, state.robot.points, q))
+    return replace(state, q=q, poses=poses, speeds=frozen((q - state.q) / dt))

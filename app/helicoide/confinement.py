@@ -1,0 +1,91 @@
+"""Planes that confine the arm: distances, zones, and how far a plane may be moved.
+
+A plane is n·r = d with a unit normal that points to the allowed side; the distance of a point is l = n·r − d.
+The points watched are the joint centres and the tool; links are straight, so no other point of the chain comes closer
+to a plane than these. Source: Cerbaro 2022, §6.1; normals and signs as in the digest of eq. 36 (corrected).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import Enum
+
+import numpy as np
+
+from helicoide.kernels import kernel
+from helicoide.kinematics.robot import Array, Pane, frozen
+
+
+class Zone(Enum):
+    """How near a point is to a plane."""
+
+    FREE = "free"
+    WARNING = "warning"
+    CRITICAL = "critical"
+
+
+@dataclass(frozen=True)
+class Zones:
+    """Distances in m: no guarded point comes closer than `critical`; from `warning` on the arm is said to be near."""
+
+    critical: float = 0.080
+    warning: float = 0.110
+
+    def of(self, distance: float) -> Zone:
+        """The zone of a distance in m; what is held at the critical distance counts as critical."""
+        if distance <= self.critical + 1e-6:
+            return Zone.CRITICAL
+        return Zone.WARNING if distance < self.warning else Zone.FREE
+
+
+@dataclass(frozen=True, eq=False)
+class Planes:
+    """k planes: unit inward normals (k, 3) and a point of each, the centre of its pane, (k, 3) m, world frame."""
+
+    normals: Array
+    centres: Array
+
+    @property
+    def offsets(self) -> Array:
+        """d = n·r of each plane, (k,), m."""
+        return np.asarray(np.einsum("ij,ij->i", self.normals, self.centres))
+
+    def moved(self, index: int, normal: Array, centre: Array) -> Planes:
+        """The same planes with one replaced; the normal is made a unit vector."""
+        normals, centres = self.normals.copy(), self.centres.copy()
+        normals[index], centres[index] = normal / np.linalg.norm(normal), centre
+        return replace(self, normals=frozen(normals), centres=frozen(centres))
+
+
+def planes_of(panes: tuple[Pane, ...]) -> Planes:
+    """The planes that a robot's file gives; pane centres are dropped onto their planes exactly."""
+    normals = np.array([pane.normal for pane in panes]).reshape(-1, 3)
+    centres = np.array([pane.centre - (pane.normal @ pane.centre - pane.offset) * pane.normal for pane in panes])
+    return Planes(frozen(normals), frozen(centres.reshape(-1, 3)))
+
+
+def stopped_at_arm(normal: Array, centre: Array, points: Array, critical: float) -> Array:
+    """Where the centre of a plane that is moved comes to rest: c − max(0, δ − minⱼ n·(pⱼ − c)) n.
+
+    Args: normal (3,), unit; centre (3,), m, as asked; points (m, 3), m, of the arm; critical: δ, m. Returns (3,), m.
+    """
+    nearest = float(np.min((points - centre) @ normal))
+    return centre - max(0.0, critical - nearest) * normal
+
+
+@kernel
+def distances(normals: Array, offsets: Array, points: Array) -> Array:
+    """Signed distances l = n·r − d of every point to every plane.
+
+    Args: normals (k, 3); offsets (k,), m; points (m, 3), m. Returns (m, k), m. Source: Cerbaro 2022, eq. 20.
+    """
+    table = np.empty((points.shape[0], normals.shape[0]))
+    for j in range(points.shape[0]):
+        for k in range(normals.shape[0]):
+            table[j, k] = (
+                normals[k, 0] * points[j, 0]
+                + normals[k, 1] * points[j, 1]
+                + normals[k, 2] * points[j, 2]
+                - offsets[k]
+            )
+    return table

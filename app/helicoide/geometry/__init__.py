@@ -1,0 +1,1 @@
+"""Clifford algebras, rigid motions and rotations: pure numpy, without robots."""

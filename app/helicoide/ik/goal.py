@@ -1,0 +1,122 @@
+"""The accepted goal: the nearest that the guarded arm can come to a wish, and another posture where one helps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.confinement import distances
+from helicoide.ik import Problem, Reason, reasons
+from helicoide.ik.rollout import settle_at_joints, settle_at_pose
+from helicoide.ik.task import rotation_vector
+from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.robot import Array, frozen
+
+REACHED = 0.5e-3
+TURNED = np.radians(1.0)
+_TICK = 0.03
+_TICKS = 250
+_STARTS = 24
+
+
+@dataclass(frozen=True, eq=False)
+class Goal:
+    """Where a wish leads.
+
+    q (n,), rad, and T_world_tool (4, 4), m, there; what is missing: `short`, m, and `turned`, rad, between the tool and
+    the wish; why, when something is.
+    """
+
+    q: Array
+    poses: Array
+    T_world_tool: Array
+    short: float
+    turned: float
+    reasons: tuple[Reason, ...]
+
+    @property
+    def reached(self) -> bool:
+        """Whether the tool comes to the wished point."""
+        return self.short < REACHED
+
+
+def tool_pose(problem: Problem, poses: Array) -> Array:
+    """T_world_tool (4, 4), m, from the link poses."""
+    robot = problem.robot
+    T_link_tool = robot.T_world_tool_0.copy()
+    T_link_tool[:3, 3] -= robot.points[-1]
+    return frozen(poses[-1] @ T_link_tool)
+
+
+def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array) -> Goal:
+    poses = frozen(link_poses(problem.robot.directions, problem.robot.points, q))
+    T = tool_pose(problem, poses)
+    return Goal(
+        q=frozen(q),
+        poses=poses,
+        T_world_tool=T,
+        short=float(np.linalg.norm(T_world_target[:3, 3] - T[:3, 3])),
+        turned=float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3])))),
+        reasons=reasons(problem, q, multipliers),
+    )
+
+
+def goal_at_pose(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> Goal:
+    """Where the arm comes to rest when it is driven from q (n,), rad, towards T_world_target (4, 4), m."""
+    tool = (problem.robot.T_world_tool_0, T_world_target, with_orientation)
+    rest, multipliers = settle_at_pose(
+        problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, _TICK, _TICKS
+    )
+    return _goal(problem, rest, T_world_target, multipliers)
+
+
+def goal_at_joints(problem: Problem, q: Array, q_target: Array) -> Goal:
+    """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
+    rest, multipliers = settle_at_joints(
+        problem.arm, q, q_target, problem.limit_arrays, problem.plane_arrays, _TICK, _TICKS
+    )
+    robot = problem.robot
+    wished = tool_pose(problem, link_poses(robot.directions, robot.points, q_target))
+    return _goal(problem, rest, wished, multipliers)
+
+
+def _starts(problem: Problem, q: Array) -> list[Array]:
+    """Postures spread evenly over the limits (additive recurrence) and clear of the planes, the nearest to q first."""
+    robot, limits = problem.robot, problem.limits
+    n = len(q)
+    ratio = 2.0
+    for _ in range(30):
+        ratio = (1 + ratio) ** (1 / (n + 1))
+    shares = (0.5 + np.outer(np.arange(_STARTS), ratio ** -np.arange(1.0, n + 1))) % 1.0
+    postures = [robot.poses["ready"], *(limits.lower + shares * (limits.upper - limits.lower))]
+    normals, offsets, critical = problem.plane_arrays
+
+    def clear(posture: Array) -> bool:
+        poses = link_poses(robot.directions, robot.points, posture)
+        points = carried_points(poses, robot.points, robot.guarded_points, robot.guarded_joints)
+        return bool((distances(normals, offsets, points) > critical).all())
+
+    return sorted(filter(clear, map(frozen, postures)), key=lambda posture: float(np.abs(posture - q).max()))
+
+
+def another_posture(
+    problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, found: Goal
+) -> Goal | None:
+    """A goal in another posture that is better than the one found from q, and to which the guarded arm can move.
+
+    Better is: the point is reached where it was not, or it is reached and the orientation is nearer by `TURNED`.
+    """
+    for start in _starts(problem, q):
+        goal = goal_at_pose(problem, start, T_world_target, with_orientation)
+        nearer = with_orientation and goal.turned < found.turned - TURNED
+        if goal.reached and (not found.reached or nearer) and goal_at_joints(problem, q, goal.q).short < REACHED:
+            return goal
+    return None
+
+
+def best_goal(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> tuple[Goal, Array | None]:
+    """The goal that the arm comes nearest to, and the posture (n,) to pass through when it is not reached directly."""
+    found = goal_at_pose(problem, q, T_world_target, with_orientation)
+    better = another_posture(problem, q, T_world_target, with_orientation, found)
+    return (found, None) if better is None else (better, better.q)

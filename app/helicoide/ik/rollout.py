@@ -1,0 +1,63 @@
+"""Where the guarded arm comes to rest: the same ticks as the loop's, run ahead until nothing moves."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.ik.guarded import guarded_step
+from helicoide.ik.task import joint_task, pose_task
+from helicoide.kernels import kernel
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Array
+
+AT_REST = 1e-5
+
+
+@kernel
+def settle_at_pose(
+    arm: tuple[Array, Array, Array, NDArray[np.int64]],
+    q: Array,
+    tool: tuple[Array, Array, bool],
+    limits: tuple[Array, Array, Array],
+    planes: tuple[Array, Array, float],
+    dt: float,
+    ticks: int,
+) -> tuple[Array, Array]:
+    """The joint values (n,) at which guarded ticks towards a tool pose end, from q (n,), rad, and the last multipliers.
+
+    Args: arm, limits, planes as in `guarded_step`; tool: T_world_tool at q = 0, T_world_target, whether orientation
+    counts; dt, s, of each tick; ticks: how many at most.
+    """
+    q = q.copy()
+    poses = link_poses(arm[0], arm[1], q)
+    multipliers = np.zeros(0)
+    for _ in range(ticks):
+        task = pose_task(poses, arm[0], arm[1], tool[0], tool[1], tool[2], np.zeros(3), dt)
+        before = q
+        q, poses, multipliers, _ = guarded_step(arm, q, poses, task, limits, planes, dt)
+        if np.max(np.abs(q - before)) < AT_REST:
+            break
+    return q, multipliers
+
+
+@kernel
+def settle_at_joints(
+    arm: tuple[Array, Array, Array, NDArray[np.int64]],
+    q: Array,
+    q_target: Array,
+    limits: tuple[Array, Array, Array],
+    planes: tuple[Array, Array, float],
+    dt: float,
+    ticks: int,
+) -> tuple[Array, Array]:
+    """The same for ticks towards other joint values q_target (n,), rad; arguments and result as above."""
+    q = q.copy()
+    poses = link_poses(arm[0], arm[1], q)
+    multipliers = np.zeros(0)
+    for _ in range(ticks):
+        before = q
+        q, poses, multipliers, _ = guarded_step(arm, q, poses, joint_task(q, q_target, dt), limits, planes, dt)
+        if np.max(np.abs(q - before)) < AT_REST:
+            break
+    return q, multipliers

@@ -1,0 +1,96 @@
+"""What the arm is asked to do in one tick, as rows J Δq = v with weights.
+
+Position comes first and orientation yields: one radian counts as much as `ORIENTATION_LENGTH` metres, so that a tool
+whose orientation cannot be met still reaches its point (an arm with five joints cannot choose its heading freely).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.kernels import kernel
+from helicoide.kinematics import jacobian
+from helicoide.kinematics.robot import Array
+
+GAIN = 12.5
+TOOL_SPEED = 0.5
+TOOL_TURN = 2.0
+ORIENTATION_LENGTH = 0.01
+
+
+@kernel
+def rotation_vector(R_to: Array, R_from: Array) -> Array:
+    """Rotation vector of R_to R_fromᵀ, the shorter way: θ a with 0 ≤ θ ≤ π, world frame.
+
+    Args: rotations (3, 3), both in the world frame. Near π the axis is read from the symmetric part.
+    """
+    E = np.zeros((3, 3))
+    for a in range(3):
+        for b in range(3):
+            for c in range(3):
+                E[a, b] += R_to[a, c] * R_from[b, c]
+    vector = np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]]) / 2.0
+    sine = np.sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)
+    cosine = (E[0, 0] + E[1, 1] + E[2, 2] - 1.0) / 2.0
+    angle = np.arctan2(sine, cosine)
+    if sine > 1e-6:
+        vector *= angle / sine
+        return vector
+    if cosine > 0.0:
+        return vector
+    largest = np.argmax(np.array([E[0, 0], E[1, 1], E[2, 2]]))
+    axis = (E[largest] + E[:, largest]) / 2.0
+    axis[largest] += 1.0
+    axis *= angle / np.sqrt(axis[0] ** 2 + axis[1] ** 2 + axis[2] ** 2)
+    return axis
+
+
+@kernel
+def shortened(vector: Array, longest: float) -> Array:
+    """The vector, scaled down to a length of at most `longest`."""
+    length = np.sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)
+    return np.multiply(vector, min(1.0, longest / length)) if length > 0.0 else vector
+
+
+@kernel
+def pose_task(
+    poses: Array,
+    directions: Array,
+    axis_points: Array,
+    T_world_tool_0: Array,
+    T_world_target: Array,
+    with_orientation: bool,
+    ahead: Array,
+    dt: float,
+) -> tuple[Array, Array, Array]:
+    """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
+
+    Args: poses (n + 1, 4, 4) of `forward.link_poses`; joint axes at q = 0 (n, 3); T (4, 4), m; ahead (3,): velocity of
+    the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,). Source: Cerbaro 2022, §4.4.2 (CLIK).
+    """
+    n = directions.shape[0]
+    offset = T_world_tool_0[:3, 3] - axis_points[n - 1]
+    last = poses[n]
+    tool = last[:3, 3].copy()
+    R_tool = np.zeros((3, 3))
+    for a in range(3):
+        for b in range(3):
+            tool[a] += last[a, b] * offset[b]
+            for c in range(3):
+                R_tool[a, c] += last[a, b] * T_world_tool_0[b, c]
+    J = jacobian.geometric(poses, jacobian.joint_axes(poses, directions), tool, n)
+    share = 1.0 - np.exp(-GAIN * dt)
+    v = np.zeros(6)
+    v[:3] = shortened(ahead * dt + share * (T_world_target[:3, 3] - tool), TOOL_SPEED * dt)
+    weights = np.ones(6)
+    weights[3:] = ORIENTATION_LENGTH if with_orientation else 0.0
+    if with_orientation:
+        v[3:] = shortened(share * rotation_vector(T_world_target[:3, :3], R_tool), TOOL_TURN * dt)
+    return J, v, weights
+
+
+@kernel
+def joint_task(q: Array, q_target: Array, dt: float) -> tuple[Array, Array, Array]:
+    """Move every joint towards its own target: v = (1 − e^(−K dt)) (q_target − q). Args: q (n,), rad; dt, s."""
+    n = q.shape[0]
+    return np.eye(n), (1.0 - np.exp(-GAIN * dt)) * (q_target - q), np.ones(n)

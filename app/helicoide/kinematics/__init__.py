@@ -1,0 +1,1 @@
+"""Robots and their kinematics: poses by three roads, Jacobians."""

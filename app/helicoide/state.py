@@ -1,0 +1,163 @@
+"""One arm and its scene (State), one person in front of it (Seat), and what the arm may be asked to do (Command)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+import numpy as np
+
+from helicoide.confinement import planes_of
+from helicoide.ik import Limits, Problem
+from helicoide.ik.goal import Goal, tool_pose
+from helicoide.kernels import plain
+from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.text import Language, Text
+from helicoide.trajectory import EQ_33, Ellipse
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Nothing moves."""
+
+    stopped: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class ToPose:
+    """Bring the tool to T_world_target (4, 4), m."""
+
+    T_world_target: Array
+
+
+@dataclass(frozen=True, eq=False)
+class ToJoints:
+    """Bring the joints to q (n,), rad."""
+
+    q: Array
+
+
+@dataclass(frozen=True)
+class Along:
+    """Follow a path from its parameter s; the parameter waits until the arm has come to the path."""
+
+    path: Ellipse
+    s: float
+    playing: bool
+    arrived: bool = False
+
+
+@dataclass(frozen=True)
+class Park:
+    """Go to `ready`, then with the planes off to `home`."""
+
+
+@dataclass(frozen=True)
+class GetReady:
+    """Go to `ready`; from `home` with the planes off."""
+
+
+Command = Hold | ToPose | ToJoints | Along | Park | GetReady
+
+
+@dataclass(frozen=True)
+class Grasp:
+    """What somebody holds with the pointer: the target, or the plane of that number."""
+
+    seat: str
+    handle: str
+
+
+@dataclass(frozen=True, eq=False)
+class State:
+    """One arm and its scene at one instant; every field is replaced, never changed.
+
+    q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (n + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
+    1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture to
+    pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: the time until
+    which sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate.
+    """
+
+    problem: Problem
+    q: Array
+    speeds: Array
+    poses: Array
+    t: float = 0.0
+    gripper: float = 0.0
+    gripper_target: float = 0.0
+    command: Command = Hold()
+    path_s: float = 0.0
+    with_orientation: bool = True
+    rested: float = 0.0
+    detour: Array | None = None
+    searched: bool = False
+    parked: bool = False
+    grasp: Grasp | None = None
+    latched: float = 0.0
+    goal: Goal | None = None
+    notice: Text | None = None
+
+    @property
+    def robot(self) -> Robot:
+        """The arm."""
+        return self.problem.robot
+
+    @property
+    def T_world_tool(self) -> Array:
+        """Pose of the tool, (4, 4), m."""
+        return tool_pose(self.problem, self.poses)
+
+    @property
+    def guarded_points(self) -> Array:
+        """The guarded points where they are, (m, 3), m."""
+        robot = self.robot
+        return carried_points(self.poses, robot.points, robot.guarded_points, robot.guarded_joints)
+
+    @property
+    def moving(self) -> bool:
+        """Whether any joint moves faster than a thousandth of a radian per second."""
+        return bool(np.max(np.abs(self.speeds)) > 1e-3)
+
+
+
+
+Update = Callable[[State], State]
+
+
+def initial(robot: Robot) -> State:
+    """The arm at `ready`, holding, inside the planes of its file."""
+    q = robot.poses["ready"]
+    return State(
+        problem=Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes)),
+        q=q,
+        speeds=frozen(np.zeros(len(q))),
+        poses=frozen(plain(link_poses)(robot.directions, robot.points, q)),
+    )
+
+
+def commanded(state: State, command: Command) -> State:
+    """The same state under a new command: the search for another posture starts afresh."""
+    return replace(state, command=command, rested=0.0, detour=None, searched=False, notice=None)
+
+
+@dataclass(frozen=True)
+class Seat:
+    """One person: language, where they are in a lesson, what they selected and what they want to see.
+
+    done: the steps whose goal has been reached.
+    """
+
+    token: str
+    language: Language
+    lesson: str | None = None
+    step: int = 0
+    done: frozenset[str] = frozenset()
+    hint_open: bool = False
+    selected: str | None = None
+    shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({"trail": True}))
+
+
+SeatUpdate = Callable[[Seat], Seat]
+PATH = EQ_33

@@ -1,0 +1,40 @@
+"""Every sentence a person reads, in both languages; a missing translation is a type error."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+Language = Literal["en", "pt_BR"]
+LANGUAGES: tuple[Language, ...] = get_args(Language)
+
+
+@dataclass(frozen=True)
+class Text:
+    """One sentence in both languages. `text["pt_BR"]` picks one; fields in braces are filled by `text.format`."""
+
+    en: str
+    pt_BR: str
+
+    def __getitem__(self, language: Language) -> str:
+        return self.pt_BR if language == "pt_BR" else self.en
+
+    def format(self, **fields: object) -> Text:
+        """Fill the fields of both sentences; a field that is a Text is filled in its own language."""
+        return Text(
+            en=self.en.format(**{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
+            pt_BR=self.pt_BR.format(**{k: v["pt_BR"] if isinstance(v, Text) else v for k, v in fields.items()}),
+        )
+
+
+def same(word: str) -> Text:
+    """A name or symbol that is written alike in both languages."""
+    return Text(en=word, pt_BR=word)
+
+
+class HelicoideError(Exception):
+    """Wrong input or a broken file: says what is wrong, where, and what would have been valid."""
+
+    def __init__(self, text: Text) -> None:
+        super().__init__(text.en)
+        self.text = text

@@ -1,0 +1,56 @@
+"""All callbacks: each copies what the event carries and hands it on; no work is done here.
+
+viser runs plain functions on many threads and out of order, so every callback is a coroutine on its event loop. An
+event without a client is the echo of a value that Python wrote.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import viser
+
+from helicoide.gate import Phase
+from helicoide.kinematics.robot import Array
+
+Drag = Callable[[Phase, Array, Array], None]
+
+
+def on_value(handle: Any, act: Callable[[Any], None]) -> None:
+    """Call `act` with each value that a person gives to a slider, box, checkbox or choice."""
+
+    async def changed(event: viser.GuiEvent[Any]) -> None:
+        if event.client is not None:
+            act(event.target.value)
+
+    handle.on_update(changed)
+
+
+def on_press(button: viser.GuiButtonHandle, act: Callable[[], None]) -> None:
+    """Call `act` at each press of a button."""
+
+    async def pressed(event: viser.GuiEvent[Any]) -> None:
+        if event.client is not None:
+            act()
+
+    button.on_click(pressed)
+
+
+def on_drag(gizmo: viser.TransformControlsHandle, act: Drag) -> None:
+    """Call `act` with phase, position (3,) m and wxyz at every event of a gizmo."""
+
+    async def dragged(event: viser.TransformControlsEvent) -> None:
+        act(event.phase, np.array(event.target.position), np.array(event.target.wxyz))
+
+    gizmo.on_update(dragged)
+
+
+def on_trigger(command: viser.CommandHandle, act: Callable[[], None]) -> None:
+    """Call `act` when a command of the palette is chosen."""
+
+    async def triggered(event: object) -> None:
+        act()
+
+    command.on_trigger(triggered)

@@ -1,0 +1,106 @@
+"""What the port answers to a plain GET: viser's page made ours, the files of static/, and a sign of life."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import html
+import json
+import mimetypes
+from collections.abc import Callable, Mapping
+from http import HTTPStatus
+from pathlib import Path
+from types import MappingProxyType
+from urllib.parse import parse_qs, unquote
+
+import viser
+from websockets.datastructures import Headers
+from websockets.http11 import Request, Response
+
+from helicoide.text import LANGUAGES, Text
+
+STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
+LOST = Text(
+    en="Disconnected: the program does not answer. Trying again…",
+    pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
+)
+
+# viser's page is one file with inline scripts, blob workers and new Function; everything else stays on this host.
+POLICY = "; ".join(
+    (
+        "default-src 'self'",
+        "script-src 'self' 'unsafe-inline' 'unsafe-eval' blob: data:",
+        "worker-src 'self' blob: data:",
+        "style-src 'self' 'unsafe-inline'",
+        "img-src 'self' data: blob:",
+        "font-src 'self' data:",
+        "connect-src 'self' data: blob:",
+        "base-uri 'none'",
+        "form-action 'none'",
+        "frame-ancestors 'none'",
+    )
+)
+
+# Written out because the tables of operating systems differ.
+TYPES = {
+    ".css": "text/css; charset=utf-8",
+    ".html": "text/html; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".svg": "image/svg+xml",
+    ".txt": "text/plain; charset=utf-8",
+    ".woff2": "font/woff2",
+}
+
+
+def site(static: Path) -> Callable[[Request], Response]:
+    """Answer any GET; files are found in a table made once, so no path leads out of the folder."""
+    page = gzip.compress(_page().encode())
+    files = {f"/static/{file.relative_to(static).as_posix()}": file for file in static.rglob("*") if file.is_file()}
+
+    def answer(request: Request) -> Response:
+        path, _, query = request.path.partition("?")
+        if path == "/healthz":
+            return reply(HTTPStatus.OK, b"ok")
+        if path == "/" and "websocket" in parse_qs(query, keep_blank_values=True):
+            # such a link would make our page obey another server
+            return reply(HTTPStatus.FOUND, headers={"Location": "/"})
+        if path == "/":
+            return reply(HTTPStatus.OK, page, {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip"})
+        if file := files.get(unquote(path)):
+            return _file(file, request)
+        return reply(HTTPStatus.NOT_FOUND, b"not found")
+
+    return answer
+
+
+def reply(status: HTTPStatus, body: bytes = b"", headers: Mapping[str, str] = MappingProxyType({})) -> Response:
+    """Make one answer: the headers that every answer carries, overridden by those given."""
+    base = {
+        "Content-Type": TYPES[".txt"],
+        "Content-Length": str(len(body)),
+        "Content-Security-Policy": POLICY,
+        "X-Content-Type-Options": "nosniff",
+        "Cache-Control": "no-store",
+    }
+    return Response(status, status.phrase, Headers({**base, **headers}), body)
+
+
+def _file(file: Path, request: Request) -> Response:
+    body = file.read_bytes()
+    kind = TYPES.get(file.suffix) or mimetypes.guess_type(file.name)[0] or "application/octet-stream"
+    tag = f'"{hashlib.sha256(body).hexdigest()[:32]}"'
+    headers = {"Content-Type": kind, "Cache-Control": "no-cache", "ETag": tag}
+    if request.headers.get("If-None-Match") == tag:
+        return reply(HTTPStatus.NOT_MODIFIED, headers=headers)
+    return reply(HTTPStatus.OK, body, headers)
+
+
+def _page() -> str:
+    source = Path(viser.__file__).parent / "client" / "build" / "index.html"
+    words = {language: {"stop": STOP[language], "lost": LOST[language]} for language in LANGUAGES}
+    tags = (
+        '<link rel="stylesheet" href="/static/helicoide.css" />'
+        f'<script src="/static/helicoide.js" data-words="{html.escape(json.dumps(words))}" defer></script>'
+    )
+    titled = source.read_text("utf-8").replace("<title>Viser</title>", "<title>Helicoide</title>", 1)
+    return titled.replace("</head>", f"{tags}</head>", 1)

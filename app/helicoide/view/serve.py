@@ -1,0 +1,142 @@
+"""Open viser behind a guarded door: who may connect, what the port answers, and our own channels beside viser's."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import http.client
+import io
+import logging
+import socket
+from collections.abc import Awaitable, Callable, Iterator, Mapping
+from http import HTTPStatus
+from pathlib import Path
+from typing import Any
+
+import viser
+import websockets.asyncio.server
+from viser._messages import ShareUrlRequest
+from websockets.asyncio.server import ServerConnection
+from websockets.exceptions import InvalidHandshake
+from websockets.http11 import Request, Response
+
+from helicoide.text import HelicoideError, Text
+from helicoide.view.page import reply, site
+
+Channel = Callable[[ServerConnection], Awaitable[None]]
+
+Door = Callable[[ServerConnection, Request], Response | None]
+
+CHANNEL_BYTES = 4096  # the longest message a page may send on a channel
+
+TAKEN = Text(
+    en="Port {port} of {host} is already taken: choose another with --port.",
+    pt_BR="A porta {port} de {host} já está em uso: escolha outra com --port.",
+)
+NO_PORT = Text(
+    en="There is no port {port}: choose one from 1024 to 65535 with --port.",
+    pt_BR="A porta {port} não existe: escolha uma de 1024 a 65535 com --port.",
+)
+CLOSED = Text(
+    en="Cannot serve on {host}, port {port} ({reason}): choose another with --port, or this machine's 127.0.0.1.",
+    pt_BR="Não dá para servir em {host}, porta {port} ({reason}): escolha outra com --port, ou o 127.0.0.1 da máquina.",
+)
+UNGUARDED = Text(
+    en="viser {version} lets pages of other sites connect, past Helicoide's checks: install viser 1.1.1.",
+    pt_BR="O viser {version} deixa páginas de outros sites conectarem sem passar pelas verificações do Helicoide: "
+    "instale o viser 1.1.1.",
+)
+
+
+def serve(host: str, port: int, static: Path, channels: Mapping[str, Channel]) -> viser.ViserServer:
+    """Open viser on exactly this port (0: any free one), with our page, the static files and the channels by path.
+
+    Raises HelicoideError when the port cannot be had, or when viser serves in a way that our checks do not cover.
+    """
+    logging.getLogger("websockets.server").addFilter(_is_news)
+    listener = _listen(host, port)
+    address, port = listener.getsockname()
+    banner = io.StringIO()  # viser prints one whatever it is told
+    with _guarded(listener, _door(port, site(static), channels), channels), contextlib.redirect_stdout(banner):
+        server = viser.ViserServer(host=host, port=port, verbose=False)
+    if not _refuses_foreign_pages(address, server.get_port()):
+        server.stop()
+        listener.close()
+        raise HelicoideError(UNGUARDED.format(version=viser.__version__))
+    server._websock_server.unregister_handler(ShareUrlRequest)  # any page could ask for a tunnel to a public host
+    server.gui.configure_theme(show_share_button=False)
+    return server
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    """Take the port ourselves: viser would silently take the next free one, or the one its environment names."""
+    if port not in range(65536):
+        raise HelicoideError(NO_PORT.format(port=port))
+    try:
+        return socket.create_server((host, port))
+    except OSError as error:
+        text = TAKEN if error.errno == errno.EADDRINUSE else CLOSED
+        raise HelicoideError(text.format(host=host, port=port, reason=error.strerror)) from error
+
+
+def _door(port: int, answer: Callable[[Request], Response], channels: Mapping[str, Channel]) -> Door:
+    """Decide on each request: a page of this host gets its socket, a GET its answer, anything else a refusal."""
+
+    def check(connection: ServerConnection, request: Request) -> Response | None:
+        host = request.headers.get("Host", "")
+        names = [f"{name}:{port}" for name in ("localhost", "127.0.0.1", connection.local_address[0])]
+        if host not in names:  # a foreign name that was made to point here
+            return reply(HTTPStatus.MISDIRECTED_REQUEST, f"open http://{names[-1]}/".encode())
+        if "Upgrade" not in request.headers:
+            return answer(request)
+        if request.headers.get("Origin") not in (f"http://{host}", f"https://{host}"):
+            return reply(HTTPStatus.FORBIDDEN, b"foreign origin")
+        path = _path(request)
+        if path in channels:
+            connection.protocol.max_message_size = CHANNEL_BYTES
+        return None if path == "/" or path in channels else reply(HTTPStatus.NOT_FOUND, b"no such channel")
+
+    return check
+
+
+@contextlib.contextmanager
+def _guarded(listener: socket.socket, check: Door, channels: Mapping[str, Channel]) -> Iterator[None]:
+    """Wrap the one call with which viser serves while viser starts."""
+    real = websockets.asyncio.server.serve
+
+    def guarded(handler: Channel, *_: object, **options: Any) -> websockets.asyncio.server.serve:
+        async def route(connection: ServerConnection) -> None:
+            assert connection.request is not None
+            await channels.get(_path(connection.request), handler)(connection)
+
+        return real(route, sock=listener, **{**options, "process_request": check})
+
+    websockets.asyncio.server.serve = guarded  # type: ignore[assignment, misc]
+    try:
+        yield
+    finally:
+        websockets.asyncio.server.serve = real  # type: ignore[misc]
+
+
+def _path(request: Request) -> str:
+    return request.path.partition("?")[0]
+
+
+def _refuses_foreign_pages(address: str, port: int) -> bool:
+    """Try the door as a page of another site would: a viser that serves in a new way must not go unnoticed."""
+    handshake = {
+        "Connection": "Upgrade",
+        "Upgrade": "websocket",
+        "Sec-WebSocket-Version": "13",
+        "Sec-WebSocket-Key": "aGVsaWNvaWRlIGRvb3IhIQ==",
+        "Origin": "http://foreign.invalid",
+    }
+    reachable = "127.0.0.1" if address == "0.0.0.0" else address
+    with contextlib.closing(http.client.HTTPConnection(reachable, port, timeout=5)) as page:
+        page.request("GET", "/", headers=handshake)
+        return page.getresponse().status == HTTPStatus.FORBIDDEN
+
+
+def _is_news(record: logging.LogRecord) -> bool:
+    """Drop the tracebacks of broken handshakes: browsers open spare connections and close them unused."""
+    return record.exc_info is None or not isinstance(record.exc_info[1], InvalidHandshake)

@@ -1,0 +1,69 @@
+"""A real headless Chromium, and windows of a served Helicoide in it."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+
+import pytest
+from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+
+CHROMIUMS = ("chromium", "chromium-browser", "google-chrome")
+FLAGS = (
+    "--no-sandbox",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+)
+SIZES = {"desk": (1280, 800), "phone": (390, 844)}
+SLOW_GL_TOAST = "text=Software WebGL rendering detected"
+
+OpenPage = Callable[..., Page]
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    found = next(filter(None, map(shutil.which, CHROMIUMS)), None)
+    if found is None:
+        pytest.fail(f"No Chromium on this machine: install the package chromium (looked for {', '.join(CHROMIUMS)}).")
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def console() -> list[str]:
+    """Every line that the pages of this test wrote to their consoles, errors of the page included."""
+    return []
+
+
+@pytest.fixture
+def open_page(browser: Browser, console: list[str]) -> Iterator[OpenPage]:
+    """Open a window on a port: desk (1280 × 800) or phone (390 × 844, touch), drawn, connected and free of toasts."""
+    with ExitStack() as windows:
+
+        def open_window(port: int, size: str = "desk", locale: str = "en-US") -> Page:
+            width, height = SIZES[size]
+            touch = size == "phone"
+            view: ViewportSize = {"width": width, "height": height}
+            window = browser.new_context(viewport=view, has_touch=touch, is_mobile=touch, locale=locale)
+            windows.callback(window.close)
+            page = window.new_page()
+            page.on("console", lambda line: console.append(f"{line.type}: {line.text}"))
+            page.on("pageerror", lambda error: console.append(f"pageerror: {error}"))
+            page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.5")
+            page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
+            page.wait_for_selector("#helicoide-stop[data-link=up]")
+            page.locator(SLOW_GL_TOAST).wait_for()
+            page.locator(".mantine-Notification-closeButton").first.click()
+            page.locator(SLOW_GL_TOAST).wait_for(state="detached")
+            return page
+
+        yield open_window

@@ -1,0 +1,262 @@
+"""What must hold on any page: Stop in reach, the status line in its language, nothing foreign, no scrolling."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import count
+from pathlib import Path
+from time import sleep
+
+import latex2mathml.converter
+import numpy as np
+import pytest
+import viser
+from playwright.sync_api import Error, Page, expect
+from tests.browser.conftest import SIZES, OpenPage
+from viser import uplot
+
+from helicoide.text import Text, same
+from helicoide.view.channel import PATH, Control, Notice, introduce
+from helicoide.view.page import LOST
+from helicoide.view.serve import serve
+
+STATIC = Path(__file__).parents[2] / "static"
+LABEL = "Helicoide"
+FREE = Text(en="Free to move", pt_BR="Livre para mover")
+LONG = Text(
+    en="Blocked: plane 2 (ceiling) is 80 mm from the elbow; move the target down or the plane up to go on.",
+    pt_BR="Bloqueado: o plano 2 (teto) está a 80 mm do cotovelo; abaixe o alvo ou suba o plano para continuar.",
+)
+TALL = r"\left(\begin{matrix}\cos\theta & -\sin\theta \\ \sin\theta & \cos\theta\end{matrix}\right) \sum_{i=1}^n q_i"
+
+# Does an element lie within the window, with all that it holds?
+IN_VIEW = """(id) => {
+  const outer = document.getElementById(id), box = outer.getBoundingClientRect();
+  const fits = (b) => b.left >= 0 && b.top >= 0 && b.right <= innerWidth && b.bottom <= innerHeight;
+  return fits(box) && outer.scrollWidth <= outer.clientWidth && outer.scrollHeight <= outer.clientHeight;
+}"""
+
+# For points of an element's box: is the element on top there, and what lies beneath it?
+LAYERS = """(id) => {
+  const box = document.getElementById(id).getBoundingClientRect();
+  const at = (x, y) => document.elementsFromPoint(box.left + x * box.width, box.top + y * box.height);
+  return [.03, .5, .97].flatMap((x) => [.03, .5, .97].map((y) => {
+    const [top, ...under] = at(x, y);
+    const beneath = [top, ...under].find((e) => !e.closest(`#${id}`));
+    return [Boolean(top.closest(`#${id}`)), beneath.tagName];
+  }));
+}"""
+
+
+@pytest.fixture(scope="module")
+def stops() -> list[bool]:
+    return []
+
+
+@pytest.fixture(scope="module")
+def control(stops: list[bool]) -> Control:
+    return Control(on_stop=lambda: stops.append(True))
+
+
+@pytest.fixture(scope="module")
+def server(control: Control) -> Iterator[viser.ViserServer]:
+    served = open_lab(control)
+    yield served
+    served.stop()
+
+
+def open_lab(control: Control, port: int = 0) -> viser.ViserServer:
+    """Serve a scene and a panel; the windows' seats are seat-0, seat-1, … in the order in which they connect."""
+    served = serve("127.0.0.1", port, STATIC, {PATH: control.serve})
+    served.gui.set_panel_label(LABEL)
+    served.scene.configure_default_lights(cast_shadow=False)
+    served.scene.add_grid("/floor")
+    served.scene.add_icosphere("/ball", 0.3, (40, 90, 200))
+    seats = (f"seat-{number}" for number in count())
+
+    async def furnish(client: viser.ClientHandle) -> None:
+        seat = next(seats)
+        introduce(client, seat)
+        control.push(seat, Notice("en", FREE, "ok"))
+        client.gui.add_text("Name", "q")
+        client.gui.add_html(f'<div class="helicoide-formula">{latex2mathml.converter.convert(TALL)}</div>')
+        time = np.linspace(0.0, 1.0, 50)
+        series = (uplot.Series(label="t"), uplot.Series(label="q", stroke="blue"))
+        client.gui.add_uplot((time, time**2), series)
+        for number in range(12):
+            client.gui.add_slider(f"Joint {number}", -1.0, 1.0, 0.01, 0.0)
+        client.gui.add_button("Question").on_click(ask)
+
+    async def ask(event: viser.GuiEvent[viser.GuiButtonHandle]) -> None:
+        assert event.client is not None
+        with event.client.gui.add_modal("Question"):
+            event.client.gui.add_text("Answer", "")
+
+    served.on_client_connect(furnish)
+    return served
+
+
+def say(server: viser.ViserServer, control: Control, notice: Notice) -> None:
+    for seat in list(control._notices):
+        server.get_event_loop().call_soon_threadsafe(control.push, seat, notice)
+
+
+def press_folder(page: Page, size: str) -> None:
+    """Fold or unfold viser's panel as a person does."""
+    label = page.get_by_text(LABEL, exact=True)
+    label.tap() if size == "phone" else label.click()
+    page.wait_for_timeout(600)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_stop_and_status_are_in_view_and_cover_no_control(
+    server: viser.ViserServer, control: Control, open_page: OpenPage, size: str
+) -> None:
+    page = open_page(server.get_port(), size)
+    say(server, control, Notice("pt_BR", LONG, "blocked"))
+    expect(page.locator("#helicoide-status")).to_have_text(LONG.pt_BR)
+    page.add_style_tag(content="#helicoide-status { pointer-events: auto !important }")  # else it is not hit
+    for _ in ("open", "folded"):
+        for name in ("helicoide-stop", "helicoide-status"):
+            assert page.evaluate(IN_VIEW, name)
+            assert page.evaluate(LAYERS, name) == [[True, "CANVAS"]] * 9
+        assert page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")
+        press_folder(page, size)
+
+
+def fires(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
+    """Say whether an act reached on_stop once."""
+    before = len(stops)
+    act()
+    page.wait_for_timeout(200)
+    return len(stops) == before + 1
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_stop_by_hand(server: viser.ViserServer, open_page: OpenPage, stops: list[bool], size: str) -> None:
+    page = open_page(server.get_port(), size)
+    stop = page.locator("#helicoide-stop")
+    box = stop.bounding_box()
+    assert box is not None
+    assert min(box["width"], box["height"]) >= 44
+    assert fires(page, stops, stop.tap if size == "phone" else stop.click)
+
+
+def test_stop_on_press_rather_than_release(server: viser.ViserServer, open_page: OpenPage, stops: list[bool]) -> None:
+    page = open_page(server.get_port())
+    page.locator("#helicoide-stop").hover()
+    assert fires(page, stops, page.mouse.down)
+    assert not fires(page, stops, page.mouse.up)
+
+
+def test_stop_by_key(server: viser.ViserServer, open_page: OpenPage, stops: list[bool]) -> None:
+    page = open_page(server.get_port())
+    assert fires(page, stops, lambda: page.keyboard.press("Escape"))
+    page.locator("input.mantine-TextInput-input").first.focus()
+    assert page.evaluate("document.activeElement.tagName") == "INPUT"
+    assert fires(page, stops, lambda: page.keyboard.press("Escape"))
+    assert not fires(page, stops, lambda: page.keyboard.press("x"))
+    page.locator("#helicoide-stop").focus()
+    assert fires(page, stops, lambda: page.keyboard.press("Enter"))
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_stop_over_a_modal(server: viser.ViserServer, open_page: OpenPage, stops: list[bool], size: str) -> None:
+    page = open_page(server.get_port(), size)
+    page.get_by_role("button", name="Question").click()
+    page.locator(".mantine-Modal-content").wait_for()
+    stop = page.locator("#helicoide-stop")
+    assert fires(page, stops, stop.tap if size == "phone" else stop.click)
+    page.locator(".mantine-Modal-content input").focus()
+    assert fires(page, stops, lambda: page.keyboard.press("Escape"))
+
+
+def test_each_window_speaks_its_own_language(server: viser.ViserServer, control: Control, open_page: OpenPage) -> None:
+    first, second = open_page(server.get_port()), open_page(server.get_port())
+    *_, seat_of_first, seat_of_second = control._notices
+    loop = server.get_event_loop()
+    loop.call_soon_threadsafe(control.push, seat_of_first, Notice("pt_BR", FREE, "ok"))
+    loop.call_soon_threadsafe(control.push, seat_of_second, Notice("en", LONG, "blocked"))
+    expect(first.locator("#helicoide-status")).to_have_text(FREE.pt_BR)
+    expect(first.locator("#helicoide-stop-label")).to_have_text("Parar o movimento")
+    expect(first.locator("html")).to_have_attribute("lang", "pt-BR")
+    expect(second.locator("#helicoide-status")).to_have_text(LONG.en)
+    expect(second.locator("#helicoide-status")).to_have_attribute("data-tone", "blocked")
+    expect(second.locator("#helicoide-stop-label")).to_have_text("Stop motion")
+    expect(second.locator("html")).to_have_attribute("lang", "en")
+
+
+def test_words_are_never_markup(server: viser.ViserServer, control: Control, open_page: OpenPage) -> None:
+    page = open_page(server.get_port())
+    say(server, control, Notice("en", same("<img src=x onerror=alert(1)>"), "warn"))
+    expect(page.locator("#helicoide-status")).to_have_text("<img src=x onerror=alert(1)>")
+    assert page.locator("#helicoide-status *").count() == 0
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_seat_is_found_again_when_viser_reconnects_behind_a_folded_panel(
+    server: viser.ViserServer, control: Control, open_page: OpenPage, size: str
+) -> None:
+    page = open_page(server.get_port(), size)
+    press_folder(page, size)
+    known = page.evaluate("window.helicoideSeat")
+    server._websock_server.disconnect_all_clients()
+    page.wait_for_function("(known) => window.helicoideSeat !== known", arg=known)
+    say(server, control, Notice("en", LONG, "warn"))
+    expect(page.locator("#helicoide-status")).to_have_text(LONG.en)
+
+
+@pytest.mark.parametrize("locale", ["en-US", "pt-BR"])
+def test_a_lost_server_is_told_and_a_stop_outlives_it(
+    control: Control, open_page: OpenPage, stops: list[bool], locale: str
+) -> None:
+    served = open_lab(control)
+    port = served.get_port()
+    page = open_page(port, locale=locale)
+    say(served, control, Notice("pt_BR" if locale == "pt-BR" else "en", FREE, "ok"))
+    expect(page.locator("html")).to_have_attribute("lang", locale[:2] if locale == "en-US" else locale)
+    served.stop()
+    expect(page.locator("#helicoide-status")).to_have_text(LOST["pt_BR" if locale == "pt-BR" else "en"])
+    expect(page.locator("#helicoide-stop")).to_have_css("background-color", "rgb(107, 112, 117)")
+    before = len(stops)
+    page.keyboard.press("Escape")
+    served = open_lab(control, port)
+    try:
+        page.wait_for_selector("#helicoide-stop[data-link=up]")
+        page.wait_for_timeout(300)
+        assert len(stops) == before + 1
+    finally:
+        served.stop()
+
+
+def test_a_stuck_server_is_told(control: Control, open_page: OpenPage) -> None:
+    served = open_lab(control)
+    try:
+        page = open_page(served.get_port())
+        served.get_event_loop().call_soon_threadsafe(sleep, 5.0)
+        page.wait_for_selector("#helicoide-stop[data-link=lost]", timeout=4500)
+        page.wait_for_selector("#helicoide-stop[data-link=up]")
+    finally:
+        served.stop()
+
+
+def test_nothing_foreign_is_reached_and_all_of_the_page_works(
+    server: viser.ViserServer, open_page: OpenPage, console: list[str]
+) -> None:
+    page = open_page(server.get_port())
+    page.wait_for_function("() => window.__viserMutable.nodeRefFromName['/ball']")
+    page.locator(".uplot canvas").first.wait_for()
+    assert page.title() == "Helicoide"
+    assert page.evaluate("document.fonts.load('16px \"STIX Two Math\"', '∑').then((faces) => faces.length)") == 1
+    assert page.locator("math mo").first.bounding_box()["height"] > 30  # type: ignore[index]
+    assert [line for line in console if "policy" in line.lower() or line.startswith(("error", "pageerror"))] == []
+    with pytest.raises(Error, match="Failed to fetch"):
+        page.evaluate("fetch('http://localhost:9/')")
+    assert any("Content Security Policy" in line for line in console)
+
+
+def test_a_link_to_another_server_is_stripped(server: viser.ViserServer, open_page: OpenPage) -> None:
+    page = open_page(server.get_port())
+    page.goto(f"http://127.0.0.1:{server.get_port()}/?websocket=ws://127.0.0.1:9")
+    page.wait_for_selector("#helicoide-stop[data-link=up]")
+    assert "websocket" not in page.url

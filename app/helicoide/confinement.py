@@ -83,9 +83,6 @@ def distances(normals: Array, offsets: Array, points: Array) -> Array:
     for j in range(points.shape[0]):
         for k in range(normals.shape[0]):
             table[j, k] = (
-                normals[k, 0] * points[j, 0]
-                + normals[k, 1] * points[j, 1]
-                + normals[k, 2] * points[j, 2]
-                - offsets[k]
+                normals[k, 0] * points[j, 0] + normals[k, 1] * points[j, 1] + normals[k, 2] * points[j, 2] - offsets[k]
             )
     return table

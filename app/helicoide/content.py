@@ -1,4 +1,4 @@
-"""Finds robots/, lessons/ and static/: in a checkout, else inside the wheel; the user's folder adds to the first two."""
+"""Finds robots/, lessons/ and static/: in a checkout, else inside the wheel; the user's folder adds to two."""
 
 from __future__ import annotations
 

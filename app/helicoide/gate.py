@@ -222,9 +222,7 @@ def set_gripper(opening: float) -> Update:
     def wish(state: State) -> State:
         (value,) = _finite([opening], (1,))
         if not 0.0 <= value <= 1.0:
-            raise HelicoideError(
-                Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %.")
-            )
+            raise HelicoideError(Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %."))
         released = Hold() if state.command == Hold(stopped=True) else state.command
         return replace(state, gripper_target=value, command=released)
 

@@ -88,10 +88,11 @@ def count_compilations(report: Callable[[int], None]) -> Iterator[None]:
         def on_start(self, event: object) -> None:
             pass
 
-        def on_end(self, event: object) -> None:
+        def on_end(self, event: event.Event) -> None:
             nonlocal done
-            done += 1
-            report(done)
+            if event.data["dispatcher"].py_func.__module__.startswith("helicoide."):
+                done += 1
+                report(done)
 
     with event.install_listener("numba:compile", Listener()):
         yield

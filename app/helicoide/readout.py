@@ -7,15 +7,13 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.confinement import Zone, distances
+from helicoide.confinement import Zone
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik import AtLimit, Contact
 from helicoide.ik.goal import Goal
-from helicoide.kinematics.forward import carried_points
-from helicoide.kinematics.jacobian import joint_axes
 from helicoide.kinematics.robot import Array
-from helicoide.state import Along, GetReady, Hold, Park, State
+from helicoide.state import Along, GetReady, Hold, Park, State, points_on
 from helicoide.text import Text
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]
@@ -44,14 +42,13 @@ def _tool(state: State) -> Reading:
 
 
 def _lines(state: State) -> list[Reading]:
-    axes = joint_axes(state.poses, state.robot.directions)
     title = Text(en="axis of joint {n} ({joint})", pt_BR="eixo da junta {n} ({joint})")
     return [
         Reading(
             f"joint {i}",
             title.format(n=i + 1, joint=joint.title),
             rf"\ell_{i + 1}",
-            rigid.line(axes[i], state.poses[i + 1, :3, 3]),
+            rigid.line(state.axes[i], state.poses[i + 1, :3, 3]),
         )
         for i, joint in enumerate(state.robot.joints)
     ]
@@ -87,8 +84,12 @@ def distance_product(state: State, point: int, plane: int) -> Array:
 
 def plane_distances(state: State) -> Array:
     """Distances of every guarded point to every plane, (m, k), m."""
-    normals, offsets, _ = state.problem.plane_arrays
-    return distances(normals, offsets, state.guarded_points)
+    return _distances(state, state.guarded_points)
+
+
+def _distances(state: State, points: Array) -> Array:
+    planes = state.problem.planes
+    return np.asarray(points @ planes.normals.T - planes.offsets)
 
 
 def nearest(state: State) -> Contact:
@@ -127,9 +128,7 @@ def status(state: State) -> Status:
         return _parking(state)
     if state.goal is not None and not isinstance(state.command, Hold):
         return _towards(state, state.goal)
-    return Status(
-        Text(en="Ready: drag the target or a slider.", pt_BR="Pronto: arraste o alvo ou um controle."), "ok"
-    )
+    return Status(Text(en="Ready: drag the target or a slider.", pt_BR="Pronto: arraste o alvo ou um controle."), "ok")
 
 
 def _parking(state: State) -> Status:
@@ -200,9 +199,7 @@ def _held_back(state: State, goal: Goal) -> Text:
 
 def _distance_at(state: State, goal: Goal, contact: Contact) -> float:
     """The distance of a contact's point to its plane at the goal, m."""
-    robot, (normals, offsets, _) = state.robot, state.problem.plane_arrays
-    points = carried_points(goal.poses, robot.points, robot.guarded_points, robot.guarded_joints)
-    return float(distances(normals, offsets, points)[contact.point, contact.plane])
+    return float(_distances(state, points_on(state.robot, goal.poses))[contact.point, contact.plane])
 
 
 def _misaligned(state: State, goal: Goal) -> Text:
@@ -220,5 +217,3 @@ def _misaligned(state: State, goal: Goal) -> Text:
         en="Position held, orientation {turned:.0f}° off: {why}.",
         pt_BR="Posição mantida, orientação a {turned:.0f}°: {why}.",
     ).format(turned=np.degrees(goal.turned), why=why)
-
-

@@ -1,7 +1,8 @@
-"""Machine parts as triangle meshes: outlines, rounded prisms, turned parts, cables, bolts, and the GLB that carries them.
+"""Machine parts as triangle meshes: outlines, rounded prisms, turned parts, cables, bolts, and the GLB to carry them.
 
 A drawing keeps to one unit of length throughout and `glb` turns it into metres. An outline is an (n, 2) array (u, v),
-counter-clockwise, drawn as it is seen from where `axis` points: u to the right and v up (along y for the axes z and -z).
+counter-clockwise, drawn as it is seen from where `axis` points: u to the right and v up. Seen along the vertical, u is
+x, and v is y (axis "z") or -y (axis "-z").
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ _FRAMES: dict[Axis, Array] = {
     "-y": np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]),
     "-z": np.array([[1.0, 0, 0], [0, -1, 0], [0, 0, -1]]),
 }
-SMOOTH_COS = np.cos(np.radians(35.0))  # flatter edges are shaded round, 45° chamfers stay crisp
+SMOOTH_COS = np.cos(np.radians(50.0))  # flatter edges are shaded round: a 45° chamfer looks like a fillet
 
 
 # --- outlines -------------------------------------------------------------------------------------------------------
@@ -37,7 +38,8 @@ SMOOTH_COS = np.cos(np.radians(35.0))  # flatter edges are shaded round, 45° ch
 def circle(radius: float, sides: int = 32, centre: ArrayLike = (0.0, 0.0)) -> Array:
     """A regular polygon of that circumscribed radius."""
     angle = 2 * np.pi * np.arange(sides) / sides
-    return radius * np.column_stack([np.cos(angle), np.sin(angle)]) + np.asarray(centre)
+    ring: Array = radius * np.column_stack([np.cos(angle), np.sin(angle)]) + np.asarray(centre)
+    return ring
 
 
 def hull(*outlines: ArrayLike) -> Array:
@@ -55,7 +57,7 @@ def rectangle(width: float, height: float, corner: float = 0.0, steps: int = 4) 
     """A rectangle about the origin with rounded corners."""
     half = np.array([width, height]) / 2 - corner
     if corner == 0.0:
-        return half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        return np.array([[-1.0, -1], [1, -1], [1, 1], [-1, 1]]) * half
     arc = np.linspace(0, np.pi / 2, steps + 1)
     corners = [(0.0, (1, 1)), (np.pi / 2, (-1, 1)), (np.pi, (-1, -1)), (3 * np.pi / 2, (1, -1))]
     return np.vstack([
@@ -63,7 +65,7 @@ def rectangle(width: float, height: float, corner: float = 0.0, steps: int = 4) 
     ])  # fmt: skip
 
 
-def rounded(points: ArrayLike, radius: float, steps: int = 4) -> Array:
+def rounded(points: ArrayLike, radius: float, steps: int = 3) -> Array:
     """The polygon through the points with all its corners rounded."""
     shape = Polygon(np.asarray(points)).buffer(-radius, join_style="mitre").buffer(radius, quad_segs=steps)
     shape = shape.buffer(radius, quad_segs=steps).buffer(-radius, quad_segs=steps).simplify(radius * 1e-3)
@@ -76,7 +78,8 @@ def inset(outline: Array, distance: float) -> Array:
     edge /= np.linalg.norm(edge, axis=1, keepdims=True)
     inward = np.column_stack([-edge[:, 1], edge[:, 0]])
     before = np.roll(inward, 1, axis=0)
-    return outline + distance * (inward + before) / (1 + np.sum(inward * before, axis=1, keepdims=True))
+    moved: Array = outline + distance * (inward + before) / (1 + np.sum(inward * before, axis=1, keepdims=True))
+    return moved
 
 
 def gear(radius: float, teeth: int, depth: float) -> Array:
@@ -96,12 +99,15 @@ def _counter_clockwise(ring: Array) -> Array:
 # --- solids ---------------------------------------------------------------------------------------------------------
 
 
-def stacked(layers: Sequence[tuple[Array, float]], axis: Axis = "z", at: ArrayLike = ORIGIN) -> trimesh.Trimesh:
+def stacked(
+    layers: Sequence[tuple[Array, float]], axis: Axis = "z", at: ArrayLike = ORIGIN, bottom: bool = True
+) -> trimesh.Trimesh:
     """The solid skinned over outlines of equal point count, each at its height along the axis, lowest first."""
     rings = [np.column_stack([outline, np.full(len(outline), height)]) for outline, height in layers]
-    bottom = manifold3d.triangulate([layers[0][0]])[:, ::-1]
-    top = manifold3d.triangulate([layers[-1][0]]) + len(rings[0]) * (len(rings) - 1)
-    return _placed(rings, [bottom, top], axis, at)
+    caps = [manifold3d.triangulate([layers[-1][0]]) + len(rings[0]) * (len(rings) - 1)]
+    if bottom:
+        caps.append(manifold3d.triangulate([layers[0][0]])[:, ::-1])
+    return _placed(rings, caps, axis, at)
 
 
 def prism(
@@ -116,10 +122,10 @@ def prism(
 def raised(
     outline: Array, height: float, edge: float = 0.0, steps: int = 1, axis: Axis = "z", at: ArrayLike = ORIGIN
 ) -> trimesh.Trimesh:
-    """A cover that stands on the plane through `at` and looks along the axis, its outer rim chamfered or rounded."""
+    """A cover that stands on the plane through `at`, open underneath, its outer rim chamfered or rounded."""
     turn = np.linspace(0, np.pi / 2, steps + 1) if edge else np.array([0.0])
     rim = [(inset(outline, edge * (1 - np.cos(t))), height - edge * (1 - np.sin(t))) for t in turn]
-    return stacked([(outline, 0.0), *rim], axis, at)
+    return stacked([(outline, 0.0), *rim], axis, at, bottom=False)
 
 
 def cylinder(
@@ -148,7 +154,9 @@ def box(
     return prism(rectangle(u, v, corner), run, edge, steps, axis, at)
 
 
-def turned(profile: Sequence[tuple[float, float]], axis: Axis = "z", at: ArrayLike = ORIGIN, sides: int = 32) -> trimesh.Trimesh:
+def turned(
+    profile: Sequence[tuple[float, float]], axis: Axis = "z", at: ArrayLike = ORIGIN, sides: int = 32
+) -> trimesh.Trimesh:
     """A lathe part: (radius, height) pairs from one end face to the other."""
     return stacked([(circle(radius, sides), height) for radius, height in profile], axis, at)
 
@@ -172,7 +180,7 @@ def letters(strokes: Iterable[ArrayLike], thickness: float, depth: float, axis: 
     """Raised lettering: each stroke is a polyline of (u, v) points drawn with a square pen."""
     shapes = [LineString(np.asarray(s)).buffer(thickness / 2, cap_style="flat", join_style="mitre") for s in strokes]
     outlines = [_counter_clockwise(np.asarray(shape.exterior.coords)[:-1]) for shape in shapes]
-    return joined(prism(outline, depth, axis=axis, at=at) for outline in outlines)
+    return joined(raised(outline, depth, axis=axis, at=at) for outline in outlines)
 
 
 def _catmull_rom(points: Array, samples: int) -> Array:
@@ -204,7 +212,8 @@ def ring_of_points(count: int, radius: float, axis: Axis, at: ArrayLike, phase: 
     """Points evenly spread on a circle about the axis through `at`; the phase is in parts of the spacing."""
     angle = 2 * np.pi * (np.arange(count) + phase) / count
     flat = radius * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(count)])
-    return flat @ _FRAMES[axis] + np.asarray(at)
+    points: Array = flat @ _FRAMES[axis] + np.asarray(at)
+    return points
 
 
 def bolts(points: Iterable[ArrayLike], radius: float, height: float, axis: Axis) -> trimesh.Trimesh:
@@ -222,12 +231,22 @@ def mirrored(solid: trimesh.Trimesh) -> trimesh.Trimesh:
 
 def joined(solids: Iterable[trimesh.Trimesh]) -> trimesh.Trimesh:
     """All the solids as one mesh; they may overlap."""
-    return trimesh.util.concatenate(list(solids))
+    parts = list(solids)
+    first = np.cumsum([0] + [len(part.vertices) for part in parts[:-1]])
+    faces = np.vstack([part.faces + start for part, start in zip(parts, first, strict=True)])
+    return trimesh.Trimesh(np.vstack([part.vertices for part in parts]), faces, process=False)
+
+
+def wrapped(*solids: trimesh.Trimesh) -> trimesh.Trimesh:
+    """The tight convex skin around the solids: a housing that runs from one shape into another."""
+    skin: trimesh.Trimesh = trimesh.convex.convex_hull(np.vstack([solid.vertices for solid in solids]))
+    return skin
 
 
 def cut(body: trimesh.Trimesh, *tools: trimesh.Trimesh) -> trimesh.Trimesh:
     """The body without the volumes of the tools."""
-    return trimesh.boolean.difference([body, *tools], engine="manifold")
+    rest: trimesh.Trimesh = trimesh.boolean.difference([body, *tools], engine="manifold")
+    return rest
 
 
 def paint(red: int, green: int, blue: int, roughness: float, metallic: float = 0.0) -> PBRMaterial:
@@ -237,15 +256,16 @@ def paint(red: int, green: int, blue: int, roughness: float, metallic: float = 0
     return PBRMaterial(baseColorFactor=[*linear, 1.0], roughnessFactor=roughness, metallicFactor=metallic)
 
 
-def shaded(solid: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The solid with vertices split at sharp edges and normals weighted by area, so that flat faces stay flat."""
-    solid = solid.copy()
+def shaded(solid: trimesh.Trimesh, unit: float = 1.0) -> trimesh.Trimesh:
+    """The solid in metres, vertices split at sharp edges, normals weighted by area so that flat faces stay flat."""
+    solid = trimesh.Trimesh(solid.vertices * unit, solid.faces, process=False)
     solid.merge_vertices(digits_vertex=7)
     solid.update_faces(solid.area_faces > 1e-14)
     corner_vertex, corner_face = solid.faces.ravel(), np.repeat(np.arange(len(solid.faces)), 3)
     around = solid.vertex_faces[corner_vertex]
     close = np.einsum("cfk,ck->cf", solid.face_normals[around], solid.face_normals[corner_face]) > SMOOTH_COS
-    opening = np.take_along_axis(solid.face_angles[around], _corner(solid, corner_vertex, around)[..., None], axis=2)[..., 0]
+    own = solid.faces[around] == corner_vertex[:, None, None]
+    opening = np.sum(solid.face_angles[around] * own, axis=2)
     weight = np.where(close & (around >= 0), solid.area_faces[around] * opening, 0.0)
     normal = np.einsum("cf,cfk->ck", weight, solid.face_normals[around])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
@@ -256,17 +276,11 @@ def shaded(solid: trimesh.Trimesh) -> trimesh.Trimesh:
     )
 
 
-def _corner(solid: trimesh.Trimesh, vertex: NDArray[np.int64], faces: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Which corner of each of the faces around a vertex is that vertex."""
-    where: NDArray[np.int64] = np.argmax(solid.faces[faces] == vertex[:, None, None], axis=2)
-    return where
-
-
 def glb(parts: Mapping[str, tuple[PBRMaterial, Sequence[trimesh.Trimesh]]], unit: float = 1.0) -> bytes:
-    """One GLB file: a mesh for each named surface, in metres; `unit` is the length in metres that the solids count in."""
+    """One GLB file in metres, a mesh for each named surface; `unit` is the drawing's unit of length in metres."""
     scene = trimesh.Scene()
     for name, (material, solids) in parts.items():
-        solid = shaded(joined(solids).apply_scale(unit))
+        solid = shaded(joined(solids), unit)
         solid.visual = trimesh.visual.TextureVisuals(material=material)
         scene.add_geometry(solid, geom_name=name, node_name=name)
     data: bytes = scene.export(file_type="glb", include_normals=True)

@@ -12,7 +12,7 @@ from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.goal import Goal, tool_pose
 from helicoide.kernels import plain
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, Robot, frozen
 from helicoide.text import Language, Text
 from helicoide.trajectory import EQ_33, Ellipse
@@ -75,9 +75,9 @@ class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
     q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (n + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
-    1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture to
-    pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: the time until
-    which sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate.
+    1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture
+    to pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: until when
+    sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate.
     """
 
     problem: Problem
@@ -112,8 +112,12 @@ class State:
     @property
     def guarded_points(self) -> Array:
         """The guarded points where they are, (m, 3), m."""
-        robot = self.robot
-        return carried_points(self.poses, robot.points, robot.guarded_points, robot.guarded_joints)
+        return points_on(self.robot, self.poses)
+
+    @property
+    def axes(self) -> Array:
+        """The joint axes where they are, (n, 3), unit, world frame."""
+        return np.asarray(np.einsum("nij,nj->ni", self.poses[1:, :3, :3], self.robot.directions))
 
     @property
     def moving(self) -> bool:
@@ -121,9 +125,13 @@ class State:
         return bool(np.max(np.abs(self.speeds)) > 1e-3)
 
 
-
-
 Update = Callable[[State], State]
+
+
+def points_on(robot: Robot, poses: Array) -> Array:
+    """The guarded points for given link poses (n + 1, 4, 4), (m, 3), m, world frame; without a kernel, for the view."""
+    carriers = poses[robot.guarded_joints]
+    return np.asarray(np.einsum("mij,mj->mi", carriers[:, :3, :3], robot.guarded_points) + carriers[:, :3, 3])
 
 
 def initial(robot: Robot) -> State:
@@ -156,7 +164,11 @@ class Seat:
     done: frozenset[str] = frozenset()
     hint_open: bool = False
     selected: str | None = None
-    shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({"trail": True}))
+    shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
+
+    def showing(self, name: str, on: bool) -> Seat:
+        """The same seat with one layer of the scene shown or hidden."""
+        return replace(self, shows=MappingProxyType({**self.shows, name: on}))
 
 
 SeatUpdate = Callable[[Seat], Seat]

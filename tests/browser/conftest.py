@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
@@ -38,32 +38,36 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
-@pytest.fixture
-def console() -> list[str]:
-    """Every line that the pages of this test wrote to their consoles, errors of the page included."""
-    return []
+@contextmanager
+def window(
+    browser: Browser, port: int, size: str = "desk", locale: str = "en-US", log: list[str] | None = None
+) -> Iterator[Page]:
+    """Open a window on a port: desk (1280 × 800) or phone (390 × 844, touch), drawn, connected and free of toasts.
+
+    What the page writes to its console, errors included, is added to the log.
+    """
+    lines = [] if log is None else log
+    width, height = SIZES[size]
+    view: ViewportSize = {"width": width, "height": height}
+    touch = size == "phone"
+    context = browser.new_context(viewport=view, has_touch=touch, is_mobile=touch, locale=locale)
+    try:
+        page = context.new_page()
+        page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))
+        page.on("pageerror", lambda error: lines.append(f"pageerror: {error}"))
+        page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.5")
+        page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
+        page.wait_for_selector("#helicoide-stop[data-link=up]")
+        page.locator(SLOW_GL_TOAST).wait_for()
+        page.locator(".mantine-Notification-closeButton").first.click()
+        page.locator(SLOW_GL_TOAST).wait_for(state="detached")
+        yield page
+    finally:
+        context.close()
 
 
 @pytest.fixture
-def open_page(browser: Browser, console: list[str]) -> Iterator[OpenPage]:
-    """Open a window on a port: desk (1280 × 800) or phone (390 × 844, touch), drawn, connected and free of toasts."""
+def open_page(browser: Browser) -> Iterator[OpenPage]:
+    """Open windows that live for one test."""
     with ExitStack() as windows:
-
-        def open_window(port: int, size: str = "desk", locale: str = "en-US") -> Page:
-            width, height = SIZES[size]
-            touch = size == "phone"
-            view: ViewportSize = {"width": width, "height": height}
-            window = browser.new_context(viewport=view, has_touch=touch, is_mobile=touch, locale=locale)
-            windows.callback(window.close)
-            page = window.new_page()
-            page.on("console", lambda line: console.append(f"{line.type}: {line.text}"))
-            page.on("pageerror", lambda error: console.append(f"pageerror: {error}"))
-            page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.5")
-            page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
-            page.wait_for_selector("#helicoide-stop[data-link=up]")
-            page.locator(SLOW_GL_TOAST).wait_for()
-            page.locator(".mantine-Notification-closeButton").first.click()
-            page.locator(SLOW_GL_TOAST).wait_for(state="detached")
-            return page
-
-        yield open_window
+        yield lambda *args, **options: windows.enter_context(window(browser, *args, **options))

@@ -11,8 +11,8 @@ import latex2mathml.converter
 import numpy as np
 import pytest
 import viser
-from playwright.sync_api import Error, Page, expect
-from tests.browser.conftest import SIZES, OpenPage
+from playwright.sync_api import Browser, Error, Locator, Page, expect
+from tests.browser.conftest import SIZES, OpenPage, window
 from viser import uplot
 
 from helicoide.text import Text, same
@@ -89,8 +89,12 @@ def open_lab(control: Control, port: int = 0) -> viser.ViserServer:
 
     async def ask(event: viser.GuiEvent[viser.GuiButtonHandle]) -> None:
         assert event.client is not None
-        with event.client.gui.add_modal("Question"):
-            event.client.gui.add_text("Answer", "")
+        with event.client.gui.add_modal("Question") as modal:
+
+            async def close(_: object) -> None:
+                modal.close()
+
+            event.client.gui.add_button("Answer").on_click(close)
 
     served.on_client_connect(furnish)
     return served
@@ -101,18 +105,34 @@ def say(server: viser.ViserServer, control: Control, notice: Notice) -> None:
         server.get_event_loop().call_soon_threadsafe(control.push, seat, notice)
 
 
-def press_folder(page: Page, size: str) -> None:
-    """Fold or unfold viser's panel as a person does."""
-    label = page.get_by_text(LABEL, exact=True)
-    label.tap() if size == "phone" else label.click()
+@pytest.fixture(scope="module", params=SIZES)
+def page(request: pytest.FixtureRequest, browser: Browser, server: viser.ViserServer) -> Iterator[Page]:
+    with window(browser, server.get_port(), request.param) as opened:
+        yield opened
+
+
+def press(page: Page, target: Locator) -> None:
+    """Press as a person does: by finger on a phone, else with the mouse."""
+    target.tap() if page.evaluate("navigator.maxTouchPoints") else target.click()
+
+
+def fold(page: Page) -> None:
+    """Fold viser's panel, or unfold it."""
+    press(page, page.get_by_text(LABEL, exact=True))
     page.wait_for_timeout(600)
 
 
-@pytest.mark.parametrize("size", SIZES)
+def fires(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
+    """Say whether an act reached on_stop, once."""
+    before = len(stops)
+    act()
+    page.wait_for_timeout(200)
+    return len(stops) == before + 1
+
+
 def test_stop_and_status_are_in_view_and_cover_no_control(
-    server: viser.ViserServer, control: Control, open_page: OpenPage, size: str
+    server: viser.ViserServer, control: Control, page: Page
 ) -> None:
-    page = open_page(server.get_port(), size)
     say(server, control, Notice("pt_BR", LONG, "blocked"))
     expect(page.locator("#helicoide-status")).to_have_text(LONG.pt_BR)
     page.add_style_tag(content="#helicoide-status { pointer-events: auto !important }")  # else it is not hit
@@ -121,38 +141,26 @@ def test_stop_and_status_are_in_view_and_cover_no_control(
             assert page.evaluate(IN_VIEW, name)
             assert page.evaluate(LAYERS, name) == [[True, "CANVAS"]] * 9
         assert page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")
-        press_folder(page, size)
+        fold(page)
 
 
-def fires(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
-    """Say whether an act reached on_stop once."""
-    before = len(stops)
-    act()
-    page.wait_for_timeout(200)
-    return len(stops) == before + 1
-
-
-@pytest.mark.parametrize("size", SIZES)
-def test_stop_by_hand(server: viser.ViserServer, open_page: OpenPage, stops: list[bool], size: str) -> None:
-    page = open_page(server.get_port(), size)
+def test_stop_by_hand(page: Page, stops: list[bool]) -> None:
     stop = page.locator("#helicoide-stop")
     box = stop.bounding_box()
     assert box is not None
     assert min(box["width"], box["height"]) >= 44
-    assert fires(page, stops, stop.tap if size == "phone" else stop.click)
+    assert fires(page, stops, lambda: press(page, stop))
 
 
-def test_stop_on_press_rather_than_release(server: viser.ViserServer, open_page: OpenPage, stops: list[bool]) -> None:
-    page = open_page(server.get_port())
+def test_stop_on_press_rather_than_release(page: Page, stops: list[bool]) -> None:
     page.locator("#helicoide-stop").hover()
     assert fires(page, stops, page.mouse.down)
     assert not fires(page, stops, page.mouse.up)
 
 
-def test_stop_by_key(server: viser.ViserServer, open_page: OpenPage, stops: list[bool]) -> None:
-    page = open_page(server.get_port())
+def test_stop_by_key(page: Page, stops: list[bool]) -> None:
     assert fires(page, stops, lambda: page.keyboard.press("Escape"))
-    page.locator("input.mantine-TextInput-input").first.focus()
+    page.locator("input.mantine-TextInput-input:visible").focus()
     assert page.evaluate("document.activeElement.tagName") == "INPUT"
     assert fires(page, stops, lambda: page.keyboard.press("Escape"))
     assert not fires(page, stops, lambda: page.keyboard.press("x"))
@@ -160,15 +168,31 @@ def test_stop_by_key(server: viser.ViserServer, open_page: OpenPage, stops: list
     assert fires(page, stops, lambda: page.keyboard.press("Enter"))
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_stop_over_a_modal(server: viser.ViserServer, open_page: OpenPage, stops: list[bool], size: str) -> None:
-    page = open_page(server.get_port(), size)
+def test_stop_over_a_modal(page: Page, stops: list[bool]) -> None:
     page.get_by_role("button", name="Question").click()
     page.locator(".mantine-Modal-content").wait_for()
-    stop = page.locator("#helicoide-stop")
-    assert fires(page, stops, stop.tap if size == "phone" else stop.click)
-    page.locator(".mantine-Modal-content input").focus()
+    assert fires(page, stops, lambda: press(page, page.locator("#helicoide-stop")))
     assert fires(page, stops, lambda: page.keyboard.press("Escape"))
+    page.get_by_role("button", name="Answer").click()
+    page.locator(".mantine-Modal-content").wait_for(state="detached")
+
+
+def test_words_are_never_markup(server: viser.ViserServer, control: Control, page: Page) -> None:
+    say(server, control, Notice("en", same("<img src=x onerror=alert(1)>"), "warn"))
+    expect(page.locator("#helicoide-status")).to_have_text("<img src=x onerror=alert(1)>")
+    assert page.locator("#helicoide-status *").count() == 0
+
+
+def test_the_seat_is_found_again_when_viser_reconnects_behind_a_folded_panel(
+    server: viser.ViserServer, control: Control, page: Page
+) -> None:
+    fold(page)
+    known = page.evaluate("window.helicoideSeat")
+    server._websock_server.disconnect_all_clients()
+    page.wait_for_function("(known) => window.helicoideSeat !== known", arg=known)
+    say(server, control, Notice("en", LONG, "warn"))
+    expect(page.locator("#helicoide-status")).to_have_text(LONG.en)
+    fold(page)
 
 
 def test_each_window_speaks_its_own_language(server: viser.ViserServer, control: Control, open_page: OpenPage) -> None:
@@ -186,37 +210,12 @@ def test_each_window_speaks_its_own_language(server: viser.ViserServer, control:
     expect(second.locator("html")).to_have_attribute("lang", "en")
 
 
-def test_words_are_never_markup(server: viser.ViserServer, control: Control, open_page: OpenPage) -> None:
-    page = open_page(server.get_port())
-    say(server, control, Notice("en", same("<img src=x onerror=alert(1)>"), "warn"))
-    expect(page.locator("#helicoide-status")).to_have_text("<img src=x onerror=alert(1)>")
-    assert page.locator("#helicoide-status *").count() == 0
-
-
-@pytest.mark.parametrize("size", SIZES)
-def test_the_seat_is_found_again_when_viser_reconnects_behind_a_folded_panel(
-    server: viser.ViserServer, control: Control, open_page: OpenPage, size: str
-) -> None:
-    page = open_page(server.get_port(), size)
-    press_folder(page, size)
-    known = page.evaluate("window.helicoideSeat")
-    server._websock_server.disconnect_all_clients()
-    page.wait_for_function("(known) => window.helicoideSeat !== known", arg=known)
-    say(server, control, Notice("en", LONG, "warn"))
-    expect(page.locator("#helicoide-status")).to_have_text(LONG.en)
-
-
-@pytest.mark.parametrize("locale", ["en-US", "pt-BR"])
-def test_a_lost_server_is_told_and_a_stop_outlives_it(
-    control: Control, open_page: OpenPage, stops: list[bool], locale: str
-) -> None:
+def test_a_lost_server_is_told_and_a_stop_outlives_it(control: Control, open_page: OpenPage, stops: list[bool]) -> None:
     served = open_lab(control)
     port = served.get_port()
-    page = open_page(port, locale=locale)
-    say(served, control, Notice("pt_BR" if locale == "pt-BR" else "en", FREE, "ok"))
-    expect(page.locator("html")).to_have_attribute("lang", locale[:2] if locale == "en-US" else locale)
+    page = open_page(port)
     served.stop()
-    expect(page.locator("#helicoide-status")).to_have_text(LOST["pt_BR" if locale == "pt-BR" else "en"])
+    expect(page.locator("#helicoide-status")).to_have_text(LOST.en)
     expect(page.locator("#helicoide-stop")).to_have_css("background-color", "rgb(107, 112, 117)")
     before = len(stops)
     page.keyboard.press("Escape")
@@ -240,10 +239,19 @@ def test_a_stuck_server_is_told(control: Control, open_page: OpenPage) -> None:
         served.stop()
 
 
-def test_nothing_foreign_is_reached_and_all_of_the_page_works(
-    server: viser.ViserServer, open_page: OpenPage, console: list[str]
-) -> None:
-    page = open_page(server.get_port())
+def test_before_anyone_said_a_language_the_browsers_counts(control: Control, browser: Browser) -> None:
+    served = serve("127.0.0.1", 0, STATIC, {PATH: control.serve})
+    try:
+        with window(browser, served.get_port(), locale="pt-BR") as page:
+            expect(page.locator("#helicoide-stop-label")).to_have_text("Parar o movimento")
+            expect(page.locator("html")).to_have_attribute("lang", "pt-BR")
+    finally:
+        served.stop()
+
+
+def test_nothing_foreign_is_reached_and_all_of_the_page_works(server: viser.ViserServer, open_page: OpenPage) -> None:
+    console: list[str] = []
+    page = open_page(server.get_port(), log=console)
     page.wait_for_function("() => window.__viserMutable.nodeRefFromName['/ball']")
     page.locator(".uplot canvas").first.wait_for()
     assert page.title() == "Helicoide"

@@ -65,9 +65,7 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array)
 def goal_at_pose(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> Goal:
     """Where the arm comes to rest when it is driven from q (n,), rad, towards T_world_target (4, 4), m."""
     tool = (problem.robot.T_world_tool_0, T_world_target, with_orientation)
-    rest, multipliers = settle_at_pose(
-        problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, _TICK, _TICKS
-    )
+    rest, multipliers = settle_at_pose(problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, _TICK, _TICKS)
     return _goal(problem, rest, T_world_target, multipliers)
 
 
@@ -94,7 +92,7 @@ def _starts(problem: Problem, q: Array) -> list[Array]:
 
     def clear(posture: Array) -> bool:
         poses = link_poses(robot.directions, robot.points, posture)
-        points = carried_points(poses, robot.points, robot.guarded_points, robot.guarded_joints)
+        points = carried_points(poses, robot.guarded_points, robot.guarded_joints)
         return bool((distances(normals, offsets, points) > critical).all())
 
     return sorted(filter(clear, map(frozen, postures)), key=lambda posture: float(np.abs(posture - q).max()))

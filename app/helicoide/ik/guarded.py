@@ -126,7 +126,7 @@ def guarded_step(
 ) -> tuple[Array, Array, Array, float]:
     """One guarded tick from q towards a task.
 
-    Args: arm: directions (n, 3), axis points (n, 3), guarded points (m, 3) at q = 0, links that carry them (m,);
+    Args: arm: directions (n, 3), axis points (n, 3), guarded points (m, 3) on the links (m,) that carry them;
     q (n,), rad, and its `link_poses`; task: J (r, n), v (r,) the wished displacement, weights (r,); limits: lower,
     upper (n,), rad, speed (n,), rad/s; planes: normals (k, 3), offsets (k,), m, critical distance, m; dt, s.
     Returns q' (n,), its link poses (n + 1, 4, 4), the multipliers of the 2 n limit rows and m k plane rows, and the
@@ -137,7 +137,7 @@ def guarded_step(
     normals, offsets, critical = planes
     reach = speed * dt
     axes = jacobian.joint_axes(poses, directions)
-    points = carried_points(poses, axis_points, guarded, joints)
+    points = carried_points(poses, guarded, joints)
     near = distances(normals, offsets, points) - critical
     H, g = normal_equations(task[0], task[1], task[2], DAMPING)
     A_limits, b_limits = limit_rows(q, lower, upper, reach)
@@ -148,7 +148,7 @@ def guarded_step(
     while share > SMALLEST_SHARE:
         q_after = within(q, share * step, lower, upper, reach)
         poses_after = link_poses(directions, axis_points, q_after)
-        after = distances(normals, offsets, carried_points(poses_after, axis_points, guarded, joints)) - critical
+        after = distances(normals, offsets, carried_points(poses_after, guarded, joints)) - critical
         if shortfall(near, after) <= 0.0:
             return q_after, poses_after, multipliers, share
         if not corrected:

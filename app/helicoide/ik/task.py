@@ -34,12 +34,11 @@ def rotation_vector(R_to: Array, R_from: Array) -> Array:
     cosine = (E[0, 0] + E[1, 1] + E[2, 2] - 1.0) / 2.0
     angle = np.arctan2(sine, cosine)
     if sine > 1e-6:
-        vector *= angle / sine
-        return vector
+        return np.asarray(vector * (angle / sine))
     if cosine > 0.0:
         return vector
     largest = np.argmax(np.array([E[0, 0], E[1, 1], E[2, 2]]))
-    axis = (E[largest] + E[:, largest]) / 2.0
+    axis: Array = (E[largest] + E[:, largest]) / 2.0
     axis[largest] += 1.0
     axis *= angle / np.sqrt(axis[0] ** 2 + axis[1] ** 2 + axis[2] ** 2)
     return axis

@@ -122,18 +122,15 @@ def link_poses(directions: Array, points: Array, q: Array) -> Array:
 
 
 @kernel
-def carried_points(poses: Array, points: Array, guarded: Array, joints: NDArray[np.int64]) -> Array:
-    """World coordinates of points given at q = 0, each carried by a link: p' = R (p − s₀) + T.
+def carried_points(poses: Array, points: Array, links: NDArray[np.int64]) -> Array:
+    """World coordinates of points on links: p' = R p + T.
 
-    Args: poses (n + 1, 4, 4) of `link_poses`; points (n, 3) of the joint axes; guarded (m, 3), m, world at q = 0;
-    joints (m,): number of the link that carries each, 0 for the base. Returns (m, 3), m.
+    Args: poses (n + 1, 4, 4) of `link_poses`; points (m, 3), m, each in the frame of its link; links (m,): number of
+    the link that carries each, 0 for the base. Returns (m, 3), m.
     """
-    moved = np.empty_like(guarded)
-    for j in range(guarded.shape[0]):
-        link = joints[j]
-        x, y, z = guarded[j, 0], guarded[j, 1], guarded[j, 2]
-        if link > 0:
-            x, y, z = x - points[link - 1, 0], y - points[link - 1, 1], z - points[link - 1, 2]
+    moved = np.empty_like(points)
+    for j in range(points.shape[0]):
+        pose = poses[links[j]]
         for a in range(3):
-            moved[j, a] = poses[link, a, 0] * x + poses[link, a, 1] * y + poses[link, a, 2] * z + poses[link, a, 3]
+            moved[j, a] = pose[a, 0] * points[j, 0] + pose[a, 1] * points[j, 1] + pose[a, 2] * points[j, 2] + pose[a, 3]
     return moved

@@ -84,6 +84,7 @@ class Robot:
     """An arm with n revolute joints.
 
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
+    guarded_points (m, 3), m, are given in the frames of the links guarded_joints (m,) that carry them.
     Successive screws, DH rows and the URDF are separate statements: none is derived from another.
     """
 
@@ -191,6 +192,8 @@ def from_folder(folder: Path) -> Robot:
     """The robot that a folder with a robot.toml describes; raises HelicoideError when the file is wrong."""
     file = robot_file.read(folder / "robot.toml")
     order = ["", *(joint.name for joint in file.joints)]
+    origins = np.array([(0.0, 0.0, 0.0), *(joint.screw.point_mm for joint in file.joints)])
+    carriers = np.array([order.index(point.joint) for point in file.guarded_points])
     return Robot(
         name=folder.name,
         title=file.title.text,
@@ -202,8 +205,8 @@ def from_folder(folder: Path) -> Robot:
         R_dh_tool=frozen(file.tool.R_dh_tool),
         gripper=Gripper(file.gripper.joint, file.gripper.opening_mm / 1000) if file.gripper else None,
         guarded=tuple(GuardedPoint(point.name, point.title.text) for point in file.guarded_points),
-        guarded_points=frozen([_metres(point.point_mm) for point in file.guarded_points]),
-        guarded_joints=np.array([order.index(point.joint) for point in file.guarded_points]),
+        guarded_points=_metres(np.array([point.point_mm for point in file.guarded_points]) - origins[carriers]),
+        guarded_joints=carriers,
         poses=MappingProxyType({name: frozen(np.radians(pose.joints_deg)) for name, pose in file.poses.items()}),
         pose_titles=MappingProxyType({name: pose.title.text for name, pose in file.poses.items()}),
         panes=tuple(map(_pane, file.planes)),

@@ -1,0 +1,1 @@
+"""The subcommands of `helicoide`, a file each, each with a `run` function."""

@@ -1,0 +1,51 @@
+"""Forward kinematics of a robot by its three roads."""
+
+from __future__ import annotations
+
+import json as json_format
+from typing import Annotated
+
+import numpy as np
+import tyro
+
+from helicoide.geometry import rigid, rotation
+from helicoide.geometry.clifford import CL031
+from helicoide.kinematics.forward import ROADS
+from helicoide.kinematics.robot import Array, load
+
+
+def described(T_world_tool: Array) -> dict[str, object]:
+    """A pose in all its forms: position, m; matrix; quaternion wxyz; motor coefficients by blade."""
+    motor = rigid.canonical(rigid.motor_from_pose(T_world_tool))
+    return {
+        "position": T_world_tool[:3, 3].tolist(),
+        "matrix": T_world_tool.tolist(),
+        "quaternion_wxyz": rotation.from_matrix(T_world_tool[:3, :3]).tolist(),
+        "motor": dict(zip(CL031.names, motor.tolist(), strict=True)),
+    }
+
+
+def run(
+    robot: tyro.conf.Positional[str],
+    q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values, rad (degrees with --deg)")],
+    deg: bool = False,
+    json: bool = False,
+) -> None:
+    """Print where the tool is, by DH rows, successive screws and dual quaternions (SI units).
+
+    Args:
+        robot: name of a robot.
+        q: joint values.
+        deg: joint values are in degrees.
+        json: print JSON.
+    """
+    arm = load(robot)
+    values = arm.check_joints(np.radians(q) if deg else q)
+    roads = {name: described(road(arm, values)) for name, road in ROADS.items()}
+    if json:
+        print(json_format.dumps({"robot": arm.name, "q": values.tolist(), "roads": roads}, indent=1))
+        return
+    for name, pose in roads.items():
+        position = ", ".join(f"{value:.7f}" for value in pose["position"])  # type: ignore[attr-defined]
+        quat = ", ".join(f"{value:.7f}" for value in pose["quaternion_wxyz"])  # type: ignore[attr-defined]
+        print(f"{name:>16}: position {position} m; quaternion wxyz {quat}")

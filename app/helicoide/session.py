@@ -1,0 +1,254 @@
+"""The one mutable object: the inbox, the loop, the windows.
+
+Everything here runs on the event loop of the server, so nothing is locked: callbacks post, the loop drains, a tick
+advances, a frame is drawn. Long work is done in threads and processes that post their result.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import multiprocessing
+import secrets
+from collections import deque
+from dataclasses import replace
+from multiprocessing.connection import Connection
+
+import viser
+
+from helicoide import content, gate, kernels, lesson
+from helicoide.advance import advance
+from helicoide.ik.goal import goal_at_joints, goal_at_pose
+from helicoide.kinematics.robot import Robot, frozen
+from helicoide.state import Along, GetReady, Park, Seat, State, ToJoints, ToPose, Update, commanded, initial
+from helicoide.text import Language, Text
+from helicoide.view import shapes
+from helicoide.view.channel import PATH, Control, Notice
+from helicoide.view.rows import View
+from helicoide.view.scene import NOBODY, Scene
+from helicoide.view.serve import serve
+from helicoide.view.window import Window, seated
+
+TICK = 0.01
+TICKS_PER_FRAME = 2
+FRAMES_PER_TEXT = 5
+
+COMPILING = Text(
+    en="Preparing the kernels: {done} of {total}. This happens once.",
+    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
+)
+log = logging.getLogger("helicoide")
+
+
+def foreseen(state: State) -> State:
+    """The state with the goal that its command leads to."""
+    problem, q = state.problem, state.q if state.detour is None else state.detour
+    match state.command:
+        case ToPose(T):
+            return replace(state, goal=goal_at_pose(problem, q, T, state.with_orientation))
+        case Along(path, s):
+            return replace(state, goal=goal_at_pose(problem, q, frozen(path.pose(s)), state.with_orientation))
+        case ToJoints(wished):
+            return replace(state, goal=goal_at_joints(problem, state.q, wished))
+        case Park() | GetReady() if not state.parked:
+            return replace(state, goal=goal_at_joints(problem, state.q, state.robot.poses["ready"]))
+        case _:
+            return replace(state, goal=None)
+
+
+def exercise(robot: Robot) -> State:
+    """Run everything that the loop runs once, so that every kernel is compiled or loaded."""
+    state = initial(robot)
+    asked = commanded(state, ToPose(state.T_world_tool))
+    asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
+    asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
+    asked = foreseen(advance(gate.play()(asked), TICK))
+    return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
+
+
+def _compile(robot_name: str, progress: Connection) -> None:
+    """In a process of its own: compile every kernel into the cache, telling how many are done."""
+    from helicoide.kinematics.robot import load
+
+    with kernels.count_compilations(progress.send):
+        exercise(load(robot_name))
+    progress.close()
+
+
+class Session:
+    """One arm, the people in front of it, and the loop."""
+
+    def __init__(self, robot: Robot, language: Language, lesson_name: str | None) -> None:
+        self.robot, self.language, self.lesson_name = robot, language, lesson_name
+        self.state = initial(robot)
+        self.shapes = shapes.load(robot)
+        self.seats: dict[str, Seat] = {}
+        self.windows: dict[int, Window] = {}
+        self.control = Control(lambda: self.post(gate.stop()))
+        self.inbox: deque[Update] = deque()
+        self.frames = 0
+        self.ticks = 0
+        self.ready = False
+        self._drawn: State | None = None
+        self._foreseen: State | None = None
+        self._woken = False
+
+    def open(self, host: str, port: int) -> int:
+        """Serve the page; returns the port. Raises HelicoideError when it cannot be had."""
+        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve})
+        self.loop = self.server.get_event_loop()
+        self.loop.call_soon_threadsafe(self._begin)
+        return int(self.server.get_port())
+
+    def close(self) -> None:
+        """Stop the loop and the server."""
+        self.ready = False
+        self.server.stop()
+
+    def post(self, update: Update) -> None:
+        """Put a wish into the inbox and wake the loop. Only on the event loop."""
+        self.inbox.append(update)
+        if self.ready and not self._woken:
+            self._woken = True
+            self.loop.call_soon(self._drain)
+
+    def _begin(self) -> None:
+        self.scene = Scene(self.server, self.robot, self.shapes)
+        self._draw()
+        self.server.on_client_connect(self._enter)
+        self.server.on_client_disconnect(self._leave)
+        self._starting = self.loop.create_task(self._start())
+
+    async def _start(self) -> None:
+        """Compile in another process while the page is up, load in a thread, then let the arm run."""
+        await asyncio.to_thread(self._prepare_kernels)
+        await asyncio.to_thread(exercise, self.robot)
+        self.ready = True
+        self.next_tick = self.loop.time()
+        self._tick()
+
+    def _prepare_kernels(self) -> None:
+        total = len(kernels.KERNELS)
+        if all(map(kernels.is_cached, kernels.KERNELS)):
+            return
+        receiver, sender = multiprocessing.Pipe(duplex=False)
+        child = multiprocessing.get_context("spawn").Process(target=_compile, args=(self.robot.name, sender))
+        child.start()
+        sender.close()
+        while True:
+            try:
+                done = receiver.recv()
+            except EOFError:
+                break
+            self.loop.call_soon_threadsafe(self._say, COMPILING.format(done=done, total=total))
+        child.join()
+
+    def _say(self, text: Text) -> None:
+        """Show a sentence in every window while the arm does not run yet."""
+        for window in self.windows.values():
+            seat = window.view.seat
+            self.control.push(seat.token, Notice(seat.language, text, "warn"))
+
+    async def _enter(self, client: viser.ClientHandle) -> None:
+        """A window opens: with its old seat when its browser still has the token of one."""
+        token = await asyncio.to_thread(client.local_storage.get_item, "helicoide-seat")
+        if token not in self.seats:
+            token = secrets.token_urlsafe(12)
+            self.seats[token] = seated(token, self.language, self.lesson_name)
+            await asyncio.to_thread(client.local_storage.set_item, "helicoide-seat", token)
+        view = View(self.state, self.seats[token])
+        window = Window(client, self.robot, self.shapes, view, self.control, self.post, self._reseat)
+        self.windows[client.client_id] = window
+        window.draw(view)
+
+    async def _leave(self, client: viser.ClientHandle) -> None:
+        """A window closes: what it held is let go where it is."""
+        self.windows.pop(client.client_id, None)
+        who = str(client.client_id)
+        self.post(lambda state: _let_go(state, who))
+
+    def _reseat(self, seat: Seat) -> None:
+        """A person changed something about their own window."""
+        before = self.seats.get(seat.token)
+        self.seats[seat.token] = seat
+        if before and seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
+            self.post(lesson.load(seat.lesson).steps[seat.step].setup)
+        self._wake_texts()
+
+    def _wake_texts(self) -> None:
+        self.loop.call_soon(self._write)
+
+    def _drain(self) -> None:
+        """Apply every wish in the inbox and show at once what they changed."""
+        self._woken = False
+        self._apply()
+        self._draw()
+
+    def _apply(self) -> None:
+        while self.inbox:
+            update = self.inbox.popleft()
+            try:
+                self.state = update(self.state)
+            except Exception:
+                log.exception("a wish failed and was skipped")
+                self.state = replace(
+                    self.state,
+                    notice=Text(
+                        en="That did not work; the arm stays as it was.",
+                        pt_BR="Isso não funcionou; o braço fica como estava.",
+                    ),
+                )
+
+    def _tick(self) -> None:
+        """One hundredth of a second of the arm; no catching up after a delay."""
+        if not self.ready:
+            return
+        self._apply()
+        self.state = advance(self.state, TICK)
+        self.ticks += 1
+        if self.ticks % TICKS_PER_FRAME == 0:
+            self._frame()
+        self.next_tick = max(self.next_tick + TICK, self.loop.time())
+        self.loop.call_at(self.next_tick, self._tick)
+
+    def _frame(self) -> None:
+        """Foresee the goal where something changed, check the lessons, draw; write the words at a fifth of the rate."""
+        if _wish_changed(self._foreseen, self.state):
+            self.state = foreseen(self.state)
+            self._foreseen = self.state
+        self._draw()
+        self.frames += 1
+        if self.frames % FRAMES_PER_TEXT == 0:
+            self._check_lessons()
+            self._write()
+
+    def _check_lessons(self) -> None:
+        for token, seat in self.seats.items():
+            if seat.lesson:
+                self.seats[token] = lesson.progressed(lesson.load(seat.lesson), self.state, seat)
+
+    def _draw(self) -> None:
+        """Bring scene and windows to the state, as one message to each browser."""
+        with self.server.atomic():
+            if self._drawn is not self.state:
+                self.scene.update(View(self.state, NOBODY))
+                self._drawn = self.state
+            for window in self.windows.values():
+                window.draw(View(self.state, self.seats[window.view.seat.token]))
+        self.server.flush()
+
+    def _write(self) -> None:
+        for window in self.windows.values():
+            window.write(View(self.state, self.seats[window.view.seat.token]))
+
+
+def _let_go(state: State, who: str) -> State:
+    return replace(state, grasp=None) if state.grasp and state.grasp.seat == who else state
+
+
+def _wish_changed(old: State | None, new: State) -> bool:
+    """Whether the goal may be another than the one foreseen."""
+    return old is None or any(
+        getattr(old, name) is not getattr(new, name)
+        for name in ("q", "command", "problem", "detour", "with_orientation", "parked")
+    )

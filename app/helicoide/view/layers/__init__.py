@@ -1,0 +1,49 @@
+"""What the scene shows, a file each.
+
+A module has NAME, SHARED (one for all windows, or one for each) and `build(stage)`; with TITLE and SHOWN it can be
+shown and hidden by a person. What it builds has `update(old, new)`, which writes only what changed.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from dataclasses import dataclass
+from functools import cache
+from types import ModuleType
+from typing import Protocol
+
+import viser
+
+from helicoide.kinematics.robot import Robot
+from helicoide.view.rows import Act, View
+from helicoide.view.shapes import Shape
+
+
+@dataclass(frozen=True, eq=False)
+class Stage:
+    """Where a layer is built: a scene, its robot and shapes, and whom to tell what a person wishes."""
+
+    scene: viser.SceneApi
+    robot: Robot
+    shapes: list[Shape]
+    act: Act
+    who: str
+
+
+class Layer(Protocol):
+    """A part of the scene."""
+
+    def update(self, old: View | None, new: View) -> None:
+        """Bring the scene from one view to the next; from nothing when there is no old one."""
+
+
+@cache
+def found() -> tuple[ModuleType, ...]:
+    """Every layer there is."""
+    return tuple(importlib.import_module(f"{__name__}.{module.name}") for module in pkgutil.iter_modules(__path__))
+
+
+def optional() -> list[ModuleType]:
+    """The layers that a person can show and hide."""
+    return [layer for layer in found() if hasattr(layer, "TITLE")]

@@ -1,0 +1,51 @@
+"""The screw axes of the joints as arrows, on request."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.text import Text
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "axes"
+SHARED = False
+TITLE = Text(en="Screw axes of the joints", pt_BR="Eixos helicoidais das juntas")
+SHOWN = False
+
+HALF = 0.16
+COLOUR = (21, 101, 192)
+
+
+def build(stage: Stage) -> Axes:
+    """An arrow along each joint's axis."""
+    n = len(stage.robot.joints)
+    return Axes(
+        stage.scene.add_arrows(
+            "/axes",
+            np.zeros((n, 2, 3)),
+            COLOUR,
+            shaft_radius=0.004,
+            head_radius=0.011,
+            head_length=0.035,
+            visible=False,
+        )
+    )
+
+
+class Axes:
+    """The arrows."""
+
+    def __init__(self, arrows: viser.ArrowsHandle) -> None:
+        self.arrows = arrows
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the joints while shown."""
+        shown = new.seat.shows[NAME]
+        if shown and (old is None or old.state.q is not new.state.q or not self.arrows.visible):
+            axes, centres = new.state.axes, new.state.poses[1:, :3, 3]
+            ends = np.stack([centres - HALF * axes, centres + HALF * axes], axis=1)
+            self.arrows.points = ends.astype(np.float32)
+        if shown != self.arrows.visible:
+            self.arrows.visible = shown

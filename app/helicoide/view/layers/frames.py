@@ -1,0 +1,45 @@
+"""The frames of the links and of the tool, on request."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.geometry import rotation
+from helicoide.text import Text
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "frames"
+SHARED = False
+TITLE = Text(en="Frames of the links", pt_BR="Referenciais dos elos")
+SHOWN = False
+
+
+def build(stage: Stage) -> Frames:
+    """A frame for the base, each link and the tool."""
+    names = ["base", *(joint.name for joint in stage.robot.joints), "tool"]
+    return Frames(
+        [
+            stage.scene.add_frame(f"/frames/{name}", axes_length=0.09, axes_radius=0.0035, visible=False)
+            for name in names
+        ]
+    )
+
+
+class Frames:
+    """The frames."""
+
+    def __init__(self, frames: list[viser.FrameHandle]) -> None:
+        self.frames = frames
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the links while shown."""
+        shown = new.seat.shows[NAME]
+        for frame in self.frames:
+            if frame.visible != shown:
+                frame.visible = shown
+        if shown:
+            for frame, pose in zip(self.frames, [*new.state.poses, new.state.T_world_tool], strict=True):
+                frame.position = pose[:3, 3]
+                frame.wxyz = rotation.from_matrix(np.asarray(pose[:3, :3]))

@@ -1,0 +1,60 @@
+"""The handles of the planes: an arrow on each movable pane, dragged along the normal."""
+
+from __future__ import annotations
+
+import viser
+
+from helicoide import gate
+from helicoide.kinematics.robot import Array
+from helicoide.state import Grasp
+from helicoide.text import Text
+from helicoide.view import bind
+from helicoide.view.layers import Stage
+from helicoide.view.layers.planes import pane_wxyz
+from helicoide.view.rows import ForArm, View
+
+NAME = "handles"
+SHARED = False
+TITLE = Text(en="Handles of the planes", pt_BR="Alças dos planos")
+SHOWN = True
+
+
+def build(stage: Stage) -> Handles:
+    """A handle for each plane that may be moved."""
+    return Handles(stage, {k: _handle(stage, k) for k, pane in enumerate(stage.robot.panes) if pane.movable})
+
+
+def _handle(stage: Stage, index: int) -> viser.TransformControlsHandle:
+    handle = stage.scene.add_transform_controls(
+        f"/handles/plane {index}",
+        scale=0.16,
+        line_width=4.0,
+        active_axes=(False, False, True),
+        disable_sliders=True,
+        disable_rotations=True,
+    )
+
+    def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
+        stage.act(ForArm(gate.drag_plane(stage.who, phase, index, position, wxyz)))
+
+    bind.on_drag(handle, dragged)
+    return handle
+
+
+class Handles:
+    """The gizmos; each stays under the hand that holds it."""
+
+    def __init__(self, stage: Stage, gizmos: dict[int, viser.TransformControlsHandle]) -> None:
+        self.who, self.gizmos = stage.who, gizmos
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the planes, and hide while they are off."""
+        state = new.state
+        shown = new.seat.shows[NAME] and not state.parked
+        for index, gizmo in self.gizmos.items():
+            if gizmo.visible != shown:
+                gizmo.visible = shown
+            changed = old is None or old.state.problem is not state.problem or old.state.grasp is not state.grasp
+            if changed and state.grasp != Grasp(self.who, f"plane {index}"):
+                gizmo.position = state.problem.planes.centres[index]
+                gizmo.wxyz = pane_wxyz(state.problem.planes.normals[index])

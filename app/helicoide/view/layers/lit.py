@@ -1,0 +1,65 @@
+"""The object of the selected multivector, lit up: the tool's frame, a joint's line, a plane's border, a point."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.geometry import rotation
+from helicoide.kinematics.robot import Array
+from helicoide.state import State
+from helicoide.view.layers import Stage
+from helicoide.view.layers.planes import border, pane_wxyz
+from helicoide.view.rows import View
+
+NAME = "lit"
+SHARED = False
+
+LIGHT = (255, 214, 0)
+REACH = 1.2
+
+
+def build(stage: Stage) -> Lit:
+    """A frame, a line and a ball, hidden until something is selected."""
+    scene = stage.scene
+    return Lit(
+        scene.add_frame(
+            "/lit/frame", axes_length=0.16, axes_radius=0.006, origin_radius=0.02, origin_color=LIGHT, visible=False
+        ),
+        scene.add_line_segments("/lit/lines", np.zeros((1, 2, 3)), LIGHT, thickness=0.009, visible=False),
+        scene.add_icosphere("/lit/ball", radius=0.03, color=LIGHT, opacity=0.85, visible=False),
+    )
+
+
+def lines_of(state: State, kind: str, index: int) -> Array:
+    """The segments that light up a joint's line or a plane's border, (m, 2, 3), m."""
+    if kind == "joint":
+        axis, centre = state.axes[index], state.poses[index + 1, :3, 3]
+        return np.array([[centre - REACH * axis, centre + REACH * axis]])
+    planes = state.problem.planes
+    edges = rotation.rotate(pane_wxyz(planes.normals[index]), border(state.robot.panes[index].size))
+    return np.asarray(planes.centres[index] + edges)
+
+
+class Lit:
+    """What is lit up."""
+
+    def __init__(self, frame: viser.FrameHandle, lines: viser.LineSegmentsHandle, ball: viser.IcosphereHandle) -> None:
+        self.frame, self.lines, self.ball = frame, lines, ball
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the selected object."""
+        state = new.state
+        if old is not None and old.state.q is state.q and old.state.problem is state.problem and old.seat is new.seat:
+            return
+        kind, _, number = (new.seat.selected or "").partition(" ")
+        for handle, kinds in ((self.frame, ("tool",)), (self.lines, ("joint", "plane")), (self.ball, ("point",))):
+            if handle.visible != (kind in kinds):
+                handle.visible = kind in kinds
+        if kind == "tool":
+            self.frame.position = state.T_world_tool[:3, 3]
+            self.frame.wxyz = rotation.from_matrix(state.T_world_tool[:3, :3])
+        elif kind in ("joint", "plane"):
+            self.lines.points = lines_of(state, kind, int(number)).astype(np.float32)
+        elif kind == "point":
+            self.ball.position = state.guarded_points[int(number)]

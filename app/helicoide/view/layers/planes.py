@@ -1,0 +1,111 @@
+"""The planes: tinted panes with their normals, coloured by the zone of the nearest guarded point, grey when off."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.confinement import Zone
+from helicoide.geometry import rotation
+from helicoide.kinematics.robot import Array
+from helicoide.readout import zones
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "planes"
+SHARED = True
+
+COLOURS = {Zone.FREE: (66, 133, 190), Zone.WARNING: (245, 166, 35), Zone.CRITICAL: (211, 47, 47)}
+OFF = (150, 150, 150)
+NORMAL_LENGTH = 0.12
+
+
+def pane_wxyz(normal: Array) -> Array:
+    """The pose of a pane: z along the inward normal, x level where it can be."""
+    z = normal / np.linalg.norm(normal)
+    x = np.cross([0.0, 0.0, 1.0] if abs(z[2]) < 0.9 else [0.0, 1.0, 0.0], z)
+    x /= np.linalg.norm(x)
+    return rotation.from_matrix(np.column_stack([x, np.cross(z, x), z]))
+
+
+def border(size: tuple[float, float]) -> Array:
+    """The four edges of a pane in its own frame, (4, 2, 3), m."""
+    w, h = size[0] / 2, size[1] / 2
+    corners = np.array([[-w, -h, 0], [w, -h, 0], [w, h, 0], [-w, h, 0]])
+    return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+
+
+def build(stage: Stage) -> Panes:
+    """A pane for each plane of the robot's file."""
+    return Panes([_pane(stage, index) for index in range(len(stage.robot.panes))])
+
+
+def _pane(stage: Stage, index: int) -> Pane:
+    root = f"/planes/{index}"
+    edges = border(stage.robot.panes[index].size)
+    faces, colour = np.array([[0, 1, 2], [0, 2, 3]]), COLOURS[Zone.FREE]
+    return Pane(
+        stage.scene.add_frame(root, show_axes=False),
+        stage.scene.add_mesh_simple(
+            f"{root}/pane",
+            edges[:, 0],
+            faces,
+            color=colour,
+            opacity=0.16,
+            side="double",
+            cast_shadow=False,
+            receive_shadow=False,
+        ),
+        stage.scene.add_line_segments(f"{root}/border", edges, colour, thickness=0.004),
+        stage.scene.add_arrows(
+            f"{root}/normal",
+            np.array([[[0, 0, 0], [0, 0, NORMAL_LENGTH]]]),
+            colour,
+            shaft_radius=0.004,
+            head_radius=0.010,
+            head_length=0.03,
+        ),
+    )
+
+
+class Pane:
+    """One pane: its frame, its glass, its border and its normal."""
+
+    def __init__(
+        self,
+        frame: viser.FrameHandle,
+        glass: viser.MeshHandle,
+        border: viser.LineSegmentsHandle,
+        arrow: viser.ArrowsHandle,
+    ) -> None:
+        self.frame, self.glass, self.border, self.arrow = frame, glass, border, arrow
+        self.colour = COLOURS[Zone.FREE]
+
+    def move(self, normal: Array, centre: Array) -> None:
+        """Stand on a plane."""
+        self.frame.wxyz = pane_wxyz(normal)
+        self.frame.position = centre
+
+    def paint(self, colour: tuple[int, int, int]) -> None:
+        """Take a colour."""
+        if colour != self.colour:
+            self.colour = colour
+            self.glass.color = colour
+            self.border.colors = self.arrow.colors = np.array(colour, dtype=np.uint8)
+
+
+class Panes:
+    """All panes."""
+
+    def __init__(self, panes: list[Pane]) -> None:
+        self.panes = panes
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the planes and the zone that each is in."""
+        state, planes = new.state, new.state.problem.planes
+        if old is None or old.state.problem.planes is not planes:
+            for pane, normal, centre in zip(self.panes, planes.normals, planes.centres, strict=True):
+                pane.move(normal, centre)
+        if old is None or old.state.q is not state.q or old.state.problem is not state.problem:
+            for pane, zone in zip(self.panes, zones(state), strict=True):
+                pane.paint(OFF if state.parked else COLOURS[zone])

@@ -1,0 +1,71 @@
+"""The target: a gizmo that stays under the hand, and the line from the tool to it while the tool is elsewhere."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide import gate
+from helicoide.geometry import rotation
+from helicoide.kinematics.robot import Array
+from helicoide.readout import SHORT
+from helicoide.state import Grasp, State, ToPose
+from helicoide.view import bind
+from helicoide.view.layers import Stage
+from helicoide.view.rows import ForArm, View
+
+NAME = "target"
+SHARED = False
+
+NEAR, FAR = (0, 150, 136), (230, 81, 0)
+
+
+def build(stage: Stage) -> Target:
+    """The gizmo and its line."""
+    gizmo = stage.scene.add_transform_controls("/target", scale=0.28, line_width=3.0, depth_test=False)
+
+    def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
+        stage.act(ForArm(gate.drag_target(stage.who, phase, position, wxyz)))
+
+    bind.on_drag(gizmo, dragged)
+    line = stage.scene.add_line_segments("/missing", np.zeros((1, 2, 3)), FAR, thickness=0.004, visible=False)
+    return Target(stage.who, gizmo, line)
+
+
+def _shown_pose(state: State) -> Array:
+    """Where the gizmo stands when nobody holds it: on the wish for a pose, else on the tool."""
+    return state.command.T_world_target if isinstance(state.command, ToPose) else state.T_world_tool
+
+
+class Target:
+    """The gizmo of one window."""
+
+    def __init__(self, who: str, gizmo: viser.TransformControlsHandle, line: viser.LineSegmentsHandle) -> None:
+        self.who, self.gizmo, self.line = who, gizmo, line
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the wish, except under the hand of this window's person."""
+        state = new.state
+        if old is not None and old.state.q is state.q and old.state.command is state.command:
+            return
+        if self.gizmo.visible == state.parked:
+            self.gizmo.visible = not state.parked
+        if state.grasp != Grasp(self.who, "target"):
+            pose = _shown_pose(state)
+            self.gizmo.position = pose[:3, 3]
+            self.gizmo.wxyz = rotation.from_matrix(pose[:3, :3])
+        if self.gizmo.disable_rotations == state.with_orientation:
+            self.gizmo.disable_rotations = not state.with_orientation
+        self._line(state)
+
+    def _line(self, state: State) -> None:
+        """From the tool to the wish."""
+        wished = _shown_pose(state)[:3, 3]
+        tool = state.T_world_tool[:3, 3]
+        away = bool(np.linalg.norm(wished - tool) > SHORT)
+        if away:
+            self.line.points = np.array([[tool, wished]], dtype=np.float32)
+            colour = FAR if state.goal is not None and state.goal.short > SHORT else NEAR
+            self.line.colors = np.array(colour, dtype=np.uint8)
+        if away != self.line.visible:
+            self.line.visible = away

@@ -1,0 +1,47 @@
+"""The trail of the tool."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.text import Text
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "trail"
+SHARED = False
+TITLE = Text(en="Trail of the tool", pt_BR="Rastro do efetuador")
+SHOWN = True
+
+LENGTH = 400
+APART = 3e-3
+COLOUR = (106, 27, 154)
+
+
+def build(stage: Stage) -> Trail:
+    """An empty trail."""
+    return Trail(stage.scene.add_line_segments("/trail", np.zeros((1, 2, 3)), COLOUR, thickness=0.003))
+
+
+class Trail:
+    """The last points of the tool, a few millimetres apart."""
+
+    def __init__(self, line: viser.LineSegmentsHandle) -> None:
+        self.line = line
+        self.points: list[np.ndarray] = []
+
+    def update(self, old: View | None, new: View) -> None:
+        """Add where the tool is now."""
+        shown = new.seat.shows[NAME]
+        if self.line.visible != shown:
+            self.line.visible = shown
+        if old is not None and old.state.q is new.state.q:
+            return
+        tool = new.state.T_world_tool[:3, 3].astype(np.float32)
+        if self.points and np.linalg.norm(tool - self.points[-1]) < APART:
+            return
+        self.points = [*self.points[-LENGTH:], tool]
+        if shown and len(self.points) > 1:
+            points = np.array(self.points)
+            self.line.points = np.stack([points[:-1], points[1:]], axis=1)

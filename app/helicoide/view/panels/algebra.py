@@ -1,0 +1,111 @@
+"""The live multivectors of the scene: choose one to see it large and lit up, all of them below."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from html import escape
+
+from viser import Icon
+
+from helicoide import readout
+from helicoide.ik import Contact
+from helicoide.kinematics.robot import Robot
+from helicoide.readout import Reading
+from helicoide.state import State, initial
+from helicoide.text import Text
+from helicoide.view.formula import coefficient_grid, mathml
+from helicoide.view.rows import Choice, Folder, ForSeat, Row, View, Words
+
+TITLE = Text(en="Algebra", pt_BR="Álgebra")
+ORDER = 2
+ICON = Icon.MATH_FUNCTION
+
+NOTHING = Text(en="nothing", pt_BR="nada")
+INTRODUCTION = Text(
+    en="Everything here is a multivector of Cl(0,3,1): e₁, e₂, e₃ square to −1, e to 0. Lengths are in metres.",
+    pt_BR="Tudo aqui é multivetor de Cl(0,3,1): e₁, e₂, e₃ têm quadrado −1 e e tem quadrado 0. Comprimentos em metros.",
+)
+GRADES = Text(
+    en="Colours: scalar, vector, bivector, trivector, pseudoscalar.",
+    pt_BR="Cores: escalar, vetor, bivetor, trivetor, pseudoescalar.",
+)
+
+
+def rows(robot: Robot) -> list[Row]:
+    """The panel for one robot."""
+    known = readout.readings(initial(robot))
+    return [
+        Words(lambda view: f"<p class='helicoide-note'>{INTRODUCTION[view.seat.language]}</p>{_legend(view)}"),
+        Choice(
+            Text(en="Light up", pt_BR="Destacar"),
+            [("", NOTHING), *((reading.key, reading.title) for reading in known)],
+            lambda view: view.seat.selected or "",
+            lambda key: ForSeat(lambda seat: replace(seat, selected=key or None)),
+        ),
+        Words(_selected),
+        Folder(Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)"), [Words(_distance)]),
+        *(
+            Folder(title, [Words(lambda view, kind=kind: _all(view, kind))], open=kind == "tool")  # type: ignore[misc]
+            for kind, title in KINDS.items()
+        ),
+    ]
+
+
+KINDS = {
+    "tool": Text(en="Tool motor", pt_BR="Motor do efetuador"),
+    "joint": Text(en="Joint lines", pt_BR="Retas das juntas"),
+    "plane": Text(en="Planes", pt_BR="Planos"),
+    "point": Text(en="Guarded points", pt_BR="Pontos vigiados"),
+}
+FORMULAS = {
+    "tool": r"M = g + \tfrac{1}{2}\, t\, g\, e",
+    "joint": r"\ell = v_x e_2e_3 + v_y e_3e_1 + v_z e_1e_2 + u_x e_1e + u_y e_2e + u_z e_3e",
+    "plane": r"\pi = n_x e_1 + n_y e_2 + n_z e_3 + d\, e",
+    "point": r"p = e_1e_2e_3 + x\, e_2e_3e + y\, e_3e_1e + z\, e_1e_2e",
+}
+
+
+def _legend(view: View) -> str:
+    words = GRADES[view.seat.language].rstrip(".").split(": ")[1].split(", ")
+    return '<p class="helicoide-legend">' + " ".join(f'<i class="g{k}">{w}</i>' for k, w in enumerate(words)) + "</p>"
+
+
+def _shown(view: View, reading: Reading) -> str:
+    head = f"{mathml(reading.symbol)}<span>{escape(reading.title[view.seat.language])}</span>"
+    return f'<div class="helicoide-reading"><header>{head}</header>{coefficient_grid(reading.values)}</div>'
+
+
+def _selected(view: View) -> str:
+    chosen = [reading for reading in readout.readings(view.state) if reading.key == view.seat.selected]
+    return "".join(f'<div class="helicoide-lit">{_shown(view, reading)}</div>' for reading in chosen)
+
+
+def _all(view: View, kind: str) -> str:
+    readings = [reading for reading in readout.readings(view.state) if reading.key.startswith(kind)]
+    return mathml(FORMULAS[kind]) + "".join(_shown(view, reading) for reading in readings)
+
+
+def _pair(view: View) -> Contact:
+    """The point and plane of the distance: what is lit up with what is nearest to it, else the nearest pair of all."""
+    kind, _, number = (view.seat.selected or "").partition(" ")
+    table = readout.plane_distances(view.state)
+    if kind == "plane":
+        return Contact(int(number), int(table[:, int(number)].argmin()))
+    if kind == "point":
+        return Contact(int(table[int(number)].argmin()), int(number))
+    return readout.nearest(view.state)
+
+
+def _distance(view: View) -> str:
+    state: State = view.state
+    pair = _pair(view)
+    pane, point = state.robot.panes[pair.plane], state.robot.guarded[pair.point]
+    product = readout.distance_product(state, pair.point, pair.plane)
+    words = Text(
+        en="{point} and plane {name} ({pane}): <b>{mm:.1f} mm</b>",
+        pt_BR="{point} e plano {name} ({pane}): <b>{mm:.1f} mm</b>",
+    ).format(point=point.title, name=pane.name, pane=pane.title, mm=500 * product[-1])
+    return (
+        mathml(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e")
+        + f"<p>{words[view.seat.language]}</p>{coefficient_grid(product)}"
+    )

@@ -1,0 +1,174 @@
+"""Drive the arm by joints, poses, numbers and along a path."""
+
+from __future__ import annotations
+
+import numpy as np
+from viser import Icon
+
+from helicoide import gate
+from helicoide.geometry import rotation
+from helicoide.ik.goal import tool_pose
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Array, Robot
+from helicoide.state import PATH, Along, State, ToJoints, ToPose
+from helicoide.text import Text
+from helicoide.view import layers
+from helicoide.view.rows import Button, Choice, Folder, ForArm, ForSeat, Row, Slider, Tick, Triple, View, Wish
+
+TITLE = Text(en="Robot", pt_BR="Robô")
+ORDER = 1
+ICON = Icon.ROBOT
+
+READY = Text(en="Ready", pt_BR="Pronto")
+PARK = Text(en="Park", pt_BR="Estacionar")
+PLAY = Text(en="Play", pt_BR="Iniciar")
+PAUSE = Text(en="Pause", pt_BR="Pausar")
+
+
+def rows(robot: Robot) -> list[Row]:
+    """The panel for one robot."""
+    return [
+        Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT),
+        Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING),
+        _poses(robot),
+        Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.joints))]),
+        *([_gripper()] if robot.gripper else []),
+        Folder(Text(en="Target", pt_BR="Alvo"), _target()),
+        Folder(Text(en="Path: ellipse, eq. 33", pt_BR="Trajetória: elipse, eq. 33"), _path()),
+        Folder(Text(en="Planes", pt_BR="Planos"), [_restore()], open=False),
+        Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
+    ]
+
+
+def _driving(view: View) -> bool:
+    return not view.state.parked
+
+
+def _joint(robot: Robot, index: int) -> Slider:
+    joint = robot.joints[index]
+
+    def value(view: View) -> float:
+        command = view.state.command
+        q = command.q if isinstance(command, ToJoints) else view.state.q
+        return float(np.degrees(q[index]))
+
+    return Slider(
+        label=Text(en="{n} {title}", pt_BR="{n} {title}").format(n=index + 1, title=joint.title),
+        lower=round(float(np.degrees(joint.lower)), 3),
+        upper=round(float(np.degrees(joint.upper)), 3),
+        step=0.1,
+        value=value,
+        wish=lambda degrees: ForArm(gate.set_joint(index, np.radians(degrees))),
+        enabled=_driving,
+    )
+
+
+def _poses(robot: Robot) -> Choice:
+    """Named poses: choosing one goes there; the row then shows the neutral entry again."""
+    none = Text(en="choose …", pt_BR="escolha …")
+    return Choice(
+        label=Text(en="Go to pose", pt_BR="Ir para a pose"),
+        options=[("", none), *robot.pose_titles.items()],
+        value=lambda _: "",
+        wish=lambda name: ForArm(gate.go_to(name) if name else lambda state: state),
+    )
+
+
+def _gripper() -> Slider:
+    return Slider(
+        label=Text(en="Gripper [%]", pt_BR="Garra [%]"),
+        lower=0.0,
+        upper=100.0,
+        step=1.0,
+        value=lambda view: 100 * view.state.gripper_target,
+        wish=lambda percent: ForArm(gate.set_gripper(percent / 100)),
+    )
+
+
+def target_pose(state: State) -> Array:
+    """The pose that is asked for, T_world_target (4, 4), m: that of the tool where nothing else is."""
+    match state.command:
+        case ToPose(T):
+            return T
+        case Along(path, s):
+            return path.pose(s)
+        case ToJoints(q):
+            return tool_pose(state.problem, link_poses(state.robot.directions, state.robot.points, q))
+        case _:
+            return state.T_world_tool
+
+
+def _target() -> list[Row]:
+    return [
+        Triple(Text(en="x y z [mm]", pt_BR="x y z [mm]"), 1.0, _position, _set_position),
+        Triple(Text(en="turn about z, y, x [°]", pt_BR="giro em z, y, x [°]"), 1.0, _angles, _set_angles),
+        Tick(
+            Text(en="Hold the orientation", pt_BR="Manter a orientação"),
+            lambda view: view.state.with_orientation,
+            lambda on: ForArm(gate.hold_orientation(on)),
+        ),
+    ]
+
+
+def _position(view: View) -> tuple[float, float, float]:
+    x, y, z = (round(1000 * float(value), 1) for value in target_pose(view.state)[:3, 3])
+    return x, y, z
+
+
+def _angles(view: View) -> tuple[float, float, float]:
+    """Angles about z, y, x: Roll, Pitch and Yaw in the naming of Cerbaro 2022, eqs. 53–55."""
+    angles = rotation.roll_pitch_yaw_zyx(target_pose(view.state)[:3, :3])
+    z, y, x = (round(float(np.degrees(angle)), 1) + 0.0 for angle in angles)
+    return z, y, x
+
+
+def _set_position(view: View, millimetres: tuple[float, float, float]) -> Wish:
+    quat = rotation.from_matrix(target_pose(view.state)[:3, :3])
+    return ForArm(gate.set_target(np.asarray(millimetres) / 1000, quat))
+
+
+def _set_angles(view: View, degrees: tuple[float, float, float]) -> Wish:
+    z, y, x = (
+        rotation.from_axis_angle(axis, np.radians(angle)) for axis, angle in zip(np.eye(3)[::-1], degrees, strict=True)
+    )
+    quat = rotation.multiply(rotation.multiply(z, y), x)
+    return ForArm(gate.set_target(target_pose(view.state)[:3, 3], quat))
+
+
+def _playing(view: View) -> bool:
+    return isinstance(view.state.command, Along) and view.state.command.playing
+
+
+def _path() -> list[Row]:
+    return [
+        Button(
+            lambda view: PAUSE if _playing(view) else PLAY,
+            lambda view: ForArm(gate.pause() if _playing(view) else gate.play()),
+            enabled=_driving,
+        ),
+        Slider(
+            label=Text(en="time [s]", pt_BR="tempo [s]"),
+            lower=0.0,
+            upper=PATH.period,
+            step=0.1,
+            value=lambda view: view.state.path_s,
+            wish=lambda s: ForArm(gate.scrub(s)),
+            enabled=_driving,
+        ),
+    ]
+
+
+def _restore() -> Button:
+    label = Text(en="Planes back to the measured ones", pt_BR="Planos de volta aos medidos")
+    return Button(lambda _: label, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _driving)
+
+
+def _shows() -> list[Row]:
+    return [
+        Tick(
+            layer.TITLE,
+            lambda view, name=layer.NAME: view.seat.shows[name],  # type: ignore[misc]
+            lambda on, name=layer.NAME: ForSeat(lambda seat: seat.showing(name, on)),  # type: ignore[misc]
+        )
+        for layer in layers.optional()
+    ]

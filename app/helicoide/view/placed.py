@@ -1,0 +1,157 @@
+"""Rows placed in a window: built once in its language, then kept in step with the view.
+
+A control that a person has just touched is left alone for a moment, so that it is never pulled from under their hand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from time import monotonic
+from typing import Any, Protocol
+
+import viser
+
+from helicoide.text import Language
+from helicoide.view import bind
+from helicoide.view.rows import (
+    Act,
+    Button,
+    Choice,
+    Folder,
+    Row,
+    Slider,
+    Tick,
+    Triple,
+    View,
+    Words,
+)
+
+UNTOUCHED = 0.7
+
+
+class Placed(Protocol):
+    """A row in a window."""
+
+    def refresh(self, view: View) -> None:
+        """Show what the view says now."""
+
+
+class _Words:
+    def __init__(self, gui: viser.GuiApi, row: Words, view: View) -> None:
+        self.row = row
+        self.handle = gui.add_html(row.html(view))
+
+    def refresh(self, view: View) -> None:
+        html = self.row.html(view)
+        if html != self.handle.content:
+            self.handle.content = html
+
+
+class _Control:
+    """A control with a value: written when it differs, unless it was touched a moment ago; deaf while disabled."""
+
+    def __init__(
+        self,
+        handle: Any,
+        value: Callable[[View], Any],
+        wish: Callable[[Any], None],
+        enabled: Callable[[View], bool],
+        view: View,
+    ) -> None:
+        self.handle, self.value, self.enabled, self.view = handle, value, enabled, view
+        self.touched = 0.0
+        handle.disabled = not enabled(view)
+
+        def act(given: Any) -> None:
+            self.touched = monotonic()
+            if self.enabled(self.view):
+                wish(given)
+
+        bind.on_value(handle, act)
+
+    def refresh(self, view: View) -> None:
+        self.view = view
+        disabled = not self.enabled(view)
+        if disabled != self.handle.disabled:
+            self.handle.disabled = disabled
+        value = self.value(view)
+        if value != self.handle.value and monotonic() - self.touched > UNTOUCHED:
+            self.handle.value = value
+
+
+class _Button:
+    def __init__(self, gui: viser.GuiApi, row: Button, view: View, act: Act) -> None:
+        self.row, self.view = row, view
+        self.handle = gui.add_button(row.label(view)[view.seat.language], icon=row.icon, disabled=not row.enabled(view))
+
+        def pressed() -> None:
+            if row.enabled(self.view):
+                act(row.wish(self.view))
+
+        bind.on_press(self.handle, pressed)
+
+    def refresh(self, view: View) -> None:
+        self.view = view
+        label, disabled = self.row.label(view)[view.seat.language], not self.row.enabled(view)
+        if label != self.handle.label:
+            self.handle.label = label
+        if disabled != self.handle.disabled:
+            self.handle.disabled = disabled
+
+
+def _slider(gui: viser.GuiApi, row: Slider, view: View, act: Act) -> Placed:
+    def value(view: View) -> float:
+        steps = round((row.value(view) - row.lower) / row.step)
+        return round(min(max(row.lower + steps * row.step, row.lower), row.upper), 6)
+
+    handle = gui.add_slider(row.label[view.seat.language], row.lower, row.upper, row.step, value(view))
+    return _Control(handle, value, lambda given: act(row.wish(given)), row.enabled, view)
+
+
+def _tick(gui: viser.GuiApi, row: Tick, view: View, act: Act) -> Placed:
+    handle = gui.add_checkbox(row.label[view.seat.language], row.value(view))
+    return _Control(handle, row.value, lambda given: act(row.wish(given)), lambda _: True, view)
+
+
+def _choice(gui: viser.GuiApi, row: Choice, view: View, act: Act) -> Placed:
+    language: Language = view.seat.language
+    words = {key: text[language] for key, text in row.options}
+    keys = {word: key for key, word in words.items()}
+
+    def wish(word: str) -> None:
+        if word in keys:
+            act(row.wish(keys[word]))
+
+    handle = gui.add_dropdown(row.label[language], tuple(words.values()), initial_value=words[row.value(view)])
+    return _Control(handle, lambda view: words[row.value(view)], wish, lambda _: True, view)
+
+
+def _triple(gui: viser.GuiApi, row: Triple, view: View, act: Act) -> Placed:
+    handle = gui.add_vector3(row.label[view.seat.language], row.value(view), step=row.step)
+
+    def wish(given: tuple[float, float, float]) -> None:
+        act(row.wish(placed.view, given))
+
+    placed = _Control(handle, row.value, wish, lambda _: True, view)
+    return placed
+
+
+def place(gui: viser.GuiApi, rows: Iterator[Row], view: View, act: Act) -> Iterator[Placed]:
+    """Build rows where the GUI stands, in the language of the view's seat."""
+    for row in rows:
+        match row:
+            case Words():
+                yield _Words(gui, row, view)
+            case Button():
+                yield _Button(gui, row, view, act)
+            case Slider():
+                yield _slider(gui, row, view, act)
+            case Tick():
+                yield _tick(gui, row, view, act)
+            case Choice():
+                yield _choice(gui, row, view, act)
+            case Triple():
+                yield _triple(gui, row, view, act)
+            case Folder():
+                with gui.add_folder(row.label[view.seat.language], expand_by_default=row.open):
+                    yield from place(gui, iter(row.rows), view, act)

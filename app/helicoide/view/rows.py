@@ -1,0 +1,113 @@
+"""What a panel is made of: rows that say what they show of a State and a Seat, and what they wish."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from viser import IconName
+
+from helicoide.state import Seat, SeatUpdate, State, Update
+from helicoide.text import Text
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """What one window shows: its arm and its person."""
+
+    state: State
+    seat: Seat
+
+
+@dataclass(frozen=True)
+class ForArm:
+    """A wish about the arm."""
+
+    update: Update
+
+
+@dataclass(frozen=True)
+class ForSeat:
+    """A wish about the window itself."""
+
+    update: SeatUpdate
+
+
+Wish = ForArm | ForSeat
+Act = Callable[[Wish], None]
+
+
+def always(view: View) -> bool:
+    """The row can be used at any time."""
+    return True
+
+
+@dataclass(frozen=True)
+class Words:
+    """HTML made from the view."""
+
+    html: Callable[[View], str]
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number with a slider and a box."""
+
+    label: Text
+    lower: float
+    upper: float
+    step: float
+    value: Callable[[View], float]
+    wish: Callable[[float], Wish]
+    enabled: Callable[[View], bool] = always
+
+
+@dataclass(frozen=True)
+class Button:
+    """A press."""
+
+    label: Callable[[View], Text]
+    wish: Callable[[View], Wish]
+    icon: IconName | None = None
+    enabled: Callable[[View], bool] = always
+
+
+@dataclass(frozen=True)
+class Tick:
+    """A choice between yes and no."""
+
+    label: Text
+    value: Callable[[View], bool]
+    wish: Callable[[bool], Wish]
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of several; `options` are keys with what is shown for them."""
+
+    label: Text
+    options: Sequence[tuple[str, Text]]
+    value: Callable[[View], str]
+    wish: Callable[[str], Wish]
+
+
+@dataclass(frozen=True)
+class Triple:
+    """Three numbers, such as a position."""
+
+    label: Text
+    step: float
+    value: Callable[[View], tuple[float, float, float]]
+    wish: Callable[[View, tuple[float, float, float]], Wish]
+
+
+@dataclass(frozen=True)
+class Folder:
+    """Rows under a heading."""
+
+    label: Text
+    rows: Sequence[Row]
+    open: bool = True
+
+
+Row = Words | Slider | Button | Tick | Choice | Triple | Folder

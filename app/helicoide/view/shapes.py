@@ -1,0 +1,104 @@
+"""A robot's meshes, read from its URDF once: per URDF link the shape, its edges, and where it sits on the arm."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import trimesh
+import yourdfpy
+
+from helicoide.kinematics.robot import Array, Robot
+from helicoide.text import HelicoideError, Text
+
+SHARP = np.radians(35.0)
+SHORTEST_EDGE = 0.012
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One URDF link: its GLB, its sharp edges (e, 2, 3) m, the arm's link that carries it, and its pose on that link.
+
+    T_link_shape (4, 4), m, with the gripper closed; `slide` (3,), m: how far it moves there when the gripper opens.
+    """
+
+    name: str
+    glb: bytes
+    edges: Array
+    link: int
+    T_link_shape: Array
+    slide: Array
+
+
+def load(robot: Robot) -> list[Shape]:
+    """The shapes of a robot; raises HelicoideError when the URDF does not parse or a mesh is missing."""
+    closed, opened = _read(robot), _read(robot)
+    if robot.gripper:
+        if robot.gripper.joint not in opened.actuated_joint_names:
+            raise _broken(robot, f"gripper joint {robot.gripper.joint!r}: {', '.join(opened.actuated_joint_names)}")
+        upper = float(opened.joint_map[robot.gripper.joint].limit.upper)
+        opened.update_cfg({robot.gripper.joint: upper})
+    return [_shape(robot, closed, opened, link.name) for link in closed.robot.links if link.visuals]
+
+
+def _read(robot: Robot) -> yourdfpy.URDF:
+    try:
+        urdf = yourdfpy.URDF.load(str(robot.urdf), load_meshes=False, build_scene_graph=False)
+        for mesh in (
+            robot.urdf.parent / visual.geometry.mesh.filename
+            for link in urdf.robot.links
+            for visual in link.visuals
+            if visual.geometry.mesh
+        ):
+            if not mesh.is_file():
+                raise _broken(robot, f"missing mesh {mesh}")
+        return yourdfpy.URDF.load(str(robot.urdf))
+    except HelicoideError:
+        raise
+    except Exception as error:  # yourdfpy and lxml raise whatever a broken file makes them stumble over
+        raise _broken(robot, str(error).splitlines()[0] if str(error) else type(error).__name__) from error
+
+
+def _broken(robot: Robot, reason: str) -> HelicoideError:
+    return HelicoideError(
+        Text(en="The URDF {path} cannot be used: {reason}", pt_BR="Não dá para usar o URDF {path}: {reason}").format(
+            path=robot.urdf, reason=reason
+        )
+    )
+
+
+def _carrier(robot: Robot, urdf: yourdfpy.URDF, link: str) -> int:
+    """The number of the arm's link that carries a URDF link; 0 for the base."""
+    numbers = {joint.link: i + 1 for i, joint in enumerate(robot.joints)}
+    parents = {joint.child: joint.parent for joint in urdf.robot.joints}
+    while link not in numbers and link in parents:
+        link = parents[link]
+    return numbers.get(link, 0)
+
+
+def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str) -> Shape:
+    link = _carrier(robot, closed, name)
+    T_link_shape = np.array(closed.get_transform(name))
+    slide = opened.get_transform(name)[:3, 3] - T_link_shape[:3, 3]
+    if link > 0:
+        T_link_shape[:3, 3] -= robot.points[link - 1]
+    scene = _visuals(closed, name)
+    return Shape(name, bytes(scene.export(file_type="glb")), _edges(scene), link, T_link_shape, slide)
+
+
+def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
+    """The meshes of one URDF link, in its frame."""
+    tree, scene = urdf.scene.graph, trimesh.Scene()
+    for node in tree.nodes_geometry:
+        if tree.transforms.parents[node] == name:
+            mesh = urdf.scene.geometry[tree[node][1]]
+            scene.add_geometry(mesh, transform=urdf.get_transform(node, name))
+    return scene
+
+
+def _edges(scene: trimesh.Scene) -> Array:
+    """The sharp edges of a shape that are long enough to be seen, (e, 2, 3), m."""
+    mesh = scene.to_mesh()
+    mesh.merge_vertices(merge_tex=True, merge_norm=True)
+    edges = mesh.vertices[mesh.face_adjacency_edges[mesh.face_adjacency_angles > SHARP]]
+    return np.asarray(edges[np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1) > SHORTEST_EDGE])

@@ -1,0 +1,115 @@
+"""One browser window: its panels in its language, its own layers of the scene, its place in the queue of wishes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from types import MappingProxyType
+
+import viser
+
+from helicoide import gate
+from helicoide.kinematics.robot import Robot
+from helicoide.readout import status
+from helicoide.state import Seat, Update
+from helicoide.text import LANGUAGES, Language, Text, same
+from helicoide.view import bind, layers, panels
+from helicoide.view.channel import Control, Notice, introduce
+from helicoide.view.layers import Stage
+from helicoide.view.placed import Placed, place
+from helicoide.view.rows import Choice, ForArm, ForSeat, Row, View, Wish
+from helicoide.view.shapes import Shape
+
+LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
+PANEL = same("Helicoide")
+STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
+
+
+def seated(token: str, language: Language, lesson: str | None) -> Seat:
+    """A new person, with every optional layer shown or not as it says of itself."""
+    shows = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
+    return Seat(token=token, language=language, lesson=lesson, shows=shows)
+
+
+class Window:
+    """A client of viser and the seat in front of it."""
+
+    def __init__(
+        self,
+        client: viser.ClientHandle,
+        robot: Robot,
+        shapes: list[Shape],
+        view: View,
+        control: Control,
+        post: Callable[[Update], None],
+        reseat: Callable[[Seat], None],
+    ) -> None:
+        self.client, self.robot, self.control, self.post, self.reseat = client, robot, control, post, reseat
+        self.view = view
+        self.placed: list[Placed] = []
+        stage = Stage(client.scene, robot, shapes, self.act, str(client.client_id))
+        self.layers = [layer.build(stage) for layer in layers.found() if not layer.SHARED]
+        self.drawn: View | None = None
+        self._furnish()
+        introduce(client, view.seat.token)
+
+    def act(self, wish: Wish) -> None:
+        """Hand on what the person wishes."""
+        match wish:
+            case ForArm(update):
+                self.post(update)
+            case ForSeat(update):
+                self.reseat(update(self.view.seat))
+
+    def draw(self, view: View) -> None:
+        """Bring this window's layers to a view."""
+        for layer in self.layers:
+            layer.update(self.drawn, view)
+        self.drawn = view
+
+    def write(self, view: View) -> None:
+        """Bring the words and controls to a view; another language furnishes the window anew."""
+        old, self.view = self.view, view
+        if old.seat.language != view.seat.language:
+            self._furnish()
+        for row in self.placed:
+            row.refresh(view)
+        said = status(view.state)
+        self.control.push(view.seat.token, Notice(view.seat.language, said.text, said.tone))
+
+    def _furnish(self) -> None:
+        """Build all panels in the language of the seat."""
+        gui, language = self.client.gui, self.view.seat.language
+        gui.reset()
+        gui.set_panel_label(PANEL[language])
+        self.placed = list(place(gui, iter([_language()]), self.view, self.act))
+        tabs = gui.add_tab_group()
+        for panel in panels.found():
+            with tabs.add_tab(panel.TITLE[language], panel.ICON):
+                self.placed += place(gui, iter(panel.rows(self.robot)), self.view, self.act)
+        self._commands(language)
+
+    def _post(self, update: Callable[[], Update]) -> None:
+        self.post(update())
+
+    def _commands(self, language: Language) -> None:
+        """The palette: what the panels and the page have as buttons, by name."""
+        for text, update in (
+            (STOP, gate.stop),
+            (Text(en="Ready", pt_BR="Pronto"), gate.get_ready),
+            (Text(en="Park", pt_BR="Estacionar"), gate.park),
+            (Text(en="Play the path", pt_BR="Iniciar a trajetória"), gate.play),
+            (Text(en="Pause the path", pt_BR="Pausar a trajetória"), gate.pause),
+        ):
+            command = self.client.gui.add_command(text[language])
+            bind.on_trigger(command, partial(self._post, update))
+
+
+def _language() -> Row:
+    return Choice(
+        Text(en="Language · Idioma", pt_BR="Idioma · Language"),
+        [(language, same(LANGUAGE_NAMES[language])) for language in LANGUAGES],
+        lambda view: view.seat.language,
+        lambda key: ForSeat(lambda seat: replace(seat, language="pt_BR" if key == "pt_BR" else "en")),
+    )

@@ -11,7 +11,7 @@ import yourdfpy
 from helicoide.kinematics.robot import Array, Robot
 from helicoide.text import HelicoideError, Text
 
-SHARP = np.radians(35.0)
+SHARP = np.radians(50.0)
 SHORTEST_EDGE = 0.012
 
 
@@ -83,7 +83,7 @@ def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str
     if link > 0:
         T_link_shape[:3, 3] -= robot.points[link - 1]
     scene = _visuals(closed, name)
-    return Shape(name, bytes(scene.export(file_type="glb")), _edges(scene), link, T_link_shape, slide)
+    return Shape(name, bytes(scene.export(file_type="glb", include_normals=True)), _edges(scene), link, T_link_shape, slide)
 
 
 def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:

@@ -51,7 +51,7 @@ def _pane(stage: Stage, index: int) -> Pane:
             edges[:, 0],
             faces,
             color=colour,
-            opacity=0.16,
+            opacity=0.10,
             side="double",
             cast_shadow=False,
             receive_shadow=False,

@@ -107,5 +107,5 @@ def _distance(view: View) -> str:
     ).format(point=point.title, name=pane.name, pane=pane.title, mm=500 * product[-1])
     return (
         mathml(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e")
-        + f"<p>{words[view.seat.language]}</p>{coefficient_grid(product)}"
+        + f'<div class="helicoide-reading"><p>{words[view.seat.language]}</p>{coefficient_grid(product)}</div>'
     )

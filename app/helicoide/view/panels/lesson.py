@@ -95,7 +95,7 @@ def _step(view: View) -> str:
             en="Drag the target in the scene, move the joints, push a plane. Choose a lesson for a guided tour.",
             pt_BR="Arraste o alvo na cena, mova as juntas, empurre um plano. Escolha uma lição para um passeio guiado.",
         )
-        return f"<p>{free[language]}</p>"
+        return f'<p class="helicoide-note">{free[language]}</p>'
     step = lesson.steps[view.seat.step]
     prose = lesson.prose[step.id]
     hint = f"<blockquote>{_markdown.render(prose.hint[language])}</blockquote>" if view.seat.hint_open else ""

@@ -7,6 +7,7 @@ advances, a frame is drawn. Long work is done in threads and processes that post
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
 import multiprocessing
 import secrets
@@ -32,10 +33,16 @@ from helicoide.view.window import Window, seated
 TICK = 0.01
 TICKS_PER_FRAME = 2
 FRAMES_PER_TEXT = 5
+SEAT_KEY = "helicoide-seat"
+ANSWER_WITHIN = 5.0
 
 COMPILING = Text(
     en="Preparing the kernels: {done} of {total}. This happens once.",
     pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
+)
+FAILED = Text(
+    en="Something went wrong inside; see the terminal.",
+    pt_BR="Algo deu errado por dentro; veja o terminal.",
 )
 log = logging.getLogger("helicoide")
 
@@ -151,12 +158,22 @@ class Session:
 
     async def _enter(self, client: viser.ClientHandle) -> None:
         """A window opens: with its old seat when its browser still has the token of one."""
-        token = await asyncio.to_thread(client.local_storage.get_item, "helicoide-seat")
-        if token not in self.seats:
+        with contextlib.suppress(RuntimeError):  # the client left again
+            view = View(self.state, self.seats[await self._seat_of(client)])
+            self._furnish(client, view)
+
+    async def _seat_of(self, client: viser.ClientHandle) -> str:
+        """The token of the client's seat, kept in its browser; a new seat where there is none."""
+        token = None
+        with contextlib.suppress(TimeoutError):  # a page that does not answer gets a new seat
+            token = await asyncio.to_thread(client.local_storage.get_item, SEAT_KEY, ANSWER_WITHIN)
+        if token is None or token not in self.seats:
             token = secrets.token_urlsafe(12)
             self.seats[token] = seated(token, self.language, self.lesson_name)
-            await asyncio.to_thread(client.local_storage.set_item, "helicoide-seat", token)
-        view = View(self.state, self.seats[token])
+            client.local_storage.set_item(SEAT_KEY, token)
+        return token
+
+    def _furnish(self, client: viser.ClientHandle, view: View) -> None:
         window = Window(client, self.robot, self.shapes, view, self.control, self.post, self._reseat)
         self.windows[client.client_id] = window
         window.draw(view)
@@ -186,30 +203,27 @@ class Session:
 
     def _apply(self) -> None:
         while self.inbox:
-            update = self.inbox.popleft()
-            try:
-                self.state = update(self.state)
-            except Exception:
-                log.exception("a wish failed and was skipped")
-                self.state = replace(
-                    self.state,
-                    notice=Text(
-                        en="That did not work; the arm stays as it was.",
-                        pt_BR="Isso não funcionou; o braço fica como estava.",
-                    ),
-                )
+            self.state = self._tried(self.inbox.popleft(), lambda state: state)
+
+    def _tried(self, update: Update, otherwise: Update) -> State:
+        """What an update makes of the state; when it fails, another one and a notice, with the reason in the log."""
+        try:
+            return update(self.state)
+        except Exception:
+            log.exception("an update failed and was skipped")
+            return replace(otherwise(self.state), notice=FAILED)
 
     def _tick(self) -> None:
         """One hundredth of a second of the arm; no catching up after a delay."""
         if not self.ready:
             return
+        self.next_tick = max(self.next_tick + TICK, self.loop.time())
+        self.loop.call_at(self.next_tick, self._tick)
         self._apply()
-        self.state = advance(self.state, TICK)
+        self.state = self._tried(lambda state: advance(state, TICK), otherwise=gate.stop())
         self.ticks += 1
         if self.ticks % TICKS_PER_FRAME == 0:
             self._frame()
-        self.next_tick = max(self.next_tick + TICK, self.loop.time())
-        self.loop.call_at(self.next_tick, self._tick)
 
     def _frame(self) -> None:
         """Foresee the goal where something changed, check the lessons, draw; write the words at a fifth of the rate."""

@@ -11,7 +11,7 @@ from latex2mathml.converter import convert
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.robot import Array
 
-ZERO = 5e-7
+ZERO = 5e-4
 _BLADES = tuple("1" if name == "1" else re.sub(r"e(\d)", r"e<sub>\1</sub>", name) for name in CL031.names)
 
 
@@ -22,8 +22,8 @@ def mathml(tex: str, display: bool = False) -> str:
 
 
 def coefficient(value: float) -> str:
-    """Four decimals with a proper minus; what is zero is written as 0."""
-    return "0" if abs(value) < ZERO else f"{value:.4f}".replace("-", "−")
+    """Three decimals with a proper minus; what is zero is written as 0."""
+    return "0" if abs(value) < ZERO else f"{value:.3f}".replace("-", "−")
 
 
 def coefficient_grid(values: Array) -> str:

@@ -64,7 +64,7 @@ def serve(host: str, port: int, static: Path, channels: Mapping[str, Channel]) -
         listener.close()
         raise HelicoideError(UNGUARDED.format(version=viser.__version__))
     server._websock_server.unregister_handler(ShareUrlRequest)  # any page could ask for a tunnel to a public host
-    server.gui.configure_theme(show_share_button=False)
+    server.gui.configure_theme(show_share_button=False, control_width="large")
     return server
 
 

@@ -83,7 +83,8 @@ def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str
     if link > 0:
         T_link_shape[:3, 3] -= robot.points[link - 1]
     scene = _visuals(closed, name)
-    return Shape(name, bytes(scene.export(file_type="glb", include_normals=True)), _edges(scene), link, T_link_shape, slide)
+    glb = bytes(scene.export(file_type="glb", include_normals=True))
+    return Shape(name, glb, _edges(scene), link, T_link_shape, slide)
 
 
 def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:

@@ -1,0 +1,60 @@
+# make run · make test · make soak · make bench · make docs-pictures · make clean
+# make run ARGS="--port 8090 --lang pt_BR"        make run PYTHON=python3.13
+
+PYTHON ?= python3
+ARGS ?=
+VENV := .venv
+IN_VENV := $(VENV)/bin/python
+PIP := $(IN_VENV) -m pip install -qq --disable-pip-version-check -c constraints.txt
+BROWSERS := chromium chromium-browser google-chrome
+
+.PHONY: run test soak bench docs-pictures browser clean
+
+run: $(VENV)/ready-to-run
+	@exec $(IN_VENV) -m helicoide $(ARGS)
+
+test: $(VENV)/ready-to-test browser
+	$(IN_VENV) -m ruff check
+	$(IN_VENV) -m ruff format --check
+	$(IN_VENV) -m mypy --strict app lessons robots
+	$(IN_VENV) -m pytest -m "not soak" $(ARGS)
+
+soak: $(VENV)/ready-to-test browser
+	$(IN_VENV) -m pytest tests/soak -m soak $(ARGS)
+
+bench: $(VENV)/ready-to-test
+	$(IN_VENV) -m tests.benchmarks $(ARGS)
+
+docs-pictures: $(VENV)/ready-to-test browser
+	$(IN_VENV) -m tests.browser.pictures
+
+# The build backend is installed first and pinned like the rest, so that pip does not fetch another one to build with.
+$(VENV)/ready-to-run: pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit("Helicoide needs Python 3.11 or newer, and this is %d.%d: make run PYTHON=python3.x" % sys.version_info[:2] if sys.version_info < (3, 11) else 0)'
+	@test -x $(IN_VENV) || echo "Setting up in $(VENV): this takes a minute or two, and happens once."
+	@$(PYTHON) -m venv $(VENV)
+	@$(PIP) hatchling
+	@$(PIP) --no-build-isolation --editable .
+	@touch $@
+
+$(VENV)/ready-to-test: $(VENV)/ready-to-run
+	@echo "Installing what the tests need."
+	@$(PIP) --no-build-isolation --editable '.[test]'
+	@touch $@
+
+# Debian's Chromium: installed where that is allowed, named where it is not.
+browser:
+	@for name in $(BROWSERS); do command -v $$name >/dev/null && exit 0; done; \
+	if [ "$$(id -u)" = 0 ]; then root=; else root="sudo -n"; fi; \
+	if command -v apt-get >/dev/null && $$root true 2>/dev/null; then \
+		echo "Installing Chromium for the tests."; \
+		$$root apt-get update -qq && \
+		$$root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends \
+			chromium fonts-dejavu-core >/dev/null; \
+	else \
+		echo "The tests need a Chromium: install the package chromium, then run this again." >&2; exit 1; \
+	fi
+
+clean:
+	rm -rf $(VENV) .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	find app lessons robots tests -name __pycache__ -type d -prune -exec rm -rf {} +

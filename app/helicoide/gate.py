@@ -135,29 +135,39 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
             state = replace(state, grasp=Grasp(seat, handle))
         if state.grasp != Grasp(seat, handle):
             return state
-        return _plane_moved(replace(state, grasp=None) if phase == "end" else state, index, T)
+        held = replace(state, grasp=None) if phase == "end" else state
+        return _plane_moved(held, index, T[:3, 2], T[:3, 3])
 
     return _driven(wish)
 
 
-def _plane_moved(state: State, index: int, T_world_plane: Array) -> State:
-    problem = state.problem
-    normal = T_world_plane[:3, 2]
-    centre = stopped_at_arm(normal, T_world_plane[:3, 3], state.guarded_points, problem.zones.critical)
+def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State:
+    """The plane where it was asked for, or at the critical distance from the arm, and then the words that say so."""
+    problem, critical = state.problem, state.problem.zones.critical
+    points = state.guarded_points
+    centre = stopped_at_arm(normal, asked, points, critical)
+    stopped = None if np.array_equal(centre, asked) else _stopped_plane(state, index, (points - centre) @ normal)
     problem = replace(problem, planes=problem.planes.moved(index, normal, centre))
-    return replace(state, problem=problem, searched=False, rested=0.0, notice=None)
+    return replace(state, problem=problem, searched=False, rested=0.0, notice=stopped)
+
+
+def _stopped_plane(state: State, index: int, distances: Array) -> Text:
+    pane, point = state.robot.panes[index], state.robot.guarded[int(distances.argmin())]
+    return Text(
+        en="Plane {name} ({pane}) stops at {mm:.0f} mm from the arm: {point}.",
+        pt_BR="O plano {name} ({pane}) para a {mm:.0f} mm do braço: {point}.",
+    ).format(name=pane.name, pane=pane.title, mm=1000 * distances.min(), point=point.title)
 
 
 def restore_planes() -> Update:
     """Every plane back to where the robot's file has it, or as near to that as the arm allows."""
 
     def wish(state: State) -> State:
+        state = replace(state, notice=None)
         for index, pane in enumerate(state.robot.panes):
-            centre = stopped_at_arm(pane.normal, pane.centre, state.guarded_points, state.problem.zones.critical)
-            state = replace(
-                state, problem=replace(state.problem, planes=state.problem.planes.moved(index, pane.normal, centre))
-            )
-        return replace(state, searched=False, rested=0.0)
+            moved = _plane_moved(state, index, pane.normal, pane.centre)
+            state = replace(moved, notice=moved.notice or state.notice)
+        return state
 
     return _driven(wish)
 

@@ -6,8 +6,10 @@ calls; the folder is therefore chosen here, and its name carries a digest of eve
 
 from __future__ import annotations
 
+import atexit
 import hashlib
 import os
+import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -46,8 +48,9 @@ def _choose_cache() -> tuple[Path, Text | None]:
     usual = given if given.name == _digest() else given / _digest()  # a child process inherits the chosen folder
     if _is_writable(usual):
         return usual, None
-    temporary = Path(tempfile.mkdtemp(prefix="helicoide-kernels-"))
-    return temporary, Text(
+    temporary = Path(tempfile.mkdtemp(prefix="helicoide-"))
+    atexit.register(shutil.rmtree, temporary, ignore_errors=True)
+    return temporary / _digest(), Text(
         en="The cache folder {usual} cannot be written; kernels are compiled into {temporary} for this run only.",
         pt_BR="Não dá para escrever na pasta de cache {usual}; os kernels são compilados em {temporary} só nesta vez.",
     ).format(usual=usual, temporary=temporary)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
+from types import ModuleType
 
 from helicoide import content
 from helicoide.state import Seat, State, Update
@@ -47,49 +49,86 @@ class Lesson:
     prose: Mapping[str, Prose]
 
 
-_SECTION = re.compile(r"^## (?P<id>[a-z_]+): (?P<title>.+?)\n(?P<body>.*?)\n> (?P<hint>.+?)\n?$", re.S)
+_SECTION = re.compile(
+    r"^## (?P<id>[a-z][a-z0-9_]*): (?P<title>\S.*)\n\s*(?P<body>[^\s>](?:.|\n)*?)\n(?P<hint>(?:> *\S.*\n)+)$"
+)
+_FORM = Text(
+    en="each step is '## id: title', its text and, at the end, its hint on lines that begin with '> '; not so: {got!r}",
+    pt_BR="cada passo é '## id: título', o texto e, ao fim, a dica em linhas iniciadas por '> '; não é assim: {got!r}",
+)
+_STEPS = Text(
+    en="it needs TITLE, a Text, and STEPS, a tuple of at least one Step",
+    pt_BR="faltam TITLE, um Text, e STEPS, uma tupla com pelo menos um Step",
+)
+_ORDER = Text(
+    en="lesson.py has the steps {steps}, this page has {page}",
+    pt_BR="lesson.py tem os passos {steps}, esta página tem {page}",
+)
 
 
-def _sections(path: Path) -> dict[str, re.Match[str]]:
-    """The sections of a lesson's page by step id: `## id: title`, the body, and a last line `> hint`."""
-    found = {}
-    for section in re.split(r"(?m)^(?=## )", path.read_text(encoding="utf-8"))[1:]:
-        match = _SECTION.match(section.strip() + "\n")
-        if match is None:
-            raise _broken(path, f"'## id: title', text, '> hint': {section.splitlines()[0]}")
-        found[match["id"]] = match
-    return found
+@cache
+def load(name: str) -> Lesson:
+    """A lesson by the name of its folder; raises HelicoideError when its files do not fit together."""
+    folder = content.folder("lessons", name)
+    title, steps = _read_module(folder / "lesson.py", name)
+    pages = {language: _read_page(folder / f"{language}.md", steps) for language in LANGUAGES}
+    return Lesson(name, title, steps, {step.id: _prose(pages, step.id) for step in steps})
 
 
 def _broken(path: Path, reason: object) -> HelicoideError:
     return HelicoideError(
-        Text(en="{path} is not a valid lesson: {reason}", pt_BR="{path} não é uma lição válida: {reason}").format(
+        Text(en="{path} is not a valid lesson: {reason}.", pt_BR="{path} não é uma lição válida: {reason}.").format(
             path=path, reason=reason
         )
     )
 
 
-def load(name: str) -> Lesson:
-    """A lesson by the name of its folder; raises HelicoideError when its files do not fit together."""
-    folder = content.folder("lessons", name)
-    spec = importlib.util.spec_from_file_location(f"helicoide_lessons.{name}", folder / "lesson.py")
-    if spec is None or spec.loader is None:
-        raise _broken(folder, "lesson.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    steps: tuple[Step, ...] = module.STEPS
-    pages = {language: _sections(folder / f"{language}.md") for language in LANGUAGES}
-    for language, page in pages.items():
-        if list(page) != [step.id for step in steps]:
-            raise _broken(folder / f"{language}.md", f"{list(page)} != {[step.id for step in steps]}")
-    return Lesson(name, module.TITLE, steps, {step.id: _prose(pages, step.id) for step in steps})
+def _read_module(path: Path, name: str) -> tuple[Text, tuple[Step, ...]]:
+    """TITLE and STEPS of a lesson.py; whatever goes wrong while it runs is the file's fault and is said so."""
+    loader = SourceFileLoader(f"helicoide_lessons.{name}", str(path))
+    module = ModuleType(loader.name)
+    try:
+        loader.exec_module(module)
+    except Exception as error:
+        raise _broken(path, f"{type(error).__name__}: {error}") from error
+    title, steps = getattr(module, "TITLE", None), getattr(module, "STEPS", None)
+    if not (isinstance(title, Text) and isinstance(steps, tuple) and steps and all(isinstance(s, Step) for s in steps)):
+        raise _broken(path, _STEPS)
+    return title, steps
+
+
+def _read_page(path: Path, steps: tuple[Step, ...]) -> dict[str, re.Match[str]]:
+    """The sections of one language's page by step id, in the order of the steps."""
+    try:
+        before, *sections = re.split(r"(?m)^(?=## )", path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError) as error:
+        raise _broken(path, error) from error
+    if before.strip():
+        raise _broken(path, _FORM.format(got=before.strip().splitlines()[0]))
+    found = [_section(path, section) for section in sections]
+    ids = [step.id for step in steps]
+    if [match["id"] for match in found] != ids or len(set(ids)) != len(ids):
+        raise _broken(path, _ORDER.format(steps=", ".join(ids), page=", ".join(match["id"] for match in found)))
+    return {match["id"]: match for match in found}
+
+
+def _section(path: Path, section: str) -> re.Match[str]:
+    match = _SECTION.match(section.strip() + "\n")
+    if match is None:
+        raise _broken(path, _FORM.format(got=section.splitlines()[0]))
+    return match
 
 
 def _prose(pages: Mapping[Language, Mapping[str, re.Match[str]]], step: str) -> Prose:
     def text(part: str) -> Text:
         return Text(en=pages["en"][step][part].strip(), pt_BR=pages["pt_BR"][step][part].strip())
 
-    return Prose(text("title"), text("body"), text("hint"))
+    hint = text("hint")
+    return Prose(text("title"), text("body"), Text(en=_unquoted(hint.en), pt_BR=_unquoted(hint.pt_BR)))
+
+
+def _unquoted(hint: str) -> str:
+    return re.sub(r"(?m)^> *", "", hint)
 
 
 def progressed(lesson: Lesson, state: State, seat: Seat) -> Seat:

@@ -110,6 +110,7 @@ class Session:
     def close(self) -> None:
         """Stop the loop and the server."""
         self.ready = False
+        self.loop.call_soon_threadsafe(self._starting.cancel)
         self.server.stop()
 
     def post(self, update: Update) -> None:
@@ -139,7 +140,9 @@ class Session:
         if all(map(kernels.is_cached, kernels.KERNELS)):
             return
         receiver, sender = multiprocessing.Pipe(duplex=False)
-        child = multiprocessing.get_context("spawn").Process(target=_compile, args=(self.robot.name, sender))
+        child = multiprocessing.get_context("spawn").Process(
+            target=_compile, args=(self.robot.name, sender), daemon=True
+        )
         child.start()
         sender.close()
         while True:
@@ -180,7 +183,9 @@ class Session:
 
     async def _leave(self, client: viser.ClientHandle) -> None:
         """A window closes: what it held is let go where it is."""
-        self.windows.pop(client.client_id, None)
+        window = self.windows.pop(client.client_id, None)
+        if window and all(other.view.seat.token != window.view.seat.token for other in self.windows.values()):
+            self.control.forget(window.view.seat.token)
         who = str(client.client_id)
         self.post(lambda state: _let_go(state, who))
 
@@ -239,7 +244,11 @@ class Session:
     def _check_lessons(self) -> None:
         for token, seat in self.seats.items():
             if seat.lesson:
-                self.seats[token] = lesson.progressed(lesson.load(seat.lesson), self.state, seat)
+                try:
+                    self.seats[token] = lesson.progressed(lesson.load(seat.lesson), self.state, seat)
+                except Exception:
+                    log.exception("the goal of lesson %s failed", seat.lesson)
+                    self.seats[token] = replace(seat, lesson=None)
 
     def _draw(self) -> None:
         """Bring scene and windows to the state, as one message to each browser."""

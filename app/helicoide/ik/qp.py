@@ -95,10 +95,12 @@ def split(C: Array, active: NDArray[np.int64], count: int, p: int) -> tuple[Arra
 
 
 @kernel
-def most_violated(C: Array, b: Array, y: Array, tolerance: float) -> int:
-    """The row whose slack cᵢ·y − bᵢ, over its length, is smallest and below −tolerance; −1 when there is none."""
-    worst, worst_slack = -1, -tolerance
+def most_violated(C: Array, b: Array, y: Array, multipliers: Array) -> int:
+    """The row not yet active whose slack cᵢ·y − bᵢ, over its length, is smallest and below rounding; −1 for none."""
+    worst, worst_slack = -1, -1e-13 * (1.0 + np.sqrt(dot(y, y)))
     for i in range(C.shape[0]):
+        if multipliers[i] > 0.0:
+            continue
         slack, square = -b[i], 0.0
         for k in range(C.shape[1]):
             slack += C[i, k] * y[k]
@@ -123,7 +125,7 @@ def project(C: Array, b: Array, y: Array) -> tuple[Array, Array, int]:
     active = np.empty(n + 1, dtype=np.int64)
     count = 0
     for _ in range(10 * (m + n)):
-        p = most_violated(C, b, y, 1e-13)
+        p = most_violated(C, b, y, multipliers)
         if p < 0:
             return y, multipliers, SOLVED
         while True:

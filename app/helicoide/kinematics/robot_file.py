@@ -137,5 +137,8 @@ def _check(file: RobotFile) -> None:
     for name, pose in file.poses.items():
         if len(pose.joints_deg) != len(names):
             raise ValueError(f"pose {name} has {len(pose.joints_deg)} angles for {len(names)} joints")
+    for plane in file.planes:
+        if not any(plane.normal):
+            raise ValueError(f"the normal of plane {plane.name} is zero")
     for pose_name in {"home", "ready"} - file.poses.keys():
         raise ValueError(f"pose {pose_name} is missing")

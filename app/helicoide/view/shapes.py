@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from xml.etree import ElementTree
 
 import numpy as np
 import trimesh
@@ -43,6 +44,7 @@ def load(robot: Robot) -> list[Shape]:
 
 def _read(robot: Robot) -> yourdfpy.URDF:
     try:
+        ElementTree.parse(robot.urdf)  # says where; yourdfpy tries to mend what is broken
         urdf = yourdfpy.URDF.load(str(robot.urdf), load_meshes=False, build_scene_graph=False)
         for mesh in (
             robot.urdf.parent / visual.geometry.mesh.filename

@@ -16,7 +16,7 @@ NAME = "goal"
 SHARED = True
 
 MET, MISSED = (0, 150, 136), (230, 81, 0)
-AWAY = 5e-3
+AWAY = 0.02
 
 
 def build(stage: Stage) -> Outline:

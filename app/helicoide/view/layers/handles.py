@@ -27,7 +27,7 @@ def build(stage: Stage) -> Handles:
 def _handle(stage: Stage, index: int) -> viser.TransformControlsHandle:
     handle = stage.scene.add_transform_controls(
         f"/handles/plane {index}",
-        scale=0.16,
+        scale=0.2,
         line_width=4.0,
         active_axes=(False, False, True),
         disable_sliders=True,

@@ -17,7 +17,7 @@ SHARED = True
 
 COLOURS = {Zone.FREE: (66, 133, 190), Zone.WARNING: (245, 166, 35), Zone.CRITICAL: (211, 47, 47)}
 OFF = (150, 150, 150)
-NORMAL_LENGTH = 0.12
+NORMAL_LENGTH = 0.07
 
 
 def pane_wxyz(normal: Array) -> Array:

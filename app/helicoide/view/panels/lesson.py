@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 
 from markdown_it import MarkdownIt
 from viser import Icon
@@ -13,7 +13,7 @@ from helicoide import content
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Lesson, load
 from helicoide.state import Seat
-from helicoide.text import Text
+from helicoide.text import HelicoideError, Text
 from helicoide.view.rows import Button, Choice, ForArm, ForSeat, Row, View, Wish, Words
 
 TITLE = Text(en="Lesson", pt_BR="Lição")
@@ -28,17 +28,17 @@ ENDED = Text(
 )
 TO_DO = Text(en="Not there yet.", pt_BR="Ainda não.")
 
-lesson_of = cache(load)
+log = logging.getLogger("helicoide")
 _markdown = MarkdownIt("commonmark", {"html": False})
 
 
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
-    titles = [(name, lesson_of(name).title) for name in content.found("lessons")]
+    lessons = [lesson for name in content.found("lessons") if (lesson := _readable(name))]
     return [
         Choice(
             Text(en="Lesson", pt_BR="Lição"),
-            [("", FREE), *titles],
+            [("", FREE), *((lesson.id, lesson.title) for lesson in lessons)],
             lambda view: view.seat.lesson or "",
             lambda name: ForSeat(lambda seat: entered(seat, name or None)),
         ),
@@ -50,13 +50,22 @@ def rows(robot: Robot) -> list[Row]:
     ]
 
 
+def _readable(name: str) -> Lesson | None:
+    """A lesson, or nothing when its files are broken: the others stay usable."""
+    try:
+        return load(name)
+    except HelicoideError as error:
+        log.warning("%s", error)
+        return None
+
+
 def entered(seat: Seat, name: str | None) -> Seat:
     """The seat at the first step of a lesson, or in free play."""
     return replace(seat, lesson=name, step=0, done=frozenset(), hint_open=False)
 
 
 def _lesson(view: View) -> Lesson | None:
-    return lesson_of(view.seat.lesson) if view.seat.lesson else None
+    return load(view.seat.lesson) if view.seat.lesson else None
 
 
 def _in_lesson(view: View) -> bool:

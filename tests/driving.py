@@ -1,0 +1,183 @@
+"""Driving the arm as people do: random wishes through the gate, time through `advance`; what must hold at every tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from helicoide import gate
+from helicoide.advance import advance
+from helicoide.ik import Limits
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.readout import plane_distances
+from helicoide.state import PATH, State, Update
+
+Random = np.random.Generator
+Wish = Callable[[Random, State], Update]
+ROUNDING = 1e-9
+ON_THE_WAY = 2e-3  # parking begins up to 1e-3 rad beside `ready`
+
+
+def after(state: State, seconds: float, dt: float = 0.01) -> State:
+    """The state after some seconds in which nobody wishes anything."""
+    for _ in range(round(seconds / dt)):
+        state = advance(state, dt)
+    return state
+
+
+def at(state: State, q: Array) -> State:
+    """The same state with the arm put somewhere else."""
+    robot = state.robot
+    return replace(state, q=frozen(q), poses=frozen(link_poses(robot.directions, robot.points, frozen(q))))
+
+
+def quaternion(rng: Random) -> Array:
+    """Any orientation, wxyz."""
+    wxyz = rng.normal(size=4)
+    return np.asarray(wxyz / np.linalg.norm(wxyz))
+
+
+def clear_posture(rng: Random, state: State, clearance: float) -> Array:
+    """Joint values within the limits whose guarded points are all that far from every plane."""
+    limits = state.problem.limits
+    while True:
+        q = frozen(rng.uniform(limits.lower, limits.upper))
+        if plane_distances(at(state, q)).min() >= clearance:
+            return q
+
+
+def place(rng: Random) -> Array:
+    """Mostly where the arm can go, sometimes behind planes or below the bench, sometimes far away."""
+    reach = rng.choice([0.5, 1.0, 2.9], p=[0.6, 0.3, 0.1])
+    return np.asarray(rng.uniform(-reach, reach, 3) + (0, 0, 0.3 * (reach < 2)))
+
+
+def target(rng: Random, state: State) -> Update:
+    return gate.set_target(place(rng), quaternion(rng))
+
+
+def dragged_target(rng: Random, state: State) -> Update:
+    phase = rng.choice(["start", "update", "update", "update", "end"], p=[0.3, 0.2, 0.2, 0.2, 0.1])
+    return gate.drag_target("seat", phase, place(rng), quaternion(rng))
+
+
+def dragged_plane(rng: Random, state: State) -> Update:
+    """Pushed, turned a little, or put anywhere at all."""
+    index = int(rng.integers(len(state.robot.panes)))
+    planes = state.problem.planes
+    wxyz = quaternion(rng)
+    centre = planes.centres[index] + rng.normal(size=3) * rng.choice([0.01, 0.3])
+    if rng.random() < 0.7:
+        wxyz = turning_z_to(planes.normals[index] + 0.1 * rng.normal(size=3))
+    return gate.drag_plane("seat", rng.choice(["start", "start", "update", "end"]), index, centre, wxyz)
+
+
+def turning_z_to(direction: Array) -> Array:
+    """A quaternion that turns z to a direction, the short way."""
+    n = direction / np.linalg.norm(direction)
+    wxyz = np.array([1 + n[2], -n[1], n[0], 0.0])
+    return wxyz / np.linalg.norm(wxyz) if n[2] > -1 + 1e-9 else np.array([0.0, 1, 0, 0])
+
+
+def joint(rng: Random, state: State) -> Update:
+    limits = state.problem.limits
+    i = int(rng.integers(len(state.q)))
+    return gate.set_joint(i, rng.uniform(limits.lower[i], limits.upper[i]))
+
+
+def posture(rng: Random, state: State) -> Update:
+    return gate.go_to(str(rng.choice([*state.robot.poses])))
+
+
+def limits(rng: Random, state: State) -> Update:
+    """Narrower or wider than the robot's own, also so that the arm stands outside; slower or faster."""
+    robot = state.robot
+    if rng.random() < 0.3:
+        changed = Limits(robot.lower, robot.upper, robot.speed)
+    else:
+        inward, outward = rng.uniform(-0.3, 0.8, (2, len(state.q)))
+        changed = Limits(
+            frozen(robot.lower + inward), frozen(robot.upper - outward), frozen(robot.speed * rng.uniform(0.1, 2))
+        )
+        if (changed.lower >= changed.upper).any():
+            return lambda state: state
+    return lambda state: replace(state, problem=replace(state.problem, limits=changed))
+
+
+WISHES: list[tuple[float, Wish]] = [
+    (6, target),
+    (5, dragged_target),
+    (5, dragged_plane),
+    (3, joint),
+    (2, posture),
+    (2, limits),
+    (1, lambda rng, state: gate.restore_planes()),
+    (2, lambda rng, state: gate.hold_orientation(rng.random() < 0.5)),
+    (1, lambda rng, state: gate.stop()),
+    (2, lambda rng, state: gate.play()),
+    (1, lambda rng, state: gate.scrub(rng.uniform(0, PATH.period))),
+    (1, lambda rng, state: gate.pause()),
+    (1, lambda rng, state: gate.park()),
+    (2, lambda rng, state: gate.get_ready()),
+    (1, lambda rng, state: gate.set_gripper(rng.random())),
+]
+SHARES = np.array([weight for weight, _ in WISHES]) / sum(weight for weight, _ in WISHES)
+
+
+@dataclass
+class Worst:
+    """The nearest that anything came to breaking a promise."""
+
+    ticks: int = 0
+    clearance: float = np.inf
+    beyond: float = -np.inf
+    too_fast: float = -np.inf
+    beside: float = 0.0
+
+
+def beyond(state: State, q: Array) -> Array:
+    """By how much each joint is outside the limits, (n,), rad; zero inside."""
+    return np.maximum(0, np.maximum(state.problem.limits.lower - q, q - state.problem.limits.upper))
+
+
+def beside(robot: Robot, q: Array) -> float:
+    """Distance of joint values from the straight path between `home` and `ready`, rad."""
+    home, ready = robot.poses["home"], robot.poses["ready"]
+    share = np.clip((q - home) @ (ready - home) / np.sum((ready - home) ** 2), 0, 1)
+    return float(np.abs(q - home - share * (ready - home)).max())
+
+
+def watch(worst: Worst, old: State, new: State, dt: float) -> None:
+    """Every promise of one tick."""
+    worst.ticks += 1
+    arrays = (new.q, new.speeds, new.poses, new.problem.planes.normals, new.problem.planes.centres)
+    assert all(np.isfinite(array).all() and not array.flags.writeable for array in arrays)
+    np.testing.assert_allclose(new.q - old.q, new.speeds * dt, rtol=0, atol=1e-12)
+    worst.too_fast = max(worst.too_fast, float((np.abs(new.speeds) - new.problem.limits.speed).max()))
+    if old.parked or new.parked:
+        worst.beside = max(worst.beside, beside(new.robot, new.q))
+        assert worst.beside <= ON_THE_WAY
+    else:
+        worst.beyond = max(worst.beyond, float((beyond(new, new.q) - beyond(new, old.q)).max()))
+    if not new.parked:
+        worst.clearance = min(worst.clearance, float(plane_distances(new).min()) - new.problem.zones.critical)
+    assert worst.too_fast <= ROUNDING
+    assert worst.beyond <= ROUNDING
+    assert worst.clearance >= -ROUNDING
+
+
+def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
+    """Wishes at random moments, ticks of random length, and every promise watched."""
+    worst = Worst()
+    while worst.ticks < ticks:
+        _, wish = WISHES[rng.choice(len(WISHES), p=SHARES)]
+        state = wish(rng, state)(state)
+        dt = float(np.exp(rng.uniform(np.log(0.001), np.log(0.05))))
+        for _ in range(int(rng.integers(1, rng.choice([5, 50, 300])))):
+            new = advance(state, dt)
+            watch(worst, state, new, dt)
+            state = new
+    return worst

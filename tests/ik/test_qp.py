@@ -1,0 +1,102 @@
+"""The quadratic program: optimality by its conditions, and against every choice of active rows."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helicoide.ik import qp
+from helicoide.kinematics.robot import Array
+
+seeds = st.integers(0, 2**32 - 1)
+Program = tuple[Array, Array, Array, Array]
+
+
+def feasible(seed: int, n: int, m: int) -> Program:
+    """A random program with a point inside: some rows touch it, one is repeated, one may be zero."""
+    rng = np.random.default_rng(seed)
+    root = rng.normal(size=(n, n)) * rng.choice([0.1, 1.0, 3.0], size=(n, 1))
+    A = rng.normal(size=(m, n)) * rng.choice([1e-2, 1.0, 10.0], size=(m, 1))
+    if m >= 3:
+        A[-1] = A[0] * rng.choice([1.0, 2.0])
+        A[-2] = 0.0 if rng.random() < 0.3 else A[-2]
+    slack = rng.random(m) * (rng.permutation(m) >= rng.integers(3))
+    inside = rng.normal(size=n)
+    return root @ root.T + 1e-2 * np.eye(n), 5 * rng.normal(size=n), A, A @ inside - slack
+
+
+def cost(program: Program, x: Array) -> float:
+    H, g, _, _ = program
+    return float(x @ H @ x / 2 - g @ x)
+
+
+@settings(max_examples=300)
+@given(seed=seeds, n=st.integers(1, 7), m=st.integers(0, 30))
+def test_the_solution_meets_the_optimality_conditions(seed: int, n: int, m: int) -> None:
+    """H x − g = Aᵀ μ, μ ≥ 0, A x ≥ b, μ (A x − b) = 0 (Karush, Kuhn and Tucker)."""
+    H, g, A, b = feasible(seed, n, m)
+    x, multipliers, verdict = qp.solve(H, g, A, b)
+    scale = 1 + np.abs(g).max() + np.abs(A.T @ multipliers).max()
+    assert verdict == qp.SOLVED
+    assert (multipliers >= 0).all()
+    assert (A @ x - b >= -1e-9 * scale).all()
+    np.testing.assert_allclose(H @ x - g, A.T @ multipliers, rtol=0, atol=1e-8 * scale)
+    np.testing.assert_allclose(multipliers * (A @ x - b), 0, atol=1e-7 * scale)
+
+
+def enumerated(program: Program) -> float:
+    """The least cost over every set of rows held as equations whose solution is allowed."""
+    H, g, A, b = program
+    n, best = len(g), np.inf
+    for size in range(n + 1):
+        for rows in map(list, combinations(range(len(b)), size)):
+            C = A[rows]
+            if np.linalg.matrix_rank(C) < size:
+                continue
+            kkt = np.block([[H, -C.T], [C, np.zeros((size, size))]])
+            x = np.linalg.solve(kkt, np.concatenate((g, b[rows])))[:n]
+            if (A @ x - b >= -1e-9).all():
+                best = min(best, cost(program, x))
+    return best
+
+
+@settings(max_examples=60, deadline=None)
+@given(seed=seeds, n=st.integers(1, 3), m=st.integers(1, 6))
+def test_the_solution_is_the_best_of_all_active_sets(seed: int, n: int, m: int) -> None:
+    program = feasible(seed, n, m)
+    x, _, verdict = qp.solve(*program)
+    assert verdict == qp.SOLVED
+    assert cost(program, x) == pytest.approx(enumerated(program), rel=1e-7, abs=1e-9)
+
+
+@settings(max_examples=200)
+@given(seed=seeds, n=st.integers(1, 7), m=st.integers(0, 12))
+def test_a_contradiction_is_infeasible(seed: int, n: int, m: int) -> None:
+    """Rows that ask for c·x ≥ 1 and −c·x ≥ −0.5, anywhere among others."""
+    H, g, A, b = feasible(seed, n, m)
+    rng = np.random.default_rng(seed + 1)
+    c = rng.normal(size=n)
+    A, b = np.vstack((A, c, -c)), np.array([*b, 1.0, -0.5])
+    order = rng.permutation(len(b))
+    *_, verdict = qp.solve(H, g, np.ascontiguousarray(A[order]), b[order])
+    assert verdict == qp.INFEASIBLE
+
+
+def test_without_rows_that_hold_it_is_the_free_minimum() -> None:
+    H, g, A, b = feasible(1, 5, 8)
+    x, multipliers, _ = qp.solve(H, g, A, b - 1e6)
+    np.testing.assert_allclose(x, np.linalg.solve(H, g), rtol=1e-9)
+    assert not multipliers.any()
+
+
+def test_a_corner_of_a_box() -> None:
+    """By hand: the point of the unit square nearest to (3, 0.5) is (1, 0.5), pushed back with 2."""
+    A = np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]])
+    x, multipliers, verdict = qp.solve(np.eye(2), np.array([3.0, 0.5]), A, np.array([0.0, 0, -1, -1]))
+    assert verdict == qp.SOLVED
+    np.testing.assert_allclose(x, [1, 0.5])
+    np.testing.assert_allclose(multipliers, [0, 0, 2, 0])

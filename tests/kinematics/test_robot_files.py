@@ -1,0 +1,75 @@
+"""A wrong robot file is one sentence that names the file and the place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from helicoide.kinematics.robot import Robot, from_folder, load
+from helicoide.text import HelicoideError
+
+GOOD = (load("movemaster").urdf.parent / "robot.toml").read_text("utf-8")
+
+# what is replaced, by what, and the words that name the place
+MISTAKES = {
+    "unknown key": ('urdf = "movemaster.urdf"', 'urdf = "movemaster.urdf"\ncolour = "red"', ["colour"]),
+    "unknown key of a joint": ('link = "waist"', 'link = "waist"\nmass = 3', ["mass", "$.joints"]),
+    "missing key": ("speed_deg_s = 60 ", "# speed_deg_s = 60 ", ["speed_deg_s", "$.joints"]),
+    "a word for a number": ("speed_deg_s = 60 ", 'speed_deg_s = "fast" #', ["$.joints", "speed_deg_s"]),
+    "two numbers for a triple": ("point_mm = [370, 0, 400]\n", "point_mm = [370, 0]\n", ["$.guarded_points", "point_mm"]),
+    "zero axis": ("direction = [0, 0, 1]", "direction = [0, 0, 0]", ["axis", "J1"]),
+    "limits swapped": ("limits_deg = [-120, 0]", "limits_deg = [0, -120]", ["J3", "limits"]),
+    "no speed": ("speed_deg_s = 60 ", "speed_deg_s = 0 ", ["J1", "speed"]),
+    "missing home": ("[poses.home]", "[poses.elsewhere]", ["home", "missing"]),
+    "missing ready": ("[poses.ready]", "[poses.elsewhere]", ["ready", "missing"]),
+    "four angles": ("joints_deg = [0, 0, 0, 0, 0]", "joints_deg = [0, 0, 0, 0]", ["zero", "4", "5"]),
+    "unknown carrier": ('joint = "J3"\n', 'joint = "J9"\n', ["J9", "J1, J2, J3, J4, J5"]),
+    "plane without a normal": ("normal = [0, 0, 1]", "normal = [0, 0, 0]", ["-z", "normal"]),
+    "broken toml": ("[tool]", "[tool", ["line"]),
+}
+
+
+def refused(folder: Path) -> str:
+    with pytest.raises(HelicoideError) as caught:
+        from_folder(folder)
+    text = caught.value.text
+    for words in (text.en, text.pt_BR):
+        assert str(folder / "robot.toml") in words
+        assert "\n" not in words
+    assert text.en != text.pt_BR
+    return text.en
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_named_with_its_place(tmp_path: Path, mistake: str) -> None:
+    old, new, place = MISTAKES[mistake]
+    assert old in GOOD
+    (tmp_path / "robot.toml").write_text(GOOD.replace(old, new, 1), "utf-8")
+    said = refused(tmp_path)
+    assert [word for word in place if word not in said] == []
+
+
+def test_a_missing_file_is_named(tmp_path: Path) -> None:
+    assert "No such file" in refused(tmp_path)
+
+
+def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_bytes(b"\xff\xfe\x00")
+    refused(tmp_path)
+
+
+def test_the_unchanged_file_is_accepted(tmp_path: Path, robot: Robot) -> None:
+    (tmp_path / "robot.toml").write_text(GOOD, "utf-8")
+    assert [joint.name for joint in from_folder(tmp_path).joints] == [joint.name for joint in robot.joints]
+
+
+def test_an_unknown_robot_lists_those_there_are() -> None:
+    with pytest.raises(HelicoideError, match="movemaster"):
+        load("puma")
+
+
+@pytest.mark.parametrize("q", [[0.0] * 4, [0.0] * 6, [0, 0, float("nan"), 0, 0], [0, 0, float("inf"), 0, 0]])
+def test_joint_values_are_counted_and_finite(robot: Robot, q: list[float]) -> None:
+    with pytest.raises(HelicoideError, match="J1, J2, J3, J4, J5"):
+        robot.check_joints(q)

@@ -1,0 +1,109 @@
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from helicoide import content, lesson
+from helicoide.advance import advance
+from helicoide.kinematics.robot import load
+from helicoide.lesson import Lesson, Step
+from helicoide.state import Seat, initial
+from helicoide.text import LANGUAGES, HelicoideError, same
+
+GOOD = """
+from helicoide.lesson import Step
+from helicoide.text import same
+TITLE = same("Tour")
+STEPS = (
+    Step("first", lambda state: state, lambda state, seat: True, ()),
+    Step("second", lambda state: state, lambda state, seat: True, ()),
+)
+"""
+PAGE = "## first: One\n\nText.\n\nMore.\n\n> Hint\n> on two lines.\n\n## second: Two\n\nText.\n\n> Hint.\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A sound lesson named `tour` among the user's own."""
+    monkeypatch.setattr(content, "user_folder", lambda: tmp_path)
+    tour = tmp_path / "lessons" / "tour"
+    tour.mkdir(parents=True)
+    (tour / "lesson.py").write_text(GOOD, encoding="utf-8")
+    for language in LANGUAGES:
+        (tour / f"{language}.md").write_text(PAGE, encoding="utf-8")
+    yield tour
+    lesson.load.cache_clear()
+
+
+def test_a_lesson_of_ones_own_is_found(folder: Path) -> None:
+    tour = lesson.load("tour")
+    assert [step.id for step in tour.steps] == ["first", "second"]
+    first = tour.prose["first"]
+    assert (first.title.en, first.body.pt_BR, first.hint.en) == ("One", "Text.\n\nMore.", "Hint\non two lines.")
+    assert lesson.load("tour") is tour
+
+
+BROKEN = {
+    "no page": ("pt_BR.md", None),
+    "a page in another encoding": ("en.md", PAGE.replace("Text", "Lição").encode("latin-1")),
+    "an empty page": ("en.md", b""),
+    "a section missing": ("pt_BR.md", PAGE.split("## second")[0].encode()),
+    "a section left over": ("en.md", (PAGE + "\n## third: Three\n\nText.\n\n> Hint.\n").encode()),
+    "a section twice": ("en.md", (PAGE + "\n" + PAGE[PAGE.index("## second") :]).encode()),
+    "another id": ("en.md", PAGE.replace("second", "other").encode()),
+    "another order": ("en.md", (PAGE[PAGE.index("## second") :] + "\n" + PAGE.split("## second")[0]).encode()),
+    "a heading without an id": ("en.md", PAGE.replace("second: Two", "Two").encode()),
+    "a heading without a title": ("en.md", PAGE.replace("second: Two", "second:").encode()),
+    "a heading of another level": ("en.md", PAGE.replace("## second", "### second").encode()),
+    "text before the first step": ("en.md", ("# Tour\n\n" + PAGE).encode()),
+    "no text": ("pt_BR.md", PAGE.replace("## second: Two\n\nText.\n", "## second: Two\n").encode()),
+    "no hint": ("pt_BR.md", PAGE.replace("\n> Hint.\n", "\n").encode()),
+    "an empty hint": ("pt_BR.md", PAGE.replace("> Hint.", "> ").encode()),
+    "a syntax error": ("lesson.py", b"STEPS = ("),
+    "a failing import": ("lesson.py", b"import no_such_module"),
+    "a failing line": ("lesson.py", b"1 / 0"),
+    "no title": ("lesson.py", GOOD.replace("TITLE", "NAME").encode()),
+    "no steps": ("lesson.py", GOOD.replace("STEPS", "PASSOS").encode()),
+    "empty steps": ("lesson.py", (GOOD + "\nSTEPS = ()").encode()),
+    "something else as a step": ("lesson.py", (GOOD + "\nSTEPS = ('first', 'second')").encode()),
+}
+
+
+@pytest.mark.parametrize(("file", "broken"), BROKEN.values(), ids=BROKEN)
+def test_a_broken_lesson_gives_one_error_that_names_the_file(folder: Path, file: str, broken: bytes | None) -> None:
+    path = folder / file
+    if broken is None:
+        path.unlink()
+    else:
+        path.write_bytes(broken)
+    with pytest.raises(HelicoideError) as caught:
+        lesson.load("tour")
+    assert str(path) in caught.value.text.en
+    assert str(path) in caught.value.text.pt_BR
+    assert "\n" not in caught.value.text.en
+
+
+def test_two_steps_of_one_name_are_refused(folder: Path) -> None:
+    (folder / "lesson.py").write_text(GOOD.replace('"second"', '"first"'), encoding="utf-8")
+    for language in LANGUAGES:
+        (folder / f"{language}.md").write_text(PAGE.replace("second", "first"), encoding="utf-8")
+    with pytest.raises(HelicoideError, match="first, first"):
+        lesson.load("tour")
+
+
+def test_an_unknown_lesson_lists_those_there_are(folder: Path) -> None:
+    with pytest.raises(HelicoideError, match="tour"):
+        lesson.load("detour")
+
+
+def test_a_met_goal_stays_done_and_only_its_own() -> None:
+    seat = Seat(token="", language="en")
+    step = Step("a", lambda state: state, lambda state, seat: state.t > 0, ())
+    tour = Lesson("tour", same("Tour"), (step, step), {})
+    start = initial(load("movemaster"))
+    assert lesson.progressed(tour, start, seat) is seat
+    done = lesson.progressed(tour, advance(start, 0.01), seat)
+    assert done.done == {"a"}
+    assert lesson.progressed(tour, start, done) is done

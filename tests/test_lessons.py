@@ -1,0 +1,280 @@
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+
+import numpy as np
+import pytest
+
+from helicoide import content, gate, lesson
+from helicoide.advance import advance
+from helicoide.geometry import rotation
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot import load as load_robot
+from helicoide.lesson import Step
+from helicoide.state import Hold, Seat, State, Update, initial
+from helicoide.text import LANGUAGES, Language
+from helicoide.view import page, panels
+from helicoide.view.rows import Button, Choice, Folder, Row, Slider, Tick, Triple, View
+from helicoide.view.window import seated
+
+TICK = 0.01
+PHASES: tuple[gate.Phase, ...] = ("start", "end")
+NAMES = sorted(content.found("lessons"))
+STEPS = [(name, step.id) for name in NAMES for step in lesson.load(name).steps]
+BOLD = re.compile(r"\*\*(.+?)\*\*")
+
+
+def played(state: State, seconds: float) -> State:
+    for _ in range(round(seconds / TICK)):
+        state = advance(state, TICK)
+    return state
+
+
+def settled(state: State) -> State:
+    """The state when a setup has been played out: the arm rests, and no wish is left."""
+    for _ in range(30):
+        state = played(state, 1.0)
+        if state.command == Hold() and not state.moving:
+            return state
+    raise AssertionError(f"the setup never came to rest: {state.command}")
+
+
+def solved(state: State, step: Step) -> State:
+    for wish, seconds in step.solution:
+        state = played(wish(state), seconds)
+    return state
+
+
+def step_of(name: str, step_id: str) -> Step:
+    return next(step for step in lesson.load(name).steps if step.id == step_id)
+
+
+@cache
+def robot() -> Robot:
+    return load_robot("movemaster")
+
+
+@pytest.fixture
+def seat() -> Seat:
+    return Seat(token="", language="en")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_solutions_lead_through_the_whole_lesson(name: str, seat: Seat) -> None:
+    found, state = lesson.load(name), initial(robot())
+    for number, step in enumerate(found.steps):
+        seat = Seat(seat.token, seat.language, name, number, seat.done)
+        asked = step.setup(state)
+        assert not step.goal(asked, seat), f"{step.id} is met before anything was done"
+        state = settled(asked)
+        assert lesson.progressed(found, state, seat) is seat
+        state = solved(state, step)
+        seat = lesson.progressed(found, state, seat)
+        assert step.id in seat.done
+    assert seat.done == {step.id for step in found.steps}
+
+
+@pytest.mark.parametrize(("name", "step_id"), STEPS)
+def test_a_step_starts_from_anywhere(name: str, step_id: str, seat: Seat) -> None:
+    step = step_of(name, step_id)
+    parked = settled_at_home()
+    crowded = played(gate.set_target([0.6, 0.0, 0.7], [1.0, 0, 0, 0])(initial(robot())), 2.0)
+    for state in (initial(robot()), parked, crowded, gate.stop()(crowded), under_a_raised_ceiling()):
+        begun = settled(step.setup(state))
+        assert not begun.parked
+        assert begun.with_orientation
+        assert begun.notice is None
+        assert np.allclose(begun.q, robot().poses["ready"], atol=2e-3)
+        assert not step.goal(begun, seat)
+
+
+@cache
+def settled_at_home() -> State:
+    state = settled(gate.park()(initial(robot())))
+    assert state.parked
+    return state
+
+
+@cache
+def under_a_raised_ceiling() -> State:
+    """The arm higher than the measured ceiling lets it come."""
+    state = initial(robot())
+    pose = state.problem.planes.centres[0] + [0, 0, 0.3], [0.0, 1.0, 0.0, 0.0]
+    for phase in PHASES:
+        state = gate.drag_plane("hand", phase, 0, *pose)(state)
+    state = played(gate.set_target([0.6, 0.0, 0.75], [1.0, 0, 0, 0])(state), 3.0)
+    assert state.T_world_tool[2, 3] > 0.7
+    return state
+
+
+@pytest.mark.parametrize(("name", "step_id"), STEPS)
+def test_a_setup_only_wishes(name: str, step_id: str) -> None:
+    before = initial(robot())
+    after = step_of(name, step_id).setup(before)
+    assert after.q is before.q
+    assert after.poses is before.poses
+
+
+@pytest.mark.parametrize(("name", "step_id"), STEPS)
+def test_a_goal_needs_every_wish_of_the_solution(name: str, step_id: str, seat: Seat) -> None:
+    step = step_of(name, step_id)
+    state = settled(step.setup(initial(robot())))
+    assert not step.goal(played(state, 5.0), seat)
+    for wish, seconds in step.solution[:-1]:
+        state = played(wish(state), seconds)
+        assert not step.goal(state, seat)
+    assert step.goal(solved(state, Step(step.id, step.setup, step.goal, step.solution[-1:])), seat)
+
+
+@pytest.mark.parametrize(("name", "step_id"), STEPS)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_step_has_words(name: str, step_id: str, language: Language) -> None:
+    prose = lesson.load(name).prose[step_id]
+    for text in (prose.title, prose.body, prose.hint):
+        assert text[language].strip()
+        assert text.en != text.pt_BR
+    assert len(prose.hint[language]) > 20
+    assert not re.search(r"(?m)^(#|>)", prose.body[language])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_both_languages_tell_the_same(name: str) -> None:
+    for prose in lesson.load(name).prose.values():
+        for text in (prose.body, prose.hint):
+            assert len(re.split(r"\n\s*\n", text.en)) == len(re.split(r"\n\s*\n", text.pt_BR))
+            assert len(BOLD.findall(text.en)) == len(BOLD.findall(text.pt_BR))
+            assert numbers(text.en) == numbers(text.pt_BR)
+
+
+def numbers(text: str) -> list[str]:
+    return sorted(re.findall(r"[−]?\d+(?:[.,]\d+)?", text))
+
+
+@pytest.mark.parametrize(("name", "step_id"), STEPS)
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_is_bold_stands_on_the_screen(name: str, step_id: str, language: Language) -> None:
+    prose = lesson.load(name).prose[step_id]
+    bold = set(BOLD.findall(prose.body[language] + "\n" + prose.hint[language]))
+    assert bold <= screen_words(language)
+
+
+@cache
+def screen_words(language: Language) -> frozenset[str]:
+    view = View(initial(robot()), seated("", language, None))
+    rows = [row for panel in panels.found() for row in panel.rows(robot())]
+    titles = [panel.TITLE[language] for panel in panels.found()]
+    return frozenset((page.STOP[language], *titles, *labels(rows, view)))
+
+
+def labels(rows: Sequence[Row], view: View) -> Iterator[str]:
+    language = view.seat.language
+    for row in rows:
+        match row:
+            case Folder(label, inside):
+                yield label[language]
+                yield from labels(inside, view)
+            case Choice(label, options):
+                yield from (label[language], *(shown[language] for _, shown in options))
+            case Button(label):
+                yield label(view)[language]
+            case Slider(label) | Tick(label) | Triple(label):
+                yield label[language]
+
+
+# Drive the arm: what a hand does in the scene, and what must not count.
+
+
+def drive(step_id: str) -> Callable[[Update, float], bool]:
+    step = step_of("drive_the_arm", step_id)
+
+    def reached(wish: Update, seconds: float) -> bool:
+        state = played(wish(settled(step.setup(initial(robot())))), seconds)
+        return step.goal(state, Seat(token="", language="en"))
+
+    return reached
+
+
+def dragged(position: Sequence[float], axis: Sequence[float] = (0, 0, 1), degrees: float = 0.0) -> Update:
+    """The target held in a hand, turned about an axis of the tool."""
+
+    def wish(state: State) -> State:
+        T = state.T_world_tool
+        quat = rotation.from_matrix(T[:3, :3])
+        state = gate.drag_target("hand", "start", T[:3, 3], quat)(state)
+        turned = rotation.multiply(quat, rotation.from_axis_angle(axis, np.radians(degrees)))
+        return gate.drag_target("hand", "update", position, turned)(state)
+
+    return wish
+
+
+HERE = (0.6029, 0.0, 0.1671)
+
+
+@pytest.mark.parametrize("degrees", [-75.0, -87.5, -97.5, -102.5, -120.0])
+def test_another_angle_of_the_elbow_does_not_count(degrees: float) -> None:
+    assert not drive("joint")(gate.set_joint(2, np.radians(degrees)), 3.0)
+
+
+def test_passing_by_the_angle_does_not_count(seat: Seat) -> None:
+    step = step_of("drive_the_arm", "joint")
+    state = gate.set_joint(2, np.radians(-120.0))(initial(robot()))
+    for _ in range(200):
+        state = advance(state, TICK)
+        assert not step.goal(state, seat)
+
+
+@pytest.mark.parametrize("position", [(0.6, 0.16, 0.11), (0.6029, 0.125, 0.125), (0.45, 0.2, 0.1), (0.6, 0.4, 0.1)])
+def test_the_target_dragged_low_to_the_left_counts(position: Sequence[float]) -> None:
+    assert drive("target")(dragged(position), 3.0)
+
+
+@pytest.mark.parametrize("position", [HERE, (0.6, 0.06, 0.14), (0.6, 0.16, 0.167), (0.6, -0.16, 0.11)])
+def test_the_target_elsewhere_does_not_count(position: Sequence[float]) -> None:
+    assert not drive("target")(dragged(position), 3.0)
+
+
+@pytest.mark.parametrize("degrees", [-60.0, -30.0, 30.0, 60.0])
+def test_only_the_blue_arc_is_refused(degrees: float) -> None:
+    reached = drive("orientation")
+    assert reached(dragged(HERE, (0, 0, 1), degrees), 1.0)
+    assert not reached(dragged(HERE, (0, 1, 0), degrees), 2.0)
+    assert not reached(dragged(HERE, (1, 0, 0), degrees), 2.0)
+
+
+def test_a_small_turn_or_an_unheld_orientation_does_not_count() -> None:
+    reached = drive("orientation")
+    assert not reached(dragged(HERE, (0, 0, 1), 15.0), 1.0)
+    assert not reached(lambda state: gate.hold_orientation(False)(dragged(HERE, (0, 0, 1), 40.0)(state)), 1.0)
+    assert not reached(dragged((0.6, 0.18, 0.15)), 2.0)
+
+
+@pytest.mark.parametrize("position", [(0.6, 0.0, 0.65), (0.6, 0.0, 0.8), (0.35, 0.0, 0.7), (0.5, 0.15, 0.7)])
+def test_the_target_pulled_through_the_ceiling_counts(position: Sequence[float]) -> None:
+    assert drive("plane")(dragged(position), 3.0)
+
+
+def test_below_the_ceiling_does_not_count() -> None:
+    reached = drive("plane")
+    assert not reached(dragged((0.6, 0.0, 0.35)), 3.0)
+    assert not reached(dragged((0.6, 0.0, 0.50)), 3.0)
+    assert not reached(dragged((0.6, 0.0, 0.70)), 0.02)
+
+
+def test_a_stop_before_the_ellipse_does_not_count(seat: Seat) -> None:
+    step = step_of("drive_the_arm", "stop")
+    state = settled(step.setup(initial(robot())))
+    assert not step.goal(gate.stop()(state), seat)
+    playing = gate.play()(state)
+    assert not step.goal(gate.stop()(played(playing, 0.5)), seat)
+    assert not step.goal(gate.pause()(played(playing, 5.0)), seat)
+    for seconds in (4.0, 10.0, 20.0, 29.0):
+        assert step.goal(gate.stop()(played(playing, seconds)), seat), seconds
+
+
+def test_the_ellipse_starts_over_with_the_step(seat: Seat) -> None:
+    step = step_of("drive_the_arm", "stop")
+    before = gate.stop()(played(gate.play()(initial(robot())), 6.0))
+    again = settled(step.setup(before))
+    assert not step.goal(gate.stop()(played(gate.play()(again), 1.0)), seat)

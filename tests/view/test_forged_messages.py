@@ -1,0 +1,213 @@
+"""What a browser may send by mistake or by malice, in viser's own wire format: nothing moves, nothing breaks."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import struct
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+import viser
+import zstandard
+from websockets.exceptions import ConnectionClosedError
+from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin, Subprotocol
+
+from helicoide.kinematics.robot import Robot
+from helicoide.session import Session
+from helicoide.state import Hold, State, ToJoints
+
+CAMERA = {
+    "type": "ViewerCameraMessage",
+    "wxyz": (1.0, 0.0, 0.0, 0.0),
+    "position": (1.0, 1.0, 1.0),
+    "fov": 1.2,
+    "near": 0.01,
+    "far": 1000.0,
+    "image_height": 600,
+    "image_width": 800,
+    "look_at": (0.0, 0.0, 0.0),
+    "up_direction": (0.0, 0.0, 1.0),
+}
+
+
+class Page:
+    """A browser's part of viser's protocol: keeps what was created, answers for its storage, sends anything."""
+
+    def __init__(self, port: int) -> None:
+        origin, protocol = Origin(f"http://127.0.0.1:{port}"), Subprotocol(f"viser-v{viser.__version__}")
+        self.socket: ClientConnection = connect(
+            f"ws://127.0.0.1:{port}/", origin=origin, subprotocols=[protocol], compression=None, max_size=None
+        )
+        self.made: dict[str, dict[str, Any]] = {}
+        self.owner = ""
+        self.send(CAMERA)
+        threading.Thread(target=self._listen, daemon=True).start()
+
+    def send(self, message: dict[str, Any]) -> None:
+        self.socket.send(msgspec.msgpack.encode(message))
+
+    def _listen(self) -> None:
+        with contextlib.suppress(ConnectionClosedError):  # viser drops whoever sends junk
+            for raw in self.socket:
+                assert isinstance(raw, bytes)
+                plain, packed = struct.unpack_from("<QQ", raw)
+                text = zstandard.ZstdDecompressor().decompress(raw[16 : 16 + packed], max_output_size=plain)
+                for message in msgspec.msgpack.decode(text)["messages"]:
+                    self._take(message)
+
+    def _take(self, message: dict[str, Any]) -> None:
+        if message["type"] == "LocalStorageGetItemRequestMessage":
+            answer = {"value": None, "error": None, "request_uuid": message["request_uuid"]}
+            self.send({"type": "LocalStorageGetItemResponseMessage", **answer})
+        elif message["type"].startswith("Gui") and "label" in message.get("props", {}):
+            self.made[message["props"]["label"]] = message
+
+    def give(self, label: str, value: object) -> None:
+        """Set the value of a control, as its slider, box or button would."""
+        self.send({"type": "GuiUpdateMessage", "uuid": self.made[label]["uuid"], "updates": {"value": value}})
+
+    def drag(self, phase: str, name: str = "/target", **pose: object) -> None:
+        message = {"Start": "DragStart", "Move": "Update", "End": "DragEnd"}[phase]
+        self.send({"type": f"TransformControls{message}Message", "name": name, "owner": self.owner, **pose})
+
+
+def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.01)
+    return condition()
+
+
+@pytest.fixture(scope="module")
+def session(robot: Robot) -> Iterator[Session]:
+    session = Session(robot, "en", None)
+    session.open("127.0.0.1", 0)
+    assert eventually(lambda: session.ready, 300)
+    yield session
+    session.close()
+
+
+@pytest.fixture
+def page(session: Session) -> Iterator[Page]:
+    page = Page(session.server.get_port())
+    assert eventually(lambda: "5 wrist roll" in page.made and len(session.windows) == 1)
+    page.owner = next(iter(session.windows.values())).client.scene._owner_id
+    yield page
+    page.socket.close()
+    assert eventually(lambda: not session.windows)
+
+
+def after_ticks(session: Session, n: int = 30) -> State:
+    """The state n ticks later: the loop is alive."""
+    now = session.ticks
+    assert eventually(lambda: session.ticks >= now + n)
+    return session.state
+
+
+def moved(session: Session, act: Callable[[], object]) -> bool:
+    """Whether the arm, its planes or its wish are different after what a page did."""
+    before = session.state
+    act()
+    after = after_ticks(session)
+    return bool(
+        (after.q != before.q).any() or after.problem is not before.problem or after.command is not before.command
+    )
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, 1e9, -91.0, 90.2])
+def test_a_joint_slider_beyond_its_range_moves_nothing(session: Session, page: Page, value: float) -> None:
+    assert not moved(session, lambda: page.give("1 waist", value))
+    assert session.state.notice is not None
+
+
+@pytest.mark.parametrize("value", ["abc", None, [], {"x": 1}, "9" * 400])
+def test_a_value_of_another_type_moves_nothing(session: Session, page: Page, value: object) -> None:
+    assert not moved(session, lambda: page.give("1 waist", value))
+
+
+@pytest.mark.parametrize("value", [math.nan, -1.0, 101.0])
+def test_the_gripper_takes_only_its_range(session: Session, page: Page, value: float) -> None:
+    target = session.state.gripper_target
+    assert not moved(session, lambda: page.give("Gripper [%]", value))
+    assert session.state.gripper_target == target
+
+
+@pytest.mark.parametrize(
+    "position", [(math.nan, 0.0, 0.3), (math.inf, 0.0, 0.3), (1e6, 0.0, 0.3), (0.0, 0.0), ("a", "b", "c")]
+)
+def test_a_gizmo_dragged_to_no_place_moves_nothing(session: Session, page: Page, position: tuple[object]) -> None:
+    def drag() -> None:
+        page.drag("Start")
+        page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=position)
+        page.drag("End")
+
+    before = session.state.T_world_tool
+    drag()
+    assert np.allclose(after_ticks(session).T_world_tool, before, atol=1e-9)
+
+
+def test_a_gizmo_with_no_orientation_moves_nothing(session: Session, page: Page) -> None:
+    before = session.state.T_world_tool
+    page.drag("Start")
+    page.drag("Move", wxyz=(0.0, 0.0, 0.0, 0.0), position=(0.5, 0.0, 0.3))
+    page.drag("End")
+    assert np.allclose(after_ticks(session).T_world_tool, before, atol=1e-9)
+
+
+def test_an_update_without_a_grasp_moves_nothing(session: Session, page: Page) -> None:
+    pose = {"wxyz": (1.0, 0.0, 0.0, 0.0), "position": (0.5, 0.2, 0.3)}
+    assert not moved(session, lambda: page.drag("Move", **pose))
+
+
+def test_the_fixed_plane_and_unknown_names_move_nothing(session: Session, page: Page) -> None:
+    pose = {"wxyz": (1.0, 0.0, 0.0, 0.0), "position": (0.5, 0.2, 0.3)}
+
+    def drag() -> None:
+        for name in ("/handles/plane 3", "/handles/plane 99", "/nothing", "", "/arm/waist"):
+            page.drag("Start", name)
+            page.drag("Move", name, **pose)
+            page.drag("End", name)
+        page.send({"type": "GuiUpdateMessage", "uuid": "no-such-control", "updates": {"value": 3.0}})
+        page.send({"type": "CommandTriggerMessage", "uuid": "no-such-command"})
+
+    assert not moved(session, drag)
+
+
+def test_a_disabled_control_moves_nothing(session: Session, page: Page) -> None:
+    page.give("Park", True)
+    assert eventually(lambda: session.state.parked and session.state.command == Hold())
+    assert eventually(lambda: all(row.handle.disabled for row in session_rows(session) if row_label(row) == "1 waist"))
+    assert not moved(session, lambda: page.give("1 waist", 20.0))
+    assert not moved(session, lambda: page.give("Play", True))
+    page.give("Ready", True)
+    assert eventually(lambda: not session.state.parked and session.state.command == Hold())
+
+
+def session_rows(session: Session) -> list[Any]:
+    return [row for window in session.windows.values() for row in window.placed if hasattr(row, "handle")]
+
+
+def row_label(row: Any) -> str:
+    return str(getattr(row.handle, "label", ""))
+
+
+def test_messages_that_viser_does_not_know_end_at_most_their_own_connection(session: Session, robot: Robot) -> None:
+    port = session.server.get_port()
+    for junk in (b"", b"\xff\xfe junk", msgspec.msgpack.encode({"type": "NoSuchMessage"}), b"x" * 100_000):
+        page = Page(port)
+        page.socket.send(junk)
+        after_ticks(session, 10)
+        page.socket.close()
+    good = Page(port)
+    assert eventually(lambda: "1 waist" in good.made)
+    good.give("1 waist", 12.0)
+    assert eventually(lambda: isinstance(session.state.command, ToJoints))
+    assert eventually(lambda: abs(math.degrees(session.state.q[0]) - 12) < 0.1)
+    good.socket.close()

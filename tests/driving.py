@@ -9,6 +9,7 @@ import numpy as np
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, Robot, frozen
@@ -181,3 +182,21 @@ def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
             watch(worst, state, new, dt)
             state = new
     return worst
+
+
+def clear_goal(rng: Random, state: State, clearance: float = 0.110) -> tuple[State, Array]:
+    """The arm in a clear posture, and the tool pose of another; the straight line between two clear points is clear."""
+    start = at(state, clear_posture(rng, state, clearance))
+    return start, at(state, clear_posture(rng, state, clearance)).T_world_tool
+
+
+def misses(start: State, T_world_target: Array, with_orientation: bool, seconds: float = 12.0) -> float:
+    """How far the tool is from a target when it has had its time, m; a target met to a tenth of a millimetre is met."""
+    position = T_world_target[:3, 3]
+    state = gate.hold_orientation(with_orientation)(start)
+    state = gate.set_target(position, rotation.from_matrix(T_world_target[:3, :3]))(state)
+    for _ in range(round(10 * seconds)):
+        state = after(state, 0.1)
+        if np.linalg.norm(state.T_world_tool[:3, 3] - position) < 1e-4:
+            break
+    return float(np.linalg.norm(state.T_world_tool[:3, 3] - position))

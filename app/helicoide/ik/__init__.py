@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from helicoide.confinement import Planes, Zones
 from helicoide.kinematics.robot import Array, Robot, frozen
 
+NOTICEABLE = 0.02
+
 
 @dataclass(frozen=True, eq=False)
 class Limits:
@@ -65,10 +67,14 @@ class AtLimit:
 Reason = Contact | AtLimit
 
 
-def reasons(problem: Problem, q: Array, multipliers: Array) -> tuple[Reason, ...]:
-    """What held a guarded step back at q: planes first, then joint limits, the hardest of each kind first."""
+def reasons(problem: Problem, q: Array, multipliers: Array, pull: float) -> tuple[Reason, ...]:
+    """What held a guarded step back at q: planes first, then joint limits, the hardest of each kind first.
+
+    A row that carries less than `NOTICEABLE` of the task's pull does not count: a stretched arm rests on the limit of
+    its elbow without being held by it.
+    """
     n, k = len(q), len(problem.planes.normals)
-    order = [int(row) for row in np.argsort(-multipliers) if multipliers[row] > 1e-9]
+    order = [int(row) for row in np.argsort(-multipliers) if multipliers[row] > NOTICEABLE * pull]
     contacts = [Contact((row - 2 * n) % k, (row - 2 * n) // k) for row in order if row >= 2 * n]
     room = np.concatenate((q - problem.limits.lower, problem.limits.upper - q))
     return (*contacts, *(AtLimit(row % n) for row in order if row < 2 * n and room[row] < 1e-4))

@@ -9,7 +9,7 @@ import numpy as np
 from helicoide.confinement import distances
 from helicoide.ik import Problem, Reason, reasons
 from helicoide.ik.rollout import settle_at_joints, settle_at_pose
-from helicoide.ik.task import rotation_vector
+from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
 from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.robot import Array, frozen
 
@@ -52,14 +52,10 @@ def tool_pose(problem: Problem, poses: Array) -> Array:
 def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array) -> Goal:
     poses = frozen(link_poses(problem.robot.directions, problem.robot.points, q))
     T = tool_pose(problem, poses)
-    return Goal(
-        q=frozen(q),
-        poses=poses,
-        T_world_tool=T,
-        short=float(np.linalg.norm(T_world_target[:3, 3] - T[:3, 3])),
-        turned=float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3])))),
-        reasons=reasons(problem, q, multipliers),
-    )
+    short = float(np.linalg.norm(T_world_target[:3, 3] - T[:3, 3]))
+    turned = float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3]))))
+    pull = min(GAIN * short, TOOL_SPEED) + ORIENTATION_LENGTH**2 * min(GAIN * turned, TOOL_TURN)
+    return Goal(frozen(q), poses, T, short, turned, reasons(problem, q, multipliers, _TICK * pull))
 
 
 def goal_at_pose(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> Goal:

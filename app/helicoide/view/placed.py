@@ -82,21 +82,25 @@ class _Control:
 class _Button:
     def __init__(self, gui: viser.GuiApi, row: Button, view: View, act: Act) -> None:
         self.row, self.view = row, view
-        self.handle = gui.add_button(row.label(view)[view.seat.language], icon=row.icon, disabled=not row.enabled(view))
+        self.handle = gui.add_button(row.label(view)[view.seat.language], icon=row.icon)
 
         def pressed() -> None:
             if row.enabled(self.view):
                 act(row.wish(self.view))
 
         bind.on_press(self.handle, pressed)
+        self.refresh(view)
 
     def refresh(self, view: View) -> None:
         self.view = view
-        label, disabled = self.row.label(view)[view.seat.language], not self.row.enabled(view)
-        if label != self.handle.label:
-            self.handle.label = label
-        if disabled != self.handle.disabled:
-            self.handle.disabled = disabled
+        row, handle = self.row, self.handle
+        for name, value in (
+            ("label", row.label(view)[view.seat.language]),
+            ("disabled", not row.enabled(view)),
+            ("visible", row.shown(view)),
+        ):
+            if value != getattr(handle, name):
+                setattr(handle, name, value)
 
 
 def _slider(gui: viser.GuiApi, row: Slider, view: View, act: Act) -> Placed:

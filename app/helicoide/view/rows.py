@@ -70,6 +70,7 @@ class Button:
     wish: Callable[[View], Wish]
     icon: IconName | None = None
     enabled: Callable[[View], bool] = always
+    shown: Callable[[View], bool] = always
 
 
 @dataclass(frozen=True)

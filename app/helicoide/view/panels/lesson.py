@@ -43,10 +43,18 @@ def rows(robot: Robot) -> list[Row]:
             lambda name: ForSeat(lambda seat: entered(seat, name or None)),
         ),
         Words(_step),
-        Button(lambda _: Text(en="Hint", pt_BR="Dica"), lambda _: ForSeat(_hinted), Icon.BULB, _in_lesson),
-        Button(lambda _: Text(en="Reset step", pt_BR="Reiniciar o passo"), _reset, Icon.REFRESH, _in_lesson),
-        Button(lambda _: Text(en="Next step", pt_BR="Próximo passo"), _turn(1), Icon.ARROW_RIGHT, _has_next),
-        Button(lambda _: Text(en="Previous step", pt_BR="Passo anterior"), _turn(-1), Icon.ARROW_LEFT, _has_previous),
+        Button(lambda _: Text(en="Hint", pt_BR="Dica"), lambda _: ForSeat(_hinted), Icon.BULB, shown=_in_lesson),
+        Button(lambda _: Text(en="Reset step", pt_BR="Reiniciar o passo"), _reset, Icon.REFRESH, shown=_in_lesson),
+        Button(
+            lambda _: Text(en="Next step", pt_BR="Próximo passo"), _turn(1), Icon.ARROW_RIGHT, _has_next, _in_lesson
+        ),
+        Button(
+            lambda _: Text(en="Previous step", pt_BR="Passo anterior"),
+            _turn(-1),
+            Icon.ARROW_LEFT,
+            _has_previous,
+            _in_lesson,
+        ),
     ]
 
 

@@ -1,4 +1,4 @@
-"""One tick of the arm: from a State and a time step to the next State. Pure."""
+"""One tick of the arm, from a State and a time step to the next State, and where it leads. Pure."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from helicoide.ik.goal import best_goal
+from helicoide.ik.goal import best_goal, goal_at_joints, goal_at_pose
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kinematics.forward import link_poses
@@ -129,3 +129,19 @@ def _parked(state: State, dt: float) -> State:
     q = frozen(end if needed <= 1.0 else state.q + left / needed)
     poses = frozen(link_poses(state.robot.directions, state.robot.points, q))
     return replace(state, q=q, poses=poses, speeds=frozen((q - state.q) / dt))
+
+
+def foreseen(state: State) -> State:
+    """The same state with the goal that its command leads to; solved at the scene's rate, not in every tick."""
+    problem, q = state.problem, state.q if state.detour is None else state.detour
+    match state.command:
+        case ToPose(T):
+            return replace(state, goal=goal_at_pose(problem, q, T, state.with_orientation))
+        case Along(path, s):
+            return replace(state, goal=goal_at_pose(problem, q, frozen(path.pose(s)), state.with_orientation))
+        case ToJoints(wished):
+            return replace(state, goal=goal_at_joints(problem, state.q, wished))
+        case Park() | GetReady() if not state.parked:
+            return replace(state, goal=goal_at_joints(problem, state.q, state.robot.poses["ready"]))
+        case _:
+            return replace(state, goal=None)

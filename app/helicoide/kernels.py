@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import atexit
 import hashlib
+import multiprocessing
 import os
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -82,8 +84,29 @@ def is_cached(name: str) -> bool:
     return any(CACHE_FOLDER.rglob(f"*.{function}-*.nbi"))
 
 
+def compiled_apart(work: Callable[..., object], *arguments: object) -> Iterator[int]:
+    """Run `work(*arguments)` in a process of its own, so that its kernels lie in the cache afterwards.
+
+    Yields how many kernels are compiled, each time one more is.
+    """
+    receiver, sender = multiprocessing.Pipe(duplex=False)
+    spawn = multiprocessing.get_context("spawn")
+    child = spawn.Process(target=_work, args=(sender, work, arguments), daemon=True)
+    child.start()
+    sender.close()
+    with suppress(EOFError):
+        while True:
+            yield receiver.recv()
+    child.join()
+
+
+def _work(progress: Connection, work: Callable[..., object], arguments: tuple[object, ...]) -> None:
+    with _count_compilations(progress.send):
+        work(*arguments)
+
+
 @contextmanager
-def count_compilations(report: Callable[[int], None]) -> Iterator[None]:
+def _count_compilations(report: Callable[[int], None]) -> Iterator[None]:
     """Call `report` with the number of kernels compiled so far, each time one is done."""
     done = 0
 

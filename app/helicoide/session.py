@@ -9,32 +9,25 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
-import multiprocessing
 import secrets
 from collections import deque
 from dataclasses import replace
-from multiprocessing.connection import Connection
-
-import viser
 
 from helicoide import content, gate, kernels, lesson
-from helicoide.advance import advance
-from helicoide.ik.goal import goal_at_joints, goal_at_pose
-from helicoide.kinematics.robot import Robot, frozen
-from helicoide.state import Along, GetReady, Park, Seat, State, ToJoints, ToPose, Update, commanded, initial
+from helicoide.advance import advance, foreseen
+from helicoide.kinematics.robot import Robot, load
+from helicoide.state import Seat, State, ToJoints, ToPose, Update, commanded, initial
 from helicoide.text import Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
 from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.serve import serve
-from helicoide.view.window import Window, seated
+from helicoide.view.window import Client, Window, remember, remembered, seated
 
 TICK = 0.01
 TICKS_PER_FRAME = 2
 FRAMES_PER_TEXT = 5
-SEAT_KEY = "helicoide-seat"
-ANSWER_WITHIN = 5.0
 
 COMPILING = Text(
     en="Preparing the kernels: {done} of {total}. This happens once.",
@@ -47,39 +40,14 @@ FAILED = Text(
 log = logging.getLogger("helicoide")
 
 
-def foreseen(state: State) -> State:
-    """The state with the goal that its command leads to."""
-    problem, q = state.problem, state.q if state.detour is None else state.detour
-    match state.command:
-        case ToPose(T):
-            return replace(state, goal=goal_at_pose(problem, q, T, state.with_orientation))
-        case Along(path, s):
-            return replace(state, goal=goal_at_pose(problem, q, frozen(path.pose(s)), state.with_orientation))
-        case ToJoints(wished):
-            return replace(state, goal=goal_at_joints(problem, state.q, wished))
-        case Park() | GetReady() if not state.parked:
-            return replace(state, goal=goal_at_joints(problem, state.q, state.robot.poses["ready"]))
-        case _:
-            return replace(state, goal=None)
-
-
-def exercise(robot: Robot) -> State:
+def exercise(robot_name: str) -> State:
     """Run everything that the loop runs once, so that every kernel is compiled or loaded."""
-    state = initial(robot)
+    state = initial(load(robot_name))
     asked = commanded(state, ToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
     return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
-
-
-def _compile(robot_name: str, progress: Connection) -> None:
-    """In a process of its own: compile every kernel into the cache, telling how many are done."""
-    from helicoide.kinematics.robot import load
-
-    with kernels.count_compilations(progress.send):
-        exercise(load(robot_name))
-    progress.close()
 
 
 class Session:
@@ -96,6 +64,7 @@ class Session:
         self.frames = 0
         self.ticks = 0
         self.ready = False
+        self.said = COMPILING.format(done=0, total=len(kernels.KERNELS))
         self._drawn: State | None = None
         self._foreseen: State | None = None
         self._woken = False
@@ -129,59 +98,54 @@ class Session:
 
     async def _start(self) -> None:
         """Compile in another process while the page is up, load in a thread, then let the arm run."""
-        await asyncio.to_thread(self._prepare_kernels)
-        await asyncio.to_thread(exercise, self.robot)
+        try:
+            await asyncio.to_thread(self._prepare_kernels)
+            await asyncio.to_thread(exercise, self.robot.name)
+        except Exception:
+            log.exception("the kernels could not be prepared")
+            self._say(FAILED)
+            return
         self.ready = True
         self.next_tick = self.loop.time()
         self._tick()
 
     def _prepare_kernels(self) -> None:
-        total = len(kernels.KERNELS)
         if all(map(kernels.is_cached, kernels.KERNELS)):
             return
-        receiver, sender = multiprocessing.Pipe(duplex=False)
-        child = multiprocessing.get_context("spawn").Process(
-            target=_compile, args=(self.robot.name, sender), daemon=True
-        )
-        child.start()
-        sender.close()
-        while True:
-            try:
-                done = receiver.recv()
-            except EOFError:
-                break
-            self.loop.call_soon_threadsafe(self._say, COMPILING.format(done=done, total=total))
-        child.join()
+        for done in kernels.compiled_apart(exercise, self.robot.name):
+            words = COMPILING.format(done=done, total=len(kernels.KERNELS))
+            self.loop.call_soon_threadsafe(self._say, words)
 
     def _say(self, text: Text) -> None:
-        """Show a sentence in every window while the arm does not run yet."""
+        """Show a sentence in every window, also in those that open later, while the arm does not run yet."""
+        self.said = text
         for window in self.windows.values():
             seat = window.view.seat
             self.control.push(seat.token, Notice(seat.language, text, "warn"))
 
-    async def _enter(self, client: viser.ClientHandle) -> None:
+    async def _enter(self, client: Client) -> None:
         """A window opens: with its old seat when its browser still has the token of one."""
         with contextlib.suppress(RuntimeError):  # the client left again
             view = View(self.state, self.seats[await self._seat_of(client)])
             self._furnish(client, view)
 
-    async def _seat_of(self, client: viser.ClientHandle) -> str:
+    async def _seat_of(self, client: Client) -> str:
         """The token of the client's seat, kept in its browser; a new seat where there is none."""
-        token = None
-        with contextlib.suppress(TimeoutError):  # a page that does not answer gets a new seat
-            token = await asyncio.to_thread(client.local_storage.get_item, SEAT_KEY, ANSWER_WITHIN)
+        token = await remembered(client)
         if token is None or token not in self.seats:
             token = secrets.token_urlsafe(12)
             self.seats[token] = seated(token, self.language, self.lesson_name)
-            client.local_storage.set_item(SEAT_KEY, token)
+            remember(client, token)
         return token
 
-    def _furnish(self, client: viser.ClientHandle, view: View) -> None:
+    def _furnish(self, client: Client, view: View) -> None:
         window = Window(client, self.robot, self.shapes, view, self.control, self.post, self._reseat)
         self.windows[client.client_id] = window
         window.draw(view)
+        if not self.ready:
+            self._say(self.said)
 
-    async def _leave(self, client: viser.ClientHandle) -> None:
+    async def _leave(self, client: Client) -> None:
         """A window closes: what it held is let go where it is."""
         window = self.windows.pop(client.client_id, None)
         if window and all(other.view.seat.token != window.view.seat.token for other in self.windows.values()):

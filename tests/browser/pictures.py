@@ -10,9 +10,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
+from tests.browser.conftest import CHROMIUMS, FLAGS, SIZES, SLOW_GL_TOAST
 
 from helicoide import content
-from tests.browser.conftest import CHROMIUMS, FLAGS, SIZES, SLOW_GL_TOAST
 
 PICTURE = content.STATIC / "pictures" / "lab.png"
 ABOVE_THE_CEILING = (560, 60, 690)

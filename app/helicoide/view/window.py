@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -21,8 +22,11 @@ from helicoide.view.placed import Placed, place
 from helicoide.view.rows import Choice, ForArm, ForSeat, Row, View, Wish
 from helicoide.view.shapes import Shape
 
+Client = viser.ClientHandle
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
 PANEL = same("Helicoide")
+SEAT_KEY = "helicoide-seat"
+ANSWER_WITHIN = 5.0
 STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
 
 
@@ -32,12 +36,25 @@ def seated(token: str, language: Language, lesson: str | None) -> Seat:
     return Seat(token=token, language=language, lesson=lesson, shows=shows)
 
 
+async def remembered(client: Client) -> str | None:
+    """The token of the seat that this browser had before; none when it does not answer in time."""
+    try:
+        return await asyncio.to_thread(client.local_storage.get_item, SEAT_KEY, ANSWER_WITHIN)
+    except TimeoutError:
+        return None
+
+
+def remember(client: Client, token: str) -> None:
+    """Leave the token of its seat with a browser."""
+    client.local_storage.set_item(SEAT_KEY, token)
+
+
 class Window:
     """A client of viser and the seat in front of it."""
 
     def __init__(
         self,
-        client: viser.ClientHandle,
+        client: Client,
         robot: Robot,
         shapes: list[Shape],
         view: View,

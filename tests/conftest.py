@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from hypothesis import settings
 
 from helicoide.kinematics.robot import Robot, load
 from helicoide.state import State, initial
+
+# the first call of a kernel compiles it, which takes longer than any example may
+settings.register_profile("kernels", deadline=None)
+settings.load_profile("kernels")
 
 
 @pytest.fixture(scope="session")

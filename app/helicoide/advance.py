@@ -16,6 +16,7 @@ from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
 RESTS = 0.1
+SETTLED = 0.5
 GRIPPER_SPEED = 2.0
 
 _STILL = frozen(np.zeros(3))
@@ -86,8 +87,11 @@ def _searched(state: State, T_world_target: Array) -> State:
 
 
 def _resting(state: State) -> bool:
-    """Whether the wish has rested for a while and the arm has come as near as this posture allows."""
-    return state.rested > RESTS and not state.moving and not state.searched
+    """Whether the wish has rested for a while and nobody has looked yet where it leads.
+
+    The search foresees where the arm will stop, so it need not wait: along a wall the arm may creep for a minute.
+    """
+    return state.rested > SETTLED and not state.searched
 
 
 def _along(state: State, command: Along, dt: float) -> State:

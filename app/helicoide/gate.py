@@ -44,7 +44,10 @@ _NOT_A_NUMBER = Text(en="That is not a finite number.", pt_BR="Isso não é um n
 
 
 def _finite(values: ArrayLike, shape: tuple[int, ...]) -> Array:
-    array = np.asarray(values, dtype=np.float64)
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise HelicoideError(_NOT_A_NUMBER) from error
     if array.shape != shape or not np.isfinite(array).all():
         raise HelicoideError(_NOT_A_NUMBER)
     return frozen(array)
@@ -76,8 +79,7 @@ def _driven(wish: Update) -> Update:
 def pose(position: ArrayLike, wxyz: ArrayLike) -> Array:
     """T (4, 4), m, from a position and a quaternion; raises HelicoideError unless both are finite and make a pose."""
     p, q = _finite(position, (3,)), _finite(wxyz, (4,))
-    norm = float(np.linalg.norm(q))
-    if norm < 1e-6 or np.abs(p).max() > FARTHEST:
+    if np.abs([*p, *q]).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
         raise HelicoideError(
             Text(
                 en="The target must lie within {far:g} m of the base and have an orientation.",
@@ -85,7 +87,7 @@ def pose(position: ArrayLike, wxyz: ArrayLike) -> Array:
             ).format(far=FARTHEST)
         )
     T = np.eye(4)
-    T[:3, :3] = rotation.to_matrix(q / norm)
+    T[:3, :3] = rotation.to_matrix(q / np.linalg.norm(q))
     T[:3, 3] = p
     return frozen(T)
 
@@ -179,6 +181,10 @@ def set_joint(index: int, angle: float) -> Update:
         if state.t < state.latched:
             return replace(state, latched=state.t + LATCH)
         (value,) = _finite([angle], (1,))
+        if index not in range(len(state.q)):
+            raise HelicoideError(
+                Text(en="There are joints 1 to {n}.", pt_BR="Há juntas de 1 a {n}.").format(n=len(state.q))
+            )
         limits = state.problem.limits
         if not limits.lower[index] - 1e-6 <= value <= limits.upper[index] + 1e-6:
             raise HelicoideError(_outside(state, index))
@@ -230,6 +236,8 @@ def set_gripper(opening: float) -> Update:
     """The gripper, 0 closed to 1 open."""
 
     def wish(state: State) -> State:
+        if state.t < state.latched:
+            return replace(state, latched=state.t + LATCH)
         (value,) = _finite([opening], (1,))
         if not 0.0 <= value <= 1.0:
             raise HelicoideError(Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %."))

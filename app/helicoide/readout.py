@@ -152,8 +152,8 @@ def _towards(state: State, goal: Goal) -> Status:
     if state.detour is not None:
         return Status(
             Text(
-                en="Changing posture: the goal is reached from the other side.",
-                pt_BR="Mudando de postura: o objetivo se alcança por outro lado.",
+                en="Changing posture: another one comes nearer to the goal.",
+                pt_BR="Mudando de postura: outra chega mais perto do objetivo.",
             ),
             "ok",
         )

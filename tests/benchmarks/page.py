@@ -34,6 +34,7 @@ CAMERA = {
     "up_direction": (0.0, 0.0, 1.0),
 }
 SMALL = 64
+PATIENCE = 120.0
 
 Point = tuple[float, ...]
 Message = dict[str, Any]
@@ -104,7 +105,7 @@ class Page:
 
     async def ready(self) -> None:
         """Wait until the status line says that all is well: every kernel is there, and the arm runs."""
-        async with connect(f"ws://127.0.0.1:{self.port}{PATH}", origin=_origin(self.port)) as control:
+        async with asyncio.timeout(PATIENCE), connect(f"ws://127.0.0.1:{self.port}{PATH}", origin=_origin(self.port)) as control:
             await control.send(json.dumps({"seat": await self.seat}))
             async for notice in control:
                 if json.loads(notice)["tone"] == "ok":

@@ -15,7 +15,7 @@ from tests.browser.conftest import CHROMIUMS, FLAGS, SIZES, SLOW_GL_TOAST
 from helicoide import content
 
 PICTURE = content.STATIC / "pictures" / "lab.png"
-ABOVE_THE_CEILING = (560, 60, 690)
+ABOVE_THE_CEILING = (680, 60, 690)
 COMPILING_MS = 300_000
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
 

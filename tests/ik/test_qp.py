@@ -64,7 +64,7 @@ def enumerated(program: Program) -> float:
     return best
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(seed=seeds, n=st.integers(1, 3), m=st.integers(1, 6))
 def test_the_solution_is_the_best_of_all_active_sets(seed: int, n: int, m: int) -> None:
     program = feasible(seed, n, m)

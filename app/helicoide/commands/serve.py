@@ -36,9 +36,9 @@ def run(
     session = Session(load(robot), language, lesson)
     if kernels.CACHE_NOTE is not None:
         print(kernels.CACHE_NOTE[language])
-    print(f"Helicoide: http://{host}:{session.open(host, port)}", flush=True)
     stopped = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
+    print(f"Helicoide: http://{host}:{session.open(host, port)}", flush=True)
     stopped.wait()
     session.close()

@@ -6,18 +6,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.confinement import distances
 from helicoide.ik import Problem, Reason, reasons
-from helicoide.ik.rollout import settle_at_joints, settle_at_pose
+from helicoide.ik.rollout import are_clear, settle_at_joints, settle_at_pose
 from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, frozen
 
 REACHED = 0.5e-3
 TURNED = np.radians(1.0)
-_TICK = 0.03
-_TICKS = 250
-_STARTS = 24
+NEARER = 0.02
+_AHEAD = (0.05, 120)
+_COARSE = (0.1, 60)
+_DRAWN, _STARTS = 400, 20
+_TRIED = 20 * _STARTS
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,64 +50,68 @@ def tool_pose(problem: Problem, poses: Array) -> Array:
     return frozen(poses[-1] @ T_link_tool)
 
 
-def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array) -> Goal:
+def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array, tick: float) -> Goal:
     poses = frozen(link_poses(problem.robot.directions, problem.robot.points, q))
     T = tool_pose(problem, poses)
     short = float(np.linalg.norm(T_world_target[:3, 3] - T[:3, 3]))
     turned = float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3]))))
     pull = min(GAIN * short, TOOL_SPEED) + ORIENTATION_LENGTH**2 * min(GAIN * turned, TOOL_TURN)
-    return Goal(frozen(q), poses, T, short, turned, reasons(problem, q, multipliers, _TICK * pull))
+    return Goal(frozen(q), poses, T, short, turned, reasons(problem, q, multipliers, tick * pull))
 
 
-def goal_at_pose(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> Goal:
-    """Where the arm comes to rest when it is driven from q (n,), rad, towards T_world_target (4, 4), m."""
+def goal_at_pose(
+    problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, ticks: tuple[float, int] = _AHEAD
+) -> Goal:
+    """Where the arm comes to rest when it is driven from q (n,), rad, towards T_world_target (4, 4), m.
+
+    ticks: length in s and number of the steps that are looked ahead.
+    """
     tool = (problem.robot.T_world_tool_0, T_world_target, with_orientation)
-    rest, multipliers = settle_at_pose(problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, _TICK, _TICKS)
-    return _goal(problem, rest, T_world_target, multipliers)
+    rest, multipliers = settle_at_pose(problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, *ticks)
+    return _goal(problem, rest, T_world_target, multipliers, ticks[0])
 
 
 def goal_at_joints(problem: Problem, q: Array, q_target: Array) -> Goal:
     """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
-    rest, multipliers = settle_at_joints(
-        problem.arm, q, q_target, problem.limit_arrays, problem.plane_arrays, _TICK, _TICKS
-    )
+    rest, multipliers = settle_at_joints(problem.arm, q, q_target, problem.limit_arrays, problem.plane_arrays, *_AHEAD)
     robot = problem.robot
     wished = tool_pose(problem, link_poses(robot.directions, robot.points, q_target))
-    return _goal(problem, rest, wished, multipliers)
+    return _goal(problem, rest, wished, multipliers, _AHEAD[0])
 
 
 def _starts(problem: Problem, q: Array) -> list[Array]:
     """Postures spread evenly over the limits (additive recurrence) and clear of the planes, the nearest to q first."""
-    robot, limits = problem.robot, problem.limits
-    n = len(q)
+    limits, n = problem.limits, len(q)
     ratio = 2.0
     for _ in range(30):
         ratio = (1 + ratio) ** (1 / (n + 1))
-    shares = (0.5 + np.outer(np.arange(_STARTS), ratio ** -np.arange(1.0, n + 1))) % 1.0
-    postures = [robot.poses["ready"], *(limits.lower + shares * (limits.upper - limits.lower))]
-    normals, offsets, critical = problem.plane_arrays
+    shares = (0.5 + np.outer(np.arange(_DRAWN), ratio ** -np.arange(1.0, n + 1))) % 1.0
+    drawn = frozen([problem.robot.poses["ready"], *(limits.lower + shares * (limits.upper - limits.lower))])
+    clear = drawn[are_clear(problem.arm, drawn, problem.plane_arrays)][:_STARTS]
+    return [frozen(start) for start in sorted(clear, key=lambda start: float(np.abs(start - q).max()))]
 
-    def clear(posture: Array) -> bool:
-        poses = link_poses(robot.directions, robot.points, posture)
-        points = carried_points(poses, robot.guarded_points, robot.guarded_joints)
-        return bool((distances(normals, offsets, points) > critical).all())
 
-    return sorted(filter(clear, map(frozen, postures)), key=lambda posture: float(np.abs(posture - q).max()))
+def _better(goal: Goal, than: Goal, with_orientation: bool) -> bool:
+    """Whether a goal reaches what another does not, comes nearer by `NEARER`, or turns nearer by `TURNED`."""
+    if goal.reached != than.reached:
+        return goal.reached
+    if not goal.reached:
+        return goal.short < than.short - NEARER
+    return with_orientation and goal.turned < than.turned - TURNED
 
 
 def another_posture(
     problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, found: Goal
 ) -> Goal | None:
-    """A goal in another posture that is better than the one found from q, and to which the guarded arm can move.
-
-    Better is: the point is reached where it was not, or it is reached and the orientation is nearer by `TURNED`.
-    """
+    """The goal of another posture that is better than the one found from q, if the guarded arm can move there."""
+    best = found
     for start in _starts(problem, q):
-        goal = goal_at_pose(problem, start, T_world_target, with_orientation)
-        nearer = with_orientation and goal.turned < found.turned - TURNED
-        if goal.reached and (not found.reached or nearer) and goal_at_joints(problem, q, goal.q).short < REACHED:
-            return goal
-    return None
+        if best.reached and (best.turned < TURNED or not with_orientation):
+            break
+        goal = goal_at_pose(problem, start, T_world_target, with_orientation, _COARSE)
+        if _better(goal, best, with_orientation) and goal_at_joints(problem, q, goal.q).short < REACHED:
+            best = goal
+    return None if best is found else goal_at_pose(problem, best.q, T_world_target, with_orientation)
 
 
 def best_goal(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> tuple[Goal, Array | None]:

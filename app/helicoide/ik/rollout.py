@@ -1,17 +1,30 @@
-"""Where the guarded arm comes to rest: the same ticks as the loop's, run ahead until nothing moves."""
+"""Where the guarded arm comes to rest: ticks like the loop's, run ahead until nothing moves."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.confinement import distances
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel
-from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.robot import Array
 
 AT_REST = 1e-5
+
+
+@kernel
+def are_clear(
+    arm: tuple[Array, Array, Array, NDArray[np.int64]], postures: Array, planes: tuple[Array, Array, float]
+) -> NDArray[np.bool_]:
+    """Which postures (p, n), rad, keep every guarded point farther than critical from every plane, (p,)."""
+    clear = np.empty(postures.shape[0], dtype=np.bool_)
+    for k in range(postures.shape[0]):
+        points = carried_points(link_poses(arm[0], arm[1], postures[k]), arm[2], arm[3])
+        clear[k] = distances(planes[0], planes[1], points).min() > planes[2]
+    return clear
 
 
 @kernel

@@ -141,7 +141,7 @@ class Robot:
                     robot=self.name,
                     n=len(self.joints),
                     names=", ".join(joint.name for joint in self.joints),
-                    given=np.array2string(values),
+                    given=", ".join(f"{value:g}" for value in values.ravel()),
                 )
             )
         return frozen(values)

@@ -1,0 +1,193 @@
+"""The rooms: who may import whom, who may print, and how large files and functions may be."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator
+from functools import cache
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PACKAGE = ROOT / "app" / "helicoide"
+
+# Who may import whom: a room may import those of the rows above its own.
+ROWS = """
+text
+content · kernels · solids
+geometry
+kinematics
+confinement · trajectory
+ik
+state
+advance · readout · gate · lesson · recorder
+console · perception · studies
+hardware · store · export · jobs
+classroom
+view
+session
+commands
+__main__
+"""
+# Rooms of the rows above that a room may nevertheless not import.
+NOT = {"view": {"hardware", "store", "jobs"}}
+# Packages from outside, and the only rooms that may import them.
+OUTSIDE = {"viser": {"view"}, "serial": {"hardware"}}
+BUILDS = {"solids"}
+LESSONS = {
+    "geometry", "kinematics", "confinement", "trajectory", "ik", "state",
+    "advance", "readout", "gate", "lesson", "recorder", "console", "perception", "studies", "text",
+}  # fmt: skip
+
+LEVEL = {room: level for level, row in enumerate(ROWS.split("\n")) for room in row.split(" · ") if room}
+FILES = sorted(PACKAGE.rglob("*.py"))
+LESSON_FILES = sorted((ROOT / "lessons").glob("*/lesson.py"))
+BUILD_FILES = sorted((ROOT / "robots").glob("*/build.py"))
+
+
+@cache
+def tree(file: Path) -> ast.Module:
+    return ast.parse(file.read_text("utf-8"), str(file))
+
+
+def module(file: Path) -> str:
+    """`helicoide.ik.goal` of app/helicoide/ik/goal.py; a package has the name of its folder."""
+    parts = file.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+MODULES = {module(file): file for file in FILES}
+
+
+def room(name: str) -> str:
+    """The room of a module of the package; "" for the package itself, which holds the version only."""
+    return name.partition(".")[2].partition(".")[0]
+
+
+def imports(file: Path) -> Iterator[str]:
+    """Every module that a file imports, anywhere in it; `from package import module` counts as the module."""
+    for node in ast.walk(tree(file)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{file}: a relative import"
+            base = node.module or ""
+            for alias in node.names:
+                yield f"{base}.{alias.name}" if base == "helicoide" or f"{base}.{alias.name}" in MODULES else base
+
+
+def own_imports(file: Path) -> set[str]:
+    return {name for name in imports(file) if name in MODULES}
+
+
+def name_of(file: Path) -> str:
+    return str(file.relative_to(ROOT))
+
+
+def test_every_room_has_a_place_in_the_table() -> None:
+    assert {room(name) for name in MODULES} - {""} <= LEVEL.keys()
+
+
+@pytest.mark.parametrize("file", FILES, ids=name_of)
+def test_a_room_imports_from_the_rows_above_only(file: Path) -> None:
+    here = room(module(file))
+    there = {room(name) for name in own_imports(file)} - {here, ""}
+    allowed = {other for other in LEVEL if LEVEL[other] < LEVEL.get(here, 0)} - NOT.get(here, set())
+    assert there - allowed == set()
+
+
+def test_no_cycles() -> None:
+    graph = {name: own_imports(file) - {name} for name, file in MODULES.items()}
+    TopologicalSorter(graph).prepare()
+
+
+@pytest.mark.parametrize("package", OUTSIDE)
+def test_packages_that_belong_to_one_room(package: str) -> None:
+    users = {module(file) for file in FILES if any(name.split(".")[0] == package for name in imports(file))}
+    assert {name for name in users if room(name) not in OUTSIDE[package]} == set()
+
+
+@pytest.mark.parametrize("file", BUILD_FILES, ids=name_of)
+def test_drawings_of_robots_use_solids_alone(file: Path) -> None:
+    assert {room(name) for name in own_imports(file)} <= BUILDS
+    assert not {name.split(".")[0] for name in imports(file)} & OUTSIDE.keys()
+
+
+@pytest.mark.parametrize("file", LESSON_FILES, ids=name_of)
+def test_lessons_keep_to_the_core(file: Path) -> None:
+    assert {room(name) for name in own_imports(file)} <= LESSONS
+    assert not {name.split(".")[0] for name in imports(file)} & OUTSIDE.keys()
+
+
+def lines_with(found: Callable[[ast.AST], bool], files: list[Path]) -> list[str]:
+    return [f"{name_of(file)}:{node.lineno}" for file in files for node in ast.walk(tree(file)) if found(node)]  # type: ignore[attr-defined]
+
+
+def writes_to_the_terminal(node: ast.AST) -> bool:
+    """`print(...)`, `sys.stdout`, `sys.stderr`, also their hidden twins."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+        return node.func.id == "print"
+    return isinstance(node, ast.Attribute) and node.attr in {"stdout", "stderr", "__stdout__", "__stderr__"}
+
+
+def is_a_bare_except(node: ast.AST) -> bool:
+    return isinstance(node, ast.ExceptHandler) and node.type is None
+
+
+def test_only_commands_print() -> None:
+    others = [file for file in FILES if room(module(file)) != "commands"]
+    assert lines_with(writes_to_the_terminal, others + LESSON_FILES) == []
+
+
+def test_no_bare_except() -> None:
+    assert lines_with(is_a_bare_except, FILES + LESSON_FILES + BUILD_FILES) == []
+
+
+@pytest.mark.parametrize(
+    ("found", "source"),
+    [
+        (writes_to_the_terminal, "print(1)"),
+        (writes_to_the_terminal, "import sys\nsys.stdout.write('a')"),
+        (is_a_bare_except, "try:\n    pass\nexcept:\n    pass"),
+    ],
+)
+def test_the_watch_sees_what_it_watches_for(found: Callable[[ast.AST], bool], source: str) -> None:
+    assert any(found(node) for node in ast.walk(ast.parse(source)))
+
+
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def length(function: Function) -> int:
+    """Lines of a function, with its decorators, without its docstring and blank lines."""
+    start = min([function.lineno, *(node.lineno for node in function.decorator_list)])
+    end = function.end_lineno or start
+    first = function.body[0]
+    said = (first.end_lineno or 0) - first.lineno + 1 if ast.get_docstring(function) is not None else 0
+    return end - start + 1 - said
+
+
+def shares(values: list[int]) -> str:
+    return f"{len(values)}, median {np.median(values):.0f}, p95 {np.percentile(values, 95):.0f}, largest {max(values)}"
+
+
+def test_files_and_functions_stay_small() -> None:
+    """File median ≤ 120 lines, 95th percentile ≤ 300; function median ≤ 8, 95th percentile ≤ 35, none over 60."""
+    files = FILES + LESSON_FILES + BUILD_FILES
+    of_files = [len(file.read_text("utf-8").splitlines()) for file in files]
+    functions = {
+        f"{name_of(file)}:{node.name}": length(node)
+        for file in files
+        for node in ast.walk(tree(file))
+        if isinstance(node, Function)
+    }
+    of_functions = list(functions.values())
+    print(f"files: {shares(of_files)}; functions: {shares(of_functions)}")
+    assert np.median(of_files) <= 120
+    assert np.percentile(of_files, 95) <= 300
+    assert np.median(of_functions) <= 8
+    assert np.percentile(of_functions, 95) <= 35
+    assert [name for name, lines in functions.items() if lines > 60] == []

@@ -1,0 +1,105 @@
+"""Planes, zones, and where a plane that is moved comes to rest."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helicoide import gate
+from helicoide.confinement import Zone, Zones, distances, planes_of
+from helicoide.geometry import rigid
+from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.readout import plane_distances
+from helicoide.state import State, ToJoints, initial
+from tests.driving import after, at, clear_posture, quaternion
+
+seeds = st.integers(0, 2**32 - 1)
+
+
+@given(seed=seeds)
+def test_distances_are_those_of_the_algebra(robot: Robot, seed: int) -> None:
+    """l = ½ ⋆(πp − pπ) (Cerbaro 2022, eq. 20)."""
+    rng = np.random.default_rng(seed)
+    planes, points = planes_of(robot.panes), rng.uniform(-1, 1, (5, 3))
+    table = distances(planes.normals, frozen(planes.offsets), points)
+    pi = rigid.plane(planes.normals, planes.offsets)
+    by_algebra = rigid.point_plane_distance(pi[None], rigid.point(points)[:, None])
+    np.testing.assert_allclose(table, by_algebra, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("distance", "zone"),
+    [
+        (-0.5, Zone.CRITICAL),
+        (0.080, Zone.CRITICAL),
+        (0.08001, Zone.WARNING),
+        (0.10999, Zone.WARNING),
+        (0.110, Zone.FREE),
+        (1.0, Zone.FREE),
+    ],
+)
+def test_zones_change_at_80_and_110_mm(distance: float, zone: Zone) -> None:
+    """Cerbaro 2022, section 6.1."""
+    assert Zones().of(distance) is zone
+
+
+def test_pane_centres_lie_on_their_planes(robot: Robot) -> None:
+    planes = planes_of(robot.panes)
+    np.testing.assert_allclose(planes.offsets, [pane.offset for pane in robot.panes], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(planes.normals, axis=1), 1, atol=1e-15)
+    np.testing.assert_allclose(planes.centres, [pane.centre for pane in robot.panes], rtol=0, atol=1e-5)
+
+
+def dragged(state: State, index: int, centre: Array, wxyz: Array) -> State:
+    for phase in ("start", "update", "end"):
+        state = gate.drag_plane("seat", phase, index, centre, wxyz)(state)
+    return state
+
+
+@settings(max_examples=300)
+@given(seed=seeds)
+def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    state = initial(robot)
+    state = at(state, clear_posture(rng, state, 0.08))
+    centre, wxyz = rng.uniform(-0.8, 0.8, 3), quaternion(rng)
+    moved = dragged(state, int(rng.integers(3)), centre, wxyz)
+    (index,) = np.flatnonzero((moved.problem.planes.normals != state.problem.planes.normals).any(axis=1))
+    normal = rigid.rotation.to_matrix(wxyz)[:, 2]
+    asked = float(((state.guarded_points - centre) @ normal).min())
+    np.testing.assert_allclose(moved.problem.planes.normals[index], normal, rtol=0, atol=1e-12)
+    assert plane_distances(moved)[:, index].min() == pytest.approx(max(0.080, asked), abs=1e-9)
+    assert moved.grasp is None
+    # along its normal only: what was asked sideways is kept
+    sideways = moved.problem.planes.centres[index] - centre
+    np.testing.assert_allclose(sideways - (sideways @ normal) * normal, 0, atol=1e-12)
+
+
+@settings(max_examples=50)
+@given(seed=seeds)
+def test_the_arm_does_not_move_because_of_a_plane(robot: Robot, seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    state = initial(robot)
+    state = at(state, clear_posture(rng, state, 0.08))
+    resting = replace(state, command=rng.choice([state.command, ToJoints(state.q)]))
+    moved = dragged(resting, int(rng.integers(3)), rng.uniform(-0.8, 0.8, 3), quaternion(rng))
+    np.testing.assert_array_equal(after(moved, 0.3).q, state.q)
+
+
+def test_restored_planes_are_those_of_the_file(state: State) -> None:
+    moved = dragged(state, 0, np.array([0.5, 0.0, 0.9]), np.array([0.0, 1.0, 0.0, 0.0]))
+    restored = gate.restore_planes()(moved)
+    original = planes_of(state.robot.panes)
+    np.testing.assert_allclose(restored.problem.planes.normals, original.normals, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(restored.problem.planes.offsets, original.offsets, rtol=0, atol=1e-5)
+
+
+def test_restored_planes_stop_at_the_arm_too(robot: Robot, state: State) -> None:
+    """In the example of the source the elbow is 35 mm from the measured ceiling: the ceiling stays 45 mm above."""
+    high = at(state, robot.poses["example"])
+    restored = gate.restore_planes()(high)
+    assert plane_distances(restored).min() == pytest.approx(0.080, abs=1e-9)

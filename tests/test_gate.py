@@ -1,0 +1,235 @@
+"""The gate: what is wrong changes nothing but the notice; stop, drags, parking."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields
+
+import numpy as np
+import pytest
+
+from helicoide import gate
+from helicoide.advance import advance
+from helicoide.readout import plane_distances
+from helicoide.state import GetReady, Hold, Park, State, ToPose, Update
+from tests.driving import after, beside
+
+NAN, INF = float("nan"), float("inf")
+UP = [1.0, 0.0, 0.0, 0.0]
+HERE = [0.4, 0.1, 0.3]
+Wrong = Callable[[], Update]
+
+BAD_POSES: dict[str, tuple[object, object]] = {
+    "NaN position": ([NAN, 0, 0.3], UP),
+    "infinite position": ([0.4, INF, 0.3], UP),
+    "two coordinates": ([0.4, 0.1], UP),
+    "four coordinates": ([0.4, 0.1, 0.3, 0], UP),
+    "a number": (0.4, UP),
+    "a matrix": ([HERE, HERE], UP),
+    "ragged": ([[0.4], [0.1, 0.3]], UP),
+    "words": ("here", UP),
+    "nothing": (None, UP),
+    "an object": ({}, UP),
+    "too far": ([0.4, 0.1, 3.1], UP),
+    "huge": ([1e300, 0.1, 0.3], UP),
+    "NaN quaternion": (HERE, [NAN, 0, 0, 0]),
+    "zero quaternion": (HERE, [0, 0, 0, 0]),
+    "huge quaternion": (HERE, [1e200, 1e200, 1e200, 1e200]),
+    "tiny quaternion": (HERE, [1e-320, 0, 0, 0]),
+    "three numbers": (HERE, [1, 0, 0]),
+}
+OTHERS: dict[str, Wrong] = {
+    "joint NaN": lambda: gate.set_joint(0, NAN),
+    "joint infinite": lambda: gate.set_joint(0, INF),
+    "joint beyond": lambda: gate.set_joint(2, 0.1),
+    "joint below": lambda: gate.set_joint(0, -1.6),
+    "joint of words": lambda: gate.set_joint(0, "far"),  # type: ignore[arg-type]
+    "joint of two": lambda: gate.set_joint(0, [0.1, 0.2]),  # type: ignore[arg-type]
+    "joint 6": lambda: gate.set_joint(5, 0.1),
+    "joint 0": lambda: gate.set_joint(-1, 0.1),
+    "joint and a half": lambda: gate.set_joint(0.5, 0.1),  # type: ignore[arg-type]
+    "gripper NaN": lambda: gate.set_gripper(NAN),
+    "gripper too open": lambda: gate.set_gripper(1.01),
+    "gripper too closed": lambda: gate.set_gripper(-0.01),
+    "unknown pose": lambda: gate.go_to("nowhere"),
+    "path NaN": lambda: gate.scrub(NAN),
+    "path too long": lambda: gate.scrub(30.1),
+    "path before its start": lambda: gate.scrub(-0.1),
+    "plane 9": lambda: gate.drag_plane("seat", "start", 9, HERE, UP),
+    "plane -1": lambda: gate.drag_plane("seat", "start", -1, HERE, UP),
+    "plane NaN": lambda: gate.drag_plane("seat", "start", NAN, HERE, UP),  # type: ignore[arg-type]
+    "the bench": lambda: gate.drag_plane("seat", "start", 3, HERE, UP),
+}
+
+
+def unchanged(update: Update, state: State) -> State:
+    """The state after a refused wish: the same objects in every field but the notice, said in both languages."""
+    after_it = update(state)
+    changed = [f.name for f in fields(State) if getattr(after_it, f.name) is not getattr(state, f.name)]
+    assert changed == ["notice"]
+    assert after_it.notice is not None
+    assert after_it.notice.en != after_it.notice.pt_BR
+    return after_it
+
+
+@pytest.mark.parametrize("bad", BAD_POSES)
+def test_a_pose_that_is_none_changes_nothing(state: State, bad: str) -> None:
+    position, wxyz = BAD_POSES[bad]
+    unchanged(gate.set_target(position, wxyz), state)  # type: ignore[arg-type]
+    unchanged(gate.drag_target("seat", "start", position, wxyz), state)  # type: ignore[arg-type]
+    unchanged(gate.drag_plane("seat", "start", 0, position, wxyz), state)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("bad", OTHERS)
+def test_a_value_out_of_place_changes_nothing(state: State, bad: str) -> None:
+    unchanged(OTHERS[bad](), state)
+
+
+def test_a_notice_goes_with_the_next_wish(state: State) -> None:
+    refused = gate.go_to("nowhere")(state)
+    assert gate.set_target(HERE, UP)(refused).notice is None
+
+
+def test_a_drag_is_held_by_one_seat(state: State) -> None:
+    held = gate.drag_target("one", "start", HERE, UP)(state)
+    assert gate.drag_target("two", "update", [0.3, 0, 0.3], UP)(held) is held
+    assert gate.drag_plane("one", "update", 0, [0.5, 0, 0.7], UP)(held) is held
+    assert gate.drag_target("one", "end", HERE, UP)(held).grasp is None
+
+
+def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
+    """Beyond the reach the handle is put on the accepted goal."""
+    held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
+    released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
+    assert isinstance(released.command, ToPose)
+    np.testing.assert_allclose(released.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
+
+
+WISHES: dict[str, Callable[[State], State]] = {
+    "target": gate.set_target(HERE, UP),
+    "joint": gate.set_joint(1, 0.1),
+    "pose": gate.go_to("zero"),
+    "path": gate.play(),
+    "drag": gate.drag_target("seat", "start", HERE, UP),
+    "ready": gate.get_ready(),
+    "park": gate.park(),
+}
+
+
+@pytest.mark.parametrize("wish", WISHES)
+def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
+    moving = after(WISHES[wish](gate.go_to("zero")(state)), 0.2)
+    stopped = gate.stop()(moving)
+    later = stopped
+    for _ in range(200):
+        later = advance(later, 0.01)
+        assert later.q is stopped.q
+        assert not later.speeds.any()
+    assert later.command == Hold(stopped=True)
+
+
+@pytest.mark.parametrize("phase", ["update", "end"])
+def test_what_is_left_of_a_drag_does_nothing_after_a_stop(state: State, phase: gate.Phase) -> None:
+    held = gate.drag_target("seat", "start", HERE, UP)(state)
+    stopped = gate.stop()(after(held, 0.1))
+    assert gate.drag_target("seat", phase, [0.5, 0, 0.3], UP)(stopped) is stopped
+    plane = gate.drag_plane("seat", "start", 0, [0.5, 0, 0.7], [0, 1, 0, 0])(state)
+    stopped = gate.stop()(plane)
+    assert gate.drag_plane("seat", phase, 0, [0.5, 0, 0.6], [0, 1, 0, 0])(stopped) is stopped
+
+
+SLIDERS: dict[str, Update] = {
+    "joint": gate.set_joint(1, 0.1),
+    "path": gate.scrub(12.0),
+    "gripper": gate.set_gripper(0.7),
+}
+
+
+@pytest.mark.parametrize("slider", SLIDERS)
+def test_a_slider_is_deaf_until_the_hand_has_let_go(state: State, slider: str) -> None:
+    """Half a second without a wish; each wish before that begins the half second anew."""
+    wish = SLIDERS[slider]
+    state = gate.stop()(state)
+    for _ in range(5):
+        state = wish(after(state, 0.4))
+        assert state.command == Hold(stopped=True)
+        assert state.gripper_target == state.gripper
+    assert wish(after(state, 0.49)).command == Hold(stopped=True)
+    assert wish(after(state, 0.51)).command != Hold(stopped=True)
+
+
+@pytest.mark.parametrize("wish", sorted(WISHES.keys() - SLIDERS.keys()))
+def test_a_new_press_works_at_once_after_a_stop(state: State, wish: str) -> None:
+    stopped = gate.stop()(after(gate.go_to("zero")(state), 0.3))
+    again = after(WISHES[wish](stopped), 0.1)
+    assert again.q is not stopped.q
+
+
+def parked(state: State) -> State:
+    return after(gate.go_to("home")(state), 20)
+
+
+def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
+    robot = state.robot
+    state = after(gate.set_target([0.5, 0.15, 0.25], UP)(state), 3)
+    state = gate.park()(state)
+    assert isinstance(state.command, Park)
+    clear_before = []
+    while not state.parked:
+        clear_before.append(plane_distances(state).min())
+        state = advance(state, 0.01)
+    assert min(clear_before) >= 0.080 - 1e-9
+    assert np.abs(state.q - robot.poses["ready"]).max() < 0.02
+    nearest = []
+    while isinstance(state.command, Park):
+        state = advance(state, 0.01)
+        nearest.append(plane_distances(state).min())
+        assert beside(robot, state.q) < 1e-3
+        assert (np.abs(state.speeds) <= robot.speed + 1e-9).all()
+    np.testing.assert_array_equal(state.q, robot.poses["home"])
+    assert state.command == Hold()
+    assert state.parked
+    # the digest of Cerbaro 2022, section 8: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
+    assert nearest[-1] == pytest.approx(0.02109, abs=3e-5)
+    assert min(nearest) < nearest[-1]
+
+
+def test_ready_from_home_ends_exactly_at_ready_with_the_planes_on(state: State) -> None:
+    state = gate.get_ready()(parked(state))
+    assert isinstance(state.command, GetReady)
+    state = after(state, 20)
+    np.testing.assert_array_equal(state.q, state.robot.poses["ready"])
+    assert not state.parked
+    assert plane_distances(state).min() >= 0.080
+
+
+DRIVING: dict[str, Update] = {
+    "target": gate.set_target(HERE, UP),
+    "drag": gate.drag_target("seat", "start", HERE, UP),
+    "joint": gate.set_joint(1, 0.1),
+    "pose": gate.go_to("zero"),
+    "play": gate.play(),
+    "pause": gate.pause(),
+    "scrub": gate.scrub(3.0),
+    "plane": gate.drag_plane("seat", "start", 0, [0.5, 0, 0.7], [0, 1, 0, 0]),
+    "restored planes": gate.restore_planes(),
+}
+
+
+@pytest.mark.parametrize("wish", DRIVING)
+def test_a_parked_arm_refuses_to_be_driven(state: State, wish: str) -> None:
+    state = parked(state)
+    refused = unchanged(DRIVING[wish], state)
+    assert refused.notice == gate.PARKED
+    assert after(refused, 0.5).q is state.q
+
+
+def test_a_stop_on_the_way_home_holds_there_and_ready_leads_back(state: State) -> None:
+    state = gate.park()(state)
+    state = gate.stop()(after(state, 0.5))
+    assert state.parked
+    assert after(state, 1).q is state.q
+    back = after(gate.get_ready()(state), 10)
+    np.testing.assert_array_equal(back.q, back.robot.poses["ready"])
+    home = after(gate.park()(state), 10)
+    np.testing.assert_array_equal(home.q, home.robot.poses["home"])

@@ -1,0 +1,209 @@
+"""What the state says of itself: multivectors, distances, words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helicoide import gate, readout
+from helicoide.confinement import Zone
+from helicoide.geometry import rigid
+from helicoide.geometry.clifford import CL031
+from helicoide.ik import Contact
+from helicoide.ik.goal import goal_at_joints, goal_at_pose
+from helicoide.state import State, ToJoints, ToPose
+from tests.driving import after, at, clear_posture
+
+UP = [1.0, 0.0, 0.0, 0.0]
+
+
+def foreseen(state: State) -> State:
+    """The state with the goal of its command, as the loop keeps it."""
+    match state.command:
+        case ToPose(T):
+            goal = goal_at_pose(state.problem, state.q, T, state.with_orientation)
+        case ToJoints(q):
+            goal = goal_at_joints(state.problem, state.q, q)
+        case _:
+            goal = None
+    return replace(state, goal=goal)
+
+
+# Digest of Cerbaro 2022, section 8, "Plane distances": shoulder, elbow, wrist, tool in mm, for each wall.
+DISTANCES = {
+    "zero": [
+        [257.47, 244.42, 233.98, 220.93],
+        [318.85, 304.43, 292.89, 278.46],
+        [291.83, 303.80, 313.38, 325.36],
+    ],
+    "example": [
+        [257.68, 35.18, 126.31, 336.21],
+        [260.06, 175.08, 87.85, 35.91],
+        [350.87, 404.63, 504.48, 585.69],
+    ],
+    "home": [
+        [257.47, 21.09, 69.49, 130.00],
+        [318.85, 304.49, 297.92, 289.70],
+        [291.83, 273.29, 286.16, 302.25],
+    ],
+    "reading_ceiling": [
+        [257.47, 370.99, 476.99, 254.27],
+        [318.85, 315.90, 315.20, 291.47],
+        [291.83, 310.12, 325.24, 317.51],
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DISTANCES)
+def test_plane_distances_of_the_digest(state: State, name: str) -> None:
+    """To 0.03 mm: the table is of the printed planes, whose normals are up to 4e-5 short of or beyond length one; the
+    robot's planes are made unit, which changes a distance l by 4e-5 l at most (0.02 mm), and the table is rounded."""
+    table = 1000 * readout.plane_distances(at(state, state.robot.poses[name]))
+    np.testing.assert_allclose(table[1:, :3].T, DISTANCES[name], rtol=0, atol=0.03)
+    printed = np.array([[-0.0522, -0.0104, -0.9986], [-0.0577, -0.9954, -0.0763], [0.0479, 0.9968, -0.0634]])
+    np.testing.assert_allclose(table[1:, :3].T * np.linalg.norm(printed, axis=1)[:, None], DISTANCES[name], rtol=0, atol=0.0051)
+
+
+def by_key(state: State) -> dict[str, readout.Reading]:
+    return {reading.key: reading for reading in readout.readings(state)}
+
+
+@pytest.fixture(params=range(5))
+def anywhere(state: State, request: pytest.FixtureRequest) -> State:
+    rng = np.random.default_rng(request.param)
+    return at(state, clear_posture(rng, state, 0.0))
+
+
+def test_the_tool_motor_brings_the_frame_at_the_base_to_the_tool(anywhere: State) -> None:
+    """M moves points, lines and planes from tool coordinates to the world's."""
+    motor, T = by_key(anywhere)["tool"].values, anywhere.T_world_tool
+    np.testing.assert_allclose(rigid.coordinates(rigid.move(motor, rigid.point([0, 0, 0]))), T[:3, 3], atol=1e-12)
+    np.testing.assert_allclose(rigid.pose_from_motor(motor), T, atol=1e-12)
+    along_x = rigid.move(motor, rigid.line([1, 0, 0], [0, 0, 0]))
+    np.testing.assert_allclose(along_x, rigid.line(T[:3, 0], T[:3, 3]), atol=1e-12)
+    np.testing.assert_allclose(CL031.product(motor, CL031.conjugate(motor)), CL031.blade("1"), atol=1e-12)
+
+
+def test_the_tool_point_is_the_moved_reference_point(anywhere: State) -> None:
+    """The displacement from q = 0 takes the reference tool point (820, 0, 400) mm to the tool."""
+    robot = anywhere.robot
+    displacement = CL031.product(
+        by_key(anywhere)["tool"].values, CL031.conjugate(rigid.motor_from_pose(robot.T_world_tool_0))
+    )
+    moved = rigid.coordinates(rigid.move(displacement, rigid.point(robot.T_world_tool_0[:3, 3])))
+    np.testing.assert_allclose(moved, anywhere.T_world_tool[:3, 3], atol=1e-12)
+    np.testing.assert_allclose(moved, rigid.coordinates(by_key(anywhere)["point 4"].values), atol=1e-12)
+
+
+def test_the_line_of_a_joint_is_its_axis_moved_by_the_joints_before_it(anywhere: State) -> None:
+    readings, motor = by_key(anywhere), CL031.blade("1")
+    for i, (joint, angle) in enumerate(zip(anywhere.robot.joints, anywhere.q, strict=True)):
+        moved = rigid.move(motor, rigid.line(joint.direction, joint.point))
+        np.testing.assert_allclose(readings[f"joint {i}"].values, moved, atol=1e-12)
+        motor = CL031.product(motor, rigid.screw_motor(joint.direction, joint.point, angle))
+
+
+def test_planes_and_points_of_the_algebra_have_the_distances_of_the_table(anywhere: State) -> None:
+    readings, table = by_key(anywhere), readout.plane_distances(anywhere)
+    for j, k in np.ndindex(table.shape):
+        pi, p = readings[f"plane {k}"].values, readings[f"point {j}"].values
+        assert rigid.point_plane_distance(pi, p) == pytest.approx(table[j, k], abs=1e-12)
+        product = readout.distance_product(anywhere, j, k)
+        np.testing.assert_allclose(product, 2 * table[j, k] * CL031.blade("e1e2e3e"), atol=1e-12)
+
+
+def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None:
+    readings = readout.readings(state)
+    assert len({reading.key for reading in readings}) == len(readings) == 1 + 5 + 4 + 5
+    assert all(reading.title.en and reading.title.pt_BR and reading.values.shape == (16,) for reading in readings)
+    assert len({reading.symbol for reading in readings}) == len(readings)
+
+
+def test_the_nearest_point_and_the_zones(state: State) -> None:
+    """Home: the elbow, 21.09 mm from the ceiling (digest, section 8), so the ceiling alone is critical."""
+    home = at(state, state.robot.poses["home"])
+    assert readout.nearest(home) == Contact(plane=0, point=2)
+    assert readout.zones(home) == (Zone.CRITICAL, Zone.FREE, Zone.FREE, Zone.FREE)
+    assert readout.zones(state) == (Zone.FREE,) * 4
+
+
+def rests(update: Callable[[State], State]) -> Callable[[State], State]:
+    return lambda state: foreseen(after(update(state), 8))
+
+
+def with_position_only(update: Callable[[State], State]) -> Callable[[State], State]:
+    return lambda state: update(gate.hold_orientation(False)(state))
+
+
+# how the state comes about; the tone; words that must be there in English and in Portuguese
+CASES: dict[str, tuple[Callable[[State], State], readout.Tone, list[str], list[str]]] = {
+    "at rest": (lambda state: state, "ok", ["Ready"], ["Pronto"]),
+    "moving": (
+        lambda state: foreseen(after(gate.go_to("zero")(state), 0.1)), "ok", ["Moving"], ["movimento"]
+    ),
+    "there": (rests(gate.go_to("path_start")), "ok", ["At the goal"], ["No objetivo"]),
+    "beyond the ceiling": (
+        rests(with_position_only(gate.set_target([0.45, 0.0, 0.75], UP))),
+        "blocked",
+        ["+z", "ceiling", "80 mm", "mm short"],
+        ["+z", "teto", "80 mm", "faltam"],
+    ),
+    "beyond the left wall": (
+        rests(with_position_only(gate.set_target([0.5, 0.6, 0.3], UP))),
+        "blocked",
+        ["+y", "left wall", "tool at 80 mm", "mm short"],
+        ["+y", "parede esquerda", "efetuador a 80 mm", "faltam"],
+    ),
+    "below the bench": (
+        rests(with_position_only(gate.set_target([0.5, 0.0, -0.1], UP))),
+        "blocked",
+        ["-z", "bench", "tool at 80 mm", "180 mm short"],
+        ["-z", "bancada", "efetuador a 80 mm", "faltam 180 mm"],
+    ),
+    "out of reach": (
+        rests(with_position_only(gate.set_target([0.9, 0.0, 0.4], UP))),
+        "blocked",
+        ["Out of reach by 80 mm", "nearest point shown"],
+        ["Fora de alcance por 80 mm", "ponto mais próximo"],
+    ),
+    "turned too far": (
+        rests(gate.set_target([0.6, 0.0, 0.3], [np.cos(np.pi / 12), 0, 0, np.sin(np.pi / 12)])),
+        "warn",
+        ["Position held", "30° off", "with 5 joints the position decides the heading"],
+        ["Posição mantida", "a 30°", "com 5 juntas a posição decide a direção"],
+    ),
+    "refused": (gate.go_to("nowhere"), "warn", ["nowhere", "ready"], ["nowhere", "ready"]),
+    "stopped": (lambda state: gate.stop()(gate.play()(state)), "stopped", ["Stopped"], ["Parado"]),
+    "parking": (lambda state: after(gate.park()(state), 0.5), "ok", ["park"], ["estacionar"]),
+    "parked": (lambda state: after(gate.park()(state), 15), "warn", ["Parked", "off"], ["Estacionado", "desligados"]),
+    "getting ready": (
+        lambda state: after(gate.get_ready()(after(gate.park()(state), 15)), 0.5), "ok", ["ready pose"], ["pose pronta"]
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_words_of_the_status(state: State, case: str) -> None:
+    made, tone, english, portuguese = CASES[case]
+    status = readout.status(made(state))
+    assert [word for word in english if word not in status.text.en] == []
+    assert [word for word in portuguese if word not in status.text.pt_BR] == []
+    assert status.tone == tone
+    assert "{" not in status.text.en + status.text.pt_BR
+
+
+def test_a_joint_at_its_limit_is_named(state: State) -> None:
+    """With the waist kept to 10 degrees a target at 20 is missed, inside every plane."""
+    robot = state.robot
+    upper = robot.upper.copy()
+    upper[0] = np.radians(10)
+    upper.flags.writeable = False
+    state = replace(state, problem=replace(state.problem, limits=replace(state.problem.limits, upper=upper)))
+    far = [0.55 * np.cos(np.radians(20)), 0.55 * np.sin(np.radians(20)), 0.25]
+    status = readout.status(rests(with_position_only(gate.set_target(far, UP)))(state))
+    assert "Joint 1 (waist) at its limit" in status.text.en
+    assert "Junta 1 (cintura) no limite" in status.text.pt_BR
+    assert status.tone == "blocked"

@@ -1,0 +1,116 @@
+"""One tick: the promises of the guarded step, and that the arm gets where it is asked to go."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helicoide import gate
+from helicoide.advance import advance
+from helicoide.ik import Limits
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Robot, frozen
+from helicoide.readout import plane_distances
+from helicoide.state import State, initial
+from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
+
+RIDES = 6
+TICKS = 5_000
+GOALS = 300
+
+
+@pytest.mark.parametrize("seed", range(RIDES))
+def test_no_promise_is_broken_in_a_rough_ride(state: State, seed: int) -> None:
+    """Six rides of 5,000 ticks; the million of them is in tests/soak."""
+    worst = rough_ride(state, np.random.default_rng(seed), TICKS)
+    assert worst.ticks >= TICKS
+    assert worst.clearance < 1e-3, "the ride never came near a plane: it shows nothing"
+    assert worst.too_fast > -1e-3, "the ride was never fast: it shows nothing"
+
+
+@pytest.mark.parametrize("with_orientation", [True, False])
+def test_the_arm_gets_where_the_way_is_clear(robot: Robot, with_orientation: bool) -> None:
+    """At least 99 of 100 goals that have a clear posture and a clear straight way are met to 1 mm within 12 s."""
+    rng = np.random.default_rng(7)
+    left = [misses(*clear_goal(rng, initial(robot)), with_orientation) for _ in range(GOALS)]
+    assert np.mean(np.array(left) < 1e-3) >= 0.99
+
+
+def test_the_poses_are_those_of_the_joints(state: State) -> None:
+    state = after(gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state), 0.5)
+    poses = link_poses(state.robot.directions, state.robot.points, state.q)
+    np.testing.assert_allclose(state.poses, poses, rtol=0, atol=1e-12)
+
+
+def test_time_and_only_time_goes_on_at_rest(state: State) -> None:
+    later = after(state, 1.0)
+    assert later.t == pytest.approx(1.0)
+    assert later.q is state.q
+    assert later.poses is state.poses
+
+
+def test_the_old_state_is_left_as_it_was(state: State) -> None:
+    asked = gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state)
+    before = asked.q.copy()
+    assert advance(asked, 0.01).q is not asked.q
+    np.testing.assert_array_equal(asked.q, before)
+
+
+@pytest.mark.parametrize("dt", [0.001, 0.01, 0.05])
+def test_joints_are_brought_to_their_values(robot: Robot, dt: float) -> None:
+    rng = np.random.default_rng(3)
+    state = initial(robot)
+    for _ in range(20):
+        wished = clear_posture(rng, state, 0.11)
+        state = at(state, clear_posture(rng, state, 0.11))
+        reached = gate.go_to("zero")(state)
+        reached = after(replace(reached, command=reached.command.__class__(wished)), 8, dt)
+        assert np.abs(reached.q - wished).max() < 1e-3 or plane_distances(reached).min() < 0.081
+
+
+def test_a_joint_outside_its_limits_comes_back_in_and_never_goes_further(robot: Robot, state: State) -> None:
+    narrow = Limits(frozen(robot.lower * 0.2), frozen(robot.upper * 0.2), robot.speed)
+    state = replace(state, problem=replace(state.problem, limits=narrow))
+    assert beyond(state, state.q).max() > 0.1
+    state = gate.set_target(state.T_world_tool[:3, 3] - [0.2, 0, 0], [1, 0, 0, 0])(state)
+    outside = beyond(state, state.q)
+    for _ in range(500):
+        state = advance(state, 0.01)
+        assert (beyond(state, state.q) <= outside + 1e-12).all()
+        outside = beyond(state, state.q)
+
+
+def test_a_target_out_of_reach_brings_the_arm_to_rest(state: State) -> None:
+    """The stretched arm is singular and the rest of the way is long: it must not tremble there."""
+    state = after(gate.set_target([0.9, 0.0, 0.4], [1, 0, 0, 0])(state), 8)
+    assert not state.moving
+    np.testing.assert_allclose(state.T_world_tool[:3, 3], [0.82, 0, 0.4], atol=2e-3)
+
+
+def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
+    """Ellipse of eq. 33: once it has arrived the tool keeps to it where no plane is in the way."""
+    state = after(gate.hold_orientation(False)(gate.play()(state)), 1.2)
+    assert state.command.arrived
+    apart = []
+    for _ in range(150):
+        state = advance(state, 0.01)
+        apart.append(np.linalg.norm(state.T_world_tool[:3, 3] - state.command.path.point(state.command.s)))
+    assert max(apart) < 2e-4
+    assert state.path_s == state.command.s
+
+
+def test_a_paused_path_stays_and_plays_on(state: State) -> None:
+    state = after(gate.play()(state), 4)
+    paused = after(gate.pause()(state), 2)
+    assert paused.path_s == pytest.approx(state.path_s, abs=0.011)
+    assert not paused.moving
+    assert after(gate.play()(paused), 1).path_s > paused.path_s + 0.5
+
+
+def test_the_gripper_moves_at_its_own_speed(state: State) -> None:
+    state = gate.set_gripper(1.0)(state)
+    assert after(state, 0.25).gripper == pytest.approx(0.5)
+    assert after(state, 1.0).gripper == 1.0
+    assert after(gate.stop()(after(state, 0.25)), 1.0).gripper == pytest.approx(0.5)

@@ -1,4 +1,4 @@
-"""Driving the arm as people do: random wishes through the gate, time through `advance`; what must hold at every tick."""
+"""Driving the arm as people do: random wishes through the gate, time through `advance`, every promise watched."""
 
 from __future__ import annotations
 
@@ -53,7 +53,8 @@ def clear_posture(rng: Random, state: State, clearance: float) -> Array:
 def place(rng: Random) -> Array:
     """Mostly where the arm can go, sometimes behind planes or below the bench, sometimes far away."""
     reach = rng.choice([0.5, 1.0, 2.9], p=[0.6, 0.3, 0.1])
-    return np.asarray(rng.uniform(-reach, reach, 3) + (0, 0, 0.3 * (reach < 2)))
+    centre = np.array([0, 0, 0.3 if reach < 2 else 0.0])
+    return np.asarray(centre + rng.uniform(-reach, reach, 3))
 
 
 def target(rng: Random, state: State) -> Update:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.driving import after, at, clear_posture, quaternion
 
 from helicoide import gate
 from helicoide.confinement import Zone, Zones, distances, planes_of
@@ -15,7 +16,6 @@ from helicoide.geometry import rigid
 from helicoide.kinematics.robot import Array, Robot, frozen
 from helicoide.readout import plane_distances
 from helicoide.state import State, ToJoints, initial
-from tests.driving import after, at, clear_posture, quaternion
 
 seeds = st.integers(0, 2**32 - 1)
 

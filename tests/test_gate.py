@@ -7,12 +7,12 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
+from tests.driving import after, at, beside, turning_z_to
 
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.readout import plane_distances
 from helicoide.state import GetReady, Hold, Park, State, ToPose, Update
-from tests.driving import after, beside
 
 NAN, INF = float("nan"), float("inf")
 UP = [1.0, 0.0, 0.0, 0.0]
@@ -192,6 +192,21 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
     # the digest of Cerbaro 2022, section 8: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
     assert nearest[-1] == pytest.approx(0.02109, abs=3e-5)
     assert min(nearest) < nearest[-1]
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
+    """The ceiling touches the arm a thousandth of a radian beside `ready`, which may lie on its wrong side."""
+    beside_ready = at(state, state.q + side * np.array([0, 0.9e-3, 0.9e-3, 0, 0]))
+    ceiling = state.problem.planes
+    wxyz = turning_z_to(ceiling.normals[0])
+    down = gate.drag_plane("seat", "start", 0, ceiling.centres[0] + 0.5 * ceiling.normals[0], wxyz)(beside_ready)
+    assert plane_distances(down).min() == pytest.approx(0.080, abs=1e-9)
+    state = gate.get_ready()(after(gate.park()(down), 0.3))
+    for _ in range(200):
+        state = advance(state, 0.01)
+        assert state.parked or plane_distances(state).min() >= 0.080 - 1e-9
+    assert not state.parked
 
 
 def test_ready_from_home_ends_exactly_at_ready_with_the_planes_on(state: State) -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.driving import after, at, clear_posture
 
 from helicoide import gate, readout
 from helicoide.confinement import Zone
@@ -15,7 +16,6 @@ from helicoide.geometry.clifford import CL031
 from helicoide.ik import Contact
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
 from helicoide.state import State, ToJoints, ToPose
-from tests.driving import after, at, clear_posture
 
 UP = [1.0, 0.0, 0.0, 0.0]
 
@@ -64,7 +64,9 @@ def test_plane_distances_of_the_digest(state: State, name: str) -> None:
     table = 1000 * readout.plane_distances(at(state, state.robot.poses[name]))
     np.testing.assert_allclose(table[1:, :3].T, DISTANCES[name], rtol=0, atol=0.03)
     printed = np.array([[-0.0522, -0.0104, -0.9986], [-0.0577, -0.9954, -0.0763], [0.0479, 0.9968, -0.0634]])
-    np.testing.assert_allclose(table[1:, :3].T * np.linalg.norm(printed, axis=1)[:, None], DISTANCES[name], rtol=0, atol=0.0051)
+    np.testing.assert_allclose(
+        table[1:, :3].T * np.linalg.norm(printed, axis=1)[:, None], DISTANCES[name], rtol=0, atol=0.0051
+    )
 
 
 def by_key(state: State) -> dict[str, readout.Reading]:

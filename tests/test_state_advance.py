@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
 
 from helicoide import gate
 from helicoide.advance import advance
@@ -14,7 +15,6 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot, frozen
 from helicoide.readout import plane_distances
 from helicoide.state import State, initial
-from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
 
 RIDES = 6
 TICKS = 5_000

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from helicoide.trajectory import EQ_33, Ellipse
 
 lengths = st.tuples(*[st.floats(-0.6, 0.6)] * 3)
 angles = st.floats(-np.pi, np.pi)
-ellipses = st.builds(
-    Ellipse, centre=lengths, radii=lengths, pitch=angles, roll=angles, period=st.floats(1.0, 60.0)
-)
+ellipses = st.builds(Ellipse, centre=lengths, radii=lengths, pitch=angles, roll=angles, period=st.floats(1.0, 60.0))
 parameters = st.floats(-60, 60)
 
 
@@ -25,6 +23,7 @@ def test_the_velocity_is_the_derivative(path: Ellipse, s: float) -> None:
 
 @given(path=ellipses, s=parameters)
 def test_the_path_is_closed(path: Ellipse, s: float) -> None:
+    assume(np.hypot(*path.point(s)[:2]) > 1e-3)  # above the waist there is no heading
     np.testing.assert_allclose(path.pose(s + path.period), path.pose(s), rtol=0, atol=1e-9)
 
 

@@ -11,16 +11,17 @@ from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, frozen
-from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose
+from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose, points_on
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
 RESTS = 0.1
 SETTLED = 0.5
 GRIPPER_SPEED = 2.0
+IMPERCEPTIBLE = 1e-10
 
 _STILL = frozen(np.zeros(3))
-Task = tuple[Array, Array, Array]
+Task = tuple[Array, Array, Array, Array]
 
 
 def advance(state: State, dt: float) -> State:
@@ -59,6 +60,8 @@ def _stepped(state: State, task: Task, dt: float) -> State:
     q, poses, _, _ = guarded_step(
         problem.arm, state.q.copy(), state.poses.copy(), task, problem.limit_arrays, problem.plane_arrays, dt
     )
+    if np.max(np.abs(q - state.q)) < IMPERCEPTIBLE:
+        return _still(state)
     speeds = (q - state.q) / dt
     for array in (q, poses, speeds):
         array.flags.writeable = False
@@ -114,10 +117,18 @@ def _to_ready(state: State, dt: float) -> State:
     """Guarded to `ready`; there a Park command turns the planes off, and a GetReady command ends."""
     ready = state.robot.poses["ready"]
     if np.max(np.abs(ready - state.q)) < ARRIVED_JOINTS:
-        if isinstance(state.command, Park):
+        if isinstance(state.command, GetReady):
+            return _still(replace(state, command=Hold()))
+        if _is_clear(state, ready):
             return _parked(replace(state, parked=True), dt)
-        return _still(replace(state, command=Hold()))
     return _stepped(state, joint_task(state.q.copy(), ready, dt), dt)
+
+
+def _is_clear(state: State, q: Array) -> bool:
+    """Whether every guarded point keeps its distance at q: the way back from home ends there exactly."""
+    planes, robot = state.problem.planes, state.robot
+    points = points_on(robot, link_poses(robot.directions, robot.points, q))
+    return bool((points @ planes.normals.T - planes.offsets > state.problem.zones.critical - 1e-9).all())
 
 
 def _parked(state: State, dt: float) -> State:

@@ -195,7 +195,9 @@ class Session:
             self._frame()
 
     def _frame(self) -> None:
-        """Foresee the goal where something changed, check the lessons, draw; write the words at a fifth of the rate."""
+        """Foresee the goal where something changed, draw; check lessons and write words at a fifth of the rate."""
+        if not self.windows:
+            return
         if _wish_changed(self._foreseen, self.state):
             self.state = foreseen(self.state)
             self._foreseen = self.state

@@ -1,6 +1,6 @@
 """Measure what the program promises; each measurement ends in its figure, the goal, and whether it is met.
 
-    python -m tests.benchmarks [latency] [tick] [startup]
+`python -m tests.benchmarks latency tick startup`, or without names for all three.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ import numpy as np
 from helicoide.geometry import rotation
 from helicoide.kinematics.robot import Array, load
 from helicoide.state import initial
-from tests.benchmarks.page import Page, Point, opened
+from tests.benchmarks.page import Page, Point, opened, single
 from tests.benchmarks.report import p50, spread, verdict
 from tests.benchmarks.served import served
 
@@ -43,7 +43,7 @@ class Hand:
         for _ in range(events):
             position, wxyz = self._pose()
             self.sent[position] = perf_counter()
-            await self.page.gizmo("Update", position=tuple(map(float, position)), wxyz=wxyz)
+            await self.page.gizmo("Update", position=position, wxyz=wxyz)
             next_event += period
             await asyncio.sleep(max(0.0, next_event - perf_counter()))
         while self.sent and perf_counter() < next_event + AT_MOST:
@@ -55,7 +55,7 @@ class Hand:
         self.events += 1
         angle = 2 * np.pi * self.events / EVENTS_PER_LAP
         offset = [0.0, np.cos(angle), np.sin(angle)]
-        position = tuple(np.float32(self.T_world_target[:3, 3] + RADIUS * np.array(offset)))
+        position = single(self.T_world_target[:3, 3] + RADIUS * np.array(offset))
         return position, tuple(map(float, rotation.from_matrix(self.T_world_target[:3, :3])))
 
     def _shown(self, when: float, point: Point) -> None:

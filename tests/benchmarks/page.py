@@ -15,6 +15,7 @@ import msgspec
 import numpy as np
 import viser
 import zstandard
+from numpy.typing import ArrayLike
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
@@ -40,6 +41,11 @@ Point = tuple[float, ...]
 Message = dict[str, Any]
 
 
+def single(position: ArrayLike) -> Point:
+    """A point as it is after a journey in single precision, so that the sent and the shown one are the same."""
+    return tuple(np.asarray(position, np.float32).tolist())
+
+
 def _messages(frame: bytes) -> Iterator[tuple[Message, list[bytes]]]:
     """The messages of one websocket frame, and the arrays that follow them."""
     size, packed = struct.unpack_from("<QQ", frame)
@@ -58,13 +64,13 @@ def _messages(frame: bytes) -> Iterator[tuple[Message, list[bytes]]]:
 def _points(message: Message, arrays: list[bytes]) -> Iterator[Point]:
     """The points that a change of the scene carries: the position of a node, or a few vertices."""
     if message["type"] == "SetPositionMessage":
-        yield tuple(map(np.float32, message["position"]))
+        yield single(message["position"])
     if message["type"] == "SceneNodeUpdateMessage":
         for value in message["updates"].values():
             if isinstance(value, dict) and value.get("dtype") == "<f4":
                 vertices = np.frombuffer(arrays[value["__binary_index"]], "<f4")
                 if len(vertices) <= SMALL:
-                    yield from map(tuple, vertices.reshape(-1, 3))
+                    yield from map(single, vertices.reshape(-1, 3))
 
 
 class Page:
@@ -105,7 +111,8 @@ class Page:
 
     async def ready(self) -> None:
         """Wait until the status line says that all is well: every kernel is there, and the arm runs."""
-        async with asyncio.timeout(PATIENCE), connect(f"ws://127.0.0.1:{self.port}{PATH}", origin=_origin(self.port)) as control:
+        address = f"ws://127.0.0.1:{self.port}{PATH}"
+        async with asyncio.timeout(PATIENCE), connect(address, origin=_origin(self.port)) as control:
             await control.send(json.dumps({"seat": await self.seat}))
             async for notice in control:
                 if json.loads(notice)["tone"] == "ok":

@@ -36,4 +36,4 @@ def _port(process: subprocess.Popen[str]) -> int:
     for line in process.stdout:
         if found := ADDRESS.search(line):
             return int(found[1])
-    raise RuntimeError(f"{process.args} ended before it printed an address")
+    raise RuntimeError("the server ended before it printed an address")

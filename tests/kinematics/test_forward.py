@@ -66,9 +66,7 @@ def test_guarded_points_are_carried_by_their_links(robot: Robot, q: Array) -> No
     at_zero = carried_points(
         link_poses(robot.directions, robot.points, frozen(np.zeros(5))), robot.guarded_points, robot.guarded_joints
     )
-    points = carried_points(
-        link_poses(robot.directions, robot.points, q), robot.guarded_points, robot.guarded_joints
-    )
+    points = carried_points(link_poses(robot.directions, robot.points, q), robot.guarded_points, robot.guarded_joints)
     for number, (point, carrier) in enumerate(zip(at_zero, robot.guarded_joints, strict=True)):
         motor = rigid.motor_from_pose(np.eye(4))
         for joint, angle in zip(robot.joints[:carrier], q[:carrier], strict=True):

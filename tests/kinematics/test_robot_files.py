@@ -17,7 +17,11 @@ MISTAKES = {
     "unknown key of a joint": ('link = "waist"', 'link = "waist"\nmass = 3', ["mass", "$.joints"]),
     "missing key": ("speed_deg_s = 60 ", "# speed_deg_s = 60 ", ["speed_deg_s", "$.joints"]),
     "a word for a number": ("speed_deg_s = 60 ", 'speed_deg_s = "fast" #', ["$.joints", "speed_deg_s"]),
-    "two numbers for a triple": ("point_mm = [370, 0, 400]\n", "point_mm = [370, 0]\n", ["$.guarded_points", "point_mm"]),
+    "two numbers for a triple": (
+        "point_mm = [370, 0, 400]\n",
+        "point_mm = [370, 0]\n",
+        ["$.guarded_points", "point_mm"],
+    ),
     "zero axis": ("direction = [0, 0, 1]", "direction = [0, 0, 0]", ["axis", "J1"]),
     "limits swapped": ("limits_deg = [-120, 0]", "limits_deg = [0, -120]", ["J3", "limits"]),
     "no speed": ("speed_deg_s = 60 ", "speed_deg_s = 0 ", ["J1", "speed"]),

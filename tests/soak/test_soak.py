@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.driving import clear_goal, misses, rough_ride
 
 from helicoide.kinematics.robot import Robot
 from helicoide.state import initial
-from tests.driving import clear_goal, misses, rough_ride
 
 pytestmark = pytest.mark.soak
 

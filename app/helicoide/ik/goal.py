@@ -18,7 +18,6 @@ NEARER = 0.02
 _AHEAD = (0.05, 120)
 _COARSE = (0.1, 60)
 _DRAWN, _STARTS = 400, 20
-_TRIED = 20 * _STARTS
 
 
 @dataclass(frozen=True, eq=False)

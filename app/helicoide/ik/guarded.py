@@ -2,7 +2,7 @@
 
 One tick solves, for the joint displacement Δq,
 
-    minimise   ‖W (J Δq − v)‖² + λ² ‖Δq‖²
+    minimise   ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ²
     subject to max(−ω dt, lower − q) ≤ Δq ≤ min(ω dt, upper − q)          speed and position limits
                nₖᵀ Jⱼ Δq ≥ −κ dt (lⱼₖ − δ)  for lⱼₖ > δ,  else ≥ 0          velocity damper of point j and plane k
 
@@ -24,7 +24,6 @@ from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.robot import Array
 
 DAMPER_GAIN = 10.0
-DAMPING = 1e-3
 SMALLEST_SHARE = 1e-6
 
 
@@ -67,8 +66,8 @@ def plane_rows(
 
 
 @kernel
-def normal_equations(J: Array, v: Array, weights: Array, damping: float) -> tuple[Array, Array]:
-    """H = Jᵀ W² J + λ² I and g = Jᵀ W² v, for J (r, n), v (r,), weights (r,)."""
+def normal_equations(J: Array, v: Array, weights: Array, damping: Array) -> tuple[Array, Array]:
+    """H = Jᵀ W² J + diag(d) and g = Jᵀ W² v, for J (r, n), v (r,), weights (r,), damping d (n,)."""
     r, n = J.shape
     H, g = np.zeros((n, n)), np.zeros(n)
     for a in range(n):
@@ -79,7 +78,7 @@ def normal_equations(J: Array, v: Array, weights: Array, damping: float) -> tupl
             for s in range(r):
                 total += weights[s] * weights[s] * J[s, a] * J[s, c]
             H[a, c] = H[c, a] = total
-        H[a, a] += damping * damping
+        H[a, a] += damping[a]
     return H, g
 
 
@@ -119,7 +118,7 @@ def guarded_step(
     arm: tuple[Array, Array, Array, NDArray[np.int64]],
     q: Array,
     poses: Array,
-    task: tuple[Array, Array, Array],
+    task: tuple[Array, Array, Array, Array],
     limits: tuple[Array, Array, Array],
     planes: tuple[Array, Array, float],
     dt: float,
@@ -127,8 +126,9 @@ def guarded_step(
     """One guarded tick from q towards a task.
 
     Args: arm: directions (n, 3), axis points (n, 3), guarded points (m, 3) on the links (m,) that carry them;
-    q (n,), rad, and its `link_poses`; task: J (r, n), v (r,) the wished displacement, weights (r,); limits: lower,
-    upper (n,), rad, speed (n,), rad/s; planes: normals (k, 3), offsets (k,), m, critical distance, m; dt, s.
+    q (n,), rad, and its `link_poses`; task: J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,);
+    limits: lower, upper (n,), rad, speed (n,), rad/s; planes: normals (k, 3), offsets (k,), m, critical distance, m;
+    dt, s.
     Returns q' (n,), its link poses (n + 1, 4, 4), the multipliers of the 2 n limit rows and m k plane rows, and the
     share of the step that was taken.
     """
@@ -139,7 +139,7 @@ def guarded_step(
     axes = jacobian.joint_axes(poses, directions)
     points = carried_points(poses, guarded, joints)
     near = distances(normals, offsets, points) - critical
-    H, g = normal_equations(task[0], task[1], task[2], DAMPING)
+    H, g = normal_equations(*task)
     A_limits, b_limits = limit_rows(q, lower, upper, reach)
     A_planes, b_planes = plane_rows(poses, axes, points, joints, normals, near, min(1.0, DAMPER_GAIN * dt))
     A = np.concatenate((A_limits, A_planes))

@@ -16,6 +16,7 @@ GAIN = 12.5
 TOOL_SPEED = 0.5
 TOOL_TURN = 2.0
 ORIENTATION_LENGTH = 0.01
+DAMPING = 1e-6
 
 
 @kernel
@@ -52,6 +53,21 @@ def shortened(vector: Array, longest: float) -> Array:
 
 
 @kernel
+def levers_damping(J: Array, pull: Array) -> Array:
+    """The damping of each joint under a pull on the tool: d = λ² + max(0, v·rᵢ), rᵢ the lever of joint i.
+
+    v·rᵢ is what the curvature of the tool's way adds to the Hessian; without it a stretched arm that is pulled further
+    trembles. Args: J (6, n) of the tool; pull v (3,), m. Returns (n,), m².
+    """
+    n = J.shape[1]
+    damping = np.full(n, DAMPING)
+    for i in range(n):
+        lever = np.cross(J[:3, i], J[3:, i])
+        damping[i] += max(0.0, pull[0] * lever[0] + pull[1] * lever[1] + pull[2] * lever[2])
+    return damping
+
+
+@kernel
 def pose_task(
     poses: Array,
     directions: Array,
@@ -61,11 +77,12 @@ def pose_task(
     with_orientation: bool,
     ahead: Array,
     dt: float,
-) -> tuple[Array, Array, Array]:
+) -> tuple[Array, Array, Array, Array]:
     """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
 
     Args: poses (n + 1, 4, 4) of `forward.link_poses`; joint axes at q = 0 (n, 3); T (4, 4), m; ahead (3,): velocity of
-    the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,). Source: Cerbaro 2022, §4.4.2 (CLIK).
+    the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,), damping (n,), m². Source: Cerbaro 2022,
+    §4.4.2 (CLIK).
     """
     n = directions.shape[0]
     offset = T_world_tool_0[:3, 3] - axis_points[n - 1]
@@ -85,11 +102,11 @@ def pose_task(
     weights[3:] = ORIENTATION_LENGTH if with_orientation else 0.0
     if with_orientation:
         v[3:] = shortened(share * rotation_vector(T_world_target[:3, :3], R_tool), TOOL_TURN * dt)
-    return J, v, weights
+    return J, v, weights, levers_damping(J, v[:3])
 
 
 @kernel
-def joint_task(q: Array, q_target: Array, dt: float) -> tuple[Array, Array, Array]:
+def joint_task(q: Array, q_target: Array, dt: float) -> tuple[Array, Array, Array, Array]:
     """Move every joint towards its own target: v = (1 − e^(−K dt)) (q_target − q). Args: q (n,), rad; dt, s."""
     n = q.shape[0]
-    return np.eye(n), (1.0 - np.exp(-GAIN * dt)) * (q_target - q), np.ones(n)
+    return np.eye(n), (1.0 - np.exp(-GAIN * dt)) * (q_target - q), np.ones(n), np.full(n, DAMPING)

@@ -1,0 +1,162 @@
+"""One tick of the Movemaster with its planes, beside a matrix solve of the same size in plain numpy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from time import perf_counter_ns
+from typing import Any
+from unittest.mock import patch
+
+import numba
+import numpy as np
+
+from helicoide import kernels
+from helicoide.advance import advance
+from helicoide.ik import guarded
+from helicoide.kinematics.robot import Array, frozen, load
+from helicoide.ik.goal import X
+from helicoide.state import Command, State, ToJoints, ToPose, commanded, initial
+from tests.benchmarks.report import p50, spread, verdict
+
+TITLE = "One tick of the Movemaster with its planes"
+TICKS = 1500
+LAP = 200
+GOAL_ADVANCE, GOAL_KERNEL = 60.0, 5.0
+REPEATED = 200
+X, Y, Z = np.eye(3)
+J, V = np.random.default_rng(0).normal(size=(6, 5)), np.ones(6)
+
+
+@dataclass(frozen=True)
+class Situation:
+    """What the arm is asked in each tick of `dt` seconds; None keeps the command."""
+
+    name: str
+    wish: Callable[[State, int], Command | None]
+    dt: float = TICK
+    with_orientation: bool = True
+
+
+def _around(centre: Array, along: Array, across: Array) -> Callable[[State, int], Command]:
+    """A target that goes around an ellipse, once in `LAP` ticks."""
+    T_world_tool = initial(load("movemaster")).T_world_tool
+
+    def wish(state: State, tick: int) -> Command:
+        angle = 2 * np.pi * tick / LAP
+        T = T_world_tool.copy()
+        T[:3, 3] = centre + np.cos(angle) * along + np.sin(angle) * across
+        return ToPose(frozen(T))
+
+    return wish
+
+
+def _to_and_fro(state: State, tick: int) -> Command | None:
+    if tick % LAP:
+        return None
+    ready = state.robot.poses["ready"]
+    return ToJoints(frozen(ready + (0.5 if tick // LAP % 2 else -0.3) * np.array([1.0, 0.5, -0.5, 1.0, 1.0])))
+
+
+EDGE = _around(np.array([0.27, -0.45, 0.95]), 0.20 * X, 0.10 * Y)
+SITUATIONS = (
+    Situation("holding", lambda state, tick: None),
+    Situation("dragged, clear of planes", _around(np.array([0.60, 0.0, 0.17]), 0.04 * Y, 0.04 * Z)),
+    Situation("pressed into an edge", EDGE, with_orientation=False),
+    Situation("joints to and fro", _to_and_fro),
+)
+# The loop's ticks are short enough for the first order almost always; those with which a goal is foreseen are not.
+CORRECTING = Situation("pressed, ticks of 30 ms", EDGE, dt=0.03, with_orientation=False)
+
+
+def _states(situation: Situation) -> Iterator[State]:
+    """The arm before each of its ticks."""
+    state = replace(initial(load("movemaster")), with_orientation=situation.with_orientation)
+    for tick in range(TICKS):
+        command = situation.wish(state, tick)
+        state = state if command is None else commanded(state, command)
+        yield state
+        state = advance(state, situation.dt)
+
+
+def _solve(_: State) -> Array:
+    """Damped least squares as plain numpy does it: the solve that any tick contains, without limits or planes."""
+    return np.asarray(np.linalg.solve(J.T @ J + 1e-6 * np.eye(5), J.T @ V))
+
+
+def _timed(function: Callable[[State], object], state: State) -> float:
+    """How long one call takes, in µs."""
+    begun = perf_counter_ns()
+    function(state)
+    return (perf_counter_ns() - begun) / 1000
+
+
+def _asked(states: list[State], dt: float) -> list[tuple[Any, ...]]:
+    """What `advance` asks of the kernel in these states; nothing when the arm holds."""
+    with patch("helicoide.advance.guarded_step", wraps=guarded.guarded_step) as kernel:
+        for state in states:
+            advance(state, dt)
+    return [call.args for call in kernel.call_args_list]
+
+
+@numba.njit
+def _repeated(times, *asked):  # type: ignore[no-untyped-def]
+    total = 0.0
+    for _ in range(times):
+        total += guarded.guarded_step(*asked)[3]
+    return total
+
+
+def _alone(asked: tuple[Any, ...]) -> float:
+    """How long the kernel takes when it is called from a kernel, in µs."""
+    begun = perf_counter_ns()
+    _repeated(REPEATED, *asked)
+    return (perf_counter_ns() - begun) / 1000 / REPEATED
+
+
+def _corrected(steps: list[tuple[Any, ...]]) -> float:
+    """The share of steps in which the second-order correction is made."""
+    with patch.object(guarded, "raise_by_loss", wraps=guarded.raise_by_loss) as made:
+        for asked in steps:
+            kernels.plain(guarded.guarded_step)(*asked)
+    return made.call_count / len(steps)
+
+
+def _measure(situation: Situation) -> tuple[float, float]:
+    """Print one situation; gives the median of `advance` and of the kernel alone, µs."""
+    took, solves, states = [], [], list(_states(situation))
+    for state in states:
+        took.append(_timed(lambda state: advance(state, situation.dt), state))
+        solves.append(_timed(_solve, state))
+    spread(f"advance, {situation.name}", took, "µs", 99)
+    print(f"    {p50(took) / p50(solves):.2f} × the numpy solve ({p50(solves):.1f} µs)")
+    steps = _asked(states[::10], situation.dt)
+    if not steps:
+        return p50(took), 0.0
+    _repeated(1, *steps[0])
+    alone = [_alone(asked) for asked in steps]
+    spread("  kernel alone", alone, "µs", 99)
+    print(f"    {p50(alone) / p50(solves):.2f} × the numpy solve; {100 * _corrected(steps):.0f} % of steps corrected")
+    return p50(took), p50(alone)
+
+
+def _foreseen() -> None:
+    """The goal that is foreseen at the scene's rate: up to 250 guarded steps, until the arm rests."""
+    for situation in SITUATIONS[1:]:
+        states = [replace(state, goal=None) for state in _states(situation)][::5]
+        took, solves = [], []
+        for state in states:
+            took.append(_timed(foreseen, state))
+            solves.append(_timed(_solve, state))
+        spread(f"foreseen, {situation.name}", took, "µs", 99)
+        print(f"    {p50(took) / p50(solves):.1f} × the numpy solve")
+
+
+def run() -> None:
+    exercise("movemaster")
+    figures = [_measure(situation) for situation in SITUATIONS]
+    _, correcting = _measure(CORRECTING)
+    _foreseen()
+    verdict("slowest p50 of advance from Python", max(took for took, _ in figures), GOAL_ADVANCE, " µs")
+    verdict("slowest p50 of the kernel alone", max(alone for _, alone in figures), GOAL_KERNEL, " µs")
+    verdict("the kernel where it corrects", correcting, GOAL_KERNEL, " µs")

@@ -143,6 +143,14 @@ def _parking(state: State) -> Status:
     if not state.parked and state.goal is not None and state.goal.short > SHORT:
         return Status(_held_back(state, state.goal), "blocked")
     if isinstance(state.command, Park):
+        if not state.parked and not state.moving and state.rested > 1.0:
+            return Status(
+                Text(
+                    en="Cannot park: a plane is too near to the ready pose. Move it first.",
+                    pt_BR="Não dá para estacionar: um plano está perto demais da pose pronta. Mova-o primeiro.",
+                ),
+                "blocked",
+            )
         return Status(Text(en="Going to park.", pt_BR="Indo estacionar."), "ok")
     return Status(Text(en="Going to the ready pose.", pt_BR="Indo para a pose pronta."), "ok")
 

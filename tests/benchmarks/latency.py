@@ -7,13 +7,13 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 import numpy as np
+from tests.benchmarks.page import Page, Point, opened, single
+from tests.benchmarks.report import p50, spread, verdict
+from tests.benchmarks.served import served
 
 from helicoide.geometry import rotation
 from helicoide.kinematics.robot import Array, load
 from helicoide.state import initial
-from tests.benchmarks.page import Page, Point, opened, single
-from tests.benchmarks.report import p50, spread, verdict
-from tests.benchmarks.served import served
 
 TITLE = "Gizmo event to the first scene message that shows it"
 GOAL = 1.5

@@ -27,8 +27,16 @@ def served(*command: str, env: Mapping[str, str] | None = None) -> Iterator[int]
     try:
         yield _port(process)
     finally:
-        process.terminate()
+        _end(process)
+
+
+def _end(process: subprocess.Popen[str]) -> None:
+    process.terminate()
+    try:
         process.communicate(timeout=20)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
 
 
 def _port(process: subprocess.Popen[str]) -> int:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import http.client
-from http import HTTPStatus
 import tempfile
 from contextlib import closing
+from http import HTTPStatus
 from itertools import zip_longest
 from time import perf_counter, sleep
 

@@ -10,14 +10,14 @@ from unittest.mock import patch
 
 import numba
 import numpy as np
+from tests.benchmarks.report import p50, spread, verdict
 
 from helicoide import kernels
-from helicoide.advance import advance
+from helicoide.advance import advance, foreseen
 from helicoide.ik import guarded
 from helicoide.kinematics.robot import Array, frozen, load
-from helicoide.ik.goal import X
+from helicoide.session import TICK, exercise
 from helicoide.state import Command, State, ToJoints, ToPose, commanded, initial
-from tests.benchmarks.report import p50, spread, verdict
 
 TITLE = "One tick of the Movemaster with its planes"
 TICKS = 1500

@@ -22,6 +22,7 @@ MISTAKES = {
         "point_mm = [370, 0]\n",
         ["$.guarded_points", "point_mm"],
     ),
+    "not a number": ("speed_deg_s = 60 ", "speed_deg_s = nan #", ["nan", "finite"]),
     "zero axis": ("direction = [0, 0, 1]", "direction = [0, 0, 0]", ["axis", "J1"]),
     "limits swapped": ("limits_deg = [-120, 0]", "limits_deg = [0, -120]", ["J3", "limits"]),
     "no speed": ("speed_deg_s = 60 ", "speed_deg_s = 0 ", ["J1", "speed"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from pathlib import Path
 
@@ -112,7 +113,7 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 def read(path: Path) -> RobotFile:
     """Read a robot file; raises HelicoideError with the place and the reason of the first mistake."""
     try:
-        file = msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8")), RobotFile)
+        file = msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8"), parse_float=_finite), RobotFile)
         _check(file)
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, msgspec.ValidationError, ValueError) as error:
         raise HelicoideError(
@@ -121,6 +122,12 @@ def read(path: Path) -> RobotFile:
             )
         ) from error
     return file
+
+
+def _finite(number: str) -> float:
+    if not math.isfinite(value := float(number)):
+        raise ValueError(f"{number} is not a finite number")
+    return value
 
 
 def _check(file: RobotFile) -> None:

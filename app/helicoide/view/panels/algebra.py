@@ -25,6 +25,7 @@ INTRODUCTION = Text(
     en="Everything here is a multivector of Cl(0,3,1): e₁, e₂, e₃ square to −1, e to 0. Lengths are in metres.",
     pt_BR="Tudo aqui é multivetor de Cl(0,3,1): e₁, e₂, e₃ têm quadrado −1 e e tem quadrado 0. Comprimentos em metros.",
 )
+DISTANCE = Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)")
 GRADES = Text(
     en="Colours: scalar, vector, bivector, trivector, pseudoscalar.",
     pt_BR="Cores: escalar, vetor, bivetor, trivetor, pseudoescalar.",
@@ -43,7 +44,7 @@ def rows(robot: Robot) -> list[Row]:
             lambda key: ForSeat(lambda seat: replace(seat, selected=key or None)),
         ),
         Words(_selected),
-        Folder(Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)"), [Words(_distance)]),
+        *([Folder(DISTANCE, [Words(_distance)])] if robot.panes else []),
         *(
             Folder(title, [Words(lambda view, kind=kind: _all(view, kind))], open=kind == "tool")  # type: ignore[misc]
             for kind, title in KINDS.items()

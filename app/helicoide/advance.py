@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from helicoide.ik.goal import best_goal, goal_at_joints, goal_at_pose
+from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kinematics.forward import link_poses
@@ -75,11 +75,9 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
         if not blocked and np.max(np.abs(state.detour - state.q)) > ARRIVED_JOINTS:
             return _stepped(state, joint_task(state.q.copy(), state.detour, dt), dt)
         state = replace(state, detour=None)
-    robot = state.robot
-    task = pose_task(
-        state.poses.copy(), robot.directions, robot.points, robot.T_world_tool_0,
-        T_world_target, state.with_orientation, ahead, dt,
-    )  # fmt: skip
+    robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
+    tool = (robot.T_world_tool_0, T_world_target, allowed, state.with_orientation)
+    task = pose_task(state.poses.copy(), robot.directions, robot.points, tool, ahead, dt)
     return _stepped(state, task, dt)
 
 

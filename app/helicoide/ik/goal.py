@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.ik import Problem, Reason, reasons
+from helicoide.ik.qp import SOLVED, project
 from helicoide.ik.rollout import are_clear, settle_at_joints, settle_at_pose
 from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
 from helicoide.kinematics.forward import link_poses
@@ -24,21 +25,17 @@ _DRAWN, _STARTS = 400, 20
 class Goal:
     """Where a wish leads.
 
-    q (n,), rad, and T_world_tool (4, 4), m, there; what is missing: `short`, m, and `turned`, rad, between the tool and
-    the wish; why, when something is.
+    q (n,), rad, and T_world_tool (4, 4), m, there; whether the tool comes to the nearest point that the planes leave to
+    it; what is missing between the tool and the wish: `short`, m, and `turned`, rad; and why, when something is.
     """
 
     q: Array
     poses: Array
     T_world_tool: Array
+    reached: bool
     short: float
     turned: float
     reasons: tuple[Reason, ...]
-
-    @property
-    def reached(self) -> bool:
-        """Whether the tool comes to the wished point."""
-        return self.short < REACHED
 
 
 def tool_pose(problem: Problem, poses: Array) -> Array:
@@ -49,13 +46,34 @@ def tool_pose(problem: Problem, poses: Array) -> Array:
     return frozen(poses[-1] @ T_link_tool)
 
 
+def allowed_point(problem: Problem, wished: Array) -> Array:
+    """The point nearest to a wished one that the planes leave to the tool.
+
+    Args: wished (3,), m. Returns (3,), m; the wished point itself where the planes leave no room at all.
+    """
+    normals, offsets, critical = problem.plane_arrays
+    if (normals @ wished >= offsets + critical).all():
+        return frozen(wished)
+    point, _, verdict = project(normals, offsets + critical, wished.copy())
+    return frozen(point if verdict == SOLVED else wished)
+
+
 def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array, tick: float) -> Goal:
     poses = frozen(link_poses(problem.robot.directions, problem.robot.points, q))
     T = tool_pose(problem, poses)
-    short = float(np.linalg.norm(T_world_target[:3, 3] - T[:3, 3]))
+    wished = T_world_target[:3, 3]
+    short = float(np.linalg.norm(wished - T[:3, 3]))
     turned = float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3]))))
     pull = min(GAIN * short, TOOL_SPEED) + ORIENTATION_LENGTH**2 * min(GAIN * turned, TOOL_TURN)
-    return Goal(frozen(q), poses, T, short, turned, reasons(problem, q, multipliers, tick * pull))
+    return Goal(
+        q=frozen(q),
+        poses=poses,
+        T_world_tool=T,
+        reached=bool(np.linalg.norm(allowed_point(problem, wished) - T[:3, 3]) < REACHED),
+        short=short,
+        turned=turned,
+        reasons=reasons(problem, q, multipliers, tick * pull),
+    )
 
 
 def goal_at_pose(
@@ -65,7 +83,8 @@ def goal_at_pose(
 
     ticks: length in s and number of the steps that are looked ahead.
     """
-    tool = (problem.robot.T_world_tool_0, T_world_target, with_orientation)
+    allowed = allowed_point(problem, T_world_target[:3, 3])
+    tool = (problem.robot.T_world_tool_0, T_world_target, allowed, with_orientation)
     rest, multipliers = settle_at_pose(problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, *ticks)
     return _goal(problem, rest, T_world_target, multipliers, ticks[0])
 

@@ -31,7 +31,7 @@ def are_clear(
 def settle_at_pose(
     arm: tuple[Array, Array, Array, NDArray[np.int64]],
     q: Array,
-    tool: tuple[Array, Array, bool],
+    tool: tuple[Array, Array, Array, bool],
     limits: tuple[Array, Array, Array],
     planes: tuple[Array, Array, float],
     dt: float,
@@ -39,14 +39,13 @@ def settle_at_pose(
 ) -> tuple[Array, Array]:
     """The joint values (n,) at which guarded ticks towards a tool pose end, from q (n,), rad, and the last multipliers.
 
-    Args: arm, limits, planes as in `guarded_step`; tool: T_world_tool at q = 0, T_world_target, whether orientation
-    counts; dt, s, of each tick; ticks: how many at most.
+    Args: arm, limits, planes as in `guarded_step`; tool as in `pose_task`; dt, s, of a tick; ticks: how many at most.
     """
     q = q.copy()
     poses = link_poses(arm[0], arm[1], q)
     multipliers = np.zeros(0)
     for _ in range(ticks):
-        task = pose_task(poses, arm[0], arm[1], tool[0], tool[1], tool[2], np.zeros(3), dt)
+        task = pose_task(poses, arm[0], arm[1], tool, np.zeros(3), dt)
         before = q
         q, poses, multipliers, _ = guarded_step(arm, q, poses, task, limits, planes, dt)
         if np.max(np.abs(q - before)) < AT_REST:

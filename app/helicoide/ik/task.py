@@ -72,37 +72,39 @@ def pose_task(
     poses: Array,
     directions: Array,
     axis_points: Array,
-    T_world_tool_0: Array,
-    T_world_target: Array,
-    with_orientation: bool,
+    tool: tuple[Array, Array, Array, bool],
     ahead: Array,
     dt: float,
 ) -> tuple[Array, Array, Array, Array]:
     """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
 
-    Args: poses (n + 1, 4, 4) of `forward.link_poses`; joint axes at q = 0 (n, 3); T (4, 4), m; ahead (3,): velocity of
-    the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,), damping (n,), m². Source: Cerbaro 2022,
-    §4.4.2 (CLIK).
+    Args: poses (n + 1, 4, 4) of `forward.link_poses`; joint axes at q = 0 (n, 3); tool: T_world_tool at q = 0 and
+    T_world_target (4, 4), m, the point nearest to the target that the planes allow (3,), m, whether orientation counts;
+    ahead (3,): velocity of the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,), damping (n,), m².
+    Source: Cerbaro 2022, §4.4.2 (CLIK).
+
+    What pulls into a plane is taken up by the plane; only the pull towards the allowed point damps.
     """
     n = directions.shape[0]
+    T_world_tool_0, T_world_target, allowed, with_orientation = tool
     offset = T_world_tool_0[:3, 3] - axis_points[n - 1]
     last = poses[n]
-    tool = last[:3, 3].copy()
+    point = last[:3, 3].copy()
     R_tool = np.zeros((3, 3))
     for a in range(3):
         for b in range(3):
-            tool[a] += last[a, b] * offset[b]
+            point[a] += last[a, b] * offset[b]
             for c in range(3):
                 R_tool[a, c] += last[a, b] * T_world_tool_0[b, c]
-    J = jacobian.geometric(poses, jacobian.joint_axes(poses, directions), tool, n)
+    J = jacobian.geometric(poses, jacobian.joint_axes(poses, directions), point, n)
     share = 1.0 - np.exp(-GAIN * dt)
     v = np.zeros(6)
-    v[:3] = shortened(ahead * dt + share * (T_world_target[:3, 3] - tool), TOOL_SPEED * dt)
+    v[:3] = shortened(ahead * dt + share * (T_world_target[:3, 3] - point), TOOL_SPEED * dt)
     weights = np.ones(6)
     weights[3:] = ORIENTATION_LENGTH if with_orientation else 0.0
     if with_orientation:
         v[3:] = shortened(share * rotation_vector(T_world_target[:3, :3], R_tool), TOOL_TURN * dt)
-    return J, v, weights, levers_damping(J, v[:3])
+    return J, v, weights, levers_damping(J, shortened(share * (allowed - point), TOOL_SPEED * dt))
 
 
 @kernel

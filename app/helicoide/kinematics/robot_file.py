@@ -141,6 +141,8 @@ def _check(file: RobotFile) -> None:
     for point in file.guarded_points:
         if point.joint not in ("", *names):
             raise ValueError(f"guarded point {point.name} names joint {point.joint!r}; there is: {', '.join(names)}")
+    if not any(point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points):
+        raise ValueError(f"no guarded point of joint {names[-1]} lies at the tool, {file.tool.position_mm} mm")
     for name, pose in file.poses.items():
         if len(pose.joints_deg) != len(names):
             raise ValueError(f"pose {name} has {len(pose.joints_deg)} angles for {len(names)} joints")

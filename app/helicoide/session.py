@@ -165,10 +165,13 @@ class Session:
         self.loop.call_soon(self._write)
 
     def _drain(self) -> None:
-        """Apply every wish in the inbox and show at once what they changed."""
+        """Apply every wish in the inbox and show at once what they changed; the arm itself moves in ticks."""
         self._woken = False
         self._apply()
-        self._draw()
+        if self._drawn is None or self._drawn.problem is not self.state.problem:
+            self._draw()
+        else:
+            self._draw_windows()
 
     def _apply(self) -> None:
         while self.inbox:
@@ -219,12 +222,15 @@ class Session:
     def _draw(self) -> None:
         """Bring scene and windows to the state, as one message to each browser."""
         with self.server.atomic():
-            if self._drawn is not self.state:
-                self.scene.update(View(self.state, NOBODY))
-                self._drawn = self.state
-            for window in self.windows.values():
-                window.draw(View(self.state, self.seats[window.view.seat.token]))
+            self.scene.update(View(self.state, NOBODY))
+            self._drawn = self.state
+            self._draw_windows()
         self.server.flush()
+
+    def _draw_windows(self) -> None:
+        """Bring what each window has for itself to the state."""
+        for window in self.windows.values():
+            window.draw(View(self.state, self.seats[window.view.seat.token]))
 
     def _write(self) -> None:
         for window in self.windows.values():

@@ -8,7 +8,6 @@ from time import perf_counter_ns
 from typing import Any
 from unittest.mock import patch
 
-import numba
 import numpy as np
 from tests.benchmarks.report import p50, spread, verdict
 
@@ -109,8 +108,8 @@ def _asked(states: list[State], dt: float) -> list[tuple[Any, ...]]:
     return [call.args for call in kernel.call_args_list]
 
 
-@numba.njit
-def _repeated(times, *asked):  # type: ignore[no-untyped-def]
+@kernels.kernel
+def _repeated(times: int, *asked: Any) -> float:
     total = 0.0
     for _ in range(times):
         total += guarded.guarded_step(*asked)[3]

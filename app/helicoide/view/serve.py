@@ -73,10 +73,13 @@ def _listen(host: str, port: int) -> socket.socket:
     if port not in range(65536):
         raise HelicoideError(NO_PORT.format(port=port))
     try:
-        return socket.create_server((host, port))
+        listener = socket.create_server((host, port))
     except OSError as error:
         text = TAKEN if error.errno == errno.EADDRINUSE else CLOSED
         raise HelicoideError(text.format(host=host, port=port, reason=error.strerror)) from error
+    # asyncio does this only for sockets that name their protocol; small messages would wait for acknowledgements
+    listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    return listener
 
 
 def _door(port: int, answer: Callable[[Request], Response], channels: Mapping[str, Channel]) -> Door:

@@ -80,10 +80,11 @@ class Window:
                 self.reseat(update(self.view.seat))
 
     def draw(self, view: View) -> None:
-        """Bring this window's layers to a view."""
+        """Bring this window's layers to a view, and let the browser have it now."""
         for layer in self.layers:
             layer.update(self.drawn, view)
         self.drawn = view
+        self.client.flush()  # the server's own flush leaves what is sent to one client waiting
 
     def write(self, view: View) -> None:
         """Bring the words and controls to a view; another language furnishes the window anew."""

@@ -167,7 +167,6 @@ def _correcting() -> None:
     alone = [_alone(asked) for asked in filter(_corrects, steps)]
     if alone:
         spread(f"kernel alone where it corrects, {CORRECTING.name}", alone, "µs", 99)
-        verdict(f"p50 of the kernel alone in {len(alone)} corrected steps", p50(alone), GOAL_KERNEL, " µs")
 
 
 def run() -> None:

@@ -2,14 +2,12 @@
 
 minimise ½ ‖y − ŷ‖²  with  cᵢ·y ≥ bᵢ,  after the change of variables y = Lᵀx, H = L Lᵀ, that makes the Hessian the
 identity. Source: Goldfarb and Idnani 1983, A numerically stable dual method for solving strictly convex quadratic
-programs; here the active rows are orthonormalised anew in each iteration, which for up to eight joints costs less than
-keeping a factorisation up to date.
+programs; here the active rows are kept orthonormalised (Gram-Schmidt), anew from a row that is dropped.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from helicoide.kernels import kernel
 from helicoide.kinematics.robot import Array
@@ -67,31 +65,34 @@ def back_substitution(L: Array, y: Array) -> Array:
 
 
 @kernel
-def split(C: Array, active: NDArray[np.int64], count: int, p: int) -> tuple[Array, Array]:
-    """Row p as a combination of the active rows and the rest z that is orthogonal to them: c_p = Σ rⱼ cⱼ + z.
+def split(c: Array, Q: Array, R: Array, count: int) -> tuple[Array, Array, Array]:
+    """A row as a combination of the active rows and the rest z that is orthogonal to them: c = Σ rⱼ cⱼ + z.
 
-    Args: C (m, n); active: the numbers of the active rows in its first `count` places. Returns z (n,), r (count,).
+    Args: c (n,); the active rows are Cᵀ = Qᵀ R, the first `count` rows of Q orthonormal, R upper triangular.
+    Returns z (n,), r (count,), and the components of c along Q (count,).
     """
-    n = C.shape[1]
-    Q = np.empty((count, n))
-    R = np.zeros((count, count))
+    z = c.copy()
+    along, r = np.empty(count), np.empty(count)
     for j in range(count):
-        Q[j] = C[active[j]]
-        for i in range(j):
-            R[i, j] = dot(Q[i], Q[j])
-            Q[j] -= R[i, j] * Q[i]
-        R[j, j] = np.sqrt(dot(Q[j], Q[j]))
-        Q[j] /= R[j, j]
-    z = C[p].copy()
-    r = np.zeros(count)
-    for j in range(count):
-        r[j] = dot(Q[j], z)
-        z -= r[j] * Q[j]
+        along[j] = r[j] = dot(Q[j], z)
+        for k in range(z.shape[0]):
+            z[k] -= along[j] * Q[j, k]
     for j in range(count - 1, -1, -1):
         for k in range(j + 1, count):
             r[j] -= R[j, k] * r[k]
         r[j] /= R[j, j]
-    return z, r
+    return z, r, along
+
+
+@kernel
+def append(Q: Array, R: Array, count: int, z: Array, along: Array) -> None:
+    """One more active row, as `split` gives it."""
+    length = np.sqrt(dot(z, z))
+    for k in range(z.shape[0]):
+        Q[count, k] = z[k] / length
+    for j in range(count):
+        R[j, count] = along[j]
+    R[count, count] = length
 
 
 @kernel
@@ -122,14 +123,14 @@ def project(C: Array, b: Array, y: Array) -> tuple[Array, Array, int]:
     m, n = C.shape
     y = y.copy()
     multipliers = np.zeros(m)
-    active = np.empty(n + 1, dtype=np.int64)
-    count = 0
+    active, count = np.empty(n, dtype=np.int64), 0
+    Q, R = np.empty((n, n)), np.empty((n, n))
     for _ in range(10 * (m + n)):
         p = most_violated(C, b, y, multipliers)
         if p < 0:
             return y, multipliers, SOLVED
         while True:
-            z, r = split(C, active, count, p)
+            z, r, along = split(C[p], Q, R, count)
             curvature = dot(z, z)
             drop, step = -1, np.inf
             for j in range(count):
@@ -147,12 +148,15 @@ def project(C: Array, b: Array, y: Array) -> tuple[Array, Array, int]:
                 multipliers[active[j]] -= t * r[j]
             multipliers[p] += t
             if full <= step:
+                append(Q, R, count, z, along)
                 active[count] = p
                 count += 1
                 break
             multipliers[active[drop]] = 0.0
             for j in range(drop, count - 1):
                 active[j] = active[j + 1]
+                z, _, along = split(C[active[j]], Q, R, j)
+                append(Q, R, j, z, along)
             count -= 1
     return y, multipliers, INFEASIBLE
 

@@ -1,0 +1,118 @@
+"""A running lab for tests that drive it through a real page and look at its state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from playwright.sync_api import Page
+
+from helicoide.confinement import distances
+from helicoide.kinematics.robot import Array, load
+from helicoide.session import Session
+from helicoide.state import State, Update, initial
+
+PROJECT = """(p) => {
+  const m = window.__viserMutable, v = m.camera.position.clone();
+  v.set(p[0], p[1], p[2]); m.nodeRefFromName[''].localToWorld(v); v.project(m.camera);
+  const r = m.canvas.getBoundingClientRect();
+  return [r.left + (v.x + 1) / 2 * r.width, r.top + (1 - v.y) / 2 * r.height];
+}"""
+
+
+def clearance(state: State) -> float:
+    """The smallest distance of a guarded point to a plane, m."""
+    normals, offsets, _ = state.problem.plane_arrays
+    return float(distances(normals, offsets, state.guarded_points.copy()).min())
+
+
+@dataclass
+class Lab:
+    """A session of the Movemaster; `nearest` is the smallest clearance seen at any tick since the last reset."""
+
+    session: Session
+    nearest: float = field(default=np.inf)
+
+    @property
+    def state(self) -> State:
+        return self.session.state
+
+    @property
+    def port(self) -> int:
+        return int(self.session.server.get_port())
+
+    def post(self, update: Update) -> None:
+        """Wish something without the page, to arrange a test."""
+        self.session.loop.call_soon_threadsafe(self.session.post, update)
+
+    def watch(self) -> None:
+        """Look at every tick from now on."""
+        tick = self.session._tick
+
+        def watched() -> None:
+            tick()
+            if not self.state.parked:
+                self.nearest = min(self.nearest, clearance(self.state))
+
+        self.session._tick = watched  # type: ignore[method-assign]
+
+    def reset(self, page: Page) -> None:
+        """The arm at `ready` inside the measured planes."""
+        fresh = initial(self.session.robot)
+        self.post(lambda state: replace(fresh, t=state.t))
+        until(page, lambda: bool((self.state.q == fresh.q).all()))
+        self.nearest = np.inf
+        self.ticks(page, 10)
+
+    def ticks(self, page: Page, n: int) -> None:
+        """Let the arm live for n ticks."""
+        end = self.session.ticks + n
+        until(page, lambda: self.session.ticks >= end)
+
+
+def until(page: Page, condition: Callable[[], bool], seconds: float = 60.0) -> None:
+    """Wait for a condition, generously: what is slow is not wrong."""
+    for _ in range(int(seconds / 0.02)):
+        if condition():
+            return
+        page.wait_for_timeout(20)
+    raise AssertionError("it did not happen")
+
+
+def opened() -> Lab:
+    """A lab that runs, on a free port."""
+    session = Session(load("movemaster"), "en", None)
+    session.open("127.0.0.1", 0)
+    return Lab(session)
+
+
+def pixels(page: Page, point: Array | Sequence[float]) -> tuple[float, float]:
+    """Where a point of the world is on the page."""
+    x, y = page.evaluate(PROJECT, [float(value) for value in point])
+    return x, y
+
+
+def grab(page: Page, start: Array, end: Array, steps: int = 15) -> None:
+    """Press on a point of the scene and drag it to another, without letting go."""
+    page.mouse.move(*pixels(page, start))
+    page.wait_for_timeout(300)  # the page notices what is under the pointer
+    page.mouse.down()
+    page.mouse.move(*pixels(page, end), steps=steps)
+
+
+def status(page: Page) -> str:
+    """The status line."""
+    return page.locator("#helicoide-status").inner_text()
+
+
+def tab(page: Page, name: str) -> None:
+    page.get_by_role("tab", name=name).click()
+    page.wait_for_timeout(200)
+
+
+def box(page: Page, index: int, value: str) -> None:
+    """Type into a number box of the Robot tab: joints 0 to 4, gripper 5, position 6 to 8, angles 9 to 11, time 12."""
+    field = page.locator("input.mantine-NumberInput-input").nth(index)
+    field.fill(value)
+    field.press("Enter")

@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
 from helicoide.ik.guarded import guarded_step
-from helicoide.ik.task import joint_task, pose_task
+from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, frozen
 from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose, points_on
@@ -32,8 +32,8 @@ def advance(state: State, dt: float) -> State:
     match state.command:
         case Hold():
             return _still(state)
-        case ToJoints(q):
-            return _stepped(state, joint_task(state.q.copy(), q, dt), dt)
+        case ToJoints(q, yielding):
+            return _stepped(state, joint_task(state.q.copy(), q, yielding, dt), dt)
         case Park() | GetReady():
             return _to_ready(state, dt)
         case ToPose(T):
@@ -73,7 +73,7 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
     if state.detour is not None:
         blocked = state.rested > RESTS and not state.moving
         if not blocked and np.max(np.abs(state.detour - state.q)) > ARRIVED_JOINTS:
-            return _stepped(state, joint_task(state.q.copy(), state.detour, dt), dt)
+            return _stepped(state, joint_task(state.q.copy(), state.detour, EVERY, dt), dt)
         state = replace(state, detour=None)
     robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
     tool = (robot.T_world_tool_0, T_world_target, allowed, state.with_orientation)
@@ -119,7 +119,7 @@ def _to_ready(state: State, dt: float) -> State:
             return _still(replace(state, command=Hold()))
         if _is_clear(state, ready):
             return _parked(replace(state, parked=True), dt)
-    return _stepped(state, joint_task(state.q.copy(), ready, dt), dt)
+    return _stepped(state, joint_task(state.q.copy(), ready, EVERY, dt), dt)
 
 
 def _is_clear(state: State, q: Array) -> bool:
@@ -152,8 +152,8 @@ def foreseen(state: State) -> State:
             return replace(state, goal=goal_at_pose(problem, q, T, state.with_orientation))
         case Along(path, s):
             return replace(state, goal=goal_at_pose(problem, q, frozen(path.pose(s)), state.with_orientation))
-        case ToJoints(wished):
-            return replace(state, goal=goal_at_joints(problem, state.q, wished))
+        case ToJoints(wished, yielding):
+            return replace(state, goal=goal_at_joints(problem, state.q, wished, yielding))
         case Park() | GetReady() if not state.parked:
             return replace(state, goal=goal_at_joints(problem, state.q, state.robot.poses["ready"]))
         case _:

@@ -191,7 +191,7 @@ def set_joint(index: int, angle: float) -> Update:
         goal = state.command.q if isinstance(state.command, ToJoints) else state.q
         q = goal.copy()
         q[index] = min(max(value, limits.lower[index]), limits.upper[index])
-        return commanded(state, ToJoints(frozen(q)))
+        return commanded(state, ToJoints(frozen(q), yielding=index))
 
     return _driven(wish)
 

@@ -11,6 +11,7 @@ import numpy as np
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.goal import Goal, tool_pose
+from helicoide.ik.task import EVERY
 from helicoide.kernels import plain
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, Robot, frozen
@@ -34,9 +35,10 @@ class ToPose:
 
 @dataclass(frozen=True, eq=False)
 class ToJoints:
-    """Bring the joints to q (n,), rad."""
+    """Bring the joints to q (n,), rad; `yielding`: the joint that stops first at a plane, or every one alike."""
 
     q: Array
+    yielding: int = EVERY
 
 
 @dataclass(frozen=True)

@@ -62,8 +62,8 @@ class Lab:
         fresh = initial(self.session.robot)
         self.post(lambda state: replace(fresh, t=state.t))
         until(page, lambda: bool((self.state.q == fresh.q).all()))
+        page.wait_for_timeout(1000)  # controls that were touched are left alone for a moment, then follow
         self.nearest = np.inf
-        self.ticks(page, 10)
 
     def ticks(self, page: Page, n: int) -> None:
         """Let the arm live for n ticks."""

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
+from tests.browser.conftest import window
+from tests.browser.lab import Lab, grab, opened, pixels, status, until
 
 from helicoide import gate
 from helicoide.state import Hold, ToPose
-from tests.browser.conftest import window
-from tests.browser.lab import Lab, grab, opened, pixels, status, until
 
 CRITICAL = 0.080
 ARROW = 0.22  # on an arrow of the target gizmo, m from its centre

@@ -9,7 +9,7 @@ import numpy as np
 from helicoide.ik import Problem, Reason, reasons
 from helicoide.ik.qp import SOLVED, project
 from helicoide.ik.rollout import are_clear, settle_at_joints, settle_at_pose
-from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
+from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Array, frozen
 
@@ -89,9 +89,11 @@ def goal_at_pose(
     return _goal(problem, rest, T_world_target, multipliers, ticks[0])
 
 
-def goal_at_joints(problem: Problem, q: Array, q_target: Array) -> Goal:
+def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = EVERY) -> Goal:
     """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
-    rest, multipliers = settle_at_joints(problem.arm, q, q_target, problem.limit_arrays, problem.plane_arrays, *_AHEAD)
+    rest, multipliers = settle_at_joints(
+        problem.arm, q, q_target, yielding, problem.limit_arrays, problem.plane_arrays, *_AHEAD
+    )
     robot = problem.robot
     wished = tool_pose(problem, link_poses(robot.directions, robot.points, q_target))
     return _goal(problem, rest, wished, multipliers, _AHEAD[0])

@@ -58,18 +58,21 @@ def settle_at_joints(
     arm: tuple[Array, Array, Array, NDArray[np.int64]],
     q: Array,
     q_target: Array,
+    yielding: int,
     limits: tuple[Array, Array, Array],
     planes: tuple[Array, Array, float],
     dt: float,
     ticks: int,
 ) -> tuple[Array, Array]:
-    """The same for ticks towards other joint values q_target (n,), rad; arguments and result as above."""
+    """The same for ticks towards other joint values q_target (n,), rad; `yielding` as in `joint_task`."""
     q = q.copy()
     poses = link_poses(arm[0], arm[1], q)
     multipliers = np.zeros(0)
     for _ in range(ticks):
         before = q
-        q, poses, multipliers, _ = guarded_step(arm, q, poses, joint_task(q, q_target, dt), limits, planes, dt)
+        q, poses, multipliers, _ = guarded_step(
+            arm, q, poses, joint_task(q, q_target, yielding, dt), limits, planes, dt
+        )
         if np.max(np.abs(q - before)) < AT_REST:
             break
     return q, multipliers

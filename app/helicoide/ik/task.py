@@ -17,6 +17,8 @@ TOOL_SPEED = 0.5
 TOOL_TURN = 2.0
 ORIENTATION_LENGTH = 0.01
 DAMPING = 1e-6
+FIRM = 30.0
+EVERY = -1
 
 
 @kernel
@@ -108,7 +110,14 @@ def pose_task(
 
 
 @kernel
-def joint_task(q: Array, q_target: Array, dt: float) -> tuple[Array, Array, Array, Array]:
-    """Move every joint towards its own target: v = (1 − e^(−K dt)) (q_target − q). Args: q (n,), rad; dt, s."""
+def joint_task(q: Array, q_target: Array, yielding: int, dt: float) -> tuple[Array, Array, Array, Array]:
+    """Move every joint towards its own target: v = (1 − e^(−K dt)) (q_target − q).
+
+    Args: q (n,), rad; yielding: the joint that stops first where a plane is in the way, −1 when all yield alike; dt, s.
+    """
     n = q.shape[0]
-    return np.eye(n), (1.0 - np.exp(-GAIN * dt)) * (q_target - q), np.ones(n), np.full(n, DAMPING)
+    weights = np.ones(n)
+    if yielding >= 0:
+        weights[:] = FIRM
+        weights[yielding] = 1.0
+    return np.eye(n), (1.0 - np.exp(-GAIN * dt)) * (q_target - q), weights, np.full(n, DAMPING)

@@ -1,0 +1,257 @@
+"""Everything on the panels works through the page alone, in both languages, on a desk and on a phone."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page
+from tests.browser.conftest import window
+from tests.browser.lab import Lab, box, opened, status, tab, until
+
+from helicoide.state import Along, Hold, ToJoints, ToPose
+from helicoide.text import Language
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    lab = opened()
+    yield lab
+    lab.session.close()
+
+
+@pytest.fixture(scope="module")
+def shared_page(browser: Browser, lab: Lab) -> Iterator[Page]:
+    with window(browser, lab.port) as page:
+        until(page, lambda: lab.session.ready, 300)
+        yield page
+
+
+@pytest.fixture
+def page(shared_page: Page, lab: Lab) -> Page:
+    lab.reset(shared_page)
+    tab(shared_page, "Robot")
+    return shared_page
+
+
+def degrees(lab: Lab, joint: int) -> float:
+    return float(np.degrees(lab.state.q[joint]))
+
+
+def press(page: Page, name: str) -> None:
+    page.get_by_role("button", name=name, exact=True).click()
+
+
+def test_a_joint_moves_by_its_slider_with_mouse_and_keyboard(lab: Lab, page: Page) -> None:
+    thumb = page.locator(".mantine-Slider-thumb").first
+    spot = thumb.bounding_box()
+    assert spot is not None
+    x, y = spot["x"] + spot["width"] / 2, spot["y"] + spot["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 12, y, steps=6)
+    page.mouse.up()
+    until(page, lambda: degrees(lab, 0) > 5 and not lab.state.moving)
+    before = degrees(lab, 0)
+    thumb.focus()
+    page.keyboard.press("ArrowLeft")
+    until(page, lambda: degrees(lab, 0) < before - 0.05)
+
+
+def test_a_joint_moves_by_its_number_box_and_stays_within_its_limits(lab: Lab, page: Page) -> None:
+    box(page, 2, "-90.5")
+    until(page, lambda: abs(degrees(lab, 2) + 90.5) < 0.01)
+    box(page, 0, "500")
+    lab.ticks(page, 200)
+    assert degrees(lab, 0) <= 90 + 1e-9
+
+
+def test_park_and_ready(lab: Lab, page: Page) -> None:
+    press(page, "Park")
+    until(page, lambda: lab.state.parked and lab.state.command == Hold())
+    assert np.array_equal(lab.state.q, lab.state.robot.poses["home"])
+    until(page, lambda: "Parked" in status(page))
+    press(page, "Ready")
+    until(page, lambda: not lab.state.parked and lab.state.command == Hold())
+    assert np.allclose(lab.state.q, lab.state.robot.poses["ready"], atol=2e-3)
+
+
+def test_a_named_pose(lab: Lab, page: Page) -> None:
+    page.get_by_label("Go to pose").click()
+    title = lab.state.robot.pose_titles["reading_left"].en
+    page.get_by_role("option", name=title).click()
+    until(page, lambda: np.allclose(lab.state.q, lab.state.robot.poses["reading_left"], atol=1e-3))
+
+
+def test_the_gripper_opens(lab: Lab, page: Page) -> None:
+    box(page, 5, "100")
+    until(page, lambda: lab.state.gripper == 1.0)
+    left = "() => window.__viserMutable.nodeRefFromName['/arm/finger_left'].position.toArray()"
+    right = left.replace("left", "right")
+    until(page, lambda: math.dist(page.evaluate(left), page.evaluate(right)) > 0.055)
+
+
+def test_the_target_by_numbers_with_and_without_orientation(lab: Lab, page: Page) -> None:
+    box(page, 7, "120")
+    until(page, lambda: abs(lab.state.T_world_tool[1, 3] - 0.12) < 1e-3)
+    until(page, lambda: "orientation" in status(page))
+    page.get_by_label("Hold the orientation").click()
+    until(page, lambda: not lab.state.with_orientation)
+    until(page, lambda: "At the goal" in status(page))
+    page.get_by_label("Hold the orientation").click()
+    until(page, lambda: lab.state.with_orientation)
+
+
+def test_the_path_plays_pauses_and_scrubs(lab: Lab, page: Page) -> None:
+    press(page, "Play")
+    until(page, lambda: isinstance(lab.state.command, Along) and lab.state.command.s > 0.5)
+    press(page, "Pause")
+    until(page, lambda: isinstance(lab.state.command, Along) and not lab.state.command.playing)
+    stood = lab.state.path_s
+    lab.ticks(page, 50)
+    assert lab.state.path_s == stood
+    box(page, 12, "15")
+    until(page, lambda: lab.state.path_s == 15.0)
+    assert isinstance(lab.state.command, Along)
+    assert not lab.state.command.playing
+
+
+@pytest.mark.parametrize("way", ["button", "key", "key in a box"])
+def test_stop_stops_the_moving_arm(lab: Lab, page: Page, way: str) -> None:
+    press(page, "Play")
+    until(page, lambda: lab.state.moving)
+    if way == "button":
+        page.locator("#helicoide-stop").click()
+    elif way == "key in a box":
+        page.locator("input.mantine-NumberInput-input").first.focus()
+    if way != "button":
+        page.keyboard.press("Escape")
+    until(page, lambda: lab.state.command == Hold(stopped=True))
+    q = lab.state.q
+    lab.ticks(page, 50)
+    assert (lab.state.q == q).all()
+    until(page, lambda: "Stopped" in status(page))
+    lab.ticks(page, 60)
+    box(page, 0, "10")
+    until(page, lambda: isinstance(lab.state.command, ToJoints))
+
+
+def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
+    tab(page, "Algebra")
+    page.locator("math").first.wait_for()
+    motor = page.locator(".helicoide-reading").filter(has_text="tool motor").locator(".helicoide-grid")
+    before = motor.inner_text()
+    page.get_by_label("Light up").click()
+    page.get_by_role("option", name="axis of joint 3 (elbow)").click()
+    shown = "() => window.__viserMutable.nodeRefFromName['/lit/lines'].visible"
+    until(page, lambda: bool(page.evaluate(shown)))
+    assert page.locator(".helicoide-lit .helicoide-grid i").count() == 16
+    tab(page, "Robot")
+    box(page, 1, "35")
+    until(page, lambda: abs(degrees(lab, 1) - 35) < 0.01)
+    tab(page, "Algebra")
+    until(page, lambda: motor.inner_text() != before)
+    page.get_by_label("Light up").click()
+    page.get_by_role("option", name="nothing").click()
+    until(page, lambda: not page.evaluate(shown))
+
+
+def test_the_language_switches_every_word_of_ours(lab: Lab, page: Page) -> None:
+    def words() -> str:
+        said = [page.locator("body").inner_text()]
+        for name in page.get_by_role("tab").all_inner_texts():
+            tab(page, name)
+            said.append(page.locator("body").inner_text())
+        return "\n".join(said)
+
+    page.get_by_label("Language · Idioma").click()
+    page.get_by_role("option", name="Português (Brasil)").click()
+    page.get_by_role("tab", name="Robô").wait_for()
+    until(page, lambda: "Pronto" in status(page))
+    portuguese = words()
+    assert page.locator("html").get_attribute("lang") == "pt-BR"
+    for english in ("Ready", "Park", "Joints", "Gripper", "Target", "Play", "Stop motion", "Light up", "Lesson"):
+        assert english not in portuguese, english
+    for word in ("Juntas", "Garra", "Alvo", "Parar o movimento", "Destacar", "Estacionar", "Retas das juntas"):
+        assert word in portuguese, word
+    page.get_by_label("Idioma · Language").click()
+    page.get_by_role("option", name="English").click()
+    page.get_by_role("tab", name="Robot").wait_for()
+    until(page, lambda: "Ready" in status(page))
+
+
+def test_the_lesson_by_the_page_alone_and_after_a_reload(lab: Lab, page: Page) -> None:
+    tab(page, "Lesson")
+    page.get_by_role("combobox").nth(1).click()
+    page.get_by_role("option", name="Drive the arm").click()
+    press(page, "Hint")
+    page.locator(".helicoide-lesson blockquote").wait_for()
+    until(page, lambda: "Not there yet" in page.locator(".helicoide-verdict").inner_text())
+    tab(page, "Robot")
+    box(page, 2, "-100")
+    until(page, lambda: not lab.state.moving and abs(degrees(lab, 2) + 100) < 1)
+    tab(page, "Lesson")
+    until(page, lambda: "Done" in page.locator(".helicoide-verdict").inner_text())
+    press(page, "Reset step")
+    until(page, lambda: np.allclose(lab.state.q, lab.state.robot.poses["ready"], atol=2e-3))
+    press(page, "Next step")
+    until(page, lambda: page.locator(".helicoide-lesson h3").inner_text().startswith("2."))
+    page.reload()
+    page.locator(".helicoide-lesson h3").wait_for(timeout=60_000)
+    assert page.locator(".helicoide-lesson h3").inner_text().startswith("2.")
+    assert page.locator(".helicoide-dots .done").count() == 1
+    page.get_by_role("combobox").nth(1).click()
+    page.get_by_role("option", name="Free play").click()
+
+
+@pytest.mark.parametrize("language", ["en", "pt_BR"])
+def test_the_phone_shows_stop_and_scrolls_nothing_sideways(lab: Lab, browser: Browser, language: Language) -> None:
+    lab.session.language = language
+    with window(browser, lab.port, "phone") as page:
+        until(page, lambda: lab.session.ready, 300)
+        page.get_by_role("tab", name={"en": "Robot", "pt_BR": "Robô"}[language]).wait_for()
+        for name in page.get_by_role("tab").all_inner_texts():
+            page.get_by_role("tab", name=name).tap()
+            page.wait_for_timeout(400)
+            spot = page.locator("#helicoide-stop").bounding_box()
+            assert spot is not None
+            assert 0 <= spot["y"] <= spot["y"] + spot["height"] <= 844
+            assert page.evaluate("document.scrollingElement.scrollWidth <= innerWidth")
+            assert page.evaluate(SIDEWAYS) == []
+        lab.post(lambda state: state)
+        page.locator("#helicoide-stop").tap()
+        until(page, lambda: lab.state.command == Hold(stopped=True))
+
+
+SIDEWAYS = """() => [...document.querySelectorAll('[class^=helicoide], [class*=" helicoide"]')]
+  .filter(e => !e.matches('.helicoide-formula') && e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0)
+  .map(e => e.className)"""
+
+
+def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "helicoide", "--port", "0", "--lang", "pt_BR"]
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    with subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True) as lab:
+        assert lab.stdout is not None
+        port = int(lab.stdout.readline().rsplit(":", 1)[1])
+        try:
+            with window(browser, port, locale="pt-BR") as page:
+                until(page, lambda: "Preparando os kernels" in status(page))
+                until(page, lambda: bool(page.evaluate("'/arm/waist' in window.__viserMutable.nodeRefFromName")))
+                until(page, lambda: status(page).startswith("Pronto"), 300)
+        finally:
+            lab.send_signal(signal.SIGTERM)
+        assert lab.wait(30) == 0
+
+
+def test_a_wish_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
+    box(page, 6, "1200")
+    until(page, lambda: isinstance(lab.state.command, ToPose))
+    until(page, lambda: "Out of reach by" in status(page))

@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, opened, status, tab, until
 
-from helicoide.state import Along, Hold, ToJoints, ToPose
+from helicoide.state import Along, Hold, ToPose
 from helicoide.text import Language
 
 
@@ -138,9 +138,8 @@ def test_stop_stops_the_moving_arm(lab: Lab, page: Page, way: str) -> None:
     lab.ticks(page, 50)
     assert (lab.state.q == q).all()
     until(page, lambda: "Stopped" in status(page))
-    lab.ticks(page, 60)
-    box(page, 0, "10")
-    until(page, lambda: isinstance(lab.state.command, ToJoints))
+    press(page, "Ready")
+    until(page, lambda: lab.state.command != Hold(stopped=True))
 
 
 def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:

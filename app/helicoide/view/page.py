@@ -99,6 +99,8 @@ def _page() -> str:
     source = Path(viser.__file__).parent / "client" / "build" / "index.html"
     words = {language: {"stop": STOP[language], "lost": LOST[language]} for language in LANGUAGES}
     tags = (
+        # a list that opens beyond the edge of a phone would widen the page, move itself and push Stop out of view
+        '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
         '<link rel="stylesheet" href="/static/helicoide.css" />'
         f'<script src="/static/helicoide.js" data-words="{html.escape(json.dumps(words))}" defer></script>'
     )

@@ -14,8 +14,8 @@ SHARED = False
 TITLE = Text(en="Trail of the tool", pt_BR="Rastro do efetuador")
 SHOWN = True
 
-LENGTH = 400
-APART = 3e-3
+LENGTH = 200
+APART = 6e-3
 COLOUR = (106, 27, 154)
 
 

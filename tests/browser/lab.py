@@ -93,12 +93,24 @@ def pixels(page: Page, point: Array | Sequence[float]) -> tuple[float, float]:
     return x, y
 
 
-def grab(page: Page, start: Array, end: Array, steps: int = 15) -> None:
-    """Press on a point of the scene and drag it to another, without letting go."""
-    page.mouse.move(*pixels(page, start))
-    page.wait_for_timeout(300)  # the page notices what is under the pointer
-    page.mouse.down()
-    page.mouse.move(*pixels(page, end), steps=steps)
+def grab(lab: Lab, page: Page, start: Array, end: Array, steps: int = 15) -> None:
+    """Press on a handle of the scene and drag it to another point, without letting go.
+
+    A page that draws slowly may not have noticed yet what is under the pointer: the press is then tried again.
+    """
+    for _ in range(20):
+        page.mouse.move(*pixels(page, start))
+        page.wait_for_timeout(400)
+        page.mouse.down()
+        page.mouse.move(*pixels(page, start + 0.02 * (end - start)))
+        for _ in range(50):
+            if lab.state.grasp is not None:
+                page.mouse.move(*pixels(page, end), steps=steps)
+                return
+            page.wait_for_timeout(20)
+        page.mouse.up()
+        page.wait_for_timeout(200)
+    raise AssertionError("the handle could not be grabbed")
 
 
 def status(page: Page) -> str:

@@ -11,6 +11,7 @@ from tests.browser.conftest import window
 from tests.browser.lab import Lab, grab, opened, pixels, status, until
 
 from helicoide import gate
+from helicoide.kinematics.robot import Array
 from helicoide.state import Hold, ToPose
 
 CRITICAL = 0.080
@@ -34,20 +35,22 @@ def page(browser: Browser, lab: Lab) -> Iterator[Page]:
         yield page
 
 
+def wished(lab: Lab) -> Array:
+    """Where the target is, (3,), m."""
+    return lab.state.command.T_world_target[:3, 3] if isinstance(lab.state.command, ToPose) else np.full(3, np.nan)
+
+
 @pytest.mark.parametrize(("axis", "distance"), [(2, 0.15), (0, -0.15)])
 def test_a_drag_of_150_mm_brings_the_tool_there(lab: Lab, page: Page, axis: int, distance: float) -> None:
     T = lab.state.T_world_tool
     start, along = T[:3, 3], T[:3, axis]
-    grab(page, start + ARROW * along, start + (ARROW + distance) * along)
-    until(page, lambda: isinstance(lab.state.command, ToPose))
-    lab.ticks(page, 20)
-    assert isinstance(lab.state.command, ToPose)
-    wished = lab.state.command.T_world_target[:3, 3]
-    assert np.linalg.norm(wished - start - distance * along) < 0.015
+    grab(lab, page, start + ARROW * along, start + (ARROW + distance) * along)
+    until(page, lambda: abs(wished(lab) - start - distance * along).max() < 0.015)
     page.mouse.up()
     until(page, lambda: lab.state.grasp is None)
     lab.ticks(page, 100)
-    assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - wished) < 1e-3
+    assert abs(wished(lab) - start - distance * along).max() < 0.015
+    assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - wished(lab)) < 1e-3
     assert lab.nearest >= CRITICAL - 1e-9
 
 
@@ -56,8 +59,8 @@ def test_beyond_the_ceiling_every_point_keeps_its_distance_and_the_page_says_why
     until(page, lambda: abs(lab.state.T_world_tool[2, 3] - 0.3) < 1e-4)
     page.wait_for_timeout(500)
     start, up = lab.state.T_world_tool[:3, 3], np.array([0.0, 0.0, 1.0])
-    grab(page, start + ARROW * up, start + (ARROW + 0.533) * up, steps=40)
-    until(page, lambda: isinstance(lab.state.command, ToPose) and lab.state.command.T_world_target[2, 3] > 0.8)
+    grab(lab, page, start + ARROW * up, start + (ARROW + 0.533) * up, steps=40)
+    until(page, lambda: bool(wished(lab)[2] > 0.8))
     lab.ticks(page, 150)
     until(page, lambda: "Blocked by plane +z (ceiling)" in status(page))
     assert "at 80 mm" in status(page)
@@ -71,7 +74,7 @@ def test_beyond_the_ceiling_every_point_keeps_its_distance_and_the_page_says_why
 def test_a_pane_dragged_onto_the_arm_stops_80_mm_from_it(lab: Lab, page: Page) -> None:
     q = lab.state.q
     centre, normal = lab.state.problem.planes.centres[0], lab.state.problem.planes.normals[0]
-    grab(page, centre + 0.15 * normal, centre + 0.45 * normal)
+    grab(lab, page, centre + 0.15 * normal, centre + 0.45 * normal)
     until(page, lambda: "stops at 80 mm" in status(page))
     page.mouse.up()
     until(page, lambda: lab.state.grasp is None)
@@ -85,7 +88,7 @@ def test_a_pane_dragged_onto_the_arm_stops_80_mm_from_it(lab: Lab, page: Page) -
 def test_a_drag_that_goes_on_after_stop_moves_nothing(lab: Lab, page: Page) -> None:
     T = lab.state.T_world_tool
     start, along = T[:3, 3], T[:3, 2]
-    grab(page, start + ARROW * along, start + (ARROW + 0.1) * along)
+    grab(lab, page, start + ARROW * along, start + (ARROW + 0.1) * along)
     until(page, lambda: lab.state.moving)
     page.keyboard.press("Escape")
     until(page, lambda: lab.state.command == Hold(stopped=True))
@@ -101,7 +104,7 @@ def test_two_windows_see_the_same_arm_and_a_closed_one_lets_go(lab: Lab, page: P
     with window(browser, lab.port) as other:
         other.wait_for_timeout(500)
         T = lab.state.T_world_tool
-        grab(other, T[:3, 3] + ARROW * T[:3, 2], T[:3, 3] + (ARROW + 0.05) * T[:3, 2])
+        grab(lab, other, T[:3, 3] + ARROW * T[:3, 2], T[:3, 3] + (ARROW + 0.05) * T[:3, 2])
         until(other, lambda: lab.state.grasp is not None)
     until(page, lambda: lab.state.grasp is None and len(lab.session.windows) == 1)
     until(page, lambda: not lab.state.moving)

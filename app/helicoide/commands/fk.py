@@ -41,11 +41,15 @@ def run(
     """
     arm = load(robot)
     values = arm.check_joints(np.radians(q) if deg else q)
-    roads = {name: described(road(arm, values)) for name, road in ROADS.items()}
     if json:
+        roads = {name: described(road(arm, values)) for name, road in ROADS.items()}
         print(json_format.dumps({"robot": arm.name, "q": values.tolist(), "roads": roads}, indent=1))
         return
-    for name, pose in roads.items():
-        position = ", ".join(f"{value:.7f}" for value in pose["position"])  # type: ignore[attr-defined]
-        quat = ", ".join(f"{value:.7f}" for value in pose["quaternion_wxyz"])  # type: ignore[attr-defined]
+    for name, road in ROADS.items():
+        pose = road(arm, values)
+        position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
         print(f"{name:>16}: position {position} m; quaternion wxyz {quat}")
+
+
+def _decimals(values: Array) -> str:
+    return ", ".join(f"{value:.7f}" for value in values)

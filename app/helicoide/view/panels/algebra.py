@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from html import escape
 
 from viser import Icon
@@ -45,10 +46,7 @@ def rows(robot: Robot) -> list[Row]:
         ),
         Words(_selected),
         *([Folder(DISTANCE, [Words(_distance)])] if robot.panes else []),
-        *(
-            Folder(title, [Words(lambda view, kind=kind: _all(view, kind))], open=kind == "tool")  # type: ignore[misc]
-            for kind, title in KINDS.items()
-        ),
+        *(Folder(title, [Words(partial(_all, kind))], open=kind == "tool") for kind, title in KINDS.items()),
     ]
 
 
@@ -81,7 +79,7 @@ def _selected(view: View) -> str:
     return "".join(f'<div class="helicoide-lit">{_shown(view, reading)}</div>' for reading in chosen)
 
 
-def _all(view: View, kind: str) -> str:
+def _all(kind: str, view: View) -> str:
     readings = [reading for reading in readout.readings(view.state) if reading.key.startswith(kind)]
     return mathml(FORMULAS[kind]) + "".join(_shown(view, reading) for reading in readings)
 

@@ -164,11 +164,8 @@ def _restore() -> Button:
 
 
 def _shows() -> list[Row]:
-    return [
-        Tick(
-            layer.TITLE,
-            lambda view, name=layer.NAME: view.seat.shows[name],  # type: ignore[misc]
-            lambda on, name=layer.NAME: ForSeat(lambda seat: seat.showing(name, on)),  # type: ignore[misc]
-        )
-        for layer in layers.optional()
-    ]
+    return [_show(layer.NAME, layer.TITLE) for layer in layers.optional()]
+
+
+def _show(name: str, title: Text) -> Tick:
+    return Tick(title, lambda view: view.seat.shows[name], lambda on: ForSeat(lambda seat: seat.showing(name, on)))

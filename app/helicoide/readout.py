@@ -116,6 +116,14 @@ def status(state: State) -> Status:
     """The state in words: a refusal first, then what holds the arm, then what it does."""
     if state.notice is not None:
         return Status(state.notice, "warn")
+    if state.command == Hold(stopped=True) and state.parked:
+        return Status(
+            Text(
+                en="Stopped, with the planes off: only Ready or Park move the arm.",
+                pt_BR="Parado, com os planos desligados: só Pronto ou Estacionar movem o braço.",
+            ),
+            "stopped",
+        )
     if state.command == Hold(stopped=True):
         return Status(
             Text(

@@ -20,8 +20,8 @@ class Scene:
     def __init__(self, server: viser.ViserServer, robot: Robot, shapes: list[Shape]) -> None:
         server.scene.set_up_direction("+z")
         server.scene.add_grid("/ground", width=2.4, height=2.4, cell_size=0.1, section_size=0.5)
-        server.initial_camera.position = (1.3, -0.95, 0.8)
-        server.initial_camera.look_at = (0.42, 0.0, 0.27)
+        server.initial_camera.position = (0.92, -1.18, 0.74)
+        server.initial_camera.look_at = (0.52, 0.0, 0.27)
         stage = Stage(server.scene, robot, shapes, lambda wish: None, "")
         self.layers: list[Layer] = [layer.build(stage) for layer in layers.found() if layer.SHARED]
         self.shown: View | None = None

@@ -27,6 +27,7 @@ LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Br
 PANEL = same("Helicoide")
 SEAT_KEY = "helicoide-seat"
 ANSWER_WITHIN = 5.0
+UPRIGHT_POSITION, UPRIGHT_LOOK_AT = (1.95, -1.05, 0.75), (0.4, -0.05, -0.22)
 STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
 
 
@@ -68,6 +69,9 @@ class Window:
         stage = Stage(client.scene, robot, shapes, self.act, str(client.client_id))
         self.layers = [layer.build(stage) for layer in layers.found() if not layer.SHARED]
         self.drawn: View | None = None
+        if client.camera.aspect < 1.0:  # upright: the panel is a sheet over the lower half
+            client.camera.position = UPRIGHT_POSITION
+            client.camera.look_at = UPRIGHT_LOOK_AT
         self._furnish()
         introduce(client, view.seat.token)
 

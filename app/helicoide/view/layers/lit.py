@@ -16,7 +16,7 @@ NAME = "lit"
 SHARED = False
 
 LIGHT = (255, 214, 0)
-REACH = 1.2
+REACH = 0.6
 
 
 def build(stage: Stage) -> Lit:

@@ -24,7 +24,7 @@ ICON = Icon.MATH_FUNCTION
 NOTHING = Text(en="nothing", pt_BR="nada")
 INTRODUCTION = Text(
     en="Everything here is a multivector of Cl(0,3,1): e₁, e₂, e₃ square to −1, e to 0. Lengths are in metres.",
-    pt_BR="Tudo aqui é multivetor de Cl(0,3,1): e₁, e₂, e₃ têm quadrado −1 e e tem quadrado 0. Comprimentos em metros.",
+    pt_BR="Tudo aqui é multivetor de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador e, 0. Comprimentos em metros.",
 )
 DISTANCE = Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)")
 GRADES = Text(

@@ -18,6 +18,7 @@ from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.view import bind, layers, panels
 from helicoide.view.channel import Control, Notice, introduce
 from helicoide.view.layers import Stage
+from helicoide.view.page import STOP
 from helicoide.view.placed import Placed, place
 from helicoide.view.rows import Choice, ForArm, ForSeat, Row, View, Wish
 from helicoide.view.shapes import Shape
@@ -28,7 +29,6 @@ PANEL = same("Helicoide")
 SEAT_KEY = "helicoide-seat"
 ANSWER_WITHIN = 5.0
 UPRIGHT_POSITION, UPRIGHT_LOOK_AT = (1.95, -1.05, 0.75), (0.4, -0.05, -0.22)
-STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
 
 
 def seated(token: str, language: Language, lesson: str | None) -> Seat:

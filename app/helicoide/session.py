@@ -7,7 +7,6 @@ advances, a frame is drawn. Long work is done in threads and processes that post
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import logging
 import secrets
 from collections import deque
@@ -125,9 +124,11 @@ class Session:
 
     async def _enter(self, client: Client) -> None:
         """A window opens: with its old seat when its browser still has the token of one."""
-        with contextlib.suppress(RuntimeError):  # the client left again
-            view = View(self.state, self.seats[await self._seat_of(client)])
-            self._furnish(client, view)
+        try:
+            token = await self._seat_of(client)
+        except RuntimeError:  # the client left again
+            return
+        self._furnish(client, View(self.state, self.seats[token]))
 
     async def _seat_of(self, client: Client) -> str:
         """The token of the client's seat, kept in its browser; a new seat where there is none."""
@@ -159,9 +160,6 @@ class Session:
         self.seats[seat.token] = seat
         if before and seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
             self.post(lesson.load(seat.lesson).steps[seat.step].setup)
-        self._wake_texts()
-
-    def _wake_texts(self) -> None:
         self.loop.call_soon(self._write)
 
     def _drain(self) -> None:
@@ -235,6 +233,8 @@ class Session:
     def _write(self) -> None:
         for window in self.windows.values():
             window.write(View(self.state, self.seats[window.view.seat.token]))
+        if not self.ready:
+            self._say(self.said)
 
 
 def _let_go(state: State, who: str) -> State:

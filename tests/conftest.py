@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from hypothesis import settings
 
-from helicoide.kinematics.robot import Robot, load
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
 from helicoide.state import State, initial
 
 # the first call of a kernel compiles it, which takes longer than any example may

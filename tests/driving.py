@@ -12,7 +12,8 @@ from helicoide.advance import advance
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import PATH, State, Update
 
@@ -32,7 +33,7 @@ def after(state: State, seconds: float, dt: float = 0.01) -> State:
 def at(state: State, q: Array) -> State:
     """The same state with the arm put somewhere else."""
     robot = state.robot
-    return replace(state, q=frozen(q), poses=frozen(link_poses(robot.directions, robot.points, frozen(q))))
+    return replace(state, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q))))
 
 
 def quaternion(rng: Random) -> Array:

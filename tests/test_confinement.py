@@ -13,7 +13,8 @@ from tests.driving import after, at, clear_posture, quaternion
 from helicoide import gate
 from helicoide.confinement import Zone, Zones, distances, planes_of
 from helicoide.geometry import rigid
-from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, ToJoints, initial
 

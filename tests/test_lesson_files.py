@@ -7,7 +7,7 @@ import pytest
 
 from helicoide import content, lesson
 from helicoide.advance import advance
-from helicoide.kinematics.robot import load
+from helicoide.kinematics.library import load
 from helicoide.lesson import Lesson, Step
 from helicoide.state import Seat, initial
 from helicoide.text import LANGUAGES, HelicoideError, same

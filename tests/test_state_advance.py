@@ -12,7 +12,8 @@ from helicoide import gate
 from helicoide.advance import advance
 from helicoide.ik import Limits
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Robot, frozen
+from helicoide.kinematics.chain import frozen
+from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, initial
 
@@ -40,7 +41,7 @@ def test_the_arm_gets_where_the_way_is_clear(robot: Robot, with_orientation: boo
 
 def test_the_poses_are_those_of_the_joints(state: State) -> None:
     state = after(gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state), 0.5)
-    poses = link_poses(state.robot.directions, state.robot.points, state.q)
+    poses = link_poses(state.robot.chain, state.q)
     np.testing.assert_allclose(state.poses, poses, rtol=0, atol=1e-12)
 
 

@@ -10,7 +10,7 @@ from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Array, frozen
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose, points_on
 
 ARRIVED_JOINTS = 1e-3
@@ -76,8 +76,8 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
             return _stepped(state, joint_task(state.q.copy(), state.detour, EVERY, dt), dt)
         state = replace(state, detour=None)
     robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
-    tool = (robot.T_world_tool_0, T_world_target, allowed, state.with_orientation)
-    task = pose_task(state.poses.copy(), robot.directions, robot.points, tool, ahead, dt)
+    tool = (robot.T_link_tool, T_world_target, allowed, state.with_orientation, robot.reach)
+    task = pose_task(state.poses.copy(), robot.chain, tool, ahead, dt)
     return _stepped(state, task, dt)
 
 
@@ -125,7 +125,7 @@ def _to_ready(state: State, dt: float) -> State:
 def _is_clear(state: State, q: Array) -> bool:
     """Whether every guarded point keeps its distance at q: the way back from home ends there exactly."""
     planes, robot = state.problem.planes, state.robot
-    points = points_on(robot, link_poses(robot.directions, robot.points, q))
+    points = points_on(robot, link_poses(robot.chain, q))
     return bool((points @ planes.normals.T - planes.offsets > state.problem.zones.critical - 1e-9).all())
 
 
@@ -140,7 +140,7 @@ def _parked(state: State, dt: float) -> State:
     if needed <= 1.0:
         state = replace(state, command=Hold(), parked=going_home)
     q = frozen(end if needed <= 1.0 else state.q + left / needed)
-    poses = frozen(link_poses(state.robot.directions, state.robot.points, q))
+    poses = frozen(link_poses(state.robot.chain, q))
     return replace(state, q=q, poses=poses, speeds=frozen((q - state.q) / dt))
 
 

@@ -13,7 +13,8 @@ from enum import Enum
 import numpy as np
 
 from helicoide.kernels import kernel
-from helicoide.kinematics.robot import Array, Pane, frozen
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Pane
 
 
 class Zone(Enum):

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from helicoide.confinement import stopped_at_arm
 from helicoide.geometry import rotation
 from helicoide.ik.goal import best_goal
-from helicoide.kinematics.robot import Array, frozen
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.state import (
     PATH,
     Along,

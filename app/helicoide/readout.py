@@ -12,7 +12,7 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik import AtLimit, Contact
 from helicoide.ik.goal import Goal
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 from helicoide.state import Along, GetReady, Hold, Park, State, points_on
 from helicoide.text import Text
 

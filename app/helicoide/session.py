@@ -14,7 +14,8 @@ from dataclasses import replace
 
 from helicoide import content, gate, kernels, lesson
 from helicoide.advance import advance, foreseen
-from helicoide.kinematics.robot import Robot, load
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
 from helicoide.state import Seat, State, ToJoints, ToPose, Update, commanded, initial
 from helicoide.text import Language, Text
 from helicoide.view import shapes

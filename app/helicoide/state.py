@@ -14,7 +14,8 @@ from helicoide.ik.goal import Goal, tool_pose
 from helicoide.ik.task import EVERY
 from helicoide.kernels import plain
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
 from helicoide.text import Language, Text
 from helicoide.trajectory import EQ_33, Ellipse
 
@@ -76,7 +77,7 @@ class Grasp:
 class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
-    q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (n + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
+    q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
     1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture
     to pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: until when
     sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate.
@@ -113,13 +114,13 @@ class State:
 
     @property
     def guarded_points(self) -> Array:
-        """The guarded points where they are, (m, 3), m."""
+        """The guarded points where they are, (p, 3), m."""
         return points_on(self.robot, self.poses)
 
     @property
     def axes(self) -> Array:
-        """The joint axes where they are, (n, 3), unit, world frame."""
-        return np.asarray(np.einsum("nij,nj->ni", self.poses[1:, :3, :3], self.robot.directions))
+        """The joint axes where they are, (m, 3), unit, world frame."""
+        return np.asarray(np.einsum("mij,mj->mi", self.poses[1:, :3, :3], self.robot.directions))
 
     @property
     def moving(self) -> bool:
@@ -131,9 +132,9 @@ Update = Callable[[State], State]
 
 
 def points_on(robot: Robot, poses: Array) -> Array:
-    """The guarded points for given link poses (n + 1, 4, 4), (m, 3), m, world frame; without a kernel, for the view."""
+    """The guarded points for given link poses (m + 1, 4, 4), (p, 3), m, world frame; without a kernel, for the view."""
     carriers = poses[robot.guarded_joints]
-    return np.asarray(np.einsum("mij,mj->mi", carriers[:, :3, :3], robot.guarded_points) + carriers[:, :3, 3])
+    return np.asarray(np.einsum("pij,pj->pi", carriers[:, :3, :3], robot.guarded_points) + carriers[:, :3, 3])
 
 
 def initial(robot: Robot) -> State:
@@ -143,7 +144,7 @@ def initial(robot: Robot) -> State:
         problem=Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes)),
         q=q,
         speeds=frozen(np.zeros(len(q))),
-        poses=frozen(plain(link_poses)(robot.directions, robot.points, q)),
+        poses=frozen(plain(link_poses)(robot.chain, q)),
     )
 
 

@@ -7,7 +7,7 @@ from math import atan2, cos, pi, sin
 
 import numpy as np
 
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide import gate
 from helicoide.geometry import rotation
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 from helicoide.lesson import Step
 from helicoide.readout import plane_distances
 from helicoide.state import PATH, Hold, Seat, State, ToPose, Update

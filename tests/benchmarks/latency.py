@@ -12,7 +12,8 @@ from tests.benchmarks.report import p50, spread, verdict
 from tests.benchmarks.served import served
 
 from helicoide.geometry import rotation
-from helicoide.kinematics.robot import Array, load
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.library import load
 from helicoide.state import initial
 
 TITLE = "Gizmo event to the first scene message that shows it"

@@ -14,7 +14,8 @@ from tests.benchmarks.report import p50, spread, verdict
 from helicoide import kernels
 from helicoide.advance import advance, foreseen
 from helicoide.ik import guarded
-from helicoide.kinematics.robot import Array, frozen, load
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.library import load
 from helicoide.session import TICK, exercise
 from helicoide.state import Command, State, ToJoints, ToPose, commanded, initial
 

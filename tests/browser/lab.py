@@ -9,7 +9,8 @@ import numpy as np
 from playwright.sync_api import Page
 
 from helicoide.confinement import distances
-from helicoide.kinematics.robot import Array, load
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.library import load
 from helicoide.session import Session
 from helicoide.state import State, Update, initial
 

@@ -11,7 +11,7 @@ from tests.browser.conftest import window
 from tests.browser.lab import Lab, grab, opened, pixels, status, until
 
 from helicoide import gate
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 from helicoide.state import Hold, ToPose
 
 CRITICAL = 0.080

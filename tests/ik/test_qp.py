@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helicoide.ik import qp
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)
 Program = tuple[Array, Array, Array, Array]

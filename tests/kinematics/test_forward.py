@@ -14,7 +14,10 @@ from hypothesis import strategies as st
 
 from helicoide.geometry import rigid
 from helicoide.kinematics.forward import ROADS, carried_points, link_poses, tool_motor
-from helicoide.kinematics.robot import Array, Robot, from_folder, frozen, load
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.folder import from_folder
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
 
 FOLDER = load("movemaster").urdf.parent
 AGREE = 1e-9
@@ -34,7 +37,7 @@ def tool_by_kernel(robot: Robot, q: Array) -> Array:
     """The last link's pose, times the tool in its frame."""
     T_link_tool = robot.T_world_tool_0.copy()
     T_link_tool[:3, 3] -= robot.points[-1]
-    return np.asarray(link_poses(robot.directions, robot.points, q)[-1] @ T_link_tool)
+    return np.asarray(link_poses(robot.chain, q)[-1] @ T_link_tool)
 
 
 def loaded(folder: Path) -> yourdfpy.URDF:
@@ -54,7 +57,7 @@ def test_the_roads_the_kernel_and_the_urdf_agree(robot: Robot, q: Array) -> None
 @given(q=joints)
 def test_every_link_of_the_kernel_stands_where_the_urdf_has_it(robot: Robot, q: Array) -> None:
     tool_by_urdf(URDF, q)
-    poses = link_poses(robot.directions, robot.points, q)
+    poses = link_poses(robot.chain, q)
     np.testing.assert_array_equal(poses[0], np.eye(4))
     for joint, pose in zip(robot.joints, poses[1:], strict=True):
         np.testing.assert_allclose(pose, URDF.get_transform(joint.link, "base_link"), rtol=0, atol=AGREE)
@@ -64,9 +67,9 @@ def test_every_link_of_the_kernel_stands_where_the_urdf_has_it(robot: Robot, q: 
 def test_guarded_points_are_carried_by_their_links(robot: Robot, q: Array) -> None:
     """At q = 0 the points are those of the file; each is carried by the joints up to its own."""
     at_zero = carried_points(
-        link_poses(robot.directions, robot.points, frozen(np.zeros(5))), robot.guarded_points, robot.guarded_joints
+        link_poses(robot.chain, frozen(np.zeros(5))), robot.guarded_points, robot.guarded_joints
     )
-    points = carried_points(link_poses(robot.directions, robot.points, q), robot.guarded_points, robot.guarded_joints)
+    points = carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints)
     for number, (point, carrier) in enumerate(zip(at_zero, robot.guarded_joints, strict=True)):
         motor = rigid.motor_from_pose(np.eye(4))
         for joint, angle in zip(robot.joints[:carrier], q[:carrier], strict=True):
@@ -132,7 +135,7 @@ JOINT_POINTS = {
 
 @pytest.mark.parametrize("name", JOINT_POINTS)
 def test_joint_points_of_the_digest(robot: Robot, name: str) -> None:
-    poses = link_poses(robot.directions, robot.points, robot.poses[name])
+    poses = link_poses(robot.chain, robot.poses[name])
     np.testing.assert_allclose(1000 * poses[1:, :3, 3], JOINT_POINTS[name], rtol=0, atol=6e-4)
 
 

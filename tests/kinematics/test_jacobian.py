@@ -9,15 +9,16 @@ from hypothesis import strategies as st
 
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import carried_points, link_poses, tool_by_screws
-from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
 
 STEP = 1e-5
 joints = st.lists(st.floats(-2.5, 2.5), min_size=5, max_size=5).map(frozen)
 
 
 def tool_jacobian(robot: Robot, q: Array) -> Array:
-    poses = link_poses(robot.directions, robot.points, q)
-    axes = jacobian.joint_axes(poses, robot.directions)
+    poses = link_poses(robot.chain, q)
+    axes = jacobian.joint_axes(poses, robot.chain)
     return jacobian.geometric(poses, axes, tool_by_screws(robot, q)[:3, 3].copy(), 5)
 
 
@@ -45,11 +46,11 @@ def test_the_jacobian_is_the_derivative(robot: Robot, q: Array) -> None:
 @given(q=joints, j=st.integers(0, 4))
 def test_the_jacobian_of_a_guarded_point_is_its_derivative(robot: Robot, q: Array, j: int) -> None:
     def point(q: Array) -> Array:
-        poses = link_poses(robot.directions, robot.points, frozen(q))
+        poses = link_poses(robot.chain, frozen(q))
         return carried_points(poses, robot.guarded_points, robot.guarded_joints)[j]
 
-    poses = link_poses(robot.directions, robot.points, q)
-    axes = jacobian.joint_axes(poses, robot.directions)
+    poses = link_poses(robot.chain, q)
+    axes = jacobian.joint_axes(poses, robot.chain)
     J = jacobian.geometric(poses, axes, point(q), int(robot.guarded_joints[j]))
     for i in range(5):
         step = STEP * np.eye(5)[i]

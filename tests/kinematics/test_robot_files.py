@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from helicoide.kinematics.robot import Robot, from_folder, load
+from helicoide.kinematics.folder import from_folder
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
 GOOD = (load("movemaster").urdf.parent / "robot.toml").read_text("utf-8")

@@ -11,7 +11,8 @@ import tyro
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.forward import ROADS
-from helicoide.kinematics.robot import Array, load
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.library import load
 
 
 def described(T_world_tool: Array) -> dict[str, object]:

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 import tyro
 
 from helicoide import content, kernels
-from helicoide.kinematics.robot import load
+from helicoide.kinematics.library import load
 from helicoide.session import Session
 from helicoide.text import Language
 

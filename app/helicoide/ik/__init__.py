@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.confinement import Planes, Zones
-from helicoide.kinematics.robot import Array, Robot, frozen
+from helicoide.kinematics.chain import Array, Chain, frozen
+from helicoide.kinematics.robot import Robot
 
 NOTICEABLE = 0.02
 
@@ -33,10 +34,9 @@ class Problem:
     zones: Zones = field(default_factory=Zones)
 
     @cached_property
-    def arm(self) -> tuple[Array, Array, Array, NDArray[np.int64]]:
-        """Axis directions and points, guarded points, links that carry them: what the kernels know of the robot."""
-        robot = self.robot
-        return robot.directions, robot.points, robot.guarded_points, robot.guarded_joints
+    def arm(self) -> tuple[Chain, Array, NDArray[np.int64]]:
+        """Moving axes, guarded points, links that carry them: what the kernels know of the robot."""
+        return self.robot.chain, self.robot.guarded_points, self.robot.guarded_joints
 
     @cached_property
     def limit_arrays(self) -> tuple[Array, Array, Array]:

@@ -11,7 +11,7 @@ from helicoide.ik.qp import SOLVED, project
 from helicoide.ik.rollout import are_clear, settle_at_joints, settle_at_pose
 from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Array, frozen
+from helicoide.kinematics.chain import Array, frozen
 
 REACHED = 0.5e-3
 TURNED = np.radians(1.0)
@@ -40,10 +40,7 @@ class Goal:
 
 def tool_pose(problem: Problem, poses: Array) -> Array:
     """T_world_tool (4, 4), m, from the link poses."""
-    robot = problem.robot
-    T_link_tool = robot.T_world_tool_0.copy()
-    T_link_tool[:3, 3] -= robot.points[-1]
-    return frozen(poses[-1] @ T_link_tool)
+    return frozen(poses[-1] @ problem.robot.T_link_tool)
 
 
 def allowed_point(problem: Problem, wished: Array) -> Array:
@@ -59,12 +56,14 @@ def allowed_point(problem: Problem, wished: Array) -> Array:
 
 
 def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array, tick: float) -> Goal:
-    poses = frozen(link_poses(problem.robot.directions, problem.robot.points, q))
+    poses = frozen(link_poses(problem.robot.chain, q))
     T = tool_pose(problem, poses)
     wished = T_world_target[:3, 3]
     short = float(np.linalg.norm(wished - T[:3, 3]))
     turned = float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3]))))
-    pull = min(GAIN * short, TOOL_SPEED) + ORIENTATION_LENGTH**2 * min(GAIN * turned, TOOL_TURN)
+    reach = problem.robot.reach
+    turn = (ORIENTATION_LENGTH * reach) ** 2 * min(GAIN * turned, TOOL_TURN)
+    pull = min(GAIN * short, TOOL_SPEED * reach) + turn
     return Goal(
         q=frozen(q),
         poses=poses,
@@ -84,7 +83,7 @@ def goal_at_pose(
     ticks: length in s and number of the steps that are looked ahead.
     """
     allowed = allowed_point(problem, T_world_target[:3, 3])
-    tool = (problem.robot.T_world_tool_0, T_world_target, allowed, with_orientation)
+    tool = (problem.robot.T_link_tool, T_world_target, allowed, with_orientation, problem.robot.reach)
     rest, multipliers = settle_at_pose(problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, *ticks)
     return _goal(problem, rest, T_world_target, multipliers, ticks[0])
 
@@ -95,7 +94,7 @@ def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = 
         problem.arm, q, q_target, yielding, problem.limit_arrays, problem.plane_arrays, *_AHEAD
     )
     robot = problem.robot
-    wished = tool_pose(problem, link_poses(robot.directions, robot.points, q_target))
+    wished = tool_pose(problem, link_poses(robot.chain, q_target))
     return _goal(problem, rest, wished, multipliers, _AHEAD[0])
 
 

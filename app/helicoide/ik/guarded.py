@@ -21,7 +21,7 @@ from helicoide.ik import qp
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import carried_points, link_poses
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array, Chain
 
 DAMPER_GAIN = 10.0
 SMALLEST_SHARE = 1e-6
@@ -44,21 +44,29 @@ def limit_rows(q: Array, lower: Array, upper: Array, reach: Array) -> tuple[Arra
 
 @kernel
 def plane_rows(
-    poses: Array, axes: Array, points: Array, joints: NDArray[np.int64], normals: Array, near: Array, decay: float
+    poses: Array,
+    chain: Chain,
+    axes: Array,
+    points: Array,
+    links: NDArray[np.int64],
+    normals: Array,
+    near: Array,
+    decay: float,
 ) -> tuple[Array, Array]:
     """Rows A Δq ≥ b of the velocity dampers, point after point, plane after plane.
 
-    Args: points (m, 3), m, world; joints (m,): link that carries each; normals (k, 3); near (m, k): l − δ, m;
+    Args: points (m, 3), m, world; links (m,): link that carries each; normals (k, 3); near (m, k): l − δ, m;
     decay: the share of a distance that one tick may use up.
     """
-    m, k, n = points.shape[0], normals.shape[0], axes.shape[0]
+    m, k = points.shape[0], normals.shape[0]
+    n = jacobian.columns(chain)
     A, b = np.zeros((m * k, n)), np.empty(m * k)
     for j in range(m):
-        columns = jacobian.geometric(poses, axes, points[j], joints[j])
+        columns = jacobian.geometric(poses, chain, axes, points[j], links[j])
         for p in range(k):
             row = j * k + p
             b[row] = -decay * max(0.0, near[j, p])
-            for i in range(joints[j]):
+            for i in range(n):
                 A[row, i] = (
                     normals[p, 0] * columns[0, i] + normals[p, 1] * columns[1, i] + normals[p, 2] * columns[2, i]
                 )
@@ -115,7 +123,7 @@ def within(q: Array, step: Array, lower: Array, upper: Array, reach: Array) -> A
 
 @kernel
 def guarded_step(
-    arm: tuple[Array, Array, Array, NDArray[np.int64]],
+    arm: tuple[Chain, Array, NDArray[np.int64]],
     q: Array,
     poses: Array,
     task: tuple[Array, Array, Array, Array],
@@ -125,30 +133,30 @@ def guarded_step(
 ) -> tuple[Array, Array, Array, float]:
     """One guarded tick from q towards a task.
 
-    Args: arm: directions (n, 3), axis points (n, 3), guarded points (m, 3) on the links (m,) that carry them;
+    Args: arm: the chain of joints, guarded points (m, 3) on the links (m,) that carry them;
     q (n,), rad, and its `link_poses`; task: J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,);
     limits: lower, upper (n,), rad, speed (n,), rad/s; planes: normals (k, 3), offsets (k,), m, critical distance, m;
     dt, s.
     Returns q' (n,), its link poses (n + 1, 4, 4), the multipliers of the 2 n limit rows and m k plane rows, and the
     share of the step that was taken.
     """
-    directions, axis_points, guarded, joints = arm
+    chain, guarded, links = arm
     lower, upper, speed = limits
     normals, offsets, critical = planes
     reach = speed * dt
-    axes = jacobian.joint_axes(poses, directions)
-    points = carried_points(poses, guarded, joints)
+    axes = jacobian.joint_axes(poses, chain)
+    points = carried_points(poses, guarded, links)
     near = distances(normals, offsets, points) - critical
     H, g = normal_equations(*task)
     A_limits, b_limits = limit_rows(q, lower, upper, reach)
-    A_planes, b_planes = plane_rows(poses, axes, points, joints, normals, near, min(1.0, DAMPER_GAIN * dt))
+    A_planes, b_planes = plane_rows(poses, chain, axes, points, links, normals, near, min(1.0, DAMPER_GAIN * dt))
     A = np.concatenate((A_limits, A_planes))
     step, multipliers, _ = qp.solve(H, g, A, np.concatenate((b_limits, b_planes)))
     share, corrected = 1.0, False
     while share > SMALLEST_SHARE:
         q_after = within(q, share * step, lower, upper, reach)
-        poses_after = link_poses(directions, axis_points, q_after)
-        after = distances(normals, offsets, carried_points(poses_after, guarded, joints)) - critical
+        poses_after = link_poses(chain, q_after)
+        after = distances(normals, offsets, carried_points(poses_after, guarded, links)) - critical
         if shortfall(near, after) <= 0.0:
             return q_after, poses_after, multipliers, share
         if not corrected:

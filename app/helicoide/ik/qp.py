@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.kernels import kernel
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 
 SOLVED, INFEASIBLE = 0, 1
 

@@ -1,7 +1,8 @@
 """What the arm is asked to do in one tick, as rows J Δq = v with weights.
 
-Position comes first and orientation yields: one radian counts as much as `ORIENTATION_LENGTH` metres, so that a tool
-whose orientation cannot be met still reaches its point (an arm with five joints cannot choose its heading freely).
+Position comes first and orientation yields: one radian counts as much as `ORIENTATION_LENGTH` of the arm's reach, so
+that a tool whose orientation cannot be met still reaches its point (an arm with five joints cannot choose its heading
+freely). Lengths and speeds of the tool are in terms of the reach, so that small arms and large ones behave alike.
 """
 
 from __future__ import annotations
@@ -10,13 +11,13 @@ import numpy as np
 
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array, Chain
 
 GAIN = 12.5
-TOOL_SPEED = 0.5
+TOOL_SPEED = 0.6
 TOOL_TURN = 2.0
-ORIENTATION_LENGTH = 0.01
-DAMPING = 1e-6
+ORIENTATION_LENGTH = 0.012
+DAMPING = 1.5e-6
 FIRM = 30.0
 EVERY = -1
 
@@ -55,14 +56,14 @@ def shortened(vector: Array, longest: float) -> Array:
 
 
 @kernel
-def levers_damping(J: Array, pull: Array) -> Array:
+def levers_damping(J: Array, pull: Array, reach: float) -> Array:
     """The damping of each joint under a pull on the tool: d = λ² + max(0, v·rᵢ), rᵢ the lever of joint i.
 
     v·rᵢ is what the curvature of the tool's way adds to the Hessian; without it a stretched arm that is pulled further
-    trembles. Args: J (6, n) of the tool; pull v (3,), m. Returns (n,), m².
+    trembles. Args: J (6, n) of the tool; pull v (3,), m; reach, m. Returns (n,), m².
     """
     n = J.shape[1]
-    damping = np.full(n, DAMPING)
+    damping = np.full(n, DAMPING * reach * reach)
     for i in range(n):
         lever = np.cross(J[:3, i], J[3:, i])
         damping[i] += max(0.0, pull[0] * lever[0] + pull[1] * lever[1] + pull[2] * lever[2])
@@ -72,41 +73,39 @@ def levers_damping(J: Array, pull: Array) -> Array:
 @kernel
 def pose_task(
     poses: Array,
-    directions: Array,
-    axis_points: Array,
-    tool: tuple[Array, Array, Array, bool],
+    chain: Chain,
+    tool: tuple[Array, Array, Array, bool, float],
     ahead: Array,
     dt: float,
 ) -> tuple[Array, Array, Array, Array]:
     """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
 
-    Args: poses (n + 1, 4, 4) of `forward.link_poses`; joint axes at q = 0 (n, 3); tool: T_world_tool at q = 0 and
-    T_world_target (4, 4), m, the point nearest to the target that the planes allow (3,), m, whether orientation counts;
+    Args: poses (m + 1, 4, 4) of `forward.link_poses`; chain (m,); tool: T_link_tool and T_world_target (4, 4), m, the
+    point nearest to the target that the planes allow (3,), m, whether orientation counts, the arm's reach, m;
     ahead (3,): velocity of the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,), damping (n,), m².
     Source: Cerbaro 2022, §4.4.2 (CLIK).
 
     What pulls into a plane is taken up by the plane; only the pull towards the allowed point damps.
     """
-    n = directions.shape[0]
-    T_world_tool_0, T_world_target, allowed, with_orientation = tool
-    offset = T_world_tool_0[:3, 3] - axis_points[n - 1]
-    last = poses[n]
+    T_link_tool, T_world_target, allowed, with_orientation, reach = tool
+    last = poses[-1]
     point = last[:3, 3].copy()
     R_tool = np.zeros((3, 3))
     for a in range(3):
         for b in range(3):
-            point[a] += last[a, b] * offset[b]
+            point[a] += last[a, b] * T_link_tool[b, 3]
             for c in range(3):
-                R_tool[a, c] += last[a, b] * T_world_tool_0[b, c]
-    J = jacobian.geometric(poses, jacobian.joint_axes(poses, directions), point, n)
+                R_tool[a, c] += last[a, b] * T_link_tool[b, c]
+    J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), point, chain.shape[0])
+    fastest = TOOL_SPEED * reach * dt
     share = 1.0 - np.exp(-GAIN * dt)
     v = np.zeros(6)
-    v[:3] = shortened(ahead * dt + share * (T_world_target[:3, 3] - point), TOOL_SPEED * dt)
+    v[:3] = shortened(ahead * dt + share * (T_world_target[:3, 3] - point), fastest)
     weights = np.ones(6)
-    weights[3:] = ORIENTATION_LENGTH if with_orientation else 0.0
+    weights[3:] = ORIENTATION_LENGTH * reach if with_orientation else 0.0
     if with_orientation:
         v[3:] = shortened(share * rotation_vector(T_world_target[:3, :3], R_tool), TOOL_TURN * dt)
-    return J, v, weights, levers_damping(J, shortened(share * (allowed - point), TOOL_SPEED * dt))
+    return J, v, weights, levers_damping(J, shortened(share * (allowed - point), fastest), reach)
 
 
 @kernel

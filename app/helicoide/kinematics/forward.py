@@ -1,6 +1,7 @@
-"""Forward kinematics: three independent roads to the tool for people and tests, and the kernel that the loop runs.
+"""Forward kinematics: three independent roads to every link for people and tests, and the kernels that the loop runs.
 
-The roads share nothing but linear algebra, so that their agreement says something about each robot's file.
+The roads share nothing but linear algebra, so that their agreement says something about each robot's file. Each gives
+its partial poses too: DH its frames, screws the displacement of every link, dual quaternions the same as motors.
 """
 
 from __future__ import annotations
@@ -11,107 +12,134 @@ from numpy.typing import NDArray
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.kernels import kernel
-from helicoide.kinematics.robot import Array, DhRow, Robot
+from helicoide.kinematics import dh
+from helicoide.kinematics.chain import Array, Chain, Joint, spread
+from helicoide.kinematics.robot import Robot
 
 
-def dh_transform(row: DhRow, angle: float) -> Array:
-    """Pose of a DH frame in the one before it: A = Rz(θ) Tz(d) Tx(a) Rx(α), θ = row.theta + angle.
+def dh_frames(robot: Robot, q: Array) -> list[Array]:
+    """Poses of the DH frames: T₀ A₁ … Aᵢ, i = 0 to m, each (4, 4), m.
 
-    Args: angle: joint angle, rad. Returns (4, 4), m. Source: Cerbaro 2022, eq. 57.
+    Args: q (n,), rad or m. Source: Cerbaro 2022, eq. 59; Campos 1998, s.40 (modified rows).
     """
-    c, s = np.cos(row.theta + angle), np.sin(row.theta + angle)
-    ca, sa = np.cos(row.alpha), np.sin(row.alpha)
-    return np.array(
-        [
-            [c, -s * ca, s * sa, row.a * c],
-            [s, c * ca, -c * sa, row.a * s],
-            [0.0, sa, ca, row.d],
-            [0.0, 0.0, 0.0, 1.0],
-        ]
-    )
+    return dh.poses(robot.dh, robot.joints, spread(robot.chain, q))
 
 
 def tool_by_dh(robot: Robot, q: Array) -> Array:
-    """Tool pose from the DH rows: T = A₁ A₂ … Aₙ · T_dh_tool.
+    """Tool pose from the DH rows: T = T₀ A₁ A₂ … Aₘ · T_dh_tool.
 
-    Args: q (n,), rad. Returns T_world_tool (4, 4), m. Source: Cerbaro 2022, eq. 59, tab. 6 (d₁ = 400 mm).
+    Args: q (n,), rad or m. Returns T_world_tool (4, 4), m. Source: Cerbaro 2022, eq. 59, tab. 6 (d₁ = 400 mm).
     """
-    pose = np.eye(4)
-    for joint, angle in zip(robot.joints, q, strict=True):
-        pose = pose @ dh_transform(joint.dh, angle)
-    pose[:3, :3] = pose[:3, :3] @ robot.R_dh_tool
-    return pose
+    return np.asarray(dh_frames(robot, q)[-1] @ robot.dh.T_dh_tool)
 
 
-def screw_transform(direction: Array, point: Array, angle: float) -> Array:
-    """Displacement by a rotation about a fixed axis: R = I + sinθ [s]ₓ + (1 − cosθ) [s]ₓ², d = (I − R) s₀.
+def screw_transform(joint: Joint, value: float) -> Array:
+    """Displacement by a joint: R = I + sinθ [s]ₓ + (1 − cosθ) [s]ₓ², d = (I − R) s₀; where it slides, d = x s.
 
-    Args: direction (3,), unit; point (3,), m, on the axis; angle, rad; all in the base frame. Returns (4, 4).
-    Source: Cerbaro 2022, eqs. 61–62 (signs corrected).
+    Args: value: θ, rad, or x, m. Returns (4, 4), base frame. Source: Cerbaro 2022, eqs. 61–62 (signs corrected).
     """
-    x, y, z = direction
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    rotation = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
     displacement = np.eye(4)
+    if joint.slides:
+        displacement[:3, 3] = value * joint.direction
+        return displacement
+    x, y, z = joint.direction
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    rotation = np.eye(3) + np.sin(value) * cross + (1 - np.cos(value)) * cross @ cross
     displacement[:3, :3] = rotation
-    displacement[:3, 3] = point - rotation @ point
+    displacement[:3, 3] = joint.point - rotation @ joint.point
     return displacement
 
 
-def tool_by_screws(robot: Robot, q: Array) -> Array:
-    """Tool pose from successive screws: T = H₁ H₂ … Hₙ T₀.
+def screw_displacements(robot: Robot, q: Array) -> list[Array]:
+    """Displacements of the links from where they are at q = 0: H₁ … Hᵢ, i = 0 to m, each (4, 4), base frame, m.
 
-    Args: q (n,), rad. Returns T_world_tool (4, 4), m. Source: Cerbaro 2022, App. D, tab. 8.
+    Args: q (n,), rad or m. Source: Cerbaro 2022, App. D.
     """
-    displacement = np.eye(4)
-    for joint, angle in zip(robot.joints, q, strict=True):
-        displacement = displacement @ screw_transform(joint.direction, joint.point, angle)
-    return displacement @ robot.T_world_tool_0
+    displacements = [np.eye(4)]
+    for joint, value in zip(robot.joints, spread(robot.chain, q), strict=True):
+        displacements.append(displacements[-1] @ screw_transform(joint, value))
+    return displacements
+
+
+def tool_by_screws(robot: Robot, q: Array) -> Array:
+    """Tool pose from successive screws: T = H₁ H₂ … Hₘ T₀.
+
+    Args: q (n,), rad or m. Returns T_world_tool (4, 4), m. Source: Cerbaro 2022, App. D, tab. 8.
+    """
+    return np.asarray(screw_displacements(robot, q)[-1] @ robot.T_world_tool_0)
+
+
+def joint_motor(joint: Joint, value: float) -> Array:
+    """Displacement by a joint as a motor of Cl(0,3,1): exp(θL/2), or where it slides the translator 1 + ½ x s e.
+
+    Args: value: θ, rad, or x, m. Returns (16,). Source: Cerbaro 2022, eqs. 96–99.
+    """
+    if joint.slides:
+        return rigid.translator(value * joint.direction)
+    return rigid.screw_motor(joint.direction, joint.point, value)
+
+
+def link_motors(robot: Robot, q: Array) -> list[Array]:
+    """Displacements of the links from where they are at q = 0 as motors: m₁ … mᵢ, i = 0 to m, each (16,), m.
+
+    Args: q (n,), rad or m. Source: Cerbaro 2022, §5.1 (order and product corrected).
+    """
+    motors = [CL031.blade("1")]
+    for joint, value in zip(robot.joints, spread(robot.chain, q), strict=True):
+        motors.append(CL031.product(motors[-1], joint_motor(joint, value)))
+    return motors
 
 
 def tool_motor(robot: Robot, q: Array) -> Array:
-    """Tool pose as a motor of Cl(0,3,1): M = m₁ m₂ … mₙ M₀, mᵢ = exp(θᵢ Lᵢ / 2) (even part: dual quaternions).
+    """Tool pose as a motor of Cl(0,3,1): M = m₁ m₂ … mₘ M₀ (even part: dual quaternions).
 
-    Args: q (n,), rad. Returns M_world_tool (16,), m. Source: Cerbaro 2022, §5.1 (order and product corrected).
+    Args: q (n,), rad or m. Returns M_world_tool (16,), m. Source: Cerbaro 2022, §5.1 (order and product corrected).
     """
-    motor = CL031.blade("1")
-    for joint, angle in zip(robot.joints, q, strict=True):
-        motor = CL031.product(motor, rigid.screw_motor(joint.direction, joint.point, angle))
-    return CL031.product(motor, rigid.motor_from_pose(robot.T_world_tool_0))
+    return CL031.product(link_motors(robot, q)[-1], rigid.motor_from_pose(robot.T_world_tool_0))
 
 
 def tool_by_dual_quaternions(robot: Robot, q: Array) -> Array:
-    """The pose that `tool_motor` stands for: T_world_tool (4, 4), m, from q (n,), rad."""
+    """The pose that `tool_motor` stands for: T_world_tool (4, 4), m, from q (n,), rad or m."""
     return rigid.pose_from_motor(tool_motor(robot, q))
 
 
 ROADS = {"dh": tool_by_dh, "screws": tool_by_screws, "dual_quaternions": tool_by_dual_quaternions}
 
 
-@kernel
-def link_poses(directions: Array, points: Array, q: Array) -> Array:
-    """Poses of the base and all links: R ← R Rot(sᵢ, θᵢ), p ← p + R (s₀ᵢ − s₀ᵢ₋₁).
+def disagreement(robot: Robot, q: Array) -> float:
+    """The largest difference between the tool poses of the roads, entry by entry (m, and 1 for rotations)."""
+    poses = np.array([road(robot, q) for road in ROADS.values()])
+    return float(np.max(poses.max(axis=0) - poses.min(axis=0)))
 
-    Args: directions (n, 3) unit and points (n, 3) m of the joint axes at q = 0, base frame; q (n,), rad.
-    Returns Ts_world_link (n + 1, 4, 4); link 0 is the base, link i sits at the point of joint i.
+
+@kernel
+def link_poses(chain: Chain, q: Array) -> Array:
+    """Poses of the base and all links: R ← R Rot(sᵢ, xᵢ), p ← p + R (s₀ᵢ − s₀ᵢ₋₁), and + R xᵢ sᵢ where joint i slides.
+
+    Args: chain (m,) of `chain.CHAIN`; q (n,), rad or m; joint i stands at xᵢ = ratio · q[driver] + shift.
+    Returns Ts_world_link (m + 1, 4, 4); link 0 is the base, link i sits at the point of joint i.
     """
-    n = q.shape[0]
-    poses = np.zeros((n + 1, 4, 4))
-    for i in range(n + 1):
+    m = chain.shape[0]
+    poses = np.zeros((m + 1, 4, 4))
+    for i in range(m + 1):
         poses[i, 3, 3] = 1.0
     for a in range(3):
         poses[0, a, a] = 1.0
-    for i in range(n):
-        x, y, z = directions[i, 0], directions[i, 1], directions[i, 2]
-        s, c = np.sin(q[i]), np.cos(q[i])
+    for i in range(m):
+        joint = chain[i]
+        direction, offset = joint["direction"], joint["offset"]
+        angle = joint["ratio"] * q[joint["driver"]] + joint["shift"]
+        x, y, z = direction[0], direction[1], direction[2]
+        ox, oy, oz = offset[0], offset[1], offset[2]
+        if joint["slides"]:
+            ox, oy, oz = ox + angle * x, oy + angle * y, oz + angle * z
+            angle = 0.0
+        s, c = np.sin(angle), np.cos(angle)
         v = 1.0 - c
         r00, r01, r02 = c + x * x * v, x * y * v - z * s, x * z * v + y * s
         r10, r11, r12 = y * x * v + z * s, c + y * y * v, y * z * v - x * s
         r20, r21, r22 = z * x * v - y * s, z * y * v + x * s, c + z * z * v
         before, here = poses[i], poses[i + 1]
-        ox, oy, oz = points[i, 0], points[i, 1], points[i, 2]
-        if i > 0:
-            ox, oy, oz = ox - points[i - 1, 0], oy - points[i - 1, 1], oz - points[i - 1, 2]
         for a in range(3):
             b0, b1, b2 = before[a, 0], before[a, 1], before[a, 2]
             here[a, 0] = b0 * r00 + b1 * r10 + b2 * r20
@@ -125,8 +153,8 @@ def link_poses(directions: Array, points: Array, q: Array) -> Array:
 def carried_points(poses: Array, points: Array, links: NDArray[np.int64]) -> Array:
     """World coordinates of points on links: p' = R p + T.
 
-    Args: poses (n + 1, 4, 4) of `link_poses`; points (m, 3), m, each in the frame of its link; links (m,): number of
-    the link that carries each, 0 for the base. Returns (m, 3), m.
+    Args: poses (m + 1, 4, 4) of `link_poses`; points (p, 3), m, each in the frame of its link; links (p,): number of
+    the link that carries each, 0 for the base. Returns (p, 3), m.
     """
     moved = np.empty_like(points)
     for j in range(points.shape[0]):

@@ -1,44 +1,64 @@
-"""Jacobians of the tool and of points on any link, in the base frame."""
+"""The geometric Jacobian of a point on any link, in the base frame: the kernels that the loop runs."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from helicoide.kernels import kernel
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array, Chain
 
 
 @kernel
-def joint_axes(poses: Array, directions: Array) -> Array:
+def joint_axes(poses: Array, chain: Chain) -> Array:
     """Joint axes where the arm stands: sᵢ' = Rᵢ sᵢ.
 
-    Args: poses (n + 1, 4, 4) of `forward.link_poses`; directions (n, 3), unit, at q = 0. Returns (n, 3), world.
+    Args: poses (m + 1, 4, 4) of `forward.link_poses`; chain (m,) of `chain.CHAIN`. Returns (m, 3), world.
     """
-    n = directions.shape[0]
-    axes = np.empty((n, 3))
-    for i in range(n):
+    m = chain.shape[0]
+    axes = np.empty((m, 3))
+    for i in range(m):
+        direction = chain[i]["direction"]
         for a in range(3):
             axes[i, a] = (
-                poses[i + 1, a, 0] * directions[i, 0]
-                + poses[i + 1, a, 1] * directions[i, 1]
-                + poses[i + 1, a, 2] * directions[i, 2]
+                poses[i + 1, a, 0] * direction[0]
+                + poses[i + 1, a, 1] * direction[1]
+                + poses[i + 1, a, 2] * direction[2]
             )
     return axes
 
 
 @kernel
-def geometric(poses: Array, axes: Array, point: Array, link: int) -> Array:
-    """Geometric Jacobian of a point on a link: column i is [sᵢ × (p − pᵢ); sᵢ], zero beyond the link.
+def columns(chain: Chain) -> int:
+    """How many variables drive a chain: n."""
+    n = 0
+    for i in range(chain.shape[0]):
+        n = max(n, chain[i]["driver"] + 1)
+    return n
 
-    Args: poses (n + 1, 4, 4); axes (n, 3) of `joint_axes`; point (3,), m; link: number of the link that carries it.
-    Returns J_world (6, n), rows vx vy vz ωx ωy ωz, m/rad and 1. Source: Cerbaro 2022, eq. 67.
+
+@kernel
+def geometric(poses: Array, chain: Chain, axes: Array, point: Array, link: int) -> Array:
+    """Geometric Jacobian of a point on a link: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
+
+    Columns beyond the link are zero; the column of a joint that follows another is added, times its ratio, to that
+    one's. Args: poses (m + 1, 4, 4); chain (m,); axes (m, 3) of `joint_axes`; point (3,), m; link: number of the link
+    that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz. Source: Cerbaro 2022, eq. 67; Vargas 2013, 2.16–2.21.
     """
-    jacobian = np.zeros((6, axes.shape[0]))
+    jacobian = np.zeros((6, columns(chain)))
     for i in range(link):
-        x, y, z = axes[i, 0], axes[i, 1], axes[i, 2]
+        joint = chain[i]
+        column, ratio = joint["driver"], joint["ratio"]
+        x, y, z = ratio * axes[i, 0], ratio * axes[i, 1], ratio * axes[i, 2]
+        if joint["slides"]:
+            jacobian[0, column] += x
+            jacobian[1, column] += y
+            jacobian[2, column] += z
+            continue
         rx, ry, rz = point[0] - poses[i + 1, 0, 3], point[1] - poses[i + 1, 1, 3], point[2] - poses[i + 1, 2, 3]
-        jacobian[0, i] = y * rz - z * ry
-        jacobian[1, i] = z * rx - x * rz
-        jacobian[2, i] = x * ry - y * rx
-        jacobian[3, i], jacobian[4, i], jacobian[5, i] = x, y, z
+        jacobian[0, column] += y * rz - z * ry
+        jacobian[1, column] += z * rx - x * rz
+        jacobian[2, column] += x * ry - y * rx
+        jacobian[3, column] += x
+        jacobian[4, column] += y
+        jacobian[5, column] += z
     return jacobian

@@ -3,51 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helicoide import content
-from helicoide.kinematics import robot_file
+from helicoide.kinematics.chain import Array, Chain, Joint, chain_of, frozen
+from helicoide.kinematics.dh import DhTable
 from helicoide.text import HelicoideError, Text
 
-Array = NDArray[np.float64]
-
-
-def frozen(values: ArrayLike) -> Array:
-    """A read-only array of float64."""
-    array = np.array(values, dtype=np.float64)
-    array.flags.writeable = False
-    return array
-
-
-@dataclass(frozen=True)
-class DhRow:
-    """Standard Denavit-Hartenberg row in rad and m; the joint angle is added to theta (Cerbaro 2022, eq. 57)."""
-
-    theta: float
-    d: float
-    a: float
-    alpha: float
+FRAME_TITLES = {
+    "station": Text(en="station", pt_BR="estação"),
+    "wrist": Text(en="wrist", pt_BR="punho"),
+    "tool": Text(en="tool", pt_BR="efetuador"),
+    "rcm": Text(en="remote centre of motion", pt_BR="centro remoto de movimento"),
+}
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
-    """A revolute joint: its axis at q = 0 in the base frame, its DH row, limits in rad and rad/s."""
+class Frame:
+    """A named frame on a link: station (where goals are given), wrist, tool or rcm (remote centre of motion)."""
 
     name: str
-    title: Text
-    link: str
-    direction: Array
-    point: Array
-    dh: DhRow
-    lower: float
-    upper: float
-    speed: float
+    link: int
+    T_link_frame: Array
+
+    @property
+    def title(self) -> Text:
+        """Its name in words."""
+        return FRAME_TITLES[self.name]
 
 
 @dataclass(frozen=True)
@@ -81,11 +67,13 @@ class Gripper:
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """An arm with n revolute joints.
+    """An arm: m moving joints in a chain, driven by n variables q; n = m unless a joint follows another.
 
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
-    guarded_points (m, 3), m, are given in the frames of the links guarded_joints (m,) that carry them.
-    Successive screws, DH rows and the URDF are separate statements: none is derived from another.
+    guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
+    Of a shipped robot, screws, DH rows and the URDF are separate statements: none is derived from another.
+    parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. ours: what the source
+    does not give: lengths, limits or speeds.
     """
 
     name: str
@@ -95,124 +83,101 @@ class Robot:
     joints: tuple[Joint, ...]
     tool_link: str
     T_world_tool_0: Array
-    R_dh_tool: Array
-    gripper: Gripper | None
+    dh: DhTable
+    frames: Mapping[str, Frame]
     guarded: tuple[GuardedPoint, ...]
     guarded_points: Array
     guarded_joints: NDArray[np.int64]
     poses: Mapping[str, Array]
     pose_titles: Mapping[str, Text]
-    panes: tuple[Pane, ...]
+    ours: tuple[str, ...] = ()
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    floor: float = 0.0
+    gripper: Gripper | None = None
+    panes: tuple[Pane, ...] = ()
+
+    @cached_property
+    def variables(self) -> tuple[Joint, ...]:
+        """The joints that q holds, (n,): all but those that follow another."""
+        return tuple(joint for joint in self.joints if joint.mimic is None)
+
+    @cached_property
+    def chain(self) -> Chain:
+        """What the kernels know of the joints, (m,)."""
+        return chain_of(self.joints)
 
     @cached_property
     def directions(self) -> Array:
-        """Joint axes at q = 0, (n, 3), unit, base frame."""
+        """Joint axes at q = 0, (m, 3), unit, base frame."""
         return frozen([joint.direction for joint in self.joints])
 
     @cached_property
     def points(self) -> Array:
-        """A point on each joint axis at q = 0, (n, 3), m, base frame."""
+        """A point on each joint axis at q = 0, (m, 3), m, base frame."""
         return frozen([joint.point for joint in self.joints])
 
     @cached_property
     def lower(self) -> Array:
-        """Lower joint limits, (n,), rad."""
-        return frozen([joint.lower for joint in self.joints])
+        """Lower limits of the variables, (n,), rad or m."""
+        return frozen([joint.lower for joint in self.variables])
 
     @cached_property
     def upper(self) -> Array:
-        """Upper joint limits, (n,), rad."""
-        return frozen([joint.upper for joint in self.joints])
+        """Upper limits of the variables, (n,), rad or m."""
+        return frozen([joint.upper for joint in self.variables])
 
     @cached_property
     def speed(self) -> Array:
-        """Joint speed limits, (n,), rad/s."""
-        return frozen([joint.speed for joint in self.joints])
+        """Speed limits of the variables, (n,), rad/s or m/s."""
+        return frozen([joint.speed for joint in self.variables])
+
+    @cached_property
+    def T_link_tool(self) -> Array:
+        """The tool in the frame of the last link, (4, 4), m."""
+        return on_link(self.T_world_tool_0, self.points[-1])
+
+    @cached_property
+    def reach(self) -> float:
+        """Length of the stretched chain from the first joint to the tool, with every slide out, m."""
+        ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
+        slides = sum(max(abs(joint.lower), abs(joint.upper)) for joint in self.variables if joint.slides)
+        return float(np.linalg.norm(ways, axis=1).sum() + slides)
 
     def check_joints(self, q: ArrayLike) -> Array:
         """The joint values as a read-only array (n,); raises HelicoideError unless there are n finite numbers."""
         values = np.atleast_1d(np.asarray(q, dtype=np.float64))
-        if values.shape != (len(self.joints),) or not np.isfinite(values).all():
+        if values.shape != (len(self.variables),) or not np.isfinite(values).all():
             raise HelicoideError(
                 Text(
                     en="{robot} takes {n} finite joint values ({names}), not {given}.",
                     pt_BR="{robot} recebe {n} valores finitos de junta ({names}), não {given}.",
                 ).format(
                     robot=self.name,
-                    n=len(self.joints),
-                    names=", ".join(joint.name for joint in self.joints),
+                    n=len(self.variables),
+                    names=", ".join(joint.name for joint in self.variables),
                     given=", ".join(f"{value:g}" for value in values.ravel()),
                 )
             )
         return frozen(values)
 
 
-def _metres(triple: ArrayLike) -> Array:
-    return frozen(np.asarray(triple, dtype=np.float64) / 1000)
+def on_link(T_world_frame_0: Array, point: Array) -> Array:
+    """A frame at q = 0, (4, 4), m, as a link sees it whose joint has that point, (3,), m."""
+    T = T_world_frame_0.copy()
+    T[:3, 3] -= point
+    return frozen(T)
 
 
-def _joint(file: robot_file.JointFile) -> Joint:
-    direction = np.asarray(file.screw.direction, dtype=np.float64)
-    dh = file.dh
-    lower, upper, speed = np.radians([*file.limits_deg, file.speed_deg_s])
-    return Joint(
-        name=file.name,
-        title=file.title.text,
-        link=file.link,
-        direction=frozen(direction / np.linalg.norm(direction)),
-        point=_metres(file.screw.point_mm),
-        dh=DhRow(np.radians(dh.theta_deg), dh.d_mm / 1000, dh.a_mm / 1000, np.radians(dh.alpha_deg)),
-        lower=lower,
-        upper=upper,
-        speed=speed,
+def guarded_centres(
+    joints: tuple[Joint, ...], T_world_tool_0: Array
+) -> tuple[tuple[GuardedPoint, ...], Array, NDArray[np.int64]]:
+    """The guarded points of an arm whose file names none: the centre of every joint, and the tool."""
+    centre = Text(en="joint {n}", pt_BR="junta {n}")
+    points = [GuardedPoint(joint.name, centre.format(n=i + 1)) for i, joint in enumerate(joints)]
+    last = on_link(T_world_tool_0, joints[-1].point)[:3, 3]
+    carriers = np.arange(1, len(joints) + 1)
+    return (
+        (*points, GuardedPoint("tool", FRAME_TITLES["tool"])),
+        frozen([*np.zeros((len(joints), 3)), last]),
+        np.append(carriers, len(joints)),
     )
-
-
-def _pane(file: robot_file.PlaneFile) -> Pane:
-    """The plane as measured: normal and offset are divided by the same norm, so that the plane stays where it is."""
-    norm = float(np.linalg.norm(file.normal))
-    return Pane(
-        name=file.name,
-        title=file.title.text,
-        normal=frozen(np.asarray(file.normal) / norm),
-        offset=file.offset_mm / 1000 / norm,
-        centre=_metres(file.centre_mm),
-        size=(file.size_mm[0] / 1000, file.size_mm[1] / 1000),
-        movable=file.movable,
-    )
-
-
-def _tool(file: robot_file.ToolFile) -> Array:
-    pose = np.eye(4)
-    pose[:3, 3] = _metres(file.position_mm)
-    return frozen(pose)
-
-
-def from_folder(folder: Path) -> Robot:
-    """The robot that a folder with a robot.toml describes; raises HelicoideError when the file is wrong."""
-    file = robot_file.read(folder / "robot.toml")
-    order = ["", *(joint.name for joint in file.joints)]
-    origins = np.array([(0.0, 0.0, 0.0), *(joint.screw.point_mm for joint in file.joints)])
-    carriers = np.array([order.index(point.joint) for point in file.guarded_points])
-    return Robot(
-        name=folder.name,
-        title=file.title.text,
-        source=file.source,
-        urdf=folder / file.urdf,
-        joints=tuple(map(_joint, file.joints)),
-        tool_link=file.tool.link,
-        T_world_tool_0=_tool(file.tool),
-        R_dh_tool=frozen(file.tool.R_dh_tool),
-        gripper=Gripper(file.gripper.joint, file.gripper.opening_mm / 1000) if file.gripper else None,
-        guarded=tuple(GuardedPoint(point.name, point.title.text) for point in file.guarded_points),
-        guarded_points=_metres(np.array([point.point_mm for point in file.guarded_points]) - origins[carriers]),
-        guarded_joints=carriers,
-        poses=MappingProxyType({name: frozen(np.radians(pose.joints_deg)) for name, pose in file.poses.items()}),
-        pose_titles=MappingProxyType({name: pose.title.text for name, pose in file.poses.items()}),
-        panes=tuple(map(_pane, file.planes)),
-    )
-
-
-def load(name: str) -> Robot:
-    """A robot by name; raises HelicoideError that lists the names there are, or says what is wrong in its file."""
-    return from_folder(content.folder("robots", name))

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any, Literal
 
 import msgspec
 
 from helicoide.text import HelicoideError, Text
 
 Triple = tuple[float, float, float]
+Matrix = tuple[Triple, Triple, Triple]
+IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 class Title(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -33,7 +37,10 @@ class Screw(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A standard Denavit-Hartenberg row (Cerbaro 2022, eq. 57); the joint's angle is added to theta."""
+    """A Denavit-Hartenberg row; the joint's variable is added to theta, or to d where the joint slides.
+
+    a and α are those of the same joint in the standard convention, those of the joint before in the modified one.
+    """
 
     theta_deg: float
     d_mm: float
@@ -42,23 +49,44 @@ class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A revolute joint and the URDF link that it carries."""
+    """A joint and the URDF link that it carries; limits in degrees, or in millimetres where it slides."""
 
     name: str
     title: Title
     link: str
     screw: Screw
     dh: DhRow
-    limits_deg: tuple[float, float]
-    speed_deg_s: float
+    kind: Literal["revolute", "prismatic"] = "revolute"
+    limits_deg: tuple[float, float] | None = None
+    speed_deg_s: float | None = None
+    limits_mm: tuple[float, float] | None = None
+    speed_mm_s: float | None = None
 
 
 class ToolFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """The tool frame at q = 0, axes parallel to the base, and its rotation in the last DH frame."""
+    """The tool frame at q = 0, and the same frame as the last DH frame sees it."""
 
     position_mm: Triple
     link: str
-    R_dh_tool: tuple[Triple, Triple, Triple]
+    R_dh_tool: Matrix
+    R_world_tool: Matrix = IDENTITY
+    p_dh_tool_mm: Triple = (0, 0, 0)
+
+
+class FrameFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """Another frame at q = 0; `joint` is the last joint that moves it, "" for none."""
+
+    joint: str
+    position_mm: Triple
+    R_world_frame: Matrix = IDENTITY
+
+
+class FramesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """Where goals are given (station), where the wrist axes meet (wrist), the remote centre of motion (rcm)."""
+
+    station: FrameFile | None = None
+    wrist: FrameFile | None = None
+    rcm: FrameFile | None = None
 
 
 class GripperFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -78,10 +106,10 @@ class PointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class PoseFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A named posture."""
+    """A named posture: degrees, millimetres where a joint slides."""
 
     title: Title
-    joints_deg: tuple[float, ...]
+    joints: tuple[float, ...]
 
 
 class PlaneFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -97,23 +125,33 @@ class PlaneFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """The whole file."""
+    """The whole file.
+
+    parameters: lengths, mm, that the file may use by name: any length may be a sum such as "l1 + l2", and the URDF may
+    hold ${l1}, in metres. ours: what the source does not give. floor_mm: where the floor is drawn, under the base.
+    """
 
     title: Title
     source: str
     urdf: str
     tool: ToolFile
     joints: tuple[JointFile, ...]
-    guarded_points: tuple[PointFile, ...]
     poses: dict[str, PoseFile]
+    parameters: dict[str, float] = {}
+    ours: tuple[Literal["lengths", "limits", "speeds"], ...] = ()
+    convention: Literal["standard", "modified"] = "standard"
+    floor_mm: float = 0
+    frames: FramesFile = FramesFile()
+    guarded_points: tuple[PointFile, ...] = ()
     gripper: GripperFile | None = None
     planes: tuple[PlaneFile, ...] = ()
 
 
-def read(path: Path) -> RobotFile:
-    """Read a robot file; raises HelicoideError with the place and the reason of the first mistake."""
+def read(path: Path, parameters: Mapping[str, float] | None = None) -> RobotFile:
+    """Read a robot file, with some of its parameters (mm) changed; raises HelicoideError with place and reason."""
     try:
-        file = msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8"), parse_float=_finite), RobotFile)
+        table = tomllib.loads(path.read_text(encoding="utf-8"), parse_float=_finite)
+        file = msgspec.convert(_with_parameters(table, parameters or {}), RobotFile)
         _check(file)
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, msgspec.ValidationError, ValueError) as error:
         raise HelicoideError(
@@ -130,24 +168,73 @@ def _finite(number: str) -> float:
     return value
 
 
+def _with_parameters(table: dict[str, Any], changed: Mapping[str, float]) -> dict[str, Any]:
+    """The table with sums of parameters worked out wherever a list or a length holds one."""
+    known = table.get("parameters", {})
+    if not isinstance(known, dict) or not all(isinstance(value, int | float) for value in known.values()):
+        return table
+    for name, value in changed.items():
+        if name not in known:
+            raise ValueError(f"there is no parameter {name}; there is: {', '.join(known) or 'none'}")
+        if not (math.isfinite(value) and value > 0):
+            raise ValueError(f"parameter {name} must be a positive number of millimetres, not {value}")
+    known = {**known, **changed}
+    return {**_summed(table, known), "parameters": known}
+
+
+def _summed(part: Any, known: Mapping[str, float]) -> Any:
+    """The same part of a file with each "l1 + l2" of known names as its sum."""
+    match part:
+        case dict():
+            return {key: _summed(value, known) for key, value in part.items()}
+        case list():
+            return [_summed(value, known) for value in part]
+        case str() if known and all(name.strip() in known for name in part.split("+")):
+            return sum(known[name.strip()] for name in part.split("+"))
+        case _:
+            return part
+
+
 def _check(file: RobotFile) -> None:
     """What types alone cannot say: references, counts, axes and limits."""
     names = [joint.name for joint in file.joints]
     for joint in file.joints:
-        if not any(joint.screw.direction):
-            raise ValueError(f"the axis of joint {joint.name} is zero")
-        if not joint.limits_deg[0] < joint.limits_deg[1] or not joint.speed_deg_s > 0:
-            raise ValueError(f"joint {joint.name} needs limits in rising order and a positive speed")
-    for point in file.guarded_points:
-        if point.joint not in ("", *names):
-            raise ValueError(f"guarded point {point.name} names joint {point.joint!r}; there is: {', '.join(names)}")
-    if not any(point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points):
+        _check_joint(joint)
+    for carrier in [point.joint for point in file.guarded_points] + [frame.joint for frame in _given(file.frames)]:
+        if carrier not in ("", *names):
+            raise ValueError(f"{carrier!r} is no joint; there is: {', '.join(names)}")
+    if file.guarded_points and not any(
+        point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points
+    ):
         raise ValueError(f"no guarded point of joint {names[-1]} lies at the tool, {file.tool.position_mm} mm")
     for name, pose in file.poses.items():
-        if len(pose.joints_deg) != len(names):
-            raise ValueError(f"pose {name} has {len(pose.joints_deg)} angles for {len(names)} joints")
+        if len(pose.joints) != len(names):
+            raise ValueError(f"pose {name} has {len(pose.joints)} values for {len(names)} joints")
     for plane in file.planes:
         if not any(plane.normal):
             raise ValueError(f"the normal of plane {plane.name} is zero")
-    for pose_name in {"home", "ready"} - file.poses.keys():
-        raise ValueError(f"pose {pose_name} is missing")
+    if "ready" not in file.poses:
+        raise ValueError("pose ready is missing")
+    if file.planes and "home" not in file.poses:
+        raise ValueError("pose home is missing: with planes, the arm parks there")
+
+
+def _check_joint(joint: JointFile) -> None:
+    if not any(joint.screw.direction):
+        raise ValueError(f"the axis of joint {joint.name} is zero")
+    limits, speed, unit = limits_of(joint)
+    if limits is None or speed is None:
+        raise ValueError(f"joint {joint.name} is {joint.kind} and needs limits_{unit} and speed_{unit}_s")
+    if not limits[0] < limits[1] or not speed > 0:
+        raise ValueError(f"joint {joint.name} needs limits in rising order and a positive speed")
+
+
+def limits_of(joint: JointFile) -> tuple[tuple[float, float] | None, float | None, str]:
+    """Limits and speed of a joint in the unit of its kind, and that unit: deg or mm."""
+    if joint.kind == "revolute":
+        return joint.limits_deg, joint.speed_deg_s, "deg"
+    return joint.limits_mm, joint.speed_mm_s, "mm"
+
+
+def _given(frames: FramesFile) -> list[FrameFile]:
+    return [frame for frame in (frames.station, frames.wrist, frames.rcm) if frame is not None]

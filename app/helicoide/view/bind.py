@@ -13,7 +13,7 @@ import numpy as np
 import viser
 
 from helicoide.gate import Phase
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 
 Drag = Callable[[Phase, Array, Array], None]
 

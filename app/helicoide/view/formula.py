@@ -9,7 +9,7 @@ import numpy as np
 from latex2mathml.converter import convert
 
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 
 ZERO = 5e-4
 _BLADES = tuple("1" if name == "1" else re.sub(r"e(\d)", r"e<sub>\1</sub>", name) for name in CL031.names)

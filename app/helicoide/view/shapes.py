@@ -9,7 +9,8 @@ import numpy as np
 import trimesh
 import yourdfpy
 
-from helicoide.kinematics.robot import Array, Robot
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
 SHARP = np.radians(50.0)

@@ -6,7 +6,7 @@ import numpy as np
 import viser
 
 from helicoide.geometry import rotation
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape

@@ -7,7 +7,7 @@ import viser
 
 from helicoide.confinement import Zone
 from helicoide.geometry import rotation
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 from helicoide.readout import zones
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View

@@ -7,7 +7,7 @@ import viser
 
 from helicoide import gate
 from helicoide.geometry import rotation
-from helicoide.kinematics.robot import Array
+from helicoide.kinematics.chain import Array
 from helicoide.readout import SHORT
 from helicoide.state import Grasp, State, ToPose
 from helicoide.view import bind

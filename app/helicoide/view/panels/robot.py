@@ -9,7 +9,8 @@ from helicoide import gate
 from helicoide.geometry import rotation
 from helicoide.ik.goal import tool_pose
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Array, Robot
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
 from helicoide.state import PATH, Along, State, ToJoints, ToPose
 from helicoide.text import Text
 from helicoide.view import layers
@@ -93,7 +94,7 @@ def target_pose(state: State) -> Array:
         case Along(path, s):
             return path.pose(s)
         case ToJoints(q):
-            return tool_pose(state.problem, link_poses(state.robot.directions, state.robot.points, q))
+            return tool_pose(state.problem, link_poses(state.robot.chain, q))
         case _:
             return state.T_world_tool
 

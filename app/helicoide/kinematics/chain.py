@@ -1,0 +1,82 @@
+"""The moving axes of an arm as one array, in the form that the kernels take."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helicoide.text import Text
+
+Array = NDArray[np.float64]
+Chain = NDArray[np.void]
+Kind = Literal["revolute", "prismatic"]
+
+# direction: unit, and offset from the axis point before, m, both at q = 0 in the base frame; the joint stands at
+# ratio · q[driver] + shift, an angle or, where it slides, a length.
+CHAIN = np.dtype(
+    [("direction", "f8", 3), ("offset", "f8", 3), ("ratio", "f8"), ("shift", "f8"), ("driver", "i8"), ("slides", "?")],
+    align=True,
+)
+
+
+def frozen(values: ArrayLike) -> Array:
+    """A read-only array of float64."""
+    array = np.array(values, dtype=np.float64)
+    array.flags.writeable = False
+    return array
+
+
+@dataclass(frozen=True)
+class Mimic:
+    """A joint that follows another one: it stands at ratio · q[driver] + shift."""
+
+    driver: int
+    ratio: float
+    shift: float
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A moving joint: its axis at q = 0 in the base frame; limits in rad and rad/s, m and m/s where it slides.
+
+    mimic: what it follows instead of a variable of its own.
+    """
+
+    name: str
+    title: Text
+    link: str
+    kind: Kind
+    direction: Array
+    point: Array
+    lower: float
+    upper: float
+    speed: float
+    mimic: Mimic | None = None
+
+    @property
+    def slides(self) -> bool:
+        """Whether the joint is prismatic."""
+        return self.kind == "prismatic"
+
+
+def chain_of(joints: Sequence[Joint]) -> Chain:
+    """The joints, base first, as an array of `CHAIN`; those that follow no other take the variables in turn."""
+    chain = np.zeros(len(joints), CHAIN)
+    before, variables = np.zeros(3), 0
+    for row, joint in zip(chain, joints, strict=True):
+        mimic = joint.mimic or Mimic(variables, 1.0, 0.0)
+        variables += joint.mimic is None
+        row["direction"], row["offset"], row["slides"] = joint.direction, joint.point - before, joint.slides
+        row["driver"], row["ratio"], row["shift"] = mimic.driver, mimic.ratio, mimic.shift
+        before = joint.point
+    chain.flags.writeable = False
+    return chain
+
+
+def spread(chain: Chain, q: Array) -> Array:
+    """Where every joint of the chain stands, xᵢ = ratioᵢ q[driverᵢ] + shiftᵢ, (m,), for the variables q (n,)."""
+    return np.asarray(chain["ratio"] * q[chain["driver"]] + chain["shift"])

@@ -1,0 +1,132 @@
+"""Denavit-Hartenberg rows in both conventions, and rows recovered from screw axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array, Joint, frozen
+
+Convention = Literal["standard", "modified"]
+
+# Axes that meet at a smaller sine count as parallel: their common normal would lie too far away to be written down.
+PARALLEL = 1e-9
+
+
+@dataclass(frozen=True)
+class DhRow:
+    """A Denavit-Hartenberg row in rad and m; the joint's variable is added to theta, or to d where it slides."""
+
+    theta: float
+    d: float
+    a: float
+    alpha: float
+
+
+@dataclass(frozen=True, eq=False)
+class DhTable:
+    """The rows of an arm from the constant T_world_dh (4, 4) to the last DH frame, and the tool in that, T_dh_tool.
+
+    standard: Aᵢ = Rz(θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ); modified (Craig): Aᵢ = Rx(αᵢ₋₁) Tx(aᵢ₋₁) Rz(θᵢ) Tz(dᵢ).
+    """
+
+    convention: Convention
+    rows: tuple[DhRow, ...]
+    T_world_dh: Array
+    T_dh_tool: Array
+
+
+def _about_z(theta: float, d: float) -> Array:
+    c, s = np.cos(theta), np.sin(theta)
+    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
+
+
+def _about_x(alpha: float, a: float) -> Array:
+    c, s = np.cos(alpha), np.sin(alpha)
+    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+
+
+def transform(convention: Convention, row: DhRow, joint: Joint, value: float) -> Array:
+    """Pose of a DH frame in the one before it, with the joint at a value.
+
+    A = Rz(θ) Tz(d) Tx(a) Rx(α) in the standard convention, Rx(α) Tx(a) Rz(θ) Tz(d) in the modified one.
+    Args: value: rad, or m where the joint slides. Returns (4, 4), m.
+    Source: Cerbaro 2022, eq. 57 (standard); Campos 1998, s.40 and Craig (modified).
+    """
+    theta, d = (row.theta, row.d + value) if joint.slides else (row.theta + value, row.d)
+    z, x = _about_z(theta, d), _about_x(row.alpha, row.a)
+    return z @ x if convention == "standard" else x @ z
+
+
+def poses(table: DhTable, joints: Sequence[Joint], values: Array) -> list[Array]:
+    """Poses of all DH frames in the base frame: T₀ A₁ … Aᵢ for i = 0 to m, each (4, 4), m.
+
+    Args: values (m,): where each joint stands, rad or m.
+    """
+    frames = [table.T_world_dh]
+    for row, joint, value in zip(table.rows, joints, values, strict=True):
+        frames.append(frames[-1] @ transform(table.convention, row, joint, value))
+    return frames
+
+
+def recovered(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
+    """Standard rows of a chain that is given by its screw axes.
+
+    zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. Where axes are
+    parallel the normal through the last origin is taken, and xᵢ₋₁ where they coincide; the last frame stays on its axis.
+    Args: joints, base first; T_world_tool_0 (4, 4), m, at q = 0. Source: Denavit and Hartenberg 1955.
+    """
+    first = joints[0]
+    frame = _frame(_across(np.eye(3)[0], first.direction), first.direction, first.point)
+    start, rows = frame, []
+    for joint, after in zip(joints, [*joints[1:], first], strict=True):
+        row, frame = (DhRow(0, 0, 0, 0), frame) if joint is joints[-1] else _row(frame, after)
+        rows.append(row)
+    return DhTable("standard", tuple(rows), frozen(start), frozen(np.linalg.inv(frame) @ T_world_tool_0))
+
+
+def _frame(x: Array, z: Array, origin: Array) -> Array:
+    frame = np.eye(4)
+    frame[:3, :4] = np.column_stack([x, np.cross(z, x), z, origin])
+    return frame
+
+
+def _across(wished: Array, z: Array) -> Array:
+    """The unit vector across z that is nearest to a wished one, or to the y axis where that lies along z."""
+    x = wished - (wished @ z) * z
+    if np.linalg.norm(x) < 1e-3:
+        return _across(np.eye(3)[1], z)
+    return np.asarray(x / np.linalg.norm(x))
+
+
+def _row(frame: Array, after: Joint) -> tuple[DhRow, Array]:
+    """The row from a frame, whose z lies along its joint's axis, to the frame on the axis of the joint after."""
+    x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
+    foot, normal, end = _common_normal(x, z, origin, after)
+    return (
+        DhRow(
+            theta=float(np.arctan2(np.cross(x, normal) @ z, x @ normal)),
+            d=float((foot - origin) @ z),
+            a=float((end - foot) @ normal),
+            alpha=float(np.arctan2(np.cross(z, after.direction) @ normal, z @ after.direction)),
+        ),
+        _frame(normal, after.direction, end),
+    )
+
+
+def _common_normal(x: Array, z: Array, origin: Array, after: Joint) -> tuple[Array, Array, Array]:
+    """Foot of the common normal on the axis z through origin, its unit direction, its end on the axis after."""
+    across, between = np.cross(z, after.direction), after.point - origin
+    sine = float(np.linalg.norm(across))
+    if sine < PARALLEL:
+        normal = between - (between @ z) * z
+        length = float(np.linalg.norm(normal))
+        return origin, x if length < PARALLEL else normal / length, origin + normal
+    along = np.cross(between, after.direction) @ across / sine**2
+    after_along = np.cross(between, z) @ across / sine**2
+    foot, end = origin + along * z, after.point + after_along * after.direction
+    normal = across / sine
+    return foot, -normal if (end - foot) @ normal < 0 else normal, end

@@ -1,0 +1,129 @@
+"""A robot from its folder: `robots/<name>/robot.toml` in SI units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helicoide.kinematics import robot_file
+from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.kinematics.dh import DhRow, DhTable
+from helicoide.kinematics.robot import Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
+
+
+def _metres(triple: ArrayLike) -> Array:
+    return frozen(np.asarray(triple, dtype=np.float64) / 1000)
+
+
+def _pose(R: ArrayLike, position_mm: ArrayLike) -> Array:
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R, _metres(position_mm)
+    return frozen(T)
+
+
+def _joint(file: robot_file.JointFile) -> Joint:
+    direction = np.asarray(file.screw.direction, dtype=np.float64)
+    limits, speed, unit = robot_file.limits_of(file)
+    assert limits is not None and speed is not None  # `robot_file.read` has seen to it
+    scale = np.radians(1.0) if unit == "deg" else 1e-3
+    return Joint(
+        name=file.name,
+        title=file.title.text,
+        link=file.link,
+        kind=file.kind,
+        direction=frozen(direction / np.linalg.norm(direction)),
+        point=_metres(file.screw.point_mm),
+        lower=limits[0] * scale,
+        upper=limits[1] * scale,
+        speed=speed * scale,
+    )
+
+
+def _dh(file: robot_file.RobotFile) -> DhTable:
+    rows = tuple(
+        DhRow(np.radians(row.theta_deg), row.d_mm / 1000, row.a_mm / 1000, np.radians(row.alpha_deg))
+        for row in (joint.dh for joint in file.joints)
+    )
+    return DhTable(file.convention, rows, frozen(np.eye(4)), _pose(file.tool.R_dh_tool, file.tool.p_dh_tool_mm))
+
+
+def _pane(file: robot_file.PlaneFile) -> Pane:
+    """The plane as measured: normal and offset are divided by the same norm, so that the plane stays where it is."""
+    norm = float(np.linalg.norm(file.normal))
+    return Pane(
+        name=file.name,
+        title=file.title.text,
+        normal=frozen(np.asarray(file.normal) / norm),
+        offset=file.offset_mm / 1000 / norm,
+        centre=_metres(file.centre_mm),
+        size=(file.size_mm[0] / 1000, file.size_mm[1] / 1000),
+        movable=file.movable,
+    )
+
+
+def _frames(file: robot_file.RobotFile, joints: tuple[Joint, ...]) -> dict[str, Frame]:
+    """The frames that the file gives; the station is the base where it gives none, the wrist the last joint."""
+    last = joints[-1]
+    given: dict[str, robot_file.FrameFile] = {
+        "station": file.frames.station or robot_file.FrameFile("", (0, 0, 0)),
+        "wrist": file.frames.wrist or robot_file.FrameFile(last.name, file.joints[-1].screw.point_mm),
+        "tool": robot_file.FrameFile(last.name, file.tool.position_mm, file.tool.R_world_tool),
+    }
+    if file.frames.rcm:
+        given["rcm"] = file.frames.rcm
+    return {name: _frame(name, frame, joints) for name, frame in given.items()}
+
+
+def _frame(name: str, file: robot_file.FrameFile, joints: tuple[Joint, ...]) -> Frame:
+    link = ["", *(joint.name for joint in joints)].index(file.joint)
+    origin = joints[link - 1].point if link else np.zeros(3)
+    return Frame(name, link, on_link(_pose(file.R_world_frame, file.position_mm), origin))
+
+
+def _guarded(
+    file: robot_file.RobotFile, joints: tuple[Joint, ...], T_world_tool_0: Array
+) -> tuple[tuple[GuardedPoint, ...], Array, NDArray[np.int64]]:
+    if not file.guarded_points:
+        return guarded_centres(joints, T_world_tool_0)
+    order = ["", *(joint.name for joint in joints)]
+    origins = np.array([(0.0, 0.0, 0.0), *(joint.point for joint in joints)])
+    carriers = np.array([order.index(point.joint) for point in file.guarded_points])
+    points = _metres([point.point_mm for point in file.guarded_points]) - origins[carriers]
+    return tuple(GuardedPoint(point.name, point.title.text) for point in file.guarded_points), frozen(points), carriers
+
+
+def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> Robot:
+    """The robot that a folder with a robot.toml describes, with some of its parameters (mm) changed.
+
+    Raises HelicoideError when the file is wrong or has no such parameter.
+    """
+    file = robot_file.read(folder / "robot.toml", parameters)
+    joints = tuple(map(_joint, file.joints))
+    T_world_tool_0 = _pose(file.tool.R_world_tool, file.tool.position_mm)
+    units = [1e-3 if joint.slides else np.radians(1.0) for joint in joints]
+    guarded, guarded_points, guarded_joints = _guarded(file, joints, T_world_tool_0)
+    return Robot(
+        name=folder.name,
+        title=file.title.text,
+        source=file.source,
+        urdf=folder / file.urdf,
+        joints=joints,
+        tool_link=file.tool.link,
+        T_world_tool_0=T_world_tool_0,
+        dh=_dh(file),
+        frames=MappingProxyType(_frames(file, joints)),
+        guarded=guarded,
+        guarded_points=guarded_points,
+        guarded_joints=guarded_joints,
+        poses=MappingProxyType({name: frozen(np.multiply(pose.joints, units)) for name, pose in file.poses.items()}),
+        pose_titles=MappingProxyType({name: pose.title.text for name, pose in file.poses.items()}),
+        ours=file.ours,
+        parameters=MappingProxyType({name: value / 1000 for name, value in file.parameters.items()}),
+        floor=file.floor_mm / 1000,
+        gripper=Gripper(file.gripper.joint, file.gripper.opening_mm / 1000) if file.gripper else None,
+        panes=tuple(map(_pane, file.planes)),
+    )

@@ -1,0 +1,88 @@
+"""Every robot by name: the shipped ones, the user's, those of installed packages, and any URDF file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+from helicoide import content
+from helicoide.kinematics.folder import from_folder
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.text import HelicoideError, Text
+
+PACKAGES = ("example-robot-data", "rtb-data")
+
+
+@cache
+def packaged() -> Mapping[str, Path]:
+    """The URDF files of installed packages by name, such as "panda"; the first package wins."""
+    found: dict[str, Path] = {}
+    for file in (file for package in PACKAGES for file in _files(package)):
+        found.setdefault(file.stem.removesuffix("_robot"), file)
+    return found
+
+
+def _files(package: str) -> list[Path]:
+    """The URDF files of a package, none when it is not installed."""
+    try:
+        files = distribution(package).files or []
+    except PackageNotFoundError:
+        return []
+    return sorted(Path(str(file.locate())) for file in files if file.suffix == ".urdf")
+
+
+def names() -> list[str]:
+    """The robots that a name can mean: those in folders, then those of packages."""
+    folders = content.found("robots")
+    return [*sorted(folders), *sorted(set(packaged()) - set(folders))]
+
+
+def load(robot: str, tip: str | None = None, parameters: Mapping[str, float] | None = None) -> Robot:
+    """A robot by name or by the path of a URDF file, with the chain to `tip` of a URDF, or with parameters (mm) changed.
+
+    Raises HelicoideError that lists the names there are, or says what is wrong in a file.
+    """
+    folders = content.found("robots")
+    path = packaged().get(robot) if robot not in folders else None
+    if robot.endswith((".urdf", ".xml")):
+        path = Path(robot)
+    if path is not None:
+        _refuse(parameters, f"{robot}: --set")
+        return from_urdf(path, tip)
+    if robot in folders:
+        _refuse(tip, f"{robot}: --tip")
+        return from_folder(folders[robot], parameters)
+    raise _unknown(robot)
+
+
+def _refuse(given: object, option: str) -> None:
+    if given:
+        raise HelicoideError(
+            Text(
+                en="{option} does not go with it: --tip is for URDF files, --set for robots with parameters.",
+                pt_BR="{option} não serve aqui: --tip é para arquivos URDF, --set para robôs com parâmetros.",
+            ).format(option=option)
+        )
+
+
+def _unknown(robot: str) -> HelicoideError:
+    return HelicoideError(
+        Text(
+            en="There is no robot named {robot!r}; there is: {names}. {more}",
+            pt_BR="Não existe robô de nome {robot!r}; existe: {names}. {more}",
+        ).format(robot=robot, names=", ".join(names()), more=_more())
+    )
+
+
+def _more() -> Text:
+    """How to get more robots: the path of a URDF file, or the packages that are not installed."""
+    missing = [package for package in PACKAGES if not _files(package)]
+    if not missing:
+        return Text(en="Or give the path of a URDF file.", pt_BR="Ou dê o caminho de um arquivo URDF.")
+    return Text(
+        en="Or give the path of a URDF file. More come with: pip install {missing}.",
+        pt_BR="Ou dê o caminho de um arquivo URDF. Outros vêm com: pip install {missing}.",
+    ).format(missing=" ".join(missing))

@@ -1,0 +1,182 @@
+"""A robot from any URDF file: the chain from its root to a link, screws read from the joints at zero."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+import yourdfpy
+
+from helicoide.kinematics import dh
+from helicoide.kinematics.chain import Array, Joint, Mimic, frozen
+from helicoide.kinematics.robot import Frame, Robot, guarded_centres, on_link
+from helicoide.kinematics.urdf_file import broken, parsed
+from helicoide.text import Text, same
+
+MOVING = ("revolute", "continuous", "prismatic")
+MOST_JOINTS = 30
+SPEED, SLIDE_SPEED = math.pi / 3, 0.25
+TOOLS = ("tool", "tool0", "tcp", "ee", "hand", "flange")
+
+
+def from_urdf(path: Path, tip: str | None = None) -> Robot:
+    """The chain from the root of a URDF to a link, as a Robot.
+
+    Without `tip` the chain ends where the moving joints branch or end. DH rows are recovered from the screws. What the
+    file does not say is ours: speeds that are missing or zero, limits of continuous joints, and the posture `ready`.
+    Raises HelicoideError when the file is broken or has no such link.
+    """
+    robot = parsed(path).robot
+    link = _default_tip(path, robot) if tip is None else tip
+    if link not in (names := [link.name for link in robot.links]):
+        raise broken(path, f"there is no link {link!r}; there is: {', '.join(names)}")
+    joints, T_world_tool_0 = _chain(path, robot, link)
+    guarded, guarded_points, guarded_joints = guarded_centres(joints, T_world_tool_0)
+    return Robot(
+        name=path.stem,
+        title=same(robot.name or path.stem),
+        source=f"{path.name}: {link}",
+        urdf=path,
+        joints=joints,
+        tool_link=link,
+        T_world_tool_0=T_world_tool_0,
+        dh=dh.recovered(joints, T_world_tool_0),
+        frames=MappingProxyType(_frames(joints, T_world_tool_0)),
+        guarded=guarded,
+        guarded_points=guarded_points,
+        guarded_joints=guarded_joints,
+        poses=MappingProxyType({"ready": _ready(joints)}),
+        pose_titles=MappingProxyType({"ready": Text(en="ready", pt_BR="pronto")}),
+    )
+
+
+def _frames(joints: tuple[Joint, ...], T_world_tool_0: Array) -> dict[str, Frame]:
+    return {
+        "station": Frame("station", 0, frozen(np.eye(4))),
+        "wrist": Frame("wrist", len(joints), frozen(np.eye(4))),
+        "tool": Frame("tool", len(joints), on_link(T_world_tool_0, joints[-1].point)),
+    }
+
+
+def _is_free(joint: yourdfpy.Joint) -> bool:
+    return joint.type in MOVING and joint.mimic is None
+
+
+def _default_tip(path: Path, robot: yourdfpy.Robot) -> str:
+    """The link where the arm ends: follow the only moving branch from the root, then the fixed links of a tool."""
+    below: dict[str, list[yourdfpy.Joint]] = {}
+    for joint in robot.joints:
+        below.setdefault(joint.parent, []).append(joint)
+
+    def moves(joint: yourdfpy.Joint) -> int:
+        return _is_free(joint) + max(map(moves, below.get(joint.child, [])), default=0)
+
+    link = next(link.name for link in robot.links if link.name not in {joint.child for joint in robot.joints})
+    joints = 0
+    while branches := [joint for joint in below.get(link, []) if moves(joint)]:
+        best = max(branches, key=moves)
+        if sum(moves(joint) == moves(best) for joint in branches) > 1:
+            break
+        joints, link = joints + _is_free(best), best.child
+    if not joints:
+        ends = [name for name in (link.name for link in robot.links) if name not in below]
+        raise broken(path, f"choose the link where the arm ends with --tip; the ends are: {', '.join(ends)}")
+    return _tool_of(link, below)
+
+
+def _tool_of(link: str, below: Mapping[str, list[yourdfpy.Joint]]) -> str:
+    """The fixed link beyond the last moving one that is called a tool, else the link itself."""
+    fixed, found = [link], link
+    while fixed:
+        name = fixed.pop()
+        if set(name.lower().split("_")) & set(TOOLS):
+            found = name
+        fixed += [joint.child for joint in below.get(name, []) if joint.type == "fixed"]
+    return found
+
+
+def _chain(path: Path, robot: yourdfpy.Robot, tip: str) -> tuple[tuple[Joint, ...], Array]:
+    """The moving joints from the root to a link, and the pose of that link at zero, base frame."""
+    above = {joint.child: joint for joint in robot.joints}
+    way: list[yourdfpy.Joint] = []
+    link = tip
+    while link in above:
+        way.insert(0, above[link])
+        link = way[0].parent
+    if not 0 < (count := sum(map(_is_free, way))) <= MOST_JOINTS:
+        raise broken(path, f"the chain to {tip!r} has {count} moving joints; an arm has 1 to {MOST_JOINTS}")
+    free = [joint.name for joint in way if _is_free(joint)]
+    T, joints = np.eye(4), list[Joint]()
+    for joint in way:
+        T = T @ (np.eye(4) if joint.origin is None else joint.origin)
+        if joint.type in MOVING:
+            joints.append(_joint(path, joint, T, free))
+        elif joint.type != "fixed":
+            raise broken(path, f"joint {joint.name!r} is of type {joint.type!r}; use one of: {', '.join(MOVING)}, fixed")
+    return tuple(_within_limits_of_mimics(joints)), frozen(T)
+
+
+def _joint(path: Path, joint: yourdfpy.Joint, T: Array, free: list[str]) -> Joint:
+    slides = joint.type == "prismatic"
+    direction = T[:3, :3] @ np.asarray(joint.axis, dtype=float)
+    if not np.linalg.norm(direction) > 0:
+        raise broken(path, f"the axis of joint {joint.name!r} is zero")
+    lower, upper = (-2 * math.pi, 2 * math.pi) if joint.type == "continuous" else _range(path, joint)
+    speed = joint.limit.velocity if joint.limit is not None else None
+    return Joint(
+        name=joint.name,
+        title=same(joint.name),
+        link=joint.child,
+        kind="prismatic" if slides else "revolute",
+        direction=frozen(direction / np.linalg.norm(direction)),
+        point=frozen(T[:3, 3]),
+        lower=lower,
+        upper=upper,
+        speed=speed if speed else SLIDE_SPEED if slides else SPEED,
+        mimic=None if joint.mimic is None else _mimic(path, joint, free),
+    )
+
+
+def _range(path: Path, joint: yourdfpy.Joint) -> tuple[float, float]:
+    limit = joint.limit
+    if limit is None or limit.lower is None or limit.upper is None:
+        raise broken(path, f"joint {joint.name!r} is {joint.type} and has no limit: lower and upper are needed")
+    if not limit.lower < limit.upper:
+        raise broken(path, f"the limits of joint {joint.name!r} are {limit.lower:g} to {limit.upper:g}")
+    return float(limit.lower), float(limit.upper)
+
+
+def _mimic(path: Path, joint: yourdfpy.Joint, free: list[str]) -> Mimic:
+    if joint.mimic.joint not in free:
+        raise broken(path, f"joint {joint.name!r} follows {joint.mimic.joint!r}, which is not before the chosen link")
+    ratio, shift = joint.mimic.multiplier, joint.mimic.offset
+    return Mimic(free.index(joint.mimic.joint), 1.0 if ratio is None else ratio, 0.0 if shift is None else shift)
+
+
+def _within_limits_of_mimics(joints: list[Joint]) -> list[Joint]:
+    """The joints, with the limits of each variable narrowed to what the joints that follow it allow."""
+    free = [i for i, joint in enumerate(joints) if joint.mimic is None]
+    narrowed = list(joints)
+    for joint in joints:
+        if (mimic := joint.mimic) is not None and mimic.ratio != 0:
+            i = free[mimic.driver]
+            ends = sorted((end - mimic.shift) / mimic.ratio for end in (joint.lower, joint.upper))
+            lower, upper = max(narrowed[i].lower, ends[0]), min(narrowed[i].upper, ends[1])
+            narrowed[i] = replace(narrowed[i], lower=lower, upper=upper)
+    return narrowed
+
+
+def _ready(joints: tuple[Joint, ...]) -> Array:
+    """Zero where a joint's range leaves a tenth of itself on both sides, else the middle of the range."""
+    free = [joint for joint in joints if joint.mimic is None]
+    margins = [0.1 * (joint.upper - joint.lower) for joint in free]
+    return frozen(
+        [
+            0.0 if joint.lower + margin <= 0 <= joint.upper - margin else (joint.lower + joint.upper) / 2
+            for joint, margin in zip(free, margins, strict=True)
+        ]
+    )

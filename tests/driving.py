@@ -11,8 +11,8 @@ from helicoide import gate
 from helicoide.advance import advance
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import PATH, State, Update

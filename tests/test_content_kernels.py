@@ -87,7 +87,11 @@ def test_a_users_robot_is_added_and_comes_first(tmp_path: Path, monkeypatch: pyt
         (tmp_path / "robots" / name).mkdir(parents=True)
         (tmp_path / "robots" / name / "robot.toml").touch()
     (tmp_path / "robots" / "unfinished").mkdir()
-    assert content.found("robots") == {name: tmp_path / "robots" / name for name in ("own", "movemaster")}
+    found = content.found("robots")
+    assert {name: found[name] for name in ("own", "movemaster")} == {
+        name: tmp_path / "robots" / name for name in ("own", "movemaster")
+    }
+    assert "unfinished" not in found
 
 
 @pytest.mark.parametrize("kind", ["robots", "lessons"])

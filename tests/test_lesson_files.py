@@ -16,6 +16,7 @@ GOOD = """
 from helicoide.lesson import Step
 from helicoide.text import same
 TITLE = same("Tour")
+ROBOT = "movemaster"
 STEPS = (
     Step("first", lambda state: state, lambda state, seat: True, ()),
     Step("second", lambda state: state, lambda state, seat: True, ()),
@@ -64,6 +65,7 @@ BROKEN = {
     "a syntax error": ("lesson.py", b"STEPS = ("),
     "a failing import": ("lesson.py", b"import no_such_module"),
     "a failing line": ("lesson.py", b"1 / 0"),
+    "no robot": ("lesson.py", GOOD.replace('"movemaster"', '"nobody"').encode()),
     "no title": ("lesson.py", GOOD.replace("TITLE", "NAME").encode()),
     "no steps": ("lesson.py", GOOD.replace("STEPS", "PASSOS").encode()),
     "empty steps": ("lesson.py", (GOOD + "\nSTEPS = ()").encode()),
@@ -101,7 +103,7 @@ def test_an_unknown_lesson_lists_those_there_are(folder: Path) -> None:
 def test_a_met_goal_stays_done_and_only_its_own() -> None:
     seat = Seat(token="", language="en")
     step = Step("a", lambda state: state, lambda state, seat: state.t > 0, ())
-    tour = Lesson("tour", same("Tour"), (step, step), {})
+    tour = Lesson("tour", same("Tour"), "movemaster", (step, step), {})
     start = initial(load("movemaster"))
     assert lesson.progressed(tour, start, seat) is seat
     done = lesson.progressed(tour, advance(start, 0.01), seat)

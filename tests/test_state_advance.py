@@ -11,8 +11,8 @@ from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, 
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.ik import Limits
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.chain import frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, initial

@@ -9,8 +9,8 @@ import numpy as np
 from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import EVERY, joint_task, pose_task
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose, points_on
 
 ARRIVED_JOINTS = 1e-3

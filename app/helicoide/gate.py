@@ -17,29 +17,18 @@ from helicoide.confinement import stopped_at_arm
 from helicoide.geometry import rotation
 from helicoide.ik.goal import best_goal
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.state import (
-    PATH,
-    Along,
-    GetReady,
-    Grasp,
-    Hold,
-    Park,
-    State,
-    ToJoints,
-    ToPose,
-    Update,
-    commanded,
-)
+from helicoide.state import PATH, Along, GetReady, Grasp, Hold, Park, State, ToJoints, ToPose, Update, commanded
 from helicoide.text import HelicoideError, Text
 
 Phase = Literal["start", "update", "end"]
 
 LATCH = 0.5
-FARTHEST = 3.0
+FARTHEST = 3.7
 PARKED = Text(
     en="The arm is parked with its planes off: press Ready first.",
     pt_BR="O braço está estacionado, com os planos desligados: aperte Pronto primeiro.",
 )
+NO_PARKING = Text(en="This robot has no parking pose.", pt_BR="Este robô não tem pose de estacionamento.")
 _NOT_A_NUMBER = Text(en="That is not a finite number.", pt_BR="Isso não é um número finito.")
 
 
@@ -76,15 +65,15 @@ def _driven(wish: Update) -> Update:
     return _checked(update)
 
 
-def pose(position: ArrayLike, wxyz: ArrayLike) -> Array:
+def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
     """T (4, 4), m, from a position and a quaternion; raises HelicoideError unless both are finite and make a pose."""
-    p, q = _finite(position, (3,)), _finite(wxyz, (4,))
-    if np.abs([*p, *q]).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
+    p, q, far = _finite(position, (3,)), _finite(wxyz, (4,)), FARTHEST * state.robot.reach
+    if np.abs(p).max() > far or np.abs(q).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
         raise HelicoideError(
             Text(
-                en="The target must lie within {far:g} m of the base and have an orientation.",
-                pt_BR="O alvo deve ficar a até {far:g} m da base e ter uma orientação.",
-            ).format(far=FARTHEST)
+                en="The target must lie within {far:.1f} m of the base and have an orientation.",
+                pt_BR="O alvo deve ficar a até {far:.1f} m da base e ter uma orientação.",
+            ).format(far=far)
         )
     T = np.eye(4)
     T[:3, :3] = rotation.to_matrix(q / np.linalg.norm(q))
@@ -96,7 +85,7 @@ def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -
     """The target gizmo: held from start to end; at the end it comes to rest on the accepted goal."""
 
     def wish(state: State) -> State:
-        T = pose(position, wxyz)
+        T = pose(state, position, wxyz)
         if phase == "start":
             state = replace(state, grasp=Grasp(seat, "target"))
         if state.grasp != Grasp(seat, "target"):
@@ -116,7 +105,7 @@ def _released(state: State, T_world_target: Array) -> State:
 
 def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
     """The target by numbers; it stays where it was put, also out of reach."""
-    return _driven(lambda state: commanded(state, ToPose(pose(position, wxyz))))
+    return _driven(lambda state: commanded(state, ToPose(pose(state, position, wxyz))))
 
 
 def hold_orientation(on: bool) -> Update:
@@ -128,7 +117,7 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
     """A plane's gizmo, z along the inward normal: the plane stops at the critical distance from the arm."""
 
     def wish(state: State) -> State:
-        T = pose(position, wxyz)
+        T = pose(state, position, wxyz)
         panes = state.robot.panes
         if index not in range(len(panes)) or not panes[index].movable:
             raise HelicoideError(Text(en="That plane is fixed.", pt_BR="Esse plano é fixo."))
@@ -175,7 +164,7 @@ def restore_planes() -> Update:
 
 
 def set_joint(index: int, angle: float) -> Update:
-    """One joint from its slider or number box, rad; ignored right after a stop, until the hand has let go."""
+    """One joint from its slider or number box, rad or m; ignored right after a stop, until the hand has let go."""
 
     def wish(state: State) -> State:
         if state.t < state.latched:
@@ -197,11 +186,18 @@ def set_joint(index: int, angle: float) -> Update:
 
 
 def _outside(state: State, index: int) -> Text:
-    lower, upper = np.degrees(state.problem.limits.lower[index]), np.degrees(state.problem.limits.upper[index])
+    joint, limits = state.robot.variables[index], state.problem.limits
+    scale, unit = (1000.0, " mm") if joint.slides else (180 / np.pi, "°")
     return Text(
-        en="Joint {n} ({title}) takes {lower:.0f}° to {upper:.0f}°.",
-        pt_BR="A junta {n} ({title}) aceita de {lower:.0f}° a {upper:.0f}°.",
-    ).format(n=index + 1, title=state.robot.joints[index].title, lower=lower, upper=upper)
+        en="Joint {n} ({title}) takes {lower:.0f}{unit} to {upper:.0f}{unit}.",
+        pt_BR="A junta {n} ({title}) aceita de {lower:.0f}{unit} a {upper:.0f}{unit}.",
+    ).format(
+        n=index + 1,
+        title=joint.title,
+        lower=scale * limits.lower[index],
+        upper=scale * limits.upper[index],
+        unit=unit,
+    )
 
 
 def go_to(name: str) -> Update:
@@ -224,7 +220,13 @@ def go_to(name: str) -> Update:
 
 def park() -> Update:
     """To `ready` inside the planes, then home with the planes off."""
-    return lambda state: commanded(replace(state, grasp=None), Park())
+
+    def wish(state: State) -> State:
+        if "home" not in state.robot.poses:
+            raise HelicoideError(NO_PARKING)
+        return commanded(replace(state, grasp=None), Park())
+
+    return _checked(wish)
 
 
 def get_ready() -> Update:

@@ -41,10 +41,11 @@ class Prose:
 
 @dataclass(frozen=True)
 class Lesson:
-    """A lesson with its steps and their words."""
+    """A lesson with its steps and their words, about the robot of that name."""
 
     id: str
     title: Text
+    robot: str
     steps: tuple[Step, ...]
     prose: Mapping[str, Prose]
 
@@ -60,6 +61,7 @@ _STEPS = Text(
     en="it needs TITLE, a Text, and STEPS, a tuple of at least one Step",
     pt_BR="faltam TITLE, um Text, e STEPS, uma tupla com pelo menos um Step",
 )
+_ROBOT = Text(en="it needs ROBOT, one of: {robots}", pt_BR="falta ROBOT, um dentre: {robots}")
 _ORDER = Text(
     en="lesson.py has the steps {steps}, this page has {page}",
     pt_BR="lesson.py tem os passos {steps}, esta página tem {page}",
@@ -70,9 +72,9 @@ _ORDER = Text(
 def load(name: str) -> Lesson:
     """A lesson by the name of its folder; raises HelicoideError when its files do not fit together."""
     folder = content.folder("lessons", name)
-    title, steps = _read_module(folder / "lesson.py", name)
+    title, robot, steps = _read_module(folder / "lesson.py", name)
     pages = {language: _read_page(folder / f"{language}.md", steps) for language in LANGUAGES}
-    return Lesson(name, title, steps, {step.id: _prose(pages, step.id) for step in steps})
+    return Lesson(name, title, robot, steps, {step.id: _prose(pages, step.id) for step in steps})
 
 
 def _broken(path: Path, reason: object) -> HelicoideError:
@@ -83,18 +85,20 @@ def _broken(path: Path, reason: object) -> HelicoideError:
     )
 
 
-def _read_module(path: Path, name: str) -> tuple[Text, tuple[Step, ...]]:
-    """TITLE and STEPS of a lesson.py; whatever goes wrong while it runs is the file's fault and is said so."""
+def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
+    """TITLE, ROBOT and STEPS of a lesson.py; whatever goes wrong while it runs is the file's fault and is said so."""
     loader = SourceFileLoader(f"helicoide_lessons.{name}", str(path))
     module = ModuleType(loader.name)
     try:
         loader.exec_module(module)
     except Exception as error:
         raise _broken(path, f"{type(error).__name__}: {error}") from error
-    title, steps = getattr(module, "TITLE", None), getattr(module, "STEPS", None)
+    title, robot, steps = (getattr(module, name, None) for name in ("TITLE", "ROBOT", "STEPS"))
+    if robot not in content.found("robots"):
+        raise _broken(path, _ROBOT.format(robots=", ".join(content.found("robots"))))
     if not (isinstance(title, Text) and isinstance(steps, tuple) and steps and all(isinstance(s, Step) for s in steps)):
         raise _broken(path, _STEPS)
-    return title, steps
+    return title, robot, steps
 
 
 def _read_page(path: Path, steps: tuple[Step, ...]) -> dict[str, re.Match[str]]:

@@ -205,7 +205,7 @@ def _held_back(state: State, goal: Goal) -> Text:
             return Text(
                 en="Joint {n} ({title}) at its limit; {short} mm short: nearest point shown.",
                 pt_BR="Junta {n} ({title}) no limite; faltam {short} mm: o ponto mais próximo é mostrado.",
-            ).format(n=joint + 1, title=state.robot.joints[joint].title, short=short)
+            ).format(n=joint + 1, title=state.robot.variables[joint].title, short=short)
         case None:
             return Text(
                 en="Out of reach by {short} mm: nearest point shown.",
@@ -225,7 +225,7 @@ def _misaligned(state: State, goal: Goal) -> Text:
         Text(
             en="with {n} joints the position decides the heading",
             pt_BR="com {n} juntas a posição decide a direção",
-        ).format(n=len(state.robot.joints))
+        ).format(n=len(state.robot.variables))
         if limit is None
         else Text(en="joint {n} is at its limit", pt_BR="a junta {n} está no limite").format(n=limit.joint + 1)
     )

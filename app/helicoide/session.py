@@ -17,7 +17,7 @@ from helicoide.advance import advance, foreseen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.state import Seat, State, ToJoints, ToPose, Update, commanded, initial
-from helicoide.text import Language, Text
+from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
 from helicoide.view.rows import View
@@ -40,8 +40,8 @@ FAILED = Text(
 log = logging.getLogger("helicoide")
 
 
-def exercise(robot_name: str) -> State:
-    """Run everything that the loop runs once, so that every kernel is compiled or loaded."""
+def exercise(robot_name: str = "movemaster") -> State:
+    """Run everything that the loop runs once, so that every kernel is compiled or loaded, for whatever robot."""
     state = initial(load(robot_name))
     asked = commanded(state, ToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
@@ -100,7 +100,7 @@ class Session:
         """Compile in another process while the page is up, load in a thread, then let the arm run."""
         try:
             await asyncio.to_thread(self._prepare_kernels)
-            await asyncio.to_thread(exercise, self.robot.name)
+            await asyncio.to_thread(exercise)
         except Exception:
             log.exception("the kernels could not be prepared")
             self._say(FAILED)
@@ -112,7 +112,7 @@ class Session:
     def _prepare_kernels(self) -> None:
         if all(map(kernels.is_cached, kernels.KERNELS)):
             return
-        for done in kernels.compiled_apart(exercise, self.robot.name):
+        for done in kernels.compiled_apart(exercise):
             words = COMPILING.format(done=done, total=len(kernels.KERNELS))
             self.loop.call_soon_threadsafe(self._say, words)
 
@@ -141,7 +141,7 @@ class Session:
         return token
 
     def _furnish(self, client: Client, view: View) -> None:
-        window = Window(client, self.robot, self.shapes, view, self.control, self.post, self._reseat)
+        window = Window(client, self.robot, self.shapes, view, self.control, self.post, self._reseat, self.change)
         self.windows[client.client_id] = window
         window.draw(view)
         if not self.ready:
@@ -156,12 +156,47 @@ class Session:
         self.post(lambda state: _let_go(state, who))
 
     def _reseat(self, seat: Seat) -> None:
-        """A person changed something about their own window."""
+        """A person changed something about their own window; a lesson brings its robot with it."""
         before = self.seats.get(seat.token)
         self.seats[seat.token] = seat
         if before and seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
-            self.post(lesson.load(seat.lesson).steps[seat.step].setup)
+            chosen = lesson.load(seat.lesson)
+            if chosen.robot != self.robot.name:
+                self.change(chosen.robot)
+            else:
+                self.post(chosen.steps[seat.step].setup)
         self.loop.call_soon(self._write)
+
+    def change(self, robot_name: str) -> None:
+        """Put another robot in front of everybody, as soon as it is loaded. Only on the event loop."""
+        self._wanted = robot_name
+        self._changing = self.loop.create_task(self._change(robot_name))
+
+    async def _change(self, robot_name: str) -> None:
+        """Load a robot in a thread; what is wrong with it is said, and the old one stays."""
+        try:
+            robot = await asyncio.to_thread(load, robot_name)
+            drawn = await asyncio.to_thread(shapes.load, robot)
+        except HelicoideError as refusal:
+            words = refusal.text
+            self.post(lambda state: replace(state, notice=words))
+            return
+        if robot_name == self._wanted:
+            self._mount(robot, drawn)
+
+    def _mount(self, robot: Robot, drawn: list[shapes.Shape]) -> None:
+        """The new robot at `ready`; lessons about another robot are left."""
+        self.robot, self.shapes, self.state = robot, drawn, initial(robot)
+        self.inbox.clear()
+        self.seats = {token: _seated_at(robot, seat) for token, seat in self.seats.items()}
+        with self.server.atomic():
+            self.scene = Scene(self.server, robot, drawn)
+            for window in self.windows.values():
+                window.mount(robot, drawn, View(self.state, self.seats[window.view.seat.token]))
+        self._draw()
+        for seat in self.seats.values():
+            if seat.lesson:
+                self.post(lesson.load(seat.lesson).steps[seat.step].setup)
 
     def _drain(self) -> None:
         """Apply every wish in the inbox and show at once what they changed; the arm itself moves in ticks."""
@@ -236,6 +271,14 @@ class Session:
             window.write(View(self.state, self.seats[window.view.seat.token]))
         if not self.ready:
             self._say(self.said)
+
+
+def _seated_at(robot: Robot, seat: Seat) -> Seat:
+    """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
+    stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
+    return (
+        replace(seat, selected=None) if stays else replace(seat, selected=None, lesson=None, step=0, done=frozenset())
+    )
 
 
 def _let_go(state: State, who: str) -> State:

@@ -13,8 +13,8 @@ from helicoide.ik import Limits, Problem
 from helicoide.ik.goal import Goal, tool_pose
 from helicoide.ik.task import EVERY
 from helicoide.kernels import plain
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Language, Text
 from helicoide.trajectory import EQ_33, Ellipse

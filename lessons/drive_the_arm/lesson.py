@@ -15,6 +15,7 @@ from helicoide.state import PATH, Hold, Seat, State, ToPose, Update
 from helicoide.text import Text
 
 TITLE = Text(en="Drive the arm", pt_BR="Conduza o braço")
+ROBOT = "movemaster"
 
 ELBOW, CEILING = 2, 0
 BENT, BENT_WITHIN = np.radians(-100.0), np.radians(2.0)

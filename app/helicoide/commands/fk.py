@@ -10,8 +10,8 @@ import tyro
 
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
 
 
@@ -28,20 +28,26 @@ def described(T_world_tool: Array) -> dict[str, object]:
 
 def run(
     robot: tyro.conf.Positional[str],
-    q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values, rad (degrees with --deg)")],
+    q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values: rad, or m where a joint slides")],
     deg: bool = False,
+    tip: str | None = None,
+    set: tuple[str, ...] = (),
     json: bool = False,
 ) -> None:
     """Print where the tool is, by DH rows, successive screws and dual quaternions (SI units).
 
     Args:
-        robot: name of a robot.
+        robot: name of a robot, or the path of a URDF file.
         q: joint values.
-        deg: joint values are in degrees.
+        deg: values of turning joints are in degrees.
+        tip: the link of a URDF where the arm ends.
+        set: parameters of a robot to change, mm, such as l1=1500.
         json: print JSON.
     """
-    arm = load(robot)
-    values = arm.check_joints(np.radians(q) if deg else q)
+    arm = load(robot, tip, set)
+    values = arm.check_joints(q)
+    if deg:
+        values = np.where([joint.slides for joint in arm.variables], values, np.radians(values))
     if json:
         roads = {name: described(road(arm, values)) for name, road in ROADS.items()}
         print(json_format.dumps({"robot": arm.name, "q": values.tolist(), "roads": roads}, indent=1))

@@ -8,14 +8,17 @@ from typing import Annotated, Literal
 
 import tyro
 
-from helicoide import content, kernels
+from helicoide import kernels
 from helicoide.kinematics.library import load
+from helicoide.lesson import load as read_lesson
 from helicoide.session import Session
 from helicoide.text import Language
 
 
 def run(
-    robot: str = "movemaster",
+    robot: str | None = None,
+    tip: str | None = None,
+    set: tuple[str, ...] = (),
     host: str = "127.0.0.1",
     port: int = 8080,
     lang: Annotated[Literal["en", "pt_BR"], tyro.conf.arg(help="language of new windows")] = "en",
@@ -24,16 +27,17 @@ def run(
     """Open the lab in a browser.
 
     Args:
-        robot: name of a robot.
+        robot: name of a robot (see the command robots), or the path of a URDF file; that of the lesson if none.
+        tip: the link of a URDF where the arm ends.
+        set: parameters of a robot to change, mm, such as l1=1500.
         host: address to listen on.
         port: port to listen on; 0 takes any free one.
         lang: language of new windows.
         lesson: name of the lesson to begin with.
     """
     language: Language = lang
-    if lesson is not None:
-        content.folder("lessons", lesson)
-    session = Session(load(robot), language, lesson)
+    default = "movemaster" if lesson is None else read_lesson(lesson).robot
+    session = Session(load(robot or default, tip, set), language, lesson)
     if kernels.CACHE_NOTE is not None:
         print(kernels.CACHE_NOTE[language])
     stopped = threading.Event()

@@ -34,10 +34,15 @@ def rotate(q: Array, v: ArrayLike) -> Array:
     return multiply(multiply(q, np.asarray(v, dtype=float) @ _PURE), conjugate(q))[..., 1:]
 
 
+def _length(v: Array) -> Array:
+    """‖v‖ of shape (..., 1), also where the squares of the components would underflow or overflow."""
+    return np.asarray(np.hypot.reduce(v, axis=-1, keepdims=True))
+
+
 def unit(v: ArrayLike) -> Array:
     """Scale vectors to length one: v/‖v‖, shape (..., 3). Raises HelicoideError for a vector without direction."""
     vector = np.asarray(v, dtype=float)
-    length = np.linalg.norm(vector, axis=-1, keepdims=True)
+    length = _length(vector)
     directed = np.isfinite(length) & (length > 0)
     if not np.all(directed):
         first = vector[~directed[..., 0]][0].tolist()
@@ -67,6 +72,38 @@ def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     """
     half = np.asarray(angle, dtype=float)[..., None] / 2
     return np.asarray(np.cos(half) * np.eye(4)[0] + np.sin(half) * (unit(axis) @ _PURE))
+
+
+def skew(v: ArrayLike) -> Array:
+    """Matrix of the cross product with v: [v]ₓ u = v × u.
+
+    v: (..., 3); returns (..., 3, 3). Source: Coutinho 2015, eqs. A.1–A.4.
+    """
+    return np.cross(np.eye(3), np.asarray(v, dtype=float)[..., None, :])
+
+
+def from_rotation_vector(v: ArrayLike) -> Array:
+    """Quaternion of a rotation vector θ n: q = cos(θ/2) + sin(θ/2)/θ (v_x i + v_y j + v_z k), θ = ‖v‖.
+
+    v: (..., 3), rad; returns (..., 4). Exact at θ = 0. Source: Cerbaro 2022, eq. 88.
+    """
+    vector = np.asarray(v, dtype=float)
+    half = _length(vector) / 2
+    return np.asarray(np.cos(half) * np.eye(4)[0] + _sinc(half) / 2 * (vector @ _PURE))
+
+
+def exponential(v: ArrayLike) -> Array:
+    """Matrix of a rotation vector θ n: exp([v]ₓ) = I + sin θ/θ [v]ₓ + (1 − cos θ)/θ² [v]ₓ², θ = ‖v‖.
+
+    v: (..., 3), rad; returns (..., 3, 3). Exact at θ = 0. Source: Rodrigues' formula, Coutinho 2015, eq. 2.7.
+    """
+    K, theta = skew(v), _length(np.asarray(v, dtype=float))[..., None]
+    return np.asarray(np.eye(3) + _sinc(theta) * K + _sinc(theta / 2) ** 2 / 2 * (K @ K))
+
+
+def _sinc(x: Array) -> Array:
+    """sin x / x, which is 1 at 0."""
+    return np.divide(np.sin(x), x, out=np.ones_like(x), where=x != 0)
 
 
 def from_matrix(R: Array) -> Array:
@@ -108,9 +145,45 @@ def rotation_vector(q: Array) -> Array:
     q: (..., 4), unit; returns (..., 3), rad. Exact at θ = 0 and π. Source: Cerbaro 2022, eq. 88, solved for θ n.
     """
     q = q * hemisphere(q)
-    length = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
+    length = _length(q[..., 1:])
     angle = 2 * np.arctan2(length, q[..., :1])
     return np.asarray(q[..., 1:] * np.divide(angle, length, out=np.full_like(angle, 2.0), where=length > 0))
+
+
+def logarithm(R: Array) -> Array:
+    """Rotation vector of a matrix, the shorter turn: v with exp([v]ₓ) = R and ‖v‖ ≤ π.
+
+    R: (..., 3, 3); returns (..., 3), rad. Exact at θ = 0 and π. Source: Coutinho 2015, eq. 2.7, solved for v.
+    """
+    return rotation_vector(from_matrix(R))
+
+
+def axis_angle(q: Array) -> tuple[Array, Array]:
+    """Axis n, ‖n‖ = 1, and angle θ in [0, π] of the shorter turn; without a turn the axis is (0, 0, 1).
+
+    q: (..., 4), unit; returns (..., 3) and (...), rad. Source: Cerbaro 2022, eq. 88, solved for n and θ.
+    """
+    q = q * hemisphere(q)
+    length = _length(q[..., 1:])
+    axis = unit(np.where(length > 0, q[..., 1:], np.eye(3)[2]))
+    return axis, np.asarray(2 * np.arctan2(length[..., 0], q[..., 0]))
+
+
+def quaternion_jacobian(q: Array) -> Array:
+    """Representation Jacobian of a quaternion: q̇ = J_R ω with η̇ = −½ εᵀω, ε̇ = ½ (η I − [ε]ₓ) ω, that is ½ ω q.
+
+    q = (η, ε): (..., 4), unit; ω in the base frame, rad/s; returns (..., 4, 3). J_RᵀJ_R = ¼ I: never singular.
+    Source: Vargas 2013, eqs. 2.45–2.46.
+    """
+    return np.swapaxes(multiply(_PURE, q[..., None, :]), -2, -1) / 2
+
+
+def quaternion_jacobian_body(q: Array) -> Array:
+    """The same for ω in the turned (body) frame: η̇ = −½ εᵀω, ε̇ = ½ (η I + [ε]ₓ) ω, that is ½ q ω.
+
+    q = (η, ε): (..., 4), unit; ω in the body frame, rad/s; returns (..., 4, 3). Source: Coutinho 2015, eq. 2.64.
+    """
+    return np.swapaxes(multiply(q[..., None, :], _PURE), -2, -1) / 2
 
 
 def orientation_error(q_target: Array, q: Array) -> Array:
@@ -120,6 +193,31 @@ def orientation_error(q_target: Array, q: Array) -> Array:
     Source: Cerbaro 2022, eq. 91; its eq. 92 keeps sin(θ/2) n instead of θ n.
     """
     return rotation_vector(multiply(q_target, conjugate(q)))
+
+
+def quaternion_error(q_target: Array, q: Array) -> Array:
+    """Vector part of Δq = q_target q⁻¹ by the shorter way, sin(θ/2) n: Δε, or −Δε where Δη < 0.
+
+    Δη = η_d η + ε_dᵀε, Δε = η ε_d − η_d ε − ε_d × ε. With ω = K Δε in the base frame the angle obeys
+    tan(θ/4) = tan(θ₀/4) e^{−Kt/2}; without the change of sign Δη = −1 would be a second equilibrium.
+    q_target, q: unit quaternions (..., 4) in one frame; returns (..., 3), in that (the base) frame.
+    Source: Vargas 2013, eqs. 2.41–2.46; Cerbaro 2022, eqs. 91–92.
+    """
+    return _short_vector_part(multiply(q_target, conjugate(q)))
+
+
+def quaternion_error_body(q_target: Array, q: Array) -> Array:
+    """The same in the turned (body) frame, for a body velocity ω = K Δε: vector part of Δq = q⁻¹ q_target.
+
+    It is Rᵀ times the error in the base frame. q_target, q: unit quaternions (..., 4) in one frame; returns (..., 3).
+    Source: Coutinho 2015, eqs. 2.62–2.66, which feeds a body velocity with the error in the base frame and so fails.
+    """
+    return _short_vector_part(multiply(conjugate(q), q_target))
+
+
+def _short_vector_part(q: Array) -> Array:
+    """sin(θ/2) n of the shorter turn."""
+    return np.asarray((q * hemisphere(q))[..., 1:])
 
 
 def roll_pitch_yaw_zyx(R: Array) -> Array:
@@ -134,3 +232,13 @@ def roll_pitch_yaw_zyx(R: Array) -> Array:
     s, c = np.sin(roll), np.cos(roll)
     yaw = np.arctan2(s * R[..., 0, 2] - c * R[..., 1, 2], c * R[..., 1, 1] - s * R[..., 0, 1])
     return np.stack([roll, pitch, yaw], axis=-1)
+
+
+def roll_pitch_yaw_of_quaternion(q: Array) -> Array:
+    """The same angles (φ, ϑ, ψ) of a quaternion w + x i + y j + z k.
+
+    φ = atan2(2(wz + xy), 1 − 2(y² + z²)), ϑ = asin(2(wy − zx)), ψ = atan2(2(wx + yz), 1 − 2(x² + y²)), read from
+    the matrix, which keeps ϑ exact at ±π/2. q: (..., 4); returns (..., 3), rad.
+    Source: Cerbaro 2022, eq. 90 corrected: as printed, 2 asin(x, y, z) holds for turns about one axis of the frame.
+    """
+    return roll_pitch_yaw_zyx(to_matrix(q))

@@ -10,8 +10,8 @@ from helicoide.ik import Problem, Reason, reasons
 from helicoide.ik.qp import SOLVED, project
 from helicoide.ik.rollout import are_clear, settle_at_joints, settle_at_pose
 from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 
 REACHED = 0.5e-3
 TURNED = np.radians(1.0)

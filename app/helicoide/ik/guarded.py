@@ -20,8 +20,8 @@ from helicoide.confinement import distances
 from helicoide.ik import qp
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.forward import carried_points, link_poses
 
 DAMPER_GAIN = 10.0
 SMALLEST_SHARE = 1e-6

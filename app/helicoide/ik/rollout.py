@@ -9,8 +9,8 @@ from helicoide.confinement import distances
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel
-from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.forward import carried_points, link_poses
 
 AT_REST = 1e-5
 

@@ -27,9 +27,8 @@ def _pose(R: ArrayLike, position_mm: ArrayLike) -> Array:
 
 def _joint(file: robot_file.JointFile) -> Joint:
     direction = np.asarray(file.screw.direction, dtype=np.float64)
-    limits, speed, unit = robot_file.limits_of(file)
-    assert limits is not None and speed is not None  # `robot_file.read` has seen to it
-    scale = np.radians(1.0) if unit == "deg" else 1e-3
+    limits, speed = robot_file.limits_of(file)
+    scale = np.radians(1.0) if file.kind == "revolute" else 1e-3
     return Joint(
         name=file.name,
         title=file.title.text,
@@ -124,6 +123,8 @@ def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> 
         ours=file.ours,
         parameters=MappingProxyType({name: value / 1000 for name, value in file.parameters.items()}),
         floor=file.floor_mm / 1000,
+        camera=(_metres(file.camera.position_mm), _metres(file.camera.look_at_mm)) if file.camera else None,
         gripper=Gripper(file.gripper.joint, file.gripper.opening_mm / 1000) if file.gripper else None,
         panes=tuple(map(_pane, file.planes)),
+        actuators=file.actuators.actuators([joint.name for joint in joints]) if file.actuators else None,
     )

@@ -42,7 +42,8 @@ def geometric(poses: Array, chain: Chain, axes: Array, point: Array, link: int) 
 
     Columns beyond the link are zero; the column of a joint that follows another is added, times its ratio, to that
     one's. Args: poses (m + 1, 4, 4); chain (m,); axes (m, 3) of `joint_axes`; point (3,), m; link: number of the link
-    that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz. Source: Cerbaro 2022, eq. 67; Vargas 2013, 2.16–2.21.
+    that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
+    Source: Cerbaro 2022, eq. 67; Vargas 2013, 2.16–2.21.
     """
     jacobian = np.zeros((6, columns(chain)))
     for i in range(link):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import cache
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
@@ -40,31 +41,55 @@ def names() -> list[str]:
     return [*sorted(folders), *sorted(set(packaged()) - set(folders))]
 
 
-def load(robot: str, tip: str | None = None, parameters: Mapping[str, float] | None = None) -> Robot:
-    """A robot by name or by the path of a URDF file, with the chain to `tip` of a URDF, or with parameters (mm) changed.
+@cache
+def titles() -> Mapping[str, Text]:
+    """The titles of the robots that have a folder, by name; broken ones are left out."""
+    found: dict[str, Text] = {}
+    for name, folder in sorted(content.found("robots").items()):
+        with suppress(HelicoideError):
+            found[name] = from_folder(folder).title
+    return found
 
+
+def load(robot: str, tip: str | None = None, settings: Sequence[str] = ()) -> Robot:
+    """A robot by name or by the path of a URDF file.
+
+    tip: the link of a URDF where the arm ends; settings: parameters of a robot's file to change, mm, such as "l1=1500".
     Raises HelicoideError that lists the names there are, or says what is wrong in a file.
     """
     folders = content.found("robots")
-    path = packaged().get(robot) if robot not in folders else None
-    if robot.endswith((".urdf", ".xml")):
-        path = Path(robot)
+    path = Path(robot) if robot.endswith((".urdf", ".xml")) else None
+    if path is None and robot not in folders:
+        path = packaged().get(robot)
     if path is not None:
-        _refuse(parameters, f"{robot}: --set")
+        _refuse(settings, robot, "--set")
         return from_urdf(path, tip)
     if robot in folders:
-        _refuse(tip, f"{robot}: --tip")
-        return from_folder(folders[robot], parameters)
+        _refuse(tip, robot, "--tip")
+        return from_folder(folders[robot], dict(map(_setting, settings)))
     raise _unknown(robot)
 
 
-def _refuse(given: object, option: str) -> None:
+def _setting(words: str) -> tuple[str, float]:
+    name, _, value = words.partition("=")
+    try:
+        return name, float(value)
+    except ValueError as error:
+        raise HelicoideError(
+            Text(
+                en="{words!r} sets nothing: write a parameter and millimetres, such as l1=1500.",
+                pt_BR="{words!r} não define nada: escreva um parâmetro e milímetros, como l1=1500.",
+            ).format(words=words)
+        ) from error
+
+
+def _refuse(given: object, robot: str, option: str) -> None:
     if given:
         raise HelicoideError(
             Text(
-                en="{option} does not go with it: --tip is for URDF files, --set for robots with parameters.",
-                pt_BR="{option} não serve aqui: --tip é para arquivos URDF, --set para robôs com parâmetros.",
-            ).format(option=option)
+                en="{option} does not go with {robot}: --tip is for URDF files, --set for robots with parameters.",
+                pt_BR="{option} não serve para {robot}: --tip é para arquivos URDF, --set para robôs com parâmetros.",
+            ).format(option=option, robot=robot)
         )
 
 

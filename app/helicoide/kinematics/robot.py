@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, Chain, Joint, chain_of, frozen
 from helicoide.kinematics.dh import DhTable
 from helicoide.text import HelicoideError, Text
@@ -72,8 +73,8 @@ class Robot:
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
     guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
     Of a shipped robot, screws, DH rows and the URDF are separate statements: none is derived from another.
-    parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. ours: what the source
-    does not give: lengths, limits or speeds.
+    parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
+    is seen first, and where to, m. ours: what the source does not give: lengths, limits or speeds.
     """
 
     name: str
@@ -93,8 +94,10 @@ class Robot:
     ours: tuple[str, ...] = ()
     parameters: Mapping[str, float] = field(default_factory=dict)
     floor: float = 0.0
+    camera: tuple[Array, Array] | None = None
     gripper: Gripper | None = None
     panes: tuple[Pane, ...] = ()
+    actuators: Actuators | None = None
 
     @cached_property
     def variables(self) -> tuple[Joint, ...]:

@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 import msgspec
 
+from helicoide.kinematics.actuator_file import ActuatorsFile
 from helicoide.text import HelicoideError, Text
 
 Triple = tuple[float, float, float]
@@ -105,6 +106,13 @@ class PointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     point_mm: Triple
 
 
+class CameraFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """From where the arm is seen first."""
+
+    position_mm: Triple
+    look_at_mm: Triple
+
+
 class PoseFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A named posture: degrees, millimetres where a joint slides."""
 
@@ -141,10 +149,12 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     ours: tuple[Literal["lengths", "limits", "speeds"], ...] = ()
     convention: Literal["standard", "modified"] = "standard"
     floor_mm: float = 0
+    camera: CameraFile | None = None
     frames: FramesFile = FramesFile()
     guarded_points: tuple[PointFile, ...] = ()
     gripper: GripperFile | None = None
     planes: tuple[PlaneFile, ...] = ()
+    actuators: ActuatorsFile | None = None
 
 
 def read(path: Path, parameters: Mapping[str, float] | None = None) -> RobotFile:
@@ -207,6 +217,10 @@ def _check(file: RobotFile) -> None:
         point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points
     ):
         raise ValueError(f"no guarded point of joint {names[-1]} lies at the tool, {file.tool.position_mm} mm")
+    if file.actuators:
+        if sliding := [joint.name for joint in file.joints if joint.kind == "prismatic"]:
+            raise ValueError(f"actuators are for joints that turn, and these slide: {', '.join(sliding)}")
+        file.actuators.check(names)
     for name, pose in file.poses.items():
         if len(pose.joints) != len(names):
             raise ValueError(f"pose {name} has {len(pose.joints)} values for {len(names)} joints")
@@ -222,18 +236,20 @@ def _check(file: RobotFile) -> None:
 def _check_joint(joint: JointFile) -> None:
     if not any(joint.screw.direction):
         raise ValueError(f"the axis of joint {joint.name} is zero")
-    limits, speed, unit = limits_of(joint)
-    if limits is None or speed is None:
-        raise ValueError(f"joint {joint.name} is {joint.kind} and needs limits_{unit} and speed_{unit}_s")
+    limits, speed = limits_of(joint)
     if not limits[0] < limits[1] or not speed > 0:
         raise ValueError(f"joint {joint.name} needs limits in rising order and a positive speed")
 
 
-def limits_of(joint: JointFile) -> tuple[tuple[float, float] | None, float | None, str]:
-    """Limits and speed of a joint in the unit of its kind, and that unit: deg or mm."""
-    if joint.kind == "revolute":
-        return joint.limits_deg, joint.speed_deg_s, "deg"
-    return joint.limits_mm, joint.speed_mm_s, "mm"
+def limits_of(joint: JointFile) -> tuple[tuple[float, float], float]:
+    """Limits and speed of a joint in the unit of its kind; raises ValueError when they are given in another, or not."""
+    turning, sliding = (joint.limits_deg, joint.speed_deg_s), (joint.limits_mm, joint.speed_mm_s)
+    (limits, speed), other, unit = (turning, sliding, "deg") if joint.kind == "revolute" else (sliding, turning, "mm")
+    if limits is None or speed is None or other != (None, None):
+        raise ValueError(
+            f"joint {joint.name} is {joint.kind} and needs limits_{unit} and speed_{unit}_s, in no other unit"
+        )
+    return limits, speed
 
 
 def _given(frames: FramesFile) -> list[FrameFile]:

@@ -67,13 +67,13 @@ def _is_free(joint: yourdfpy.Joint) -> bool:
 
 
 def _default_tip(path: Path, robot: yourdfpy.Robot) -> str:
-    """The link where the arm ends: follow the only moving branch from the root, then the fixed links of a tool."""
+    """The link where the arm ends: follow the longest moving branch until two are alike, such as fingers."""
     below: dict[str, list[yourdfpy.Joint]] = {}
     for joint in robot.joints:
         below.setdefault(joint.parent, []).append(joint)
 
     def moves(joint: yourdfpy.Joint) -> int:
-        return _is_free(joint) + max(map(moves, below.get(joint.child, [])), default=0)
+        return (joint.type in MOVING) + max(map(moves, below.get(joint.child, [])), default=0)
 
     link = next(link.name for link in robot.links if link.name not in {joint.child for joint in robot.joints})
     joints = 0
@@ -116,7 +116,9 @@ def _chain(path: Path, robot: yourdfpy.Robot, tip: str) -> tuple[tuple[Joint, ..
         if joint.type in MOVING:
             joints.append(_joint(path, joint, T, free))
         elif joint.type != "fixed":
-            raise broken(path, f"joint {joint.name!r} is of type {joint.type!r}; use one of: {', '.join(MOVING)}, fixed")
+            raise broken(
+                path, f"joint {joint.name!r} is of type {joint.type!r}; use one of: {', '.join(MOVING)}, fixed"
+            )
     return tuple(_within_limits_of_mimics(joints)), frozen(T)
 
 

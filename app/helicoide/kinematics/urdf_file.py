@@ -80,7 +80,7 @@ def _check_tree(path: Path, robot: yourdfpy.Robot) -> None:
         while seen[-1] in parents:
             seen.append(parents[seen[-1]])
             if seen[-1] in seen[:-1]:
-                raise broken(path, f"the links go in a circle: {' → '.join(seen[seen.index(seen[-1]):])}")
+                raise broken(path, f"the links go in a circle: {' → '.join(seen[seen.index(seen[-1]) :])}")
 
 
 def _check_numbers(path: Path, robot: yourdfpy.Robot) -> None:

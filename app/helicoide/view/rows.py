@@ -33,7 +33,14 @@ class ForSeat:
     update: SeatUpdate
 
 
-Wish = ForArm | ForSeat
+@dataclass(frozen=True)
+class ForLab:
+    """A wish for another robot, by name."""
+
+    robot: str
+
+
+Wish = ForArm | ForSeat | ForLab
 Act = Callable[[Wish], None]
 
 

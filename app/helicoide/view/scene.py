@@ -2,27 +2,43 @@
 
 from __future__ import annotations
 
+import numpy as np
 import viser
 
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Seat
+from helicoide.state import Seat, initial
 from helicoide.view import layers
 from helicoide.view.layers import Layer, Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
 NOBODY = Seat(token="", language="en")
+FROM_THE_SIDE = np.array([0.49, -1.44, 0.57])
+
+
+def outlook(robot: Robot) -> tuple[Array, Array]:
+    """From where a robot is seen first, and where to, (3,) m each: as its file says, else from the side."""
+    if robot.camera is not None:
+        return robot.camera
+    points = np.array([[0, 0, robot.floor], *initial(robot).guarded_points])
+    low, high = points.min(axis=0), points.max(axis=0)
+    centre = (low + high) / 2
+    return centre + max(robot.reach, float(np.linalg.norm(high - low))) * FROM_THE_SIDE, centre
 
 
 class Scene:
     """What every window shows alike."""
 
     def __init__(self, server: viser.ViserServer, robot: Robot, shapes: list[Shape]) -> None:
-        server.scene.set_up_direction("+z")
-        server.scene.add_grid("/ground", width=2.4, height=2.4, cell_size=0.1, section_size=0.5)
-        server.initial_camera.position = (0.92, -1.18, 0.74)
-        server.initial_camera.look_at = (0.52, 0.0, 0.27)
         stage = Stage(server.scene, robot, shapes, lambda wish: None, "")
+        server.scene.reset()
+        server.scene.set_up_direction("+z")
+        side, cell = 2.4 * stage.size, 0.1 * 2 ** round(np.log2(stage.size))
+        server.scene.add_grid(
+            "/ground", width=side, height=side, cell_size=cell, section_size=5 * cell, position=(0, 0, robot.floor)
+        )
+        server.initial_camera.position, server.initial_camera.look_at = outlook(robot)
         self.layers: list[Layer] = [layer.build(stage) for layer in layers.found() if layer.SHARED]
         self.shown: View | None = None
 

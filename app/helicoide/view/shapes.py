@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from xml.etree import ElementTree
 
 import numpy as np
 import trimesh
 import yourdfpy
 
+from helicoide.kinematics import urdf_file
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text
 
 SHARP = np.radians(50.0)
-SHORTEST_EDGE = 0.012
+SHORTEST_EDGE = 0.015
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,41 +32,17 @@ class Shape:
 
 
 def load(robot: Robot) -> list[Shape]:
-    """The shapes of a robot; raises HelicoideError when the URDF does not parse or a mesh is missing."""
-    closed, opened = _read(robot), _read(robot)
+    """The shapes of a robot; raises HelicoideError when the URDF is broken or a mesh is missing."""
+    closed = urdf_file.parsed(robot.urdf, robot.parameters, meshes=True)
+    opened = closed
     if robot.gripper:
+        opened = urdf_file.parsed(robot.urdf, robot.parameters, meshes=True)
         if robot.gripper.joint not in opened.actuated_joint_names:
-            raise _broken(robot, f"gripper joint {robot.gripper.joint!r}: {', '.join(opened.actuated_joint_names)}")
+            known = ", ".join(opened.actuated_joint_names)
+            raise urdf_file.broken(robot.urdf, f"gripper joint {robot.gripper.joint!r}: {known}")
         upper = float(opened.joint_map[robot.gripper.joint].limit.upper)
         opened.update_cfg({robot.gripper.joint: upper})
     return [_shape(robot, closed, opened, link.name) for link in closed.robot.links if link.visuals]
-
-
-def _read(robot: Robot) -> yourdfpy.URDF:
-    try:
-        ElementTree.parse(robot.urdf)  # says where; yourdfpy tries to mend what is broken
-        urdf = yourdfpy.URDF.load(str(robot.urdf), load_meshes=False, build_scene_graph=False)
-        for mesh in (
-            robot.urdf.parent / visual.geometry.mesh.filename
-            for link in urdf.robot.links
-            for visual in link.visuals
-            if visual.geometry.mesh
-        ):
-            if not mesh.is_file():
-                raise _broken(robot, f"missing mesh {mesh}")
-        return yourdfpy.URDF.load(str(robot.urdf))
-    except HelicoideError:
-        raise
-    except Exception as error:  # yourdfpy and lxml raise whatever a broken file makes them stumble over
-        raise _broken(robot, str(error).splitlines()[0] if str(error) else type(error).__name__) from error
-
-
-def _broken(robot: Robot, reason: str) -> HelicoideError:
-    return HelicoideError(
-        Text(en="The URDF {path} cannot be used: {reason}", pt_BR="Não dá para usar o URDF {path}: {reason}").format(
-            path=robot.urdf, reason=reason
-        )
-    )
 
 
 def _carrier(robot: Robot, urdf: yourdfpy.URDF, link: str) -> int:
@@ -87,7 +62,7 @@ def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str
         T_link_shape[:3, 3] -= robot.points[link - 1]
     scene = _visuals(closed, name)
     glb = bytes(scene.export(file_type="glb", include_normals=True))
-    return Shape(name, glb, _edges(scene), link, T_link_shape, slide)
+    return Shape(name, glb, _edges(scene, SHORTEST_EDGE * robot.reach), link, T_link_shape, slide)
 
 
 def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
@@ -100,9 +75,9 @@ def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
     return scene
 
 
-def _edges(scene: trimesh.Scene) -> Array:
-    """The sharp edges of a shape that are long enough to be seen, (e, 2, 3), m."""
+def _edges(scene: trimesh.Scene, shortest: float) -> Array:
+    """The sharp edges of a shape that are at least so long, (e, 2, 3), m."""
     mesh = scene.to_mesh()
     mesh.merge_vertices(merge_tex=True, merge_norm=True)
     edges = mesh.vertices[mesh.face_adjacency_edges[mesh.face_adjacency_angles > SHARP]]
-    return np.asarray(edges[np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1) > SHORTEST_EDGE])
+    return np.asarray(edges[np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1) > shortest])

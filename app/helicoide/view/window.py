@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
 
+import numpy as np
 import viser
 
 from helicoide import gate
@@ -20,7 +21,8 @@ from helicoide.view.channel import Control, Notice, introduce
 from helicoide.view.layers import Stage
 from helicoide.view.page import STOP
 from helicoide.view.placed import Placed, place
-from helicoide.view.rows import Choice, ForArm, ForSeat, Row, View, Wish
+from helicoide.view.rows import Choice, ForArm, ForLab, ForSeat, Row, View, Wish
+from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
 Client = viser.ClientHandle
@@ -28,7 +30,8 @@ LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Br
 PANEL = same("Helicoide")
 SEAT_KEY = "helicoide-seat"
 ANSWER_WITHIN = 5.0
-UPRIGHT_POSITION, UPRIGHT_LOOK_AT = (1.95, -1.05, 0.75), (0.4, -0.05, -0.22)
+# On an upright page the panel is a sheet over the lower half: look from farther in front, and below the arm.
+UPRIGHT_POSITION, UPRIGHT_LOOK_AT = np.array([1.89, -1.22, 1.18]), np.array([-0.15, -0.06, -0.6])
 
 
 def seated(token: str, language: Language, lesson: str | None) -> Seat:
@@ -62,18 +65,29 @@ class Window:
         control: Control,
         post: Callable[[Update], None],
         reseat: Callable[[Seat], None],
+        change: Callable[[str], None],
     ) -> None:
-        self.client, self.robot, self.control, self.post, self.reseat = client, robot, control, post, reseat
-        self.view = view
+        self.client, self.control, self.post, self.reseat, self.change = client, control, post, reseat, change
+        self.mount(robot, shapes, view)
+        introduce(client, view.seat.token)
+
+    def mount(self, robot: Robot, shapes: list[Shape], view: View) -> None:
+        """Put a robot in front of the person: its layers, its panels, a look at it."""
+        self.robot, self.view = robot, view
         self.placed: list[Placed] = []
-        stage = Stage(client.scene, robot, shapes, self.act, str(client.client_id))
+        self.client.scene.reset()
+        stage = Stage(self.client.scene, robot, shapes, self.act, str(self.client.client_id))
         self.layers = [layer.build(stage) for layer in layers.found() if not layer.SHARED]
         self.drawn: View | None = None
-        if client.camera.aspect < 1.0:  # upright: the panel is a sheet over the lower half
-            client.camera.position = UPRIGHT_POSITION
-            client.camera.look_at = UPRIGHT_LOOK_AT
+        self._look()
         self._furnish()
-        introduce(client, view.seat.token)
+
+    def _look(self) -> None:
+        camera, (position, centre) = self.client.camera, outlook(self.robot)
+        if camera.aspect < 1.0:
+            centre = centre + self.robot.reach * UPRIGHT_LOOK_AT
+            position = centre + self.robot.reach * UPRIGHT_POSITION
+        camera.position, camera.look_at = position, centre
 
     def act(self, wish: Wish) -> None:
         """Hand on what the person wishes."""
@@ -82,6 +96,8 @@ class Window:
                 self.post(update)
             case ForSeat(update):
                 self.reseat(update(self.view.seat))
+            case ForLab(robot):
+                self.change(robot)
 
     def draw(self, view: View) -> None:
         """Bring this window's layers to a view, and let the browser have it now."""
@@ -117,12 +133,15 @@ class Window:
 
     def _commands(self, language: Language) -> None:
         """The palette: what the panels and the page have as buttons, by name."""
-        for text, update in (
-            (STOP, gate.stop),
-            (Text(en="Ready", pt_BR="Pronto"), gate.get_ready),
+        enclosure = (
             (Text(en="Park", pt_BR="Estacionar"), gate.park),
             (Text(en="Play the path", pt_BR="Iniciar a trajetória"), gate.play),
             (Text(en="Pause the path", pt_BR="Pausar a trajetória"), gate.pause),
+        )
+        for text, update in (
+            (STOP, gate.stop),
+            (Text(en="Ready", pt_BR="Pronto"), gate.get_ready),
+            *(enclosure if self.robot.panes else ()),
         ):
             command = self.client.gui.add_command(text[language])
             bind.on_trigger(command, partial(self._post, update))

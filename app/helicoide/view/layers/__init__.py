@@ -19,6 +19,8 @@ from helicoide.kinematics.robot import Robot
 from helicoide.view.rows import Act, View
 from helicoide.view.shapes import Shape
 
+DRAWN_FOR = 0.82
+
 
 @dataclass(frozen=True, eq=False)
 class Stage:
@@ -29,6 +31,11 @@ class Stage:
     shapes: list[Shape]
     act: Act
     who: str
+
+    @property
+    def size(self) -> float:
+        """How much larger arrows, lines and handles are than on an arm that reaches `DRAWN_FOR` metres."""
+        return self.robot.reach / DRAWN_FOR
 
 
 class Layer(Protocol):

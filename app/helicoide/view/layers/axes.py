@@ -20,32 +20,33 @@ COLOUR = (21, 101, 192)
 
 def build(stage: Stage) -> Axes:
     """An arrow along each joint's axis."""
-    n = len(stage.robot.joints)
+    size = stage.size
     return Axes(
         stage.scene.add_arrows(
             "/axes",
-            np.zeros((n, 2, 3)),
+            np.zeros((len(stage.robot.joints), 2, 3)),
             COLOUR,
-            shaft_radius=0.004,
-            head_radius=0.011,
-            head_length=0.035,
+            shaft_radius=0.004 * size,
+            head_radius=0.011 * size,
+            head_length=0.035 * size,
             visible=False,
-        )
+        ),
+        HALF * size,
     )
 
 
 class Axes:
     """The arrows."""
 
-    def __init__(self, arrows: viser.ArrowsHandle) -> None:
-        self.arrows = arrows
+    def __init__(self, arrows: viser.ArrowsHandle, half: float) -> None:
+        self.arrows, self.half = arrows, half
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the joints while shown."""
         shown = new.seat.shows[NAME]
         if shown and (old is None or old.state.q is not new.state.q or not self.arrows.visible):
             axes, centres = new.state.axes, new.state.poses[1:, :3, 3]
-            ends = np.stack([centres - HALF * axes, centres + HALF * axes], axis=1)
+            ends = np.stack([centres - self.half * axes, centres + self.half * axes], axis=1)
             self.arrows.points = ends.astype(np.float32)
         if shown != self.arrows.visible:
             self.arrows.visible = shown

@@ -21,7 +21,9 @@ def build(stage: Stage) -> Frames:
     names = ["base", *(joint.name for joint in stage.robot.joints), "tool"]
     return Frames(
         [
-            stage.scene.add_frame(f"/frames/{name}", axes_length=0.09, axes_radius=0.0035, visible=False)
+            stage.scene.add_frame(
+                f"/frames/{name}", axes_length=0.09 * stage.size, axes_radius=0.0035 * stage.size, visible=False
+            )
             for name in names
         ]
     )

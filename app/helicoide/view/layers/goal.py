@@ -21,11 +21,12 @@ AWAY = 0.02
 
 def build(stage: Stage) -> Outline:
     """The outline of the arm, hidden until there is a goal."""
+    scene, thickness = stage.scene, 0.0016 * stage.size
     frames, lines = [], []
     for shape in stage.shapes:
         if len(shape.edges):
-            frames.append((shape, stage.scene.add_frame(f"/goal/{shape.name}", show_axes=False, visible=False)))
-            lines.append(stage.scene.add_line_segments(f"/goal/{shape.name}/edges", shape.edges, MET, thickness=0.0016))
+            frames.append((shape, scene.add_frame(f"/goal/{shape.name}", show_axes=False, visible=False)))
+            lines.append(scene.add_line_segments(f"/goal/{shape.name}/edges", shape.edges, MET, thickness=thickness))
     return Outline(frames, lines)
 
 

@@ -16,18 +16,23 @@ NAME = "lit"
 SHARED = False
 
 LIGHT = (255, 214, 0)
-REACH = 0.6
+HALF = 0.73
 
 
 def build(stage: Stage) -> Lit:
     """A frame, a line and a ball, hidden until something is selected."""
-    scene = stage.scene
+    scene, size = stage.scene, stage.size
     return Lit(
         scene.add_frame(
-            "/lit/frame", axes_length=0.16, axes_radius=0.006, origin_radius=0.02, origin_color=LIGHT, visible=False
+            "/lit/frame",
+            axes_length=0.16 * size,
+            axes_radius=0.006 * size,
+            origin_radius=0.02 * size,
+            origin_color=LIGHT,
+            visible=False,
         ),
-        scene.add_line_segments("/lit/lines", np.zeros((1, 2, 3)), LIGHT, thickness=0.009, visible=False),
-        scene.add_icosphere("/lit/ball", radius=0.03, color=LIGHT, opacity=0.85, visible=False),
+        scene.add_line_segments("/lit/lines", np.zeros((1, 2, 3)), LIGHT, thickness=0.009 * size, visible=False),
+        scene.add_icosphere("/lit/ball", radius=0.03 * size, color=LIGHT, opacity=0.85, visible=False),
     )
 
 
@@ -35,7 +40,8 @@ def lines_of(state: State, kind: str, index: int) -> Array:
     """The segments that light up a joint's line or a plane's border, (m, 2, 3), m."""
     if kind == "joint":
         axis, centre = state.axes[index], state.poses[index + 1, :3, 3]
-        return np.array([[centre - REACH * axis, centre + REACH * axis]])
+        half = HALF * state.robot.reach
+        return np.array([[centre - half * axis, centre + half * axis]])
     planes = state.problem.planes
     edges = rotation.rotate(pane_wxyz(planes.normals[index]), border(state.robot.panes[index].size))
     return np.asarray(planes.centres[index] + edges)

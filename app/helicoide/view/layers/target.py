@@ -22,13 +22,15 @@ NEAR, FAR = (0, 150, 136), (230, 81, 0)
 
 def build(stage: Stage) -> Target:
     """The gizmo and its line."""
-    gizmo = stage.scene.add_transform_controls("/target", scale=0.28, line_width=3.0, depth_test=False)
+    gizmo = stage.scene.add_transform_controls("/target", scale=0.28 * stage.size, line_width=3.0, depth_test=False)
 
     def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
         stage.act(ForArm(gate.drag_target(stage.who, phase, position, wxyz)))
 
     bind.on_drag(gizmo, dragged)
-    line = stage.scene.add_line_segments("/missing", np.zeros((1, 2, 3)), FAR, thickness=0.004, visible=False)
+    line = stage.scene.add_line_segments(
+        "/missing", np.zeros((1, 2, 3)), FAR, thickness=0.004 * stage.size, visible=False
+    )
     return Target(stage.who, gizmo, line)
 
 

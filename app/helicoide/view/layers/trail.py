@@ -21,14 +21,15 @@ COLOUR = (106, 27, 154)
 
 def build(stage: Stage) -> Trail:
     """An empty trail."""
-    return Trail(stage.scene.add_line_segments("/trail", np.zeros((1, 2, 3)), COLOUR, thickness=0.003))
+    line = stage.scene.add_line_segments("/trail", np.zeros((1, 2, 3)), COLOUR, thickness=0.003 * stage.size)
+    return Trail(line, APART * stage.size)
 
 
 class Trail:
     """The last points of the tool, a few millimetres apart."""
 
-    def __init__(self, line: viser.LineSegmentsHandle) -> None:
-        self.line = line
+    def __init__(self, line: viser.LineSegmentsHandle, apart: float) -> None:
+        self.line, self.apart = line, apart
         self.points: list[np.ndarray] = []
 
     def update(self, old: View | None, new: View) -> None:
@@ -39,7 +40,7 @@ class Trail:
         if old is not None and old.state.q is new.state.q:
             return
         tool = new.state.T_world_tool[:3, 3].astype(np.float32)
-        if self.points and np.linalg.norm(tool - self.points[-1]) < APART:
+        if self.points and np.linalg.norm(tool - self.points[-1]) < self.apart:
             return
         self.points = [*self.points[-LENGTH:], tool]
         if shown and len(self.points) > 1:

@@ -46,7 +46,11 @@ def rows(robot: Robot) -> list[Row]:
         ),
         Words(_selected),
         *([Folder(DISTANCE, [Words(_distance)])] if robot.panes else []),
-        *(Folder(title, [Words(partial(_all, kind))], open=kind == "tool") for kind, title in KINDS.items()),
+        *(
+            Folder(title, [Words(partial(_all, kind))], open=kind == "tool")
+            for kind, title in KINDS.items()
+            if robot.panes or kind != "plane"
+        ),
     ]
 
 

@@ -8,13 +8,14 @@ from viser import Icon
 from helicoide import gate
 from helicoide.geometry import rotation
 from helicoide.ik.goal import tool_pose
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
 from helicoide.state import PATH, Along, State, ToJoints, ToPose
-from helicoide.text import Text
+from helicoide.text import Text, same
 from helicoide.view import layers
-from helicoide.view.rows import Button, Choice, Folder, ForArm, ForSeat, Row, Slider, Tick, Triple, View, Wish
+from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
 
 TITLE = Text(en="Robot", pt_BR="Robô")
 ORDER = 1
@@ -29,15 +30,33 @@ PAUSE = Text(en="Pause", pt_BR="Pausar")
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
+        _choice(robot),
         Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT),
-        Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING),
+        *([Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING)] if "home" in robot.poses else []),
         _poses(robot),
-        Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.joints))]),
+        Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.variables))]),
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
+        *(_enclosure() if robot.panes else []),
+        Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
+    ]
+
+
+def _choice(robot: Robot) -> Choice:
+    """Every robot with a folder, and the one that is here."""
+    return Choice(
+        label=Text(en="Robot", pt_BR="Robô"),
+        options=list({**titles(), robot.name: robot.title}.items()),
+        value=lambda view: view.state.robot.name,
+        wish=ForLab,
+    )
+
+
+def _enclosure() -> list[Row]:
+    """What belongs to an enclosure: the path that the source drives in it, and its planes."""
+    return [
         Folder(Text(en="Path: ellipse, eq. 33", pt_BR="Trajetória: elipse, eq. 33"), _path()),
         Folder(Text(en="Planes", pt_BR="Planos"), [_restore()], open=False),
-        Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
     ]
 
 
@@ -46,20 +65,21 @@ def _driving(view: View) -> bool:
 
 
 def _joint(robot: Robot, index: int) -> Slider:
-    joint = robot.joints[index]
+    joint = robot.variables[index]
+    scale, unit = (1000.0, " [mm]") if joint.slides else (180 / np.pi, "")
 
     def value(view: View) -> float:
         command = view.state.command
         q = command.q if isinstance(command, ToJoints) else view.state.q
-        return float(np.degrees(q[index]))
+        return float(scale * q[index])
 
     return Slider(
-        label=Text(en="{n} {title}", pt_BR="{n} {title}").format(n=index + 1, title=joint.title),
-        lower=round(float(np.degrees(joint.lower)), 3),
-        upper=round(float(np.degrees(joint.upper)), 3),
+        label=same("{n} {title}{unit}").format(n=index + 1, title=joint.title, unit=unit),
+        lower=round(scale * joint.lower, 3),
+        upper=round(scale * joint.upper, 3),
         step=0.1,
         value=value,
-        wish=lambda degrees: ForArm(gate.set_joint(index, np.radians(degrees))),
+        wish=lambda shown: ForArm(gate.set_joint(index, shown / scale)),
         enabled=_driving,
     )
 

@@ -6,7 +6,6 @@ nowhere else: a browser may send anything.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Literal
 
@@ -28,7 +27,10 @@ PARKED = Text(
     en="The arm is parked with its planes off: press Ready first.",
     pt_BR="O braço está estacionado, com os planos desligados: aperte Pronto primeiro.",
 )
-NO_PARKING = Text(en="This robot has no parking pose.", pt_BR="Este robô não tem pose de estacionamento.")
+NO_PARKING = Text(
+    en="This arm has no planes to park out of.",
+    pt_BR="Este braço não tem planos dos quais sair para estacionar.",
+)
 _NOT_A_NUMBER = Text(en="That is not a finite number.", pt_BR="Isso não é um número finito.")
 
 
@@ -201,7 +203,7 @@ def _outside(state: State, index: int) -> Text:
 
 
 def go_to(name: str) -> Update:
-    """A named posture of the robot; `home` is parking, `ready` is getting ready."""
+    """A named posture of the robot; with planes `home` is parking, and `ready` is getting ready."""
 
     def wish(state: State) -> State:
         poses = state.robot.poses
@@ -214,15 +216,18 @@ def go_to(name: str) -> Update:
             )
         return commanded(state, ToJoints(poses[name]))
 
-    special: dict[str, Callable[[], Update]] = {"home": park, "ready": get_ready}
-    return special[name]() if name in special else _driven(wish)
+    def update(state: State) -> State:
+        parking = name == "home" and state.robot.panes
+        return park()(state) if parking else _driven(wish)(state)
+
+    return get_ready() if name == "ready" else update
 
 
 def park() -> Update:
     """To `ready` inside the planes, then home with the planes off."""
 
     def wish(state: State) -> State:
-        if "home" not in state.robot.poses:
+        if not state.robot.panes:
             raise HelicoideError(NO_PARKING)
         return commanded(replace(state, grasp=None), Park())
 

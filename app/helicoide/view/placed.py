@@ -5,7 +5,7 @@ A control that a person has just touched is left alone for a moment, so that it 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable
 from time import monotonic
 from typing import Any, Protocol
 
@@ -35,6 +35,25 @@ class Placed(Protocol):
     def refresh(self, view: View) -> None:
         """Show what the view says now."""
 
+    def remove(self) -> None:
+        """Take it out of the window."""
+
+
+class _Folder:
+    """Rows under a heading."""
+
+    def __init__(self, gui: viser.GuiApi, row: Folder, view: View, act: Act) -> None:
+        self.handle = gui.add_folder(row.label[view.seat.language], expand_by_default=row.open)
+        with self.handle:
+            self.rows = place(gui, row.rows, view, act)
+
+    def refresh(self, view: View) -> None:
+        for row in self.rows:
+            row.refresh(view)
+
+    def remove(self) -> None:
+        self.handle.remove()
+
 
 class _Words:
     def __init__(self, gui: viser.GuiApi, row: Words, view: View) -> None:
@@ -45,6 +64,9 @@ class _Words:
         html = self.row.html(view)
         if html != self.handle.content:
             self.handle.content = html
+
+    def remove(self) -> None:
+        self.handle.remove()
 
 
 class _Control:
@@ -78,6 +100,9 @@ class _Control:
         if value != self.handle.value and monotonic() - self.touched > UNTOUCHED:
             self.handle.value = value
 
+    def remove(self) -> None:
+        self.handle.remove()
+
 
 class _Button:
     def __init__(self, gui: viser.GuiApi, row: Button, view: View, act: Act) -> None:
@@ -101,6 +126,9 @@ class _Button:
         ):
             if value != getattr(handle, name):
                 setattr(handle, name, value)
+
+    def remove(self) -> None:
+        self.handle.remove()
 
 
 def _slider(gui: viser.GuiApi, row: Slider, view: View, act: Act) -> Placed:
@@ -140,22 +168,24 @@ def _triple(gui: viser.GuiApi, row: Triple, view: View, act: Act) -> Placed:
     return placed
 
 
-def place(gui: viser.GuiApi, rows: Iterator[Row], view: View, act: Act) -> Iterator[Placed]:
+def place(gui: viser.GuiApi, rows: Iterable[Row], view: View, act: Act) -> list[Placed]:
     """Build rows where the GUI stands, in the language of the view's seat."""
-    for row in rows:
-        match row:
-            case Words():
-                yield _Words(gui, row, view)
-            case Button():
-                yield _Button(gui, row, view, act)
-            case Slider():
-                yield _slider(gui, row, view, act)
-            case Tick():
-                yield _tick(gui, row, view, act)
-            case Choice():
-                yield _choice(gui, row, view, act)
-            case Triple():
-                yield _triple(gui, row, view, act)
-            case Folder():
-                with gui.add_folder(row.label[view.seat.language], expand_by_default=row.open):
-                    yield from place(gui, iter(row.rows), view, act)
+    return [_placed(gui, row, view, act) for row in rows]
+
+
+def _placed(gui: viser.GuiApi, row: Row, view: View, act: Act) -> Placed:
+    match row:
+        case Words():
+            return _Words(gui, row, view)
+        case Button():
+            return _Button(gui, row, view, act)
+        case Slider():
+            return _slider(gui, row, view, act)
+        case Tick():
+            return _tick(gui, row, view, act)
+        case Choice():
+            return _choice(gui, row, view, act)
+        case Triple():
+            return _triple(gui, row, view, act)
+        case Folder():
+            return _Folder(gui, row, view, act)

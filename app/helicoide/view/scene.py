@@ -14,7 +14,8 @@ from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
 NOBODY = Seat(token="", language="en")
-FROM_THE_SIDE = np.array([0.49, -1.44, 0.57])
+# From the side and above; what is looked at lies to the right of the arm, which the panel would cover else.
+FROM_THE_SIDE, TO_THE_RIGHT = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0])
 
 
 def outlook(robot: Robot) -> tuple[Array, Array]:
@@ -23,8 +24,9 @@ def outlook(robot: Robot) -> tuple[Array, Array]:
         return robot.camera
     points = np.array([[0, 0, robot.floor], *initial(robot).guarded_points])
     low, high = points.min(axis=0), points.max(axis=0)
-    centre = (low + high) / 2
-    return centre + max(robot.reach, float(np.linalg.norm(high - low))) * FROM_THE_SIDE, centre
+    size = max(robot.reach, float(np.linalg.norm(high - low)))
+    centre = (low + high) / 2 + size * TO_THE_RIGHT
+    return centre + size * FROM_THE_SIDE, centre
 
 
 class Scene:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
@@ -12,6 +12,7 @@ import numpy as np
 import viser
 
 from helicoide import gate
+from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import status
 from helicoide.state import Seat, Update
@@ -68,19 +69,22 @@ class Window:
         change: Callable[[str], None],
     ) -> None:
         self.client, self.control, self.post, self.reseat, self.change = client, control, post, reseat, change
-        self.mount(robot, shapes, view)
+        self._stage(robot, shapes, view)
+        self._furnish()
         introduce(client, view.seat.token)
 
     def mount(self, robot: Robot, shapes: list[Shape], view: View) -> None:
-        """Put a robot in front of the person: its layers, its panels, a look at it."""
+        """Put another robot in front of the person: its layers, its rows in every panel, a look at it."""
+        self._stage(robot, shapes, view)
+        self._fill()
+
+    def _stage(self, robot: Robot, shapes: list[Shape], view: View) -> None:
         self.robot, self.view = robot, view
-        self.placed: list[Placed] = []
         self.client.scene.reset()
         stage = Stage(self.client.scene, robot, shapes, self.act, str(self.client.client_id))
         self.layers = [layer.build(stage) for layer in layers.found() if not layer.SHARED]
         self.drawn: View | None = None
         self._look()
-        self._furnish()
 
     def _look(self) -> None:
         camera, (position, centre) = self.client.camera, outlook(self.robot)
@@ -111,7 +115,7 @@ class Window:
         old, self.view = self.view, view
         if old.seat.language != view.seat.language:
             self._furnish()
-        for row in self.placed:
+        for row in (*self.top, *self.placed):
             row.refresh(view)
         said = status(view.state)
         self.control.push(view.seat.token, Notice(view.seat.language, said.text, said.tone))
@@ -121,30 +125,39 @@ class Window:
         gui, language = self.client.gui, self.view.seat.language
         gui.reset()
         gui.set_panel_label(PANEL[language])
-        self.placed = list(place(gui, iter([_language()]), self.view, self.act))
+        self.top = place(gui, [_language()], self.view, self.act)
         tabs = gui.add_tab_group()
-        for panel in panels.found():
-            with tabs.add_tab(panel.TITLE[language], panel.ICON):
-                self.placed += place(gui, iter(panel.rows(self.robot)), self.view, self.act)
-        self._commands(language)
+        self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.found()]
+        self.placed: list[Placed] = []
+        self.commands: list[viser.CommandHandle] = []
+        self._fill()
 
-    def _post(self, update: Callable[[], Update]) -> None:
-        self.post(update())
+    def _fill(self) -> None:
+        """Put the rows and commands for this robot in place of those that are there."""
+        for row in self.placed:
+            row.remove()
+        for command in self.commands:
+            command.remove()
+        self.placed, self.commands = [], [self._command(text, wish) for text, wish in self._wishes()]
+        for tab, panel in zip(self.tabs, panels.found(), strict=True):
+            with tab:
+                self.placed += place(self.client.gui, panel.rows(self.robot), self.view, self.act)
 
-    def _commands(self, language: Language) -> None:
-        """The palette: what the panels and the page have as buttons, by name."""
-        enclosure = (
-            (Text(en="Park", pt_BR="Estacionar"), gate.park),
-            (Text(en="Play the path", pt_BR="Iniciar a trajetória"), gate.play),
-            (Text(en="Pause the path", pt_BR="Pausar a trajetória"), gate.pause),
-        )
-        for text, update in (
-            (STOP, gate.stop),
-            (Text(en="Ready", pt_BR="Pronto"), gate.get_ready),
-            *(enclosure if self.robot.panes else ()),
-        ):
-            command = self.client.gui.add_command(text[language])
-            bind.on_trigger(command, partial(self._post, update))
+    def _wishes(self) -> Iterator[tuple[Text, Wish]]:
+        """The palette: what the panels and the page have as buttons, by name, and every arm."""
+        yield STOP, ForArm(gate.stop())
+        yield Text(en="Ready", pt_BR="Pronto"), ForArm(gate.get_ready())
+        if self.robot.panes:
+            yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
+            yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
+            yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
+        for name, title in titles().items():
+            yield Text(en="Arm: {title}", pt_BR="Braço: {title}").format(title=title), ForLab(name)
+
+    def _command(self, text: Text, wish: Wish) -> viser.CommandHandle:
+        command = self.client.gui.add_command(text[self.view.seat.language])
+        bind.on_trigger(command, partial(self.act, wish))
+        return command
 
 
 def _language() -> Row:

@@ -109,8 +109,8 @@ def _step(view: View) -> str:
     lesson, language = _lesson(view), view.seat.language
     if lesson is None:
         free = Text(
-            en="Drag the target in the scene, move the joints, push a plane. Choose a lesson for a guided tour.",
-            pt_BR="Arraste o alvo na cena, mova as juntas, empurre um plano. Escolha uma lição para um passeio guiado.",
+            en="Drag the target in the scene, move the joints. Choose a lesson for a guided tour.",
+            pt_BR="Arraste o alvo na cena, mova as juntas. Escolha uma lição para um passeio guiado.",
         )
         return f'<p class="helicoide-note">{free[language]}</p>'
     step = lesson.steps[view.seat.step]

@@ -32,7 +32,7 @@ def rows(robot: Robot) -> list[Row]:
     return [
         _choice(robot),
         Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT),
-        *([Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING)] if "home" in robot.poses else []),
+        *([Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING)] if robot.panes else []),
         _poses(robot),
         Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.variables))]),
         *([_gripper()] if robot.gripper else []),
@@ -45,7 +45,7 @@ def rows(robot: Robot) -> list[Row]:
 def _choice(robot: Robot) -> Choice:
     """Every robot with a folder, and the one that is here."""
     return Choice(
-        label=Text(en="Robot", pt_BR="Robô"),
+        label=Text(en="Arm", pt_BR="Braço"),
         options=list({**titles(), robot.name: robot.title}.items()),
         value=lambda view: view.state.robot.name,
         wish=ForLab,

@@ -1,0 +1,83 @@
+"""The table [actuators] of a robot file: how the motors move the joints, in pulses, millimetres and degrees."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import msgspec
+import numpy as np
+
+from helicoide.kinematics.actuators import Actuators, BallScrew, Gear
+from helicoide.kinematics.chain import frozen
+
+
+class GearFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_field="kind", tag="gear"):
+    """A motor behind gears; zero_deg: the driven angle at zero pulses."""
+
+    pulses_per_deg: float
+    zero_deg: float = 0
+
+    def drive(self) -> Gear:
+        """The same in rad."""
+        return Gear(math.degrees(self.pulses_per_deg), math.radians(self.zero_deg))
+
+    def check(self, name: str) -> None:
+        """Raise ValueError unless it turns its joint."""
+        if self.pulses_per_deg == 0:
+            raise ValueError(f"pulses_per_deg of actuator {name} is zero; it may be positive or negative")
+
+
+class BallScrewFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_field="kind", tag="ball_screw"):
+    """A ball screw in a triangle of two fixed sides; zero_deg: the driven angle where the triangle is folded flat."""
+
+    sides_mm: tuple[float, float]
+    pulses_per_mm: float
+    length_at_zero_mm: float
+    zero_deg: float
+
+    def drive(self) -> BallScrew:
+        """The same in m and rad."""
+        a, b = self.sides_mm
+        return BallScrew(
+            (a / 1000, b / 1000), self.pulses_per_mm * 1000, self.length_at_zero_mm / 1000, math.radians(self.zero_deg)
+        )
+
+    def check(self, name: str) -> None:
+        """Raise ValueError unless the screw moves and closes its triangle at zero pulses."""
+        a, b = self.sides_mm
+        if self.pulses_per_mm == 0:
+            raise ValueError(f"pulses_per_mm of actuator {name} is zero; it may be positive or negative")
+        if not (a > 0 and b > 0):
+            raise ValueError(f"sides_mm of actuator {name} must be positive, not {a:g} and {b:g}")
+        if not abs(a - b) < self.length_at_zero_mm < a + b:
+            raise ValueError(
+                f"length_at_zero_mm of actuator {name} is {self.length_at_zero_mm:g}, which closes no triangle with "
+                f"sides of {a:g} and {b:g}: it must lie between {abs(a - b):g} and {a + b:g}"
+            )
+
+
+class ActuatorsFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The table [actuators]: a drive for each joint, and the coupling C where drives move sums of joint angles."""
+
+    drives: tuple[GearFile | BallScrewFile, ...]
+    coupling: tuple[tuple[int, ...], ...] | None = None
+
+    def check(self, joints: Sequence[str]) -> None:
+        """Raise ValueError unless every joint has a drive and the joint angles can be told from the driven ones."""
+        n = len(joints)
+        if len(self.drives) != n:
+            raise ValueError(f"actuators has {len(self.drives)} drives for {n} joints: {', '.join(joints)}")
+        for i, drive in enumerate(self.drives):
+            drive.check(f"A{i + 1}")
+        if self.coupling is None:
+            return
+        if [len(row) for row in self.coupling] != [n] * n:
+            raise ValueError(f"coupling of actuators must have {n} rows of {n} whole numbers for {n} joints")
+        if np.linalg.matrix_rank(frozen(self.coupling)) < n:
+            raise ValueError("coupling of actuators is singular: no row may be a sum of multiples of the others")
+
+    def actuators(self, joints: Sequence[str]) -> Actuators:
+        """The actuators of an arm with these joints, in SI units."""
+        coupling = np.eye(len(joints)) if self.coupling is None else self.coupling
+        return Actuators(tuple(joints), frozen(coupling), tuple(drive.drive() for drive in self.drives))

@@ -56,5 +56,5 @@ browser:
 	fi
 
 clean:
-	rm -rf $(VENV) .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) .venv-bench .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find app lessons robots tests -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -6,14 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.geometry.motions import angles, axes, of, pose, poses, vectors
 
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031, Array
 from helicoide.text import HelicoideError
 
-angles = st.one_of(st.sampled_from([0.0, 1e-9, np.pi / 2, np.pi - 1e-9, np.pi, -np.pi]), st.floats(-3, 3))
-vectors = st.tuples(*[st.floats(-2, 2)] * 3).map(np.array)
-axes = vectors.filter(lambda v: np.linalg.norm(v) > 1e-3).map(lambda v: v / np.linalg.norm(v))
 ONE = CL031.blade("1")
 
 # Cerbaro 2022, §5.2.4, with cyclic names turned to the order of the blades.
@@ -35,26 +33,6 @@ HODGE = {
     "e2e3e": "-e1",
     "e1e2e3e": "1",
 }
-
-
-def rodrigues(axis: Array, angle: float) -> Array:
-    """Matrix of a turn about a unit axis: I + sin θ K + (1 − cos θ) K²."""
-    K = np.cross(np.eye(3), axis)
-    return np.asarray(np.eye(3) + np.sin(angle) * K + 2 * np.sin(angle / 2) ** 2 * (K @ K))
-
-
-def pose(axis: Array, angle: float, t: Array) -> Array:
-    T = np.eye(4)
-    T[:3, :3] = rodrigues(axis, angle)
-    T[:3, 3] = t
-    return T
-
-
-poses = st.builds(pose, axes, angles, vectors)
-
-
-def of(**blades: float) -> Array:
-    return np.asarray(sum(value * CL031.blade(name.replace("one", "1")) for name, value in blades.items()))
 
 
 def same_motor(a: Array, b: Array) -> None:
@@ -254,15 +232,32 @@ def test_quarter_turn_and_shift_example() -> None:
     np.testing.assert_allclose(rigid.move(M, line), of(e1e2=1, e1e=50, e2e=-90), atol=1e-12)
 
 
-def test_units_of_the_dual_quaternions() -> None:
-    """Cerbaro 2022, App. F: i = e2e3, j = e3e1, k = e1e2, ε = −e1e2e3e; i j = k, ε² = 0, ε commutes."""
-    one, i, j, k, eps, i_eps, j_eps, k_eps = rigid.motor_from_dual_quaternion(np.eye(8))
-    np.testing.assert_array_equal(j, of(e1e3=-1))
-    np.testing.assert_array_equal(eps, of(e1e2e3e=-1))
-    for p, q, product in [(i, j, k), (j, k, i), (k, i, j), (i, eps, i_eps), (eps, j, j_eps), (k, eps, k_eps)]:
-        np.testing.assert_array_equal(CL031.product(p, q), product)
-    for p, product in [(i, -one), (j, -one), (k, -one), (eps, 0 * one)]:
-        np.testing.assert_array_equal(CL031.product(p, p), product)
+# Cerbaro 2022, App. F: row × column, as i j = k, i ε = iε and ε ε = 0.
+UNITS = ("1", "i", "j", "k", "ε", "iε", "jε", "kε")
+TABLE = """
+1  i   j   k   ε   iε  jε  kε
+i  -1  k   -j  iε  -ε  kε  -jε
+j  -k  -1  i   jε  -kε -ε  iε
+k  j   -i  -1  kε  jε  -iε -ε
+ε  iε  jε  kε  0   0   0   0
+iε -ε  kε  -jε 0   0   0   0
+jε -kε -ε  iε  0   0   0   0
+kε jε  -iε -ε  0   0   0   0
+"""
+
+
+def test_dual_quaternions_multiply_by_the_table_of_appendix_f() -> None:
+    """With i = e2e3, j = e3e1, k = e1e2, iε = e1e, jε = e2e, kε = e3e and ε = −e1e2e3e."""
+    names = ["1", "e2e3", "e3e1", "e1e2", "e1e2e3e", "e1e", "e2e", "e3e"]
+    signs = np.array([1, 1, 1, 1, -1, 1, 1, 1])
+    units = signs[:, None] * np.array([CL031.blade(name) for name in names])
+    np.testing.assert_array_equal(rigid.motor_from_dual_quaternion(np.eye(8)), units)
+    value = {"0": np.zeros(16), **dict(zip(UNITS, units, strict=True))}
+    expected = [
+        [-value[cell[1:]] if cell[0] == "-" else value[cell] for cell in row.split()]
+        for row in TABLE.strip().split("\n")
+    ]
+    np.testing.assert_array_equal(CL031.product(units[:, None], units), expected)
 
 
 @given(poses)
@@ -309,7 +304,33 @@ def test_products_of_the_joint_screws(
         M = CL031.product(M, h)
     np.testing.assert_allclose(rigid.dual_quaternion(M), products[0], atol=6e-7)
     at_tool = rigid.dual_quaternion(CL031.product(M, rigid.translator(tool)))
-    np.testing.assert_allclose(at_tool[4:], products[1], atol=6e-7)
+    np.testing.assert_allclose(at_tool, [*products[0][:4], *products[1]], atol=6e-7)
+
+
+@pytest.mark.parametrize(
+    ("order", "place", "precision"),
+    [((4, 3, 2, 1, 0), (470.429399, 271.602540, 300.000000), 6e-7), ((0, 1, 2, 3, 4), (816.9, 194.6, 810.0), 0.05)],
+)
+def test_the_joint_nearest_to_the_tool_moves_the_point_first(
+    order: tuple[int, ...], place: tuple[float, ...], precision: float
+) -> None:
+    """Cerbaro 2022, eqs. 15 and 103, of the example of eq. 5; the order as printed leads elsewhere."""
+    directions, points, tool = MOVEMASTER
+    screws = rigid.screw_motor(directions, points, np.radians((30, 60, -90, -30, 90)))
+    even, p = ONE + rigid.null_part(2 * rigid.translator(tool)), rigid.point(tool)
+    for joint in order:
+        even = CL031.product(CL031.product(screws[joint], even), rigid.dual_conjugate(screws[joint]))
+        p = rigid.move(screws[joint], p)
+    np.testing.assert_allclose(rigid.coordinates(p), place, atol=precision)
+    np.testing.assert_allclose(even, ONE + rigid.null_part(2 * rigid.translator(rigid.coordinates(p))), atol=1e-9)
+
+
+def test_a_sandwich_does_not_compose_poses() -> None:
+    """It leaves the pose 1 as it is: the product from the left moves poses (Cerbaro 2022, eqs. 95, 102)."""
+    turn = rigid.rotor((0, 0, 1), 1.0)
+    np.testing.assert_allclose(CL031.product(CL031.product(turn, ONE), rigid.dual_conjugate(turn)), ONE, atol=1e-15)
+    T = rigid.pose_from_motor(CL031.product(turn, ONE))
+    np.testing.assert_allclose(T, pose(np.array([0.0, 0.0, 1.0]), 1.0, np.zeros(3)), atol=1e-15)
 
 
 def test_everything_broadcasts() -> None:

@@ -66,9 +66,7 @@ def test_every_link_of_the_kernel_stands_where_the_urdf_has_it(robot: Robot, q: 
 @given(q=joints)
 def test_guarded_points_are_carried_by_their_links(robot: Robot, q: Array) -> None:
     """At q = 0 the points are those of the file; each is carried by the joints up to its own."""
-    at_zero = carried_points(
-        link_poses(robot.chain, frozen(np.zeros(5))), robot.guarded_points, robot.guarded_joints
-    )
+    at_zero = carried_points(link_poses(robot.chain, frozen(np.zeros(5))), robot.guarded_points, robot.guarded_joints)
     points = carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints)
     for number, (point, carrier) in enumerate(zip(at_zero, robot.guarded_joints, strict=True)):
         motor = rigid.motor_from_pose(np.eye(4))

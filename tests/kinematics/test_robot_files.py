@@ -17,7 +17,7 @@ GOOD = (load("movemaster").urdf.parent / "robot.toml").read_text("utf-8")
 MISTAKES = {
     "unknown key": ('urdf = "movemaster.urdf"', 'urdf = "movemaster.urdf"\ncolour = "red"', ["colour"]),
     "unknown key of a joint": ('link = "waist"', 'link = "waist"\nmass = 3', ["mass", "$.joints"]),
-    "missing key": ("speed_deg_s = 60 ", "# speed_deg_s = 60 ", ["speed_deg_s", "$.joints"]),
+    "missing key": ("speed_deg_s = 60 ", "# speed_deg_s = 60 ", ["speed_deg_s", "J1"]),
     "a word for a number": ("speed_deg_s = 60 ", 'speed_deg_s = "fast" #', ["$.joints", "speed_deg_s"]),
     "two numbers for a triple": (
         "point_mm = [370, 0, 400]\n",
@@ -30,7 +30,13 @@ MISTAKES = {
     "no speed": ("speed_deg_s = 60 ", "speed_deg_s = 0 ", ["J1", "speed"]),
     "missing home": ("[poses.home]", "[poses.elsewhere]", ["home", "missing"]),
     "missing ready": ("[poses.ready]", "[poses.elsewhere]", ["ready", "missing"]),
-    "four angles": ("joints_deg = [0, 0, 0, 0, 0]", "joints_deg = [0, 0, 0, 0]", ["zero", "4", "5"]),
+    "four angles": ("joints = [0, 0, 0, 0, 0]", "joints = [0, 0, 0, 0]", ["zero", "4", "5"]),
+    "an unknown kind": ('link = "waist"', 'link = "waist"\nkind = "spherical"', ["spherical", "$.joints"]),
+    "a slide in degrees": ('link = "waist"', 'link = "waist"\nkind = "prismatic"', ["J1", "limits_mm", "speed_mm_s"]),
+    "limits in two units": ('link = "waist"', 'link = "waist"\nspeed_mm_s = 3', ["J1", "limits_deg", "speed_deg_s"]),
+    "a frame on no joint": ("[gripper]", '[frames.wrist]\njoint = "J7"\nposition_mm = [0, 0, 0]\n\n[gripper]', ["J7"]),
+    "an unknown frame": ("[gripper]", '[frames.elbow]\njoint = "J2"\nposition_mm = [0, 0, 0]\n\n[gripper]', ["elbow"]),
+    "a sum of unknown lengths": ("d_mm = 400", 'd_mm = "h1 + h2"', ["$.joints", "d_mm"]),
     "unknown carrier": ('joint = "J3"\n', 'joint = "J9"\n', ["J9", "J1, J2, J3, J4, J5"]),
     "plane without a normal": ("normal = [0, 0, 1]", "normal = [0, 0, 0]", ["-z", "normal"]),
     "broken toml": ("[tool]", "[tool", ["line"]),

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import re
-from functools import reduce
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.geometry import rotation
 from helicoide.geometry.clifford import CL031, Array
 
-# Below this sine, three points count as collinear: a plane read from them would be rounding noise.
+# Below this sine, points count as collinear and directions as parallel: what they span would be rounding noise.
 COLLINEAR = 1e-9
 
 
 def _rows(*names: str) -> Array:
-    """One blade a row, factors in the order written: "e3e1" is −e1e3. Times coefficients it makes a multivector."""
-    factors = [[CL031.blade(generator) for generator in re.findall(r"e\d?", name)] for name in names]
-    return np.array([reduce(CL031.product, blade, CL031.blade("1")) for blade in factors])
+    """One blade a row; times coefficients it makes a multivector."""
+    return np.array([CL031.blade(name) for name in names])
 
 
 _NULL = CL031.blade("e")
@@ -32,8 +28,20 @@ _VOLUME = CL031.blade("e1e2e3e")
 _ROTOR = np.vstack([_SCALAR, _TURN])
 _DUAL_QUATERNION = np.vstack([_ROTOR, -_VOLUME, _SHIFT])
 _HAS_NULL = np.array([3 in blade for blade in CL031.blades])
-# ⋆ maps each blade to the rest of the volume, with the sign of a ∧ (rest).
-_HODGE = np.array([CL031.outer(blade, np.eye(16)) @ _VOLUME for blade in np.eye(16)])
+
+
+def null_part(a: Array) -> Array:
+    """The blades that hold e: the moment of a line, the offset of a plane, what of a point is not its weight.
+
+    Alone it is the element at infinity: the moment u of a line there, a point there in the direction (x, y, z).
+    a: (..., 16). Source: Cerbaro 2022, eqs. 16–18.
+    """
+    return np.where(_HAS_NULL, a, 0.0)
+
+
+def null_negated(a: Array) -> Array:
+    """The same multivector with −e for e: the blades that hold e are negated. a: (..., 16)."""
+    return np.where(_HAS_NULL, -a, a)
 
 
 def dual_conjugate(a: Array) -> Array:
@@ -42,7 +50,7 @@ def dual_conjugate(a: Array) -> Array:
     It moves the even points 1 + x e1e + y e2e + z e3e by h X h†; points, lines and planes here move by h X h*.
     a: (..., 16). Source: Cerbaro 2022, eq. 101, which prints it with the star of eq. 75.
     """
-    return np.where(_HAS_NULL, -1.0, 1.0) * CL031.conjugate(a)
+    return null_negated(CL031.conjugate(a))
 
 
 def hodge(a: Array) -> Array:
@@ -50,7 +58,7 @@ def hodge(a: Array) -> Array:
 
     a: (..., 16). Source: Cerbaro 2022, §5.2.4.
     """
-    return np.asarray(a @ _HODGE)
+    return CL031.hodge(a)
 
 
 def point(xyz: ArrayLike) -> Array:
@@ -142,7 +150,7 @@ def pose_from_motor(M: Array) -> Array:
     M: M_a_b (..., 16), of any length but zero; returns T_a_b (..., 4, 4), m. Source: Cerbaro 2022, eqs. 96, 102.
     """
     q = M @ _ROTOR.T
-    shift = 2 * CL031.product(np.where(_HAS_NULL, M, 0.0), CL031.conjugate(q @ _ROTOR))
+    shift = 2 * CL031.product(null_part(M), CL031.conjugate(q @ _ROTOR))
     T = np.zeros((*M.shape[:-1], 4, 4))
     T[..., :3, :3] = rotation.to_matrix(q)
     T[..., :3, 3] = shift @ _SHIFT.T / np.sum(q * q, axis=-1, keepdims=True)
@@ -155,7 +163,7 @@ def move(M: Array, X: Array) -> Array:
 
     M: unit motor (..., 16); X: (..., 16). Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes.
     """
-    return CL031.product(CL031.product(M, X), CL031.conjugate(M))
+    return CL031.sandwich(M, X)
 
 
 def canonical(M: Array) -> Array:

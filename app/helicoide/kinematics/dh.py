@@ -12,8 +12,10 @@ from helicoide.kinematics.chain import Array, Joint, frozen
 
 Convention = Literal["standard", "modified"]
 
-# Axes that meet at a smaller sine count as parallel: their common normal would lie too far away to be written down.
-PARALLEL = 1e-9
+# Axes that meet at a smaller sine s count as parallel. Their common normal lies some 1/s away, so that rounding costs
+# 1e-15/s m; what taking them for parallel costs, 5 s m, is less below this.
+PARALLEL = 1.5e-8
+COINCIDENT = 1e-12
 
 
 @dataclass(frozen=True)
@@ -124,7 +126,7 @@ def _common_normal(x: Array, z: Array, origin: Array, after: Joint) -> tuple[Arr
     if sine < PARALLEL:
         normal = between - (between @ z) * z
         length = float(np.linalg.norm(normal))
-        return origin, x if length < PARALLEL else normal / length, origin + normal
+        return origin, x if length < COINCIDENT else _across(normal / length, z), origin + normal
     along = np.cross(between, after.direction) @ across / sine**2
     after_along = np.cross(between, z) @ across / sine**2
     foot, end = origin + along * z, after.point + after_along * after.direction

@@ -58,7 +58,7 @@ def load(robot: str, tip: str | None = None, settings: Sequence[str] = ()) -> Ro
     Raises HelicoideError that lists the names there are, or says what is wrong in a file.
     """
     folders = content.found("robots")
-    path = Path(robot) if robot.endswith((".urdf", ".xml")) else None
+    path = Path(robot) if robot.endswith((".urdf", ".xml", ".xacro")) else None
     if path is None and robot not in folders:
         path = packaged().get(robot)
     if path is not None:

@@ -33,7 +33,10 @@ def from_urdf(path: Path, tip: str | None = None) -> Robot:
     robot = parsed(path).robot
     link = _default_tip(path, robot) if tip is None else tip
     if link not in (names := [link.name for link in robot.links]):
-        raise broken(path, f"there is no link {link!r}; there is: {', '.join(names)}")
+        there = ", ".join(names)
+        raise broken(
+            path, Text(en=f"there is no link {link!r}; there is: {there}", pt_BR=f"não há elo {link!r}; há: {there}")
+        )
     joints, T_world_tool_0 = _chain(path, robot, link)
     guarded, guarded_points, guarded_joints = guarded_centres(joints, T_world_tool_0)
     return Robot(
@@ -72,10 +75,15 @@ def _default_tip(path: Path, robot: yourdfpy.Robot) -> str:
     for joint in robot.joints:
         below.setdefault(joint.parent, []).append(joint)
 
-    def moves(joint: yourdfpy.Joint) -> int:
-        return (joint.type in MOVING) + max(map(moves, below.get(joint.child, [])), default=0)
+    root = next(link.name for link in robot.links if link.name not in {joint.child for joint in robot.joints})
+    beyond = _moving_beyond(root, below)
+    if not beyond[root]:
+        raise broken(path, Text(en="it has no moving joints", pt_BR="não tem juntas móveis"))
 
-    link = next(link.name for link in robot.links if link.name not in {joint.child for joint in robot.joints})
+    def moves(joint: yourdfpy.Joint) -> int:
+        return (joint.type in MOVING) + beyond[joint.child]
+
+    link = root
     joints = 0
     while branches := [joint for joint in below.get(link, []) if moves(joint)]:
         best = max(branches, key=moves)
@@ -83,9 +91,26 @@ def _default_tip(path: Path, robot: yourdfpy.Robot) -> str:
             break
         joints, link = joints + _is_free(best), best.child
     if not joints:
-        ends = [name for name in (link.name for link in robot.links) if name not in below]
-        raise broken(path, f"choose the link where the arm ends with --tip; the ends are: {', '.join(ends)}")
+        ends = ", ".join(link.name for link in robot.links if link.name not in below)
+        raise broken(
+            path,
+            Text(
+                en=f"choose the link where the arm ends with --tip; the ends are: {ends}",
+                pt_BR=f"escolha com --tip o elo onde o braço termina; as pontas são: {ends}",
+            ),
+        )
     return _tool_of(link, below)
+
+
+def _moving_beyond(root: str, below: Mapping[str, list[yourdfpy.Joint]]) -> dict[str, int]:
+    """How many moving joints the longest branch beyond each link has."""
+    order = [root]
+    for link in order:
+        order += [joint.child for joint in below.get(link, [])]
+    beyond: dict[str, int] = {}
+    for link in reversed(order):
+        beyond[link] = max(((j.type in MOVING) + beyond[j.child] for j in below.get(link, [])), default=0)
+    return beyond
 
 
 def _tool_of(link: str, below: Mapping[str, list[yourdfpy.Joint]]) -> str:
@@ -108,7 +133,13 @@ def _chain(path: Path, robot: yourdfpy.Robot, tip: str) -> tuple[tuple[Joint, ..
         way.insert(0, above[link])
         link = way[0].parent
     if not 0 < (count := sum(map(_is_free, way))) <= MOST_JOINTS:
-        raise broken(path, f"the chain to {tip!r} has {count} moving joints; an arm has 1 to {MOST_JOINTS}")
+        raise broken(
+            path,
+            Text(
+                en=f"the chain to {tip!r} has {count} moving joints; an arm has 1 to {MOST_JOINTS}",
+                pt_BR=f"a cadeia até {tip!r} tem {count} juntas móveis; um braço tem de 1 a {MOST_JOINTS}",
+            ),
+        )
     free = [joint.name for joint in way if _is_free(joint)]
     T, joints = np.eye(4), list[Joint]()
     for joint in way:
@@ -116,17 +147,24 @@ def _chain(path: Path, robot: yourdfpy.Robot, tip: str) -> tuple[tuple[Joint, ..
         if joint.type in MOVING:
             joints.append(_joint(path, joint, T, free))
         elif joint.type != "fixed":
+            kinds = ", ".join((*MOVING, "fixed"))
             raise broken(
-                path, f"joint {joint.name!r} is of type {joint.type!r}; use one of: {', '.join(MOVING)}, fixed"
+                path,
+                Text(
+                    en=f"joint {joint.name!r} is of type {joint.type!r}; use one of: {kinds}",
+                    pt_BR=f"a junta {joint.name!r} é do tipo {joint.type!r}; use um destes: {kinds}",
+                ),
             )
-    return tuple(_within_limits_of_mimics(joints)), frozen(T)
+    return tuple(_within_limits_of_mimics(path, joints)), frozen(T)
 
 
 def _joint(path: Path, joint: yourdfpy.Joint, T: Array, free: list[str]) -> Joint:
     slides = joint.type == "prismatic"
     direction = T[:3, :3] @ np.asarray(joint.axis, dtype=float)
     if not np.linalg.norm(direction) > 0:
-        raise broken(path, f"the axis of joint {joint.name!r} is zero")
+        raise broken(
+            path, Text(en=f"the axis of joint {joint.name!r} is zero", pt_BR=f"o eixo da junta {joint.name!r} é nulo")
+        )
     lower, upper = (-2 * math.pi, 2 * math.pi) if joint.type == "continuous" else _range(path, joint)
     speed = joint.limit.velocity if joint.limit is not None else None
     return Joint(
@@ -138,7 +176,7 @@ def _joint(path: Path, joint: yourdfpy.Joint, T: Array, free: list[str]) -> Join
         point=frozen(T[:3, 3]),
         lower=lower,
         upper=upper,
-        speed=speed if speed else SLIDE_SPEED if slides else SPEED,
+        speed=speed if speed and speed > 0 else SLIDE_SPEED if slides else SPEED,
         mimic=None if joint.mimic is None else _mimic(path, joint, free),
     )
 
@@ -146,20 +184,39 @@ def _joint(path: Path, joint: yourdfpy.Joint, T: Array, free: list[str]) -> Join
 def _range(path: Path, joint: yourdfpy.Joint) -> tuple[float, float]:
     limit = joint.limit
     if limit is None or limit.lower is None or limit.upper is None:
-        raise broken(path, f"joint {joint.name!r} is {joint.type} and has no limit: lower and upper are needed")
+        raise broken(
+            path,
+            Text(
+                en=f"joint {joint.name!r} is {joint.type} and has no limit: lower and upper are needed",
+                pt_BR=f"a junta {joint.name!r} é {joint.type} e não tem limit: lower e upper são necessários",
+            ),
+        )
     if not limit.lower < limit.upper:
-        raise broken(path, f"the limits of joint {joint.name!r} are {limit.lower:g} to {limit.upper:g}")
+        raise broken(path, _wrong_limits(joint.name, limit.lower, limit.upper))
     return float(limit.lower), float(limit.upper)
+
+
+def _wrong_limits(name: str, lower: float, upper: float) -> Text:
+    return Text(
+        en=f"the limits of joint {name!r} are {lower:g} to {upper:g}; lower must be below upper",
+        pt_BR=f"os limites da junta {name!r} são {lower:g} a {upper:g}; lower deve ser menor que upper",
+    )
 
 
 def _mimic(path: Path, joint: yourdfpy.Joint, free: list[str]) -> Mimic:
     if joint.mimic.joint not in free:
-        raise broken(path, f"joint {joint.name!r} follows {joint.mimic.joint!r}, which is not before the chosen link")
+        raise broken(
+            path,
+            Text(
+                en=f"joint {joint.name!r} follows {joint.mimic.joint!r}, which is no free joint of the chain",
+                pt_BR=f"a junta {joint.name!r} segue {joint.mimic.joint!r}, que não é uma junta livre da cadeia",
+            ),
+        )
     ratio, shift = joint.mimic.multiplier, joint.mimic.offset
     return Mimic(free.index(joint.mimic.joint), 1.0 if ratio is None else ratio, 0.0 if shift is None else shift)
 
 
-def _within_limits_of_mimics(joints: list[Joint]) -> list[Joint]:
+def _within_limits_of_mimics(path: Path, joints: list[Joint]) -> list[Joint]:
     """The joints, with the limits of each variable narrowed to what the joints that follow it allow."""
     free = [i for i, joint in enumerate(joints) if joint.mimic is None]
     narrowed = list(joints)
@@ -168,6 +225,8 @@ def _within_limits_of_mimics(joints: list[Joint]) -> list[Joint]:
             i = free[mimic.driver]
             ends = sorted((end - mimic.shift) / mimic.ratio for end in (joint.lower, joint.upper))
             lower, upper = max(narrowed[i].lower, ends[0]), min(narrowed[i].upper, ends[1])
+            if not lower < upper:
+                raise broken(path, _wrong_limits(narrowed[i].name, lower, upper))
             narrowed[i] = replace(narrowed[i], lower=lower, upper=upper)
     return narrowed
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
@@ -10,15 +11,16 @@ from string import Template
 from types import MappingProxyType
 from xml.etree import ElementTree
 
-import numpy as np
 import yourdfpy
 
 from helicoide.text import HelicoideError, Text
 
 _PLAIN: Mapping[str, float] = MappingProxyType({})
+_KINDS = {"link": Text(en="link", pt_BR="elo"), "joint": Text(en="joint", pt_BR="junta")}
+_NUMBERS = {"xyz": 3, "rpy": 3, "lower": 1, "upper": 1, "velocity": 1, "multiplier": 1, "offset": 1}
 
 
-def broken(path: Path, reason: str) -> HelicoideError:
+def broken(path: Path, reason: Text | str) -> HelicoideError:
     """The error of a URDF that cannot be used."""
     return HelicoideError(
         Text(en="The URDF {path} cannot be used: {reason}", pt_BR="Não dá para usar o URDF {path}: {reason}").format(
@@ -34,10 +36,9 @@ def parsed(path: Path, parameters: Mapping[str, float] = _PLAIN, meshes: bool = 
     """
     try:
         text = Template(path.read_text(encoding="utf-8")).safe_substitute(parameters)
-        ElementTree.fromstring(text)  # says where; yourdfpy tries to mend what is broken
+        _check_elements(path, ElementTree.fromstring(text))  # yourdfpy tries to mend what is broken
         urdf = _loaded(path, text, meshes=False)
         _check_tree(path, urdf.robot)
-        _check_numbers(path, urdf.robot)
         if not meshes:
             return urdf
         _check_meshes(path, urdf.robot)
@@ -62,37 +63,93 @@ def mesh_file(path: Path) -> Callable[[str], str]:
     return partial(yourdfpy.filename_handler_magic, dir=str(path.parent))
 
 
+def _check_elements(path: Path, root: ElementTree.Element) -> None:
+    """Refuse what is no URDF, names that are missing or there twice, and what is wrong in a link or a joint."""
+    if root.tag != "robot":
+        raise broken(
+            path, Text(en=f"it starts with {root.tag!r}, not 'robot'", pt_BR=f"começa com {root.tag!r}, não 'robot'")
+        )
+    if any("xacro" in element.tag for element in root.iter()):
+        raise broken(
+            path, Text(en="it is xacro; make a URDF of it with xacro", pt_BR="é xacro; gere um URDF com o xacro")
+        )
+    if root.find("link") is None:
+        raise broken(path, Text(en="it has no links", pt_BR="não tem elos"))
+    if not root.get("name"):
+        raise broken(path, Text(en="its robot has no name", pt_BR="o robot dele não tem nome"))
+    known = set[tuple[str, str]]()
+    for part in (part for part in root if part.tag in _KINDS):
+        which = (part.tag, part.get("name", ""))
+        if not which[1] or which in known:
+            raise broken(path, _of(part, "needs a name of its own", "precisa de um nome só seu"))
+        known.add(which)
+        _check_part(path, part)
+
+
+def _of(part: ElementTree.Element, en: str, pt_BR: str) -> Text:
+    kind, name = _KINDS[part.tag], part.get("name", "")
+    return Text(en=f"{kind.en} {name!r} {en}", pt_BR=f"{kind.pt_BR} {name!r} {pt_BR}")
+
+
+def _check_part(path: Path, part: ElementTree.Element) -> None:
+    for end in ("parent", "child") if part.tag == "joint" else ():
+        if (element := part.find(end)) is None or not element.get("link"):
+            raise broken(path, _of(part, f"has no {end} link", f"não tem o elo {end}"))
+    for element in part.iter():
+        for attribute, count in _NUMBERS.items():
+            if not _are_numbers(words := element.get(attribute, "0 " * count), count):
+                given = f'{element.tag} {attribute}="{words}"'
+                raise broken(
+                    path,
+                    _of(
+                        part, f"has {given}: give finite numbers, {count}", f"tem {given}: dê números finitos, {count}"
+                    ),
+                )
+
+
+def _are_numbers(words: str, count: int) -> bool:
+    try:
+        values = list(map(float, words.split()))
+    except ValueError:
+        return False
+    return len(values) == count and all(map(math.isfinite, values))
+
+
 def _check_tree(path: Path, robot: yourdfpy.Robot) -> None:
     """Refuse unknown links, links with two parents, cycles, and several roots."""
     links, parents = {link.name for link in robot.links}, dict[str, str]()
     for joint in robot.joints:
         for name in (joint.parent, joint.child):
             if name not in links:
-                raise broken(path, f"joint {joint.name!r} names link {name!r}, which is not there")
+                en, pt_BR = (
+                    "joint {!r} names link {!r}, which is not there",
+                    "a junta {!r} cita o elo {!r}, que não existe",
+                )
+                raise broken(path, Text(en=en.format(joint.name, name), pt_BR=pt_BR.format(joint.name, name)))
         if joint.child in parents:
-            raise broken(path, f"link {joint.child!r} has two parents: {parents[joint.child]!r} and {joint.parent!r}")
+            two = f"{joint.child!r}: {parents[joint.child]!r}, {joint.parent!r}"
+            raise broken(path, Text(en=f"two parents of link {two}", pt_BR=f"dois pais do elo {two}"))
         parents[joint.child] = joint.parent
     roots = [link.name for link in robot.links if link.name not in parents]
     if len(roots) > 1:
-        raise broken(path, f"it has several roots: {', '.join(roots)}")
+        several = ", ".join(roots)
+        raise broken(path, Text(en=f"it has several roots: {several}", pt_BR=f"tem várias raízes: {several}"))
+    _check_cycles(path, parents, set(roots))
+
+
+def _check_cycles(path: Path, parents: Mapping[str, str], sound: set[str]) -> None:
+    """Refuse links whose way up ends in none that is sound."""
     for name in parents:
-        seen = [name]
-        while seen[-1] in parents:
-            seen.append(parents[seen[-1]])
-            if seen[-1] in seen[:-1]:
-                raise broken(path, f"the links go in a circle: {' → '.join(seen[seen.index(seen[-1]) :])}")
-
-
-def _check_numbers(path: Path, robot: yourdfpy.Robot) -> None:
-    for joint in robot.joints:
-        for what, value in (("origin", joint.origin), ("axis", joint.axis), ("limit", _limits(joint))):
-            if value is not None and not np.isfinite(np.asarray(value, dtype=float)).all():
-                raise broken(path, f"the {what} of joint {joint.name!r} is not a finite number")
-
-
-def _limits(joint: yourdfpy.Joint) -> list[float]:
-    limit = joint.limit
-    return [] if limit is None else [v for v in (limit.lower, limit.upper, limit.velocity) if v is not None]
+        way = [name]
+        while way[-1] not in sound:
+            above = parents[way[-1]]
+            if above in way:
+                circle = " → ".join([*way[way.index(above) :], above])
+                raise broken(
+                    path, Text(en=f"the links go in a circle: {circle}", pt_BR=f"os elos formam um ciclo: {circle}")
+                )
+            way.append(above)
+        sound.update(way)
 
 
 def _check_meshes(path: Path, robot: yourdfpy.Robot) -> None:
@@ -100,4 +157,10 @@ def _check_meshes(path: Path, robot: yourdfpy.Robot) -> None:
         for visual in link.visuals:
             mesh = visual.geometry.mesh
             if mesh and not Path(file := mesh_file(path)(mesh.filename)).is_file():
-                raise broken(path, f"link {link.name!r} misses its mesh {mesh.filename} ({file})")
+                raise broken(
+                    path,
+                    Text(
+                        en=f"link {link.name!r} misses its mesh {mesh.filename} ({file})",
+                        pt_BR=f"falta a malha do elo {link.name!r}: {mesh.filename} ({file})",
+                    ),
+                )

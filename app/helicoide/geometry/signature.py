@@ -1,0 +1,146 @@
+"""The generators of a Clifford algebra Cl(p, q, r), its blades with their names, and the signs of their products."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations, product
+from math import prod
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.text import HelicoideError, Text
+
+Array = NDArray[np.float64]
+Blade = tuple[int, ...]
+MAX_GENERATORS = 6
+
+
+class Table(NamedTuple):
+    """What a product does to the coefficients, arranged as the matrix of either operand needs it.
+
+    (a b)ₖ = Σⱼ left[k, j] a[partner[k, j]] b[j] = Σᵢ right[k, i] a[i] b[partner[k, i]].
+    """
+
+    left: Array
+    right: Array
+    partner: NDArray[np.intp]
+    shape: tuple[int]
+
+
+@dataclass(frozen=True)
+class Signature:
+    """Cl(p, q, r): anticommuting generators, p that square to +1, then q to −1, then r to 0.
+
+    Raises HelicoideError for a negative count or more than six generators. Source: Cerbaro 2022, eqs. 73–74.
+    """
+
+    p: int
+    q: int
+    r: int
+
+    def __post_init__(self) -> None:
+        """Refuse signatures whose tables would be too large."""
+        if min(self.p, self.q, self.r) < 0 or self.p + self.q + self.r > MAX_GENERATORS:
+            raise HelicoideError(
+                Text(
+                    en=f"{self} is not available: use p, q, r ≥ 0 and p + q + r ≤ {MAX_GENERATORS}",
+                    pt_BR=f"{self} não está disponível: use p, q, r ≥ 0 e p + q + r ≤ {MAX_GENERATORS}",
+                )
+            )
+
+    def __str__(self) -> str:
+        """The name of the algebra, such as Cl(0,3,1)."""
+        return f"Cl({self.p},{self.q},{self.r})"
+
+    @cached_property
+    def squares(self) -> tuple[int, ...]:
+        """The square of each generator."""
+        return (1,) * self.p + (-1,) * self.q + (0,) * self.r
+
+    @cached_property
+    def blades(self) -> tuple[Blade, ...]:
+        """Generator indices of each blade: by grade, blades without null generators first, then lexicographic."""
+        count = len(self.squares)
+        every = [blade for grade in range(count + 1) for blade in combinations(range(count), grade)]
+        nulls = range(self.p + self.q, count)
+        return tuple(sorted(every, key=lambda blade: (len(blade), sum(g in nulls for g in blade), blade)))
+
+    @cached_property
+    def grades(self) -> NDArray[np.intp]:
+        """The grade of each blade, shape (2ⁿ,)."""
+        return np.array([len(blade) for blade in self.blades])
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The blades as the sources write them, such as "1", "e1" and "e1e2e"; a single null generator is "e"."""
+        generators = ["e" if label == "0" else f"e{label}" for label in self._labels]
+        return tuple("".join(generators[g] for g in blade) or "1" for blade in self.blades)
+
+    @cached_property
+    def compact_names(self) -> tuple[str, ...]:
+        """The same blades as modern texts write them, such as "e12"; a single null generator is 0 and comes first.
+
+        On its way there it passes the others, so "e01" is −e1e: `read` tells the sign.
+        """
+        return tuple("e" + "".join(sorted(self._labels[g] for g in blade)) if blade else "1" for blade in self.blades)
+
+    def read(self, name: str) -> tuple[int, int]:
+        """Place and sign of a blade in either naming, generators in any order: "e31" is the place of e1e3, and −1.
+
+        Raises HelicoideError for what is not a blade of this algebra.
+        """
+        well_formed = name == "1" or re.fullmatch(r"(e\d*)+", name)
+        factors = [label for labels in re.findall(r"e(\d*)", name) for label in labels or "0"]
+        if not well_formed or not set(factors) <= set(self._labels) or len(set(factors)) < len(factors):
+            raise HelicoideError(self._no_blade(name))
+        blade = [self._labels.index(label) for label in factors]
+        return self._places[frozenset(blade)], _parity(combinations(blade, 2))
+
+    def blade(self, name: str) -> Array:
+        """The basis blade called `name`, as `read` understands it, shape (2ⁿ,)."""
+        place, sign = self.read(name)
+        return np.asarray(np.eye(len(self.blades))[place] * sign)
+
+    def factor(self, a: Blade, b: Blade) -> int:
+        """Factor of the product of two blades: one swap for each inversion, then the squares of shared generators."""
+        return _parity(product(a, b)) * prod(self.squares[g] for g in set(a) & set(b))
+
+    @cached_property
+    def partner(self) -> NDArray[np.intp]:
+        """Place of the blade that takes blade i to blade j; also of their product, as blades are their own inverse."""
+        sets = [frozenset(blade) for blade in self.blades]
+        return np.array([[self._places[a ^ b] for b in sets] for a in sets])
+
+    def table(self, keeps: Callable[[set[int], set[int]], bool]) -> Table:
+        """The table of the product that keeps those pairs of blades and loses the others."""
+        factors = [[self.factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
+        table, places = np.array(factors, dtype=float), np.arange(len(factors))
+        return Table(table[self.partner, places], table[places, self.partner], self.partner, (len(factors),))
+
+    @cached_property
+    def _labels(self) -> tuple[str, ...]:
+        """The digit of each generator in compact names."""
+        labels = [str(g + 1) for g in range(len(self.squares))]
+        return (*labels[:-1], "0") if self.r == 1 else tuple(labels)
+
+    @cached_property
+    def _places(self) -> dict[frozenset[int], int]:
+        return {frozenset(blade): i for i, blade in enumerate(self.blades)}
+
+    def _no_blade(self, name: str) -> Text:
+        generators = ", ".join(self.names[1 : len(self.squares) + 1]) or "1"
+        whole = f"{self.names[-1]}, {self.compact_names[-1]}"
+        return Text(
+            en=f'{self} has no blade "{name}": join {generators}, each at most once, as in {whole}',
+            pt_BR=f'{self} não tem a lâmina "{name}": junte {generators}, cada um no máximo uma vez, como em {whole}',
+        )
+
+
+def _parity(pairs: Iterable[tuple[int, int]]) -> int:
+    """Sign of the swaps that bring all pairs into ascending order."""
+    return -1 if sum(i > j for i, j in pairs) % 2 else 1

@@ -1,0 +1,111 @@
+"""Arms of six turning joints whose last three axes meet: the factors of det J, and what is lost where one vanishes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.kinematics import jacobian
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Frame, Robot
+from helicoide.text import Text
+
+# Axes count as meeting below this distance, m, and as parallel below this sine.
+MEETING, PARALLEL = 1e-6, 1e-6
+
+
+class Kind(Enum):
+    """What such an arm can lose, in words."""
+
+    SHOULDER = Text(
+        en="shoulder: the wrist centre stands over the first axis",
+        pt_BR="ombro: o centro do punho está sobre o primeiro eixo",
+    )
+    ELBOW = Text(en="elbow: the arm is stretched or folded", pt_BR="cotovelo: o braço está esticado ou dobrado")
+    ARM = Text(
+        en="arm: the first three joints do not move the wrist centre in every direction",
+        pt_BR="braço: as três primeiras juntas não movem o centro do punho em todas as direções",
+    )
+    WRIST = Text(
+        en="wrist: its first and last axes lie along each other",
+        pt_BR="punho: o primeiro e o último eixo dele estão alinhados",
+    )
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A factor of det J that belongs to a kind: its signed value, and the largest size that the arm's lengths allow.
+
+    A shoulder's factor is in m, an elbow's in m², an arm's in m³; a wrist's has no unit.
+    """
+
+    kind: Kind
+    value: float
+    largest: float
+
+    @property
+    def relative(self) -> float:
+        """The factor over its largest size, in [−1, 1]: 0 is singular."""
+        return self.value / self.largest
+
+    @property
+    def words(self) -> Text:
+        """The kind in words, with how near it is."""
+        return Text(
+            en="{kind} (factor at {part:.1f} % of its largest)", pt_BR="{kind} (fator a {part:.1f} % do máximo)"
+        ).format(kind=self.kind.value, part=100 * abs(self.relative))
+
+
+def spherical_wrist(robot: Robot) -> Frame | None:
+    """The frame "wrist" where the last three of six turning joints meet in it; None for other arms."""
+    wrist, joints = robot.frames.get("wrist"), robot.joints
+    if wrist is None or len(joints) != 6 or wrist.link < 4 or any(joint.slides or joint.mimic for joint in joints):
+        return None
+    ways = wrist.T_link_frame[:3, 3] + robot.points[wrist.link - 1] - robot.points[3:]
+    apart = np.linalg.norm(np.cross(ways, robot.directions[3:]), axis=1)
+    return wrist if np.all(apart < MEETING) else None
+
+
+def factors(robot: Robot, q: ArrayLike, wrist: Frame) -> tuple[Factor, ...]:
+    """Factors of the determinant at the wrist centre p: J_G = [J₁₁ 0; J₂₁ J₂₂], det J_G = det J₁₁ det J₂₂.
+
+    −det J₂₂ = s₄·(s₆ × s₅), and where s₂ ∥ s₃ −det J₁₁ = [(s₁ × s₂)·(p − p₁)] [s₂·((p − p₂) × (p − p₃))]: shoulder and
+    elbow; of other arms −det J₁₁ is one factor. For the Zebra-ZERO they are l₁c₂ − l₂s₂₃, l₁l₂ cos q₃ and sin q₅.
+    Args: q (6,), rad. Raises HelicoideError for a wrong q. Source: Vargas 2013, §3.2, eqs. 3.8–3.9.
+    """
+    poses = link_poses(robot.chain, robot.check_joints(q))
+    axes = jacobian.joint_axes(poses, robot.chain)
+    ways = (poses[wrist.link] @ wrist.T_link_frame)[:3, 3] - poses[1:4, :3, 3]
+    parallel = np.linalg.norm(np.cross(axes[1], axes[2])) < PARALLEL
+    arm = _shoulder_and_elbow(axes, ways) if parallel else (_arm(axes, ways),)
+    return (*arm, _wrist(axes))
+
+
+def _shoulder_and_elbow(axes: Array, ways: Array) -> tuple[Factor, Factor]:
+    """The factors of −det J₁₁ where s₂ ∥ s₃, from the axes (6, 3) and the ways p − pᵢ (3, 3), m."""
+    side, across = np.cross(axes[0], axes[1]), axes[1]
+    upper, fore = (float(np.linalg.norm(np.cross(across, link))) for link in (ways[1] - ways[2], ways[2]))
+    offset, sine = abs(float(side @ (ways[0] - ways[1]))), float(np.linalg.norm(side))
+    return (
+        Factor(Kind.SHOULDER, float(side @ ways[0]), offset + sine * (upper + fore)),
+        Factor(Kind.ELBOW, float(across @ np.cross(ways[1], ways[2])), upper * fore),
+    )
+
+
+def _arm(axes: Array, ways: Array) -> Factor:
+    """−det J₁₁ in one piece, from the same; at most the product of the stretched ways from the three joints."""
+    columns = np.cross(axes[:3], ways)
+    steps = np.linalg.norm([ways[0] - ways[1], ways[1] - ways[2], ways[2]], axis=1)
+    longest = np.prod(np.cumsum(steps[::-1]))
+    return Factor(Kind.ARM, float(columns[0] @ np.cross(columns[2], columns[1])), float(longest))
+
+
+def _wrist(axes: Array) -> Factor:
+    """−det J₂₂ = s₄·(s₆ × s₅); at most the product of the sines between the neighbours."""
+    s4, s5, s6 = axes[3:]
+    sines = np.linalg.norm(np.cross(s4, s5)) * np.linalg.norm(np.cross(s5, s6))
+    return Factor(Kind.WRIST, float(s4 @ np.cross(s6, s5)), float(sines))

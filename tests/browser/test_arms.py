@@ -1,0 +1,131 @@
+"""Every arm that is shipped, on the page: chosen from the list, drawn, moved by a number and by the gizmo."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import Browser, Page
+from tests.browser.conftest import window
+from tests.browser.lab import Lab, box, grab, opened, pixels, tab, until
+
+from helicoide import content, gate
+from helicoide.ik.goal import goal_at_pose
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.library import titles
+from helicoide.state import State
+from helicoide.view.layers import DRAWN_FOR
+from helicoide.view.layers.arm import Arm
+
+ARROW = 0.22  # on an arrow of the target gizmo of an arm that reaches DRAWN_FOR, m from its centre
+DRAWN = 1500  # pixels that even the thinnest arm covers
+NAMES = sorted(content.found("robots"))
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    lab = opened()
+    yield lab
+    lab.session.close()
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser, lab: Lab) -> Iterator[Page]:
+    with window(browser, lab.port) as page:
+        until(page, lambda: lab.session.ready, 300)
+        tab(page, "Robot")
+        yield page
+
+
+@pytest.fixture(params=NAMES)
+def arm(request: pytest.FixtureRequest, lab: Lab, page: Page) -> State:
+    """The page with an arm of its list, at `ready`."""
+    name: str = request.param
+    page.get_by_label("Arm", exact=True).click()
+    page.get_by_role("option", name=titles()[name].en, exact=True).click()
+    until(page, lambda: lab.state.robot.name == name)
+    until(page, lambda: all(page.evaluate("(n) => !!window.__viserMutable.nodeRefFromName[n]", n) for n in nodes(lab)))
+    page.wait_for_timeout(1000)
+    return lab.state
+
+
+def nodes(lab: Lab) -> list[str]:
+    return [f"/arm/{shape.name}/mesh" for shape in lab.session.shapes]
+
+
+def canvas(page: Page) -> Array:
+    """The scene as it is drawn, grey."""
+    picture = Image.open(io.BytesIO(page.locator("canvas").first.screenshot())).convert("L")
+    return np.asarray(picture, dtype=np.float64)
+
+
+def show(lab: Lab, page: Page, shown: bool) -> None:
+    """Show or hide the solid arm."""
+    (layer,) = (layer for layer in lab.session.scene.layers if isinstance(layer, Arm))
+
+    def write() -> None:
+        for frame in layer.frames:
+            frame.visible = shown
+        lab.session.server.flush()
+
+    lab.session.loop.call_soon_threadsafe(write)
+    script = "(n) => window.__viserMutable.nodeRefFromName[n].visible"
+    until(page, lambda: page.evaluate(script, f"/arm/{layer.shapes[0].name}") is shown)
+    page.wait_for_timeout(1000)
+
+
+def test_the_arm_is_in_the_picture_and_every_part_of_it_is_somewhere_else(lab: Lab, page: Page, arm: State) -> None:
+    with_arm = canvas(page)
+    show(lab, page, False)
+    without = canvas(page)
+    show(lab, page, True)
+    assert (abs(with_arm - without) > 12).sum() > DRAWN
+    (layer,) = (layer for layer in lab.session.scene.layers if isinstance(layer, Arm))
+    assert len(layer.frames) >= len(arm.robot.joints) + 1 > 0, "a mesh for the base and every moving link"
+    links = {shape.link for shape in layer.shapes}
+    assert links == set(range(len(arm.robot.joints) + 1))
+    for shape, frame in zip(layer.shapes, layer.frames, strict=True):
+        wished = arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
+        np.testing.assert_allclose(frame.position, wished[:3], atol=1e-6)
+
+
+def test_a_number_moves_its_joint(lab: Lab, page: Page, arm: State) -> None:
+    joint = arm.robot.variables[0]
+    scale = 1000.0 if joint.slides else 180 / np.pi
+    step = 40.0 if joint.slides else 6.0
+    value = round(scale * arm.q[0] + (step if scale * joint.upper - scale * arm.q[0] > step else -step), 1)
+    box(page, 0, str(value))
+    until(page, lambda: abs(scale * lab.state.q[0] - value) < 0.06)
+    assert (lab.state.q[1:] == arm.q[1:]).all()
+
+
+def way(page: Page, state: State) -> tuple[Array, Array]:
+    """The arrow of the gizmo that is longest on the screen among those along which the arm can follow, and the way."""
+    T, length = state.T_world_tool, 0.06 * state.robot.reach
+    best: tuple[float, Array, Array] | None = None
+    for axis in range(3):
+        for sign in (1.0, -1.0):
+            arrow = ARROW * state.robot.reach / DRAWN_FOR * T[:3, axis]
+            moved = T.copy()
+            moved[:3, 3] += sign * length * T[:3, axis]
+            seen = np.linalg.norm(np.subtract(pixels(page, T[:3, 3] + arrow), pixels(page, T[:3, 3])))
+            if goal_at_pose(state.problem, state.q, frozen(moved), False).short < 1e-4 and (not best or seen > best[0]):
+                best = (float(seen), arrow, sign * length * T[:3, axis])
+    assert best is not None
+    return best[1], best[2]
+
+
+def test_the_gizmo_takes_the_tool_along(lab: Lab, page: Page, arm: State) -> None:
+    lab.post(gate.hold_orientation(False))
+    start = lab.state.T_world_tool[:3, 3]
+    arrow, along = way(page, lab.state)
+    grab(lab, page, start + arrow, start + arrow + along)
+    page.mouse.up()
+    until(page, lambda: lab.state.grasp is None)
+    lab.ticks(page, 150)
+    moved = lab.state.T_world_tool[:3, 3] - start
+    assert np.linalg.norm(moved - along) < 0.35 * np.linalg.norm(along), "the pointer is where the handle is"
+    assert moved @ along > 0.6 * along @ along

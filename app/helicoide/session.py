@@ -14,6 +14,8 @@ from dataclasses import replace
 
 from helicoide import content, gate, kernels, lesson
 from helicoide.advance import advance, foreseen
+from helicoide.geometry import rigid
+from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.state import Seat, State, ToJoints, ToPose, Update, commanded, initial
@@ -47,6 +49,7 @@ def exercise(robot_name: str = "movemaster") -> State:
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
+    CL031.sandwich(rigid.motor_from_pose(state.T_world_tool), rigid.point(state.T_world_tool[:3, 3]))
     return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
 
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.geometry.clifford import Algebra, Array
+from helicoide.geometry.clifford import QUATERNIONS, Array
 from helicoide.text import HelicoideError, Text
 
-# Hamilton's quaternions with i = e1, j = e2, k = e1e2, so that the blades stand in the order w, x, y, z.
-QUATERNIONS = Algebra(0, 2, 0)
 _PURE = np.eye(3, 4, k=1)
 
 

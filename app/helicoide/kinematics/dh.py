@@ -77,8 +77,8 @@ def poses(table: DhTable, joints: Sequence[Joint], values: Array) -> list[Array]
 def recovered(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
     """Standard rows of a chain that is given by its screw axes.
 
-    zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. Where axes
-    are parallel the normal through the last origin is taken, xᵢ₋₁ where they coincide; the last frame stays on its axis.
+    zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. Where they
+    are parallel the normal through the last origin is taken, xᵢ₋₁ where they coincide; the last frame stays in place.
     Args: joints, base first; T_world_tool_0 (4, 4), m, at q = 0. Source: Denavit and Hartenberg 1955.
     """
     first = joints[0]

@@ -141,8 +141,9 @@ class Robot:
 
     @cached_property
     def reach(self) -> float:
-        """Length of the stretched chain from the first joint to the tool, with every slide out, m."""
+        """Length of the stretched chain from the first axis to the tool, with every slide out, m."""
         ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
+        ways[0] -= (ways[0] @ self.directions[0]) * self.directions[0]
         slides = sum(max(abs(joint.lower), abs(joint.upper)) for joint in self.variables if joint.slides)
         return float(np.linalg.norm(ways, axis=1).sum() + slides)
 

@@ -13,12 +13,14 @@ import yourdfpy
 
 from helicoide.kinematics import dh
 from helicoide.kinematics.chain import Array, Joint, Mimic, frozen
+from helicoide.kinematics.readiness import ready
 from helicoide.kinematics.robot import Frame, Robot, guarded_centres, on_link
 from helicoide.kinematics.urdf_file import broken, parsed
 from helicoide.text import Text, same
 
 MOVING = ("revolute", "continuous", "prismatic")
 MOST_JOINTS = 30
+MEETING = 1e-6
 SPEED, SLIDE_SPEED = math.pi / 3, 0.25
 TOOLS = ("tool", "tool0", "tcp", "ee", "hand", "flange")
 
@@ -39,7 +41,7 @@ def from_urdf(path: Path, tip: str | None = None) -> Robot:
         )
     joints, T_world_tool_0 = _chain(path, robot, link)
     guarded, guarded_points, guarded_joints = guarded_centres(joints, T_world_tool_0)
-    return Robot(
+    found = Robot(
         name=path.stem,
         title=same(robot.name or path.stem),
         source=f"{path.name}: {link}",
@@ -52,17 +54,29 @@ def from_urdf(path: Path, tip: str | None = None) -> Robot:
         guarded=guarded,
         guarded_points=guarded_points,
         guarded_joints=guarded_joints,
-        poses=MappingProxyType({"ready": _ready(joints)}),
+        poses=MappingProxyType({}),
         pose_titles=MappingProxyType({"ready": Text(en="ready", pt_BR="pronto")}),
     )
+    return replace(found, poses=MappingProxyType({"ready": ready(found)}))
 
 
 def _frames(joints: tuple[Joint, ...], T_world_tool_0: Array) -> dict[str, Frame]:
+    wrist = np.eye(4)
+    wrist[:3, 3] = _meeting_point(joints[-3:])
     return {
         "station": Frame("station", 0, frozen(np.eye(4))),
-        "wrist": Frame("wrist", len(joints), frozen(np.eye(4))),
+        "wrist": Frame("wrist", len(joints), on_link(wrist, joints[-1].point)),
         "tool": Frame("tool", len(joints), on_link(T_world_tool_0, joints[-1].point)),
     }
+
+
+def _meeting_point(joints: tuple[Joint, ...]) -> Array:
+    """Where the axes of turning joints meet, (3,), m, at zero; the point of the last joint where they do not."""
+    across = [np.eye(3) - np.outer(joint.direction, joint.direction) for joint in joints]
+    sides = np.concatenate([P @ joint.point for P, joint in zip(across, joints, strict=True)])
+    point, *_ = np.linalg.lstsq(np.vstack(across), sides)
+    apart = np.abs(np.vstack(across) @ point - sides).max()
+    return point if apart < MEETING and not any(joint.slides for joint in joints) else joints[-1].point
 
 
 def _is_free(joint: yourdfpy.Joint) -> bool:
@@ -229,15 +243,3 @@ def _within_limits_of_mimics(path: Path, joints: list[Joint]) -> list[Joint]:
                 raise broken(path, _wrong_limits(narrowed[i].name, lower, upper))
             narrowed[i] = replace(narrowed[i], lower=lower, upper=upper)
     return narrowed
-
-
-def _ready(joints: tuple[Joint, ...]) -> Array:
-    """Zero where a joint's range leaves a tenth of itself on both sides, else the middle of the range."""
-    free = [joint for joint in joints if joint.mimic is None]
-    margins = [0.1 * (joint.upper - joint.lower) for joint in free]
-    return frozen(
-        [
-            0.0 if joint.lower + margin <= 0 <= joint.upper - margin else (joint.lower + joint.upper) / 2
-            for joint, margin in zip(free, margins, strict=True)
-        ]
-    )

@@ -59,8 +59,16 @@ def _loaded(path: Path, text: str, meshes: bool) -> yourdfpy.URDF:
 
 
 def mesh_file(path: Path) -> Callable[[str], str]:
-    """Where the mesh files that a URDF names lie: beside it, or for package:// in one of the folders above it."""
-    return partial(yourdfpy.filename_handler_magic, dir=str(path.parent))
+    """Where the mesh files that a URDF names lie: seen from it, or for package:// in or as a folder above it."""
+    return partial(_mesh_file, path.absolute().parent)
+
+
+def _mesh_file(folder: Path, fname: str) -> str:
+    scheme, _, inside = fname.rpartition("://")
+    if scheme != "package":
+        return str(folder / inside)
+    places = (above / way for above in (folder, *folder.parents) for way in (inside, inside.partition("/")[2]))
+    return str(next((place for place in places if place.is_file()), fname))
 
 
 def _check_elements(path: Path, root: ElementTree.Element) -> None:
@@ -154,13 +162,7 @@ def _check_cycles(path: Path, parents: Mapping[str, str], sound: set[str]) -> No
 
 def _check_meshes(path: Path, robot: yourdfpy.Robot) -> None:
     for link in robot.links:
-        for visual in link.visuals:
-            mesh = visual.geometry.mesh
-            if mesh and not Path(file := mesh_file(path)(mesh.filename)).is_file():
-                raise broken(
-                    path,
-                    Text(
-                        en=f"link {link.name!r} misses its mesh {mesh.filename} ({file})",
-                        pt_BR=f"falta a malha do elo {link.name!r}: {mesh.filename} ({file})",
-                    ),
-                )
+        for mesh in (visual.geometry.mesh for visual in link.visuals if visual.geometry.mesh):
+            if not Path(mesh_file(path)(mesh.filename)).is_file():
+                which = f"{link.name!r}: {mesh.filename}"
+                raise broken(path, Text(en=f"no mesh for link {which}", pt_BR=f"falta a malha do elo {which}"))

@@ -1,0 +1,40 @@
+"""A posture to begin with, for an arm whose file names none."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import tool_by_screws
+from helicoide.kinematics.manipulability import of_twist
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.singularity import usual_rank
+
+BENDS = (0.0, 0.35, 0.7, 1.05)
+WELL_CONDITIONED = 20.0
+_PATTERN = (0.0, 1.0, -1.0, 0.5, 1.0, 0.0)
+
+
+def ready(robot: Robot) -> Array:
+    """The first well-conditioned posture from the middle outwards, its tool up; else the best of all, (n,), rad or m.
+
+    The middle is zero where a joint's range leaves a tenth of itself on both sides. From there the joints are bent more
+    and more, like an arm with its elbow up: stretched, as at zero, most arms are singular and cannot be pulled inwards.
+    """
+    lower, upper = robot.lower, robot.upper
+    margin = 0.1 * (upper - lower)
+    middle = np.where((lower + margin <= 0) & (upper - margin >= 0), 0.0, (lower + upper) / 2)
+    pattern = np.resize(_PATTERN, len(middle)) * [not joint.slides for joint in robot.variables]
+    tried = [
+        [np.clip(middle + sign * bend * pattern, lower + margin, upper - margin) for sign in (1, -1)] for bend in BENDS
+    ]
+    for pair in tried:
+        if good := [q for q in pair if _condition(robot, q) < WELL_CONDITIONED]:
+            return frozen(max(good, key=lambda q: float(tool_by_screws(robot, q)[2, 3])))
+    return frozen(min(sum(tried, []), key=lambda q: _condition(robot, q)))
+
+
+def _condition(robot: Robot, q: Array) -> float:
+    """Largest over smallest singular value of the tool's Jacobian that can differ from zero, a radian as one reach."""
+    sigma = of_twist(robot, q, robot.reach).sigma
+    return float(sigma[0] / max(sigma[usual_rank(robot) - 1], 1e-12))

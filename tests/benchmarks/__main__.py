@@ -1,6 +1,6 @@
 """Measure what the program promises; each measurement ends in its figure, the goal, and whether it is met.
 
-`python -m tests.benchmarks latency tick startup`, or without names for all three.
+`python -m tests.benchmarks latency tick`, or without names for all in `NAMES`.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import importlib
 import sys
 
-NAMES = ("latency", "tick", "startup")
+NAMES = ("latency", "tick", "startup", "kinematics", "algebra")
 
 
 def main() -> None:

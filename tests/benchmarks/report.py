@@ -21,3 +21,16 @@ def verdict(figure: str, value: float, goal: float, unit: str) -> None:
     """The line that a measurement ends in."""
     said = "met" if value <= goal else "MISSED"
     print(f"  {figure}: {value:.2f}{unit} · goal at most {goal:g}{unit} · {said}")
+
+
+def beside(who: str, statement: str, seconds: Sequence[float], ratio: str = "") -> None:
+    """What one of several took for the same work, and how ours compares."""
+    print(f"    {who:22} {1e6 * p50(seconds):10.2f} µs {ratio:>9}  {statement}")
+
+
+def judge(figure: str, ratios: Sequence[float], goal: float) -> None:
+    """The verdict on ours/peer where the peer comes nearest to us, or is furthest ahead."""
+    if ratios:
+        verdict(f"{figure}, ours/peer", max(ratios), goal, "×")
+    else:
+        print(f"  {figure}: not measured, as no peer took part · MISSED")

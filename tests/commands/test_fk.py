@@ -9,6 +9,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.kinematics.urdfs import MISTAKES, write
+
+from helicoide import __main__
 
 APP = Path(__file__).parents[2] / "app"
 
@@ -32,37 +35,104 @@ def test_the_example_of_the_source_by_all_roads() -> None:
         assert pose["motor"]["e1e"] == pytest.approx(0.060801270, abs=1e-9)
 
 
-def test_the_words_for_people_carry_the_same_numbers() -> None:
-    done = fk("movemaster", "--q", "0.5235987755982988", "1.0471975511965976", "-1.5707963267948966",
-              "-0.5235987755982988", "1.5707963267948966")  # fmt: skip
-    lines = done.stdout.splitlines()
-    assert done.returncode == 0
-    assert len(lines) == 3
-    assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines)
-
-
-@pytest.mark.parametrize(
-    ("arguments", "word"),
-    [
-        (["movemaster", "--q", "1", "2", "3"], "5 finite joint values"),
-        (["movemaster", "--q", *["0.1234567"] * 12], "5 finite joint values"),
-        (["movemaster", "--q", "nan", "0", "0", "0", "0"], "5 finite joint values"),
-        (["movemaster", "--q", "inf", "0", "0", "0", "0", "--deg"], "5 finite joint values"),
-        (["puma", "--q", "0", "0", "0", "0", "0"], "movemaster"),
-        (["../../etc", "--q", "0", "0", "0", "0", "0"], "movemaster"),
-    ],
-)
-def test_wrong_input_is_one_clear_line(arguments: list[str], word: str) -> None:
-    done = fk(*arguments)
+def test_wrong_input_ends_in_one_line_without_a_traceback(tmp_path: Path) -> None:
+    path = write(tmp_path, 'velocity="0.5"/>', 'velocity="0.5"/><mimic joint="three"/>')
+    done = fk(str(path), "--q", "0", "0")
     assert done.returncode != 0
     assert done.stdout == ""
-    assert "Traceback" not in done.stderr
     assert len(done.stderr.splitlines()) == 1
-    assert word in done.stderr
+    assert str(path) in done.stderr
+    assert "'three'" in done.stderr
 
 
-@pytest.mark.parametrize("arguments", [["movemaster", "--q", "one"], ["movemaster"], []])
+@pytest.mark.parametrize("arguments", [["movemaster", "--q", "one"], ["movemaster"]])
 def test_what_cannot_be_read_ends_without_a_traceback(arguments: list[str]) -> None:
     done = fk(*arguments)
     assert done.returncode != 0
     assert "Traceback" not in done.stderr
+
+
+def test_the_words_for_people_carry_the_same_numbers(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    turns = ("0.5235987755982988", "1.0471975511965976", "-1.5707963267948966", "-0.5235987755982988")
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "movemaster", "--q", *turns, "1.5707963267948966"])
+    __main__.main()
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 3
+    assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines)
+
+
+def ended(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> str:
+    """The words with which the command ends."""
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments])
+    with pytest.raises(SystemExit) as caught:
+        __main__.main()
+    return str(caught.value.code)
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_every_mistake_in_a_urdf_ends_the_command_alike(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+    caplog: pytest.LogCaptureFixture,
+    mistake: str,
+) -> None:
+    old, new, place = MISTAKES[mistake]
+    said = ended(monkeypatch, str(write(tmp_path, old, new)), "--tip", "tool", "--q", "0", "0")
+    assert len(said.splitlines()) == 1
+    assert [word for word in place if word not in said] == []
+    assert capfd.readouterr() == ("", "")
+    assert caplog.records == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["movemaster", "--q", "1", "2", "3"], ["5 finite joint values"]),
+        (["movemaster", "--q", *["0.1234567"] * 12], ["5 finite joint values"]),
+        (["movemaster", "--q", "nan", "0", "0", "0", "0"], ["5 finite joint values"]),
+        (["movemaster", "--q", "inf", "0", "0", "0", "0", "--deg"], ["5 finite joint values"]),
+        (["puma", "--q", "0", "0", "0", "0", "0"], ["movemaster"]),
+        (["../../etc", "--q", "0", "0", "0", "0", "0"], ["movemaster"]),
+        (["{arm}", "--tip", "nowhere", "--q", "0", "0"], ["{arm}", "'nowhere'", "base, upper, lower, tool"]),
+        (["{arm}", "--q", "0"], ["2 finite joint values", "one, two"]),
+        (["{arm}", "--set", "l1=1", "--q", "0", "0"], ["--set"]),
+        (["{arm}x.urdf", "--q", "0", "0"], ["{arm}x.urdf", "No such file"]),
+        (["planar2r", "--tip", "tool", "--q", "0", "0"], ["--tip"]),
+        (["planar2r", "--set", "l1=abc", "--q", "0", "0"], ["l1=abc", "l1=1500"]),
+    ],
+)
+def test_options_that_do_not_fit_end_in_one_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
+) -> None:
+    arm = str(write(tmp_path))
+    said = ended(monkeypatch, *(argument.format(arm=arm) for argument in arguments))
+    assert len(said.splitlines()) == 1
+    assert [word for word in words if word.format(arm=arm) not in said] == []
+
+
+def printed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str) -> list[float]:
+    """Where the tool is by the first road, m."""
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments, "--json"])
+    __main__.main()
+    poses = list(json.loads(capsys.readouterr().out)["roads"].values())
+    for pose in poses[1:]:
+        assert pose["position"] == pytest.approx(poses[0]["position"], abs=1e-9)
+    position: list[float] = poses[0]["position"]
+    return position
+
+
+def test_degrees_leave_a_slide_in_metres(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = str(write(tmp_path))
+    in_degrees = printed(monkeypatch, capsys, arm, "--tip", "lower", "--q", "90", "0.5", "--deg")
+    assert in_degrees == printed(monkeypatch, capsys, arm, "--tip", "lower", "--q", "1.5707963267948966", "0.5")
+    assert in_degrees != printed(monkeypatch, capsys, arm, "--tip", "lower", "--q", "1.5707963267948966", "0")
+
+
+def test_lengths_are_set_in_millimetres(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    straight = printed(monkeypatch, capsys, "planar2r", "--set", "l1=1500", "l2=250", "--q", "0", "0")
+    assert straight == pytest.approx([1.75, 0, 0])

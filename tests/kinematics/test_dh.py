@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.kinematics.arms import NAMES, arm, postures
 
 from helicoide.kinematics import dh
 from helicoide.kinematics.chain import Array, Joint, Mimic, chain_of, frozen, spread
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.forward import screw_transform
 from helicoide.text import same
-from tests.kinematics.arms import NAMES, arm, postures
 
 Joints = tuple[Joint, ...]
 RELATIONS = ("skew", "meeting", "parallel", "opposite", "coincident", "close")
@@ -97,6 +97,7 @@ def test_every_z_axis_lies_along_the_next_joint(relations: list[tuple[str, str]]
         np.testing.assert_allclose(beside, 0, atol=1e-9)
     np.testing.assert_allclose(frames[-1] @ table.T_dh_tool, tool, rtol=0, atol=1e-9)
     assert table.rows[-1] == DhRow(0, 0, 0, 0)
+    assert min(row.a for row in table.rows) >= -1e-12
 
 
 @pytest.mark.parametrize("name", NAMES)

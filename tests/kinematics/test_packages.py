@@ -8,6 +8,7 @@ from importlib.metadata import distribution
 import numpy as np
 import pytest
 import yourdfpy
+from tests.kinematics.arms import postures
 
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import ROADS, link_poses
@@ -15,7 +16,6 @@ from helicoide.kinematics.library import PACKAGES, load, packaged
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_chain import from_urdf
 from helicoide.kinematics.urdf_file import parsed
-from tests.kinematics.arms import postures
 
 # the arms by name, with their variables and the link where those end that do not say it themselves
 ARMS: dict[str, tuple[int, str | None]] = {

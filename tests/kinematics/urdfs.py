@@ -1,4 +1,4 @@
-"""URDF files that the tests write: a small arm, the same with one thing changed, and long chains."""
+"""URDF files that the tests write: a small arm, the same with one mistake, and long chains."""
 
 from __future__ import annotations
 
@@ -23,13 +23,6 @@ GOOD = """<?xml version="1.0"?>
 """
 
 
-def write(folder: Path, old: str = "", new: str = "") -> Path:
-    """The arm as a file, with one thing changed."""
-    path = folder / "arm.urdf"
-    path.write_text(GOOD.replace(old, new, 1) if old else GOOD, "utf-8")
-    return path
-
-
 def chain_of(links: list[str]) -> str:
     """Links, and a joint from each to the next that turns around z, 0.1 m along x."""
     joints = [
@@ -38,3 +31,47 @@ def chain_of(links: list[str]) -> str:
         for a, b in pairwise(links)
     ]
     return "".join([*(f'<link name="{link}"/>' for link in dict.fromkeys(links)), *joints])
+
+
+# what is replaced in the good file, by what, and the words that name the place
+MISTAKES = {
+    "a robot without a name": ('<robot name="arm">', "<robot>", ["robot", "name"]),
+    "a link without a name": ('<link name="upper"/>', "<link/>", ["link", "name"]),
+    "two links of one name": ('<link name="upper"/>', '<link name="upper"/><link name="upper"/>', ["link 'upper'"]),
+    "two joints of one name": ('<joint name="two"', '<joint name="one"', ["joint 'one'", "name"]),
+    "no parent": ('<parent link="upper"/>', "", ["'two'", "parent"]),
+    "no child": ('<child link="lower"/>', "<child/>", ["'two'", "child"]),
+    "an unknown link": ('<child link="lower"/>', '<child link="nowhere"/>', ["'two'", "'nowhere'"]),
+    "two parents": ('<parent link="lower"/><child link="tool"/>', '<parent link="base"/><child link="lower"/>',
+                    ["'lower'", "'upper'", "'base'"]),
+    "two roots": ('<link name="tool"/>', '<link name="tool"/><link name="table"/>', ["base", "table"]),
+    "a cycle": ('<parent link="base"/>', '<parent link="lower"/>', ["upper → lower → upper"]),
+    "a cycle beside the arm": ("</robot>", chain_of(["p", "q", "p"]) + "</robot>", ["q → p → q"]),
+    "nan in an origin": ('xyz="0.1 0 0.3"', 'xyz="0.1 nan 0.3"', ["'one'", "origin xyz", "nan"]),
+    "nan in an axis": ('<axis xyz="0 1 0"/>', '<axis xyz="0 nan 0"/>', ["'two'", "axis", "nan"]),
+    "infinity in a limit": ('upper="2"', 'upper="inf"', ["'two'", "limit upper", "inf"]),
+    "a word for a number": ('lower="-1"', 'lower="low"', ["'two'", "limit lower", "low"]),
+    "two numbers for three": ('<axis xyz="0 1 0"/>', '<axis xyz="0 1"/>', ["'two'", "axis", "0 1", "3"]),
+    "nan in a picture": ('<link name="upper"/>', '<link name="upper"><visual><origin rpy="nan 0 0"/></visual></link>',
+                         ["link 'upper'", "rpy"]),
+    "xacro": ("</robot>", '<xacro:arm xmlns:xacro="http://ros.org/wiki/xacro"/></robot>', ["xacro"]),
+    "broken XML": ('<link name="tool"/>', '<link name="tool">', ["line", "column"]),
+    "a zero axis": ('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>', ["'two'", "axis", "zero"]),
+    "no limit": ('<limit lower="-1" upper="2" velocity="0.5"/>', "", ["'two'", "limit"]),
+    "no lower limit": ('lower="-1" ', "", ["'two'", "lower"]),
+    "limits swapped": ('lower="-1"', 'lower="3"', ["'two'", "3 to 2", "below"]),
+    "a floating joint": ('type="prismatic"', 'type="floating"', ["'two'", "'floating'", "prismatic"]),
+    "a planar joint": ('name="end" type="fixed"', 'name="end" type="planar"', ["'end'", "'planar'", "prismatic"]),
+    "a joint without a type": ('name="end" type="fixed"', 'name="end"', ["'end'", "type", "prismatic"]),
+    "an unknown driver": ('velocity="0.5"/>', 'velocity="0.5"/><mimic joint="three"/>', ["'two'", "'three'"]),
+    "a driver beyond itself": ('velocity="0.5"/>', 'velocity="0.5"/><mimic joint="two"/>', ["'two'"]),
+    "a driver that cannot move": ('velocity="0.5"/>', 'velocity="0.5"/><mimic joint="one" multiplier="5" offset="50"/>',
+                                  ["limits", "'one'"]),
+}  # fmt: skip
+
+
+def write(folder: Path, old: str = "", new: str = "") -> Path:
+    """The arm as a file, with one thing changed."""
+    path = folder / "arm.urdf"
+    path.write_text(GOOD.replace(old, new, 1) if old else GOOD, "utf-8")
+    return path

@@ -15,6 +15,7 @@ import trimesh
 import yourdfpy
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.kinematics.arms import MIXED, NAMES, postures
 
 from helicoide.geometry import rigid
 from helicoide.kinematics.chain import Array, frozen
@@ -25,9 +26,8 @@ from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_file import mesh_file, parsed
 from helicoide.text import LANGUAGES
-from tests.kinematics.arms import MIXED, NAMES, postures
 
-AGREE = {"rtol": 0, "atol": 1e-9}
+AGREE = 1e-9
 ROBOTS = [name for name in NAMES if name != MIXED]
 WITH_PARAMETERS = [name for name in ROBOTS if load(name).parameters]
 # the switches of Cerbaro 2022, table 4, lie outside the limits of its table 3
@@ -73,10 +73,10 @@ def check_roads(robot: Robot, urdf: yourdfpy.URDF, q: Array) -> None:
     urdf.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))
     poses = link_poses(robot.chain, q)
     for pose, link in zip(poses, (urdf.base_link, *(joint.link for joint in robot.joints)), strict=True):
-        np.testing.assert_allclose(pose, urdf.get_transform(link), **AGREE)
+        np.testing.assert_allclose(pose, urdf.get_transform(link), rtol=0, atol=AGREE)
     tools = [road(robot, q) for road in ROADS.values()]
     for tool in (*tools, poses[-1] @ robot.T_link_tool):
-        np.testing.assert_allclose(tool, urdf.get_transform(robot.tool_link), **AGREE)
+        np.testing.assert_allclose(tool, urdf.get_transform(robot.tool_link), rtol=0, atol=AGREE)
 
 
 @every_robot
@@ -94,11 +94,13 @@ def test_the_roads_agree_on_every_link(name: str) -> None:
     origins = np.array([np.zeros(3), *robot.points])
     for q in postures(robot, 5):
         displacements = np.array(screw_displacements(robot, q))
-        np.testing.assert_allclose([rigid.pose_from_motor(m) for m in link_motors(robot, q)], displacements, **AGREE)
-        np.testing.assert_allclose(dh_frames(robot, q), displacements @ at_zero, **AGREE)
+        np.testing.assert_allclose(
+            [rigid.pose_from_motor(m) for m in link_motors(robot, q)], displacements, rtol=0, atol=AGREE
+        )
+        np.testing.assert_allclose(dh_frames(robot, q), displacements @ at_zero, rtol=0, atol=AGREE)
         links = displacements.copy()
         links[:, :3, 3] += np.einsum("ijk,ik->ij", displacements[:, :3, :3], origins)
-        np.testing.assert_allclose(link_poses(robot.chain, q), links, **AGREE)
+        np.testing.assert_allclose(link_poses(robot.chain, q), links, rtol=0, atol=AGREE)
 
 
 @every_robot

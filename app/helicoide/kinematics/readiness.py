@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import chain
+
 import numpy as np
 
 from helicoide.kinematics.chain import Array, frozen
@@ -31,7 +33,7 @@ def ready(robot: Robot) -> Array:
     for pair in tried:
         if good := [q for q in pair if _condition(robot, q) < WELL_CONDITIONED]:
             return frozen(max(good, key=lambda q: float(tool_by_screws(robot, q)[2, 3])))
-    return frozen(min(sum(tried, []), key=lambda q: _condition(robot, q)))
+    return frozen(min(chain.from_iterable(tried), key=lambda q: _condition(robot, q)))
 
 
 def _condition(robot: Robot, q: Array) -> float:

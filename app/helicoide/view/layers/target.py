@@ -17,6 +17,7 @@ from helicoide.view.rows import ForArm, View
 NAME = "target"
 SHARED = False
 
+_SHOWN_OF = ("q", "command", "grasp", "with_orientation", "parked")
 NEAR, FAR = (0, 150, 136), (230, 81, 0)
 
 
@@ -48,7 +49,7 @@ class Target:
     def update(self, old: View | None, new: View) -> None:
         """Follow the wish, except under the hand of this window's person."""
         state = new.state
-        if old is not None and old.state.q is state.q and old.state.command is state.command:
+        if old is not None and all(getattr(old.state, name) is getattr(state, name) for name in _SHOWN_OF):
             return
         if self.gizmo.visible == state.parked:
             self.gizmo.visible = not state.parked
@@ -56,8 +57,8 @@ class Target:
             pose = _shown_pose(state)
             self.gizmo.position = pose[:3, 3]
             self.gizmo.wxyz = rotation.from_matrix(pose[:3, :3])
-        if self.gizmo.disable_rotations == state.with_orientation:
-            self.gizmo.disable_rotations = not state.with_orientation
+            if self.gizmo.disable_rotations == state.with_orientation:  # under the hand, it would lose the drag's end
+                self.gizmo.disable_rotations = not state.with_orientation
         self._line(state)
 
     def _line(self, state: State) -> None:

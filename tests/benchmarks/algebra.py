@@ -1,0 +1,76 @@
+"""Products and sandwiches of multivectors, one at a time and many, beside the libraries that compute them."""
+
+from __future__ import annotations
+
+import numpy as np
+from tests.benchmarks.children.answer import Task
+from tests.benchmarks.peers import Child, Peer, compare, started, ways_of
+from tests.benchmarks.report import judge
+
+from helicoide.geometry.batch import MOTOR_ROWS, POINT_ROWS, move_points, products, sandwich_rows, sandwiches
+from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
+
+TITLE = "Products and sandwiches beside clifford and kingdon; ratios are ours/peer"
+PEERS = Peer("clifford", "with_clifford.py"), Peer("kingdon", "with_kingdon.py")
+MANY = 10_000
+GOALS = {"product": 0.333, "sandwich": 0.333, "10,000 sandwiches, rows": 0.2}
+
+
+def _full(rows: Array) -> Array:
+    """Points by rows as whole multivectors (N, 16)."""
+    every = np.zeros((rows.shape[1], 16))
+    every[:, POINT_ROWS] = rows.T
+    return every
+
+
+def _ours(algebra: Algebra, given: dict[str, Array]) -> list[Task]:
+    Ms, Xs = given["motors"], given["points"]
+    known = {"a": given["a"][0], "b": given["b"][0], "M": Ms[0], "X": Xs[0], "Ms": Ms, "Xs": Xs, "algebra": algebra}
+    known |= {"product": algebra.product, "sandwich": algebra.sandwich, "sandwiches": sandwiches, "full": _full}
+    ms, xs = np.ascontiguousarray(Ms.T), np.ascontiguousarray(Xs.T)
+    many = "sandwiches(algebra, Ms, Xs)"
+    if algebra == CL031:
+        rows, whole = "move_points(ms, xs)", "full(move_points(ms, xs))"
+        known |= {"move_points": move_points, "ms": ms[MOTOR_ROWS], "xs": xs[POINT_ROWS]}
+    else:
+        rows, whole = "sandwich_rows(algebra, ms, xs)", "sandwich_rows(algebra, ms, xs).T"
+        known |= {"sandwich_rows": sandwich_rows, "ms": ms, "xs": xs}
+    return [
+        Task("product", "product(a, b)", "product(a, b)", known),
+        Task("sandwich", "sandwich(M, X)", "sandwich(M, X)", known),
+        Task("10,000 sandwiches, rows", rows, whole, known),
+        Task("10,000 sandwiches, (N, 16)", many, many, known),
+    ]
+
+
+def _given(algebra: Algebra) -> dict[str, Array]:
+    """Two multivectors of every blade, unit motors (1 + t e) g, and points of any weight; one a row."""
+    rng = np.random.default_rng(0)
+    a, b = rng.normal(size=(2, 1, 16))
+    turns, shifts, points = rng.normal(size=(3, MANY, 16))
+    g = turns * _blades(algebra, "1", "e1e2", "e1e3", "e2e3")
+    g /= np.linalg.norm(g, axis=-1, keepdims=True)
+    motors = g + products(algebra, shifts * _blades(algebra, "e1e", "e2e", "e3e"), g)
+    return {"a": a, "b": b, "motors": motors, "points": points * (algebra.grades == 3)}
+
+
+def _blades(algebra: Algebra, *names: str) -> Array:
+    """One for these blades, zero for the others."""
+    return np.isin(algebra.names, names).astype(float)
+
+
+def _measure(algebra: Algebra, children: list[Child]) -> None:
+    given = _given(algebra)
+    numbers = {name: rows.tolist() for name, rows in given.items()}
+    ways = ways_of(children, squares=algebra.squares, blades=algebra.blades, **numbers)
+    for ours in _ours(algebra, given):
+        print(f"  {algebra}, {ours.figure}")
+        ratios = compare(ours, ways)
+        if ours.figure in GOALS:
+            judge(f"{algebra}, {ours.figure}, beside the fastest", list(ratios.values()), GOALS[ours.figure])
+
+
+def run() -> None:
+    with started(PEERS) as children:
+        for algebra in (PGA, CL031):
+            _measure(algebra, children)

@@ -1,0 +1,98 @@
+"""The tool's pose and Jacobian, one at a time and many, beside the libraries that compute them."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from xml.etree import ElementTree
+
+import numpy as np
+from tests.benchmarks.children.answer import Task
+from tests.benchmarks.peers import Child, Peer, compare, started, ways_of
+from tests.benchmarks.report import judge
+
+from helicoide.geometry import euler
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.library import load, names
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.tool import tool_jacobian, tool_pose, tool_poses
+
+TITLE = "Pose and Jacobian of the tool beside Pinocchio, the Robotics Toolbox and ikpy; ratios are ours/peer"
+PEERS = (
+    Peer("pin", "with_pinocchio.py"),
+    Peer("roboticstoolbox-python", "with_toolbox.py"),
+    Peer("ikpy", "with_ikpy.py"),
+)
+ROBOTS = ("puma560", "movemaster", "panda")
+MANY = 10_000
+YARDSTICK = "pin"
+GOALS = {"pose": 1.3, "Jacobian": 1.3, "10,000 poses": 0.2}
+POSE, JACOBIAN, POSES = (
+    "tool_pose(chain, T_link_tool, q)",
+    "tool_jacobian(chain, T_link_tool, q)",
+    "tool_poses(chain, T_link_tool, qs)",
+)
+URDF = "extrinsic xyz"
+
+
+def _frames(robot: Robot) -> list[Array]:
+    """The base, a frame on each joint with z along its axis, and the tool, all at q = 0."""
+    frames = [np.eye(4)]
+    for (x, y, z), point in zip(robot.directions, robot.points, strict=True):
+        T = np.eye(4)
+        T[:3, :3] = euler.matrix([0.0, np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)], URDF)
+        T[:3, 3] = point
+        frames.append(T)
+    return [*frames, robot.T_world_tool_0]
+
+
+def urdf_of(robot: Robot) -> str:
+    """The bare chain, in the form that suits all peers: links from base to tool, joints that turn about z."""
+    root = ElementTree.Element("robot", name=robot.name)
+    links = ["base", *(f"link{i}" for i in range(len(robot.joints))), "tool"]
+    for link in links:
+        ElementTree.SubElement(root, "link", name=link)
+    for (parent, before), (child, after) in pairwise(zip(links, _frames(robot), strict=True)):
+        T = frozen(np.linalg.solve(before, after))
+        rpy = euler.angles(T[:3, :3], URDF).values
+        turns = child != "tool"
+        joint = ElementTree.SubElement(root, "joint", name=f"to_{child}", type="revolute" if turns else "fixed")
+        ElementTree.SubElement(joint, "parent", link=parent)
+        ElementTree.SubElement(joint, "child", link=child)
+        ElementTree.SubElement(joint, "origin", xyz=_words(T[:3, 3]), rpy=_words(rpy))
+        if turns:
+            ElementTree.SubElement(joint, "axis", xyz="0 0 1")
+            ElementTree.SubElement(joint, "limit", lower="-10", upper="10", velocity="1", effort="1")
+    return ElementTree.tostring(root, encoding="unicode")
+
+
+def _words(numbers: Array) -> str:
+    return " ".join(map(repr, numbers.tolist()))
+
+
+def _ours(robot: Robot, qs: Array) -> list[Task]:
+    known = {"chain": robot.chain, "T_link_tool": robot.T_link_tool, "qs": qs, "q": qs[0]}
+    known |= {"tool_pose": tool_pose, "tool_jacobian": tool_jacobian, "tool_poses": tool_poses}
+    return [
+        Task("pose", POSE, POSE, known),
+        Task("Jacobian", JACOBIAN, f"[{JACOBIAN} for q in qs[:100]]", known),
+        Task("10,000 poses", POSES, POSES, known),
+    ]
+
+
+def _measure(robot: Robot, children: list[Child]) -> None:
+    qs = np.random.default_rng(0).uniform(robot.lower, robot.upper, (MANY, len(robot.variables)))
+    ways = ways_of(children, urdf=urdf_of(robot), tool="tool", postures=qs.tolist())
+    for ours in _ours(robot, qs):
+        print(f"  {robot.name}, {ours.figure}")
+        ratios = compare(ours, ways)
+        pinocchio = [ratio for way, ratio in ratios.items() if way.child.name == YARDSTICK]
+        judge(f"{robot.name}, {ours.figure}, beside {YARDSTICK}", pinocchio, GOALS[ours.figure])
+
+
+def run() -> None:
+    with started(PEERS) as children:
+        for name in ROBOTS:
+            if name in names():
+                _measure(load(name), children)
+            else:
+                print(f"  {name} is LEFT OUT: it is not installed")

@@ -1,0 +1,96 @@
+"""`helicoide robots` tells of every robot in a folder, and its roads agree."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.kinematics.urdfs import write
+
+from helicoide import __main__, content
+from helicoide.commands.robots import POSTURES
+from helicoide.kinematics.library import load, packaged
+
+APP = Path(__file__).parents[2] / "app"
+FIELDS = {"name", "title", "source", "ours", "reach", "disagreement", "joints"}
+
+
+@pytest.fixture(scope="module")
+def tables() -> list[dict[str, Any]]:
+    environment = {**os.environ, "PYTHONPATH": str(APP), "LC_ALL": "C.UTF-8"}
+    command = [sys.executable, "-m", "helicoide", "robots", "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120, check=True)
+    assert done.stderr == ""
+    found: list[dict[str, Any]] = json.loads(done.stdout)
+    return found
+
+
+def words(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    monkeypatch.setattr(sys, "argv", ["helicoide", "robots", *arguments])
+    __main__.main()
+    return capsys.readouterr().out
+
+
+def test_every_robot_in_a_folder_is_told_of(tables: list[dict[str, Any]]) -> None:
+    assert [table["name"] for table in tables] == sorted(content.found("robots"))
+
+
+def test_the_roads_of_every_robot_agree(tables: list[dict[str, Any]]) -> None:
+    assert {table["name"]: table["disagreement"] for table in tables if not 0 <= table["disagreement"] <= 1e-9} == {}
+
+
+def test_a_table_says_what_the_robot_is(tables: list[dict[str, Any]]) -> None:
+    for table in tables:
+        robot = load(table["name"])
+        assert set(table) == FIELDS
+        assert (table["title"], table["source"], table["ours"]) == (robot.title.en, robot.source, list(robot.ours))
+        assert [joint["name"] for joint in table["joints"]] == [joint.name for joint in robot.variables]
+        assert [joint["kind"] for joint in table["joints"]] == [joint.kind for joint in robot.variables]
+        for key, values in (("lower", robot.lower), ("upper", robot.upper), ("speed", robot.speed)):
+            np.testing.assert_array_equal([joint[key] for joint in table["joints"]], values)
+
+
+def test_people_read_joints_limits_source_and_agreement(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    said = words(monkeypatch, capsys, "scara", "movemaster")
+    first, joints, source, agreement, *rest = said.splitlines()
+    assert first.startswith("scara: ")
+    assert "4 joints" in first
+    assert [load("scara").joints[i].name in joints for i in range(4)] == [True] * 4
+    assert "°" in joints
+    assert " mm" in joints
+    assert load("scara").source in source
+    assert f"over {POSTURES} random postures" in agreement
+    assert rest[0].startswith("movemaster: ")
+    assert len(rest) == 4
+
+
+def test_the_whole_list_ends_with_the_names_of_packages(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(content, "found", lambda kind: {"movemaster": content.SHIPPED / "robots" / "movemaster"})
+    last = words(monkeypatch, capsys).splitlines()[-1]
+    assert [name for name in packaged() if name not in last] == []
+
+
+def test_a_urdf_is_told_of_by_its_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    [table] = json.loads(words(monkeypatch, capsys, str(write(tmp_path)), "--json"))
+    assert (table["name"], table["source"]) == ("arm", "arm.urdf: tool")
+    assert [joint["kind"] for joint in table["joints"]] == ["revolute", "prismatic"]
+    assert table["disagreement"] <= 1e-9
+
+
+def test_an_unknown_robot_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "argv", ["helicoide", "robots", "nobody"])
+    with pytest.raises(SystemExit, match=r"'nobody'.*movemaster") as caught:
+        __main__.main()
+    assert len(str(caught.value.code).splitlines()) == 1

@@ -1,0 +1,121 @@
+"""Robots by name, by path and with settings; what cannot be loaded is said with what could be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib.metadata import PackageNotFoundError
+from pathlib import Path
+
+import pytest
+from tests.kinematics.urdfs import write
+
+from helicoide import content
+from helicoide.kinematics import library
+from helicoide.kinematics.library import PACKAGES, load, names, packaged, titles
+from helicoide.text import HelicoideError, Text
+
+
+def refused(robot: str, tip: str | None = None, settings: tuple[str, ...] = ()) -> Text:
+    with pytest.raises(HelicoideError) as caught:
+        load(robot, tip, settings)
+    text = caught.value.text
+    assert text.en != text.pt_BR
+    assert len(text.en.splitlines()) == len(text.pt_BR.splitlines()) == 1
+    return text
+
+
+def test_folders_come_before_packages_in_order() -> None:
+    folders = sorted(content.found("robots"))
+    assert names()[: len(folders)] == folders
+    rest = names()[len(folders) :]
+    assert rest == sorted(rest)
+    assert set(rest) == set(packaged()) - set(folders)
+
+
+def test_every_folder_has_its_title() -> None:
+    assert list(titles()) == sorted(content.found("robots"))
+    assert titles()["movemaster"] == load("movemaster").title
+
+
+def test_a_broken_folder_has_no_title(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "robot.toml").write_text("broken", "utf-8")
+    folders = {"broken": tmp_path, "movemaster": content.folder("robots", "movemaster")}
+    monkeypatch.setattr(content, "found", lambda kind: folders)
+    assert list(titles.__wrapped__()) == ["movemaster"]
+
+
+def test_packaged_names_are_plain() -> None:
+    assert all(path.suffix == ".urdf" and path.is_file() for path in packaged().values())
+    assert not [name for name in packaged() if name.endswith(("_robot", ".urdf"))]
+
+
+def test_a_robot_is_loaded_by_name_path_or_package(tmp_path: Path) -> None:
+    assert load("movemaster").urdf == content.folder("robots", "movemaster") / "movemaster.urdf"
+    assert load(str(path := write(tmp_path))).urdf == path
+    assert load("panda").tool_link == "panda_hand_tcp"
+
+
+def test_a_tip_ends_the_arm(tmp_path: Path) -> None:
+    assert load(str(write(tmp_path)), "upper").tool_link == "upper"
+    assert load("panda", "panda_link4").tool_link == "panda_link4"
+
+
+def test_settings_change_the_lengths() -> None:
+    assert dict(load("planar2r", settings=["l1=1500", "l2=250.5"]).parameters) == {"l1": 1.5, "l2": 0.2505}
+
+
+@pytest.mark.parametrize(
+    ("robot", "tip", "settings", "words"),
+    [
+        ("panda", None, ("l1=1",), ["--set", "panda"]),
+        ("arm.urdf", None, ("l1=1",), ["--set", "arm.urdf"]),
+        ("planar2r", "tool", (), ["--tip", "planar2r"]),
+        ("planar2r", None, ("l1=abc",), ["'l1=abc'", "l1=1500"]),
+        ("planar2r", None, ("l1",), ["'l1'", "l1=1500"]),
+        ("planar2r", None, ("",), ["''", "l1=1500"]),
+        ("planar2r", None, ("l9=1",), ["l9", "l1, l2"]),
+        ("planar2r", None, ("l1=-5",), ["l1", "positive"]),
+        ("planar2r", None, ("l1=nan",), ["l1", "positive"]),
+        ("planar2r", None, ("l1=inf",), ["l1", "positive"]),
+        ("movemaster", None, ("l1=1",), ["l1", "none"]),
+        ("panda", "nowhere", (), ["'nowhere'", "panda_link4"]),
+    ],
+)
+def test_what_does_not_go_together_is_said(
+    robot: str, tip: str | None, settings: tuple[str, ...], words: list[str]
+) -> None:
+    said = refused(robot, tip, settings)
+    assert [word for word in words if word not in said.en] == []
+
+
+def test_an_unknown_name_lists_all_names() -> None:
+    said = refused("pandas").en
+    assert [name for name in names() if name not in said] == []
+    assert "'pandas'" in said
+    assert "path of a URDF file" in said
+    assert "pip install" not in said
+
+
+def test_xacro_is_not_taken_for_a_name(tmp_path: Path) -> None:
+    path = write(tmp_path, "</robot>", '<xacro:arm xmlns:xacro="http://ros.org/wiki/xacro"/></robot>')
+    assert "is xacro" in refused(str(path.rename(tmp_path / "arm.urdf.xacro"))).en
+
+
+@pytest.fixture
+def without_packages(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    def missing(package: str) -> None:
+        raise PackageNotFoundError(package)
+
+    monkeypatch.setattr(library, "distribution", missing)
+    packaged.cache_clear()
+    yield
+    packaged.cache_clear()
+
+
+@pytest.mark.usefixtures("without_packages")
+def test_without_the_packages_it_is_said_how_to_get_them() -> None:
+    said = refused("panda")
+    for words in (said.en, said.pt_BR):
+        assert "'panda'" in words
+        assert f"pip install {' '.join(PACKAGES)}" in words
+    assert names() == sorted(content.found("robots"))

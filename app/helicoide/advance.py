@@ -158,3 +158,11 @@ def foreseen(state: State) -> State:
             return replace(state, goal=goal_at_joints(problem, state.q, state.robot.poses["ready"]))
         case _:
             return replace(state, goal=None)
+
+
+def leads_elsewhere(old: State | None, new: State) -> bool:
+    """Whether the goal may be another than the one foreseen."""
+    return old is None or any(
+        getattr(old, name) is not getattr(new, name)
+        for name in ("q", "command", "problem", "detour", "with_orientation", "parked")
+    )

@@ -135,6 +135,11 @@ def _unquoted(hint: str) -> str:
     return re.sub(r"(?m)^> *", "", hint)
 
 
+def entered(seat: Seat, name: str | None) -> Seat:
+    """The seat at the first step of a lesson, or in free play."""
+    return replace(seat, lesson=name, step=0, done=frozenset(), hint_open=False)
+
+
 def progressed(lesson: Lesson, state: State, seat: Seat) -> Seat:
     """The seat with its current step marked as done when the goal is met."""
     step = lesson.steps[seat.step]

@@ -13,7 +13,7 @@ from collections import deque
 from dataclasses import replace
 
 from helicoide import content, gate, kernels, lesson
-from helicoide.advance import advance, foreseen
+from helicoide.advance import advance, foreseen, leads_elsewhere
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.library import load
@@ -30,6 +30,7 @@ from helicoide.view.window import Client, Window, remember, remembered, seated
 TICK = 0.01
 TICKS_PER_FRAME = 2
 FRAMES_PER_TEXT = 5
+CLEARED = 0.15
 
 COMPILING = Text(
     en="Preparing the kernels: {done} of {total}. This happens once.",
@@ -185,7 +186,16 @@ class Session:
             self.post(lambda state: replace(state, notice=words))
             return
         if robot_name == self._wanted:
+            await self._clear()
             self._mount(robot, drawn)
+
+    async def _clear(self) -> None:
+        """Clear the scenes, and let the browsers have that: a node put back in the same message keeps its old pose."""
+        self.scene.clear(self.server)
+        for window in self.windows.values():
+            window.clear()
+        self.server.flush()
+        await asyncio.sleep(CLEARED)
 
     def _mount(self, robot: Robot, drawn: list[shapes.Shape]) -> None:
         """The new robot at `ready`; lessons about another robot are left."""
@@ -238,7 +248,7 @@ class Session:
         """Foresee the goal where something changed, draw; check lessons and write words at a fifth of the rate."""
         if not self.windows:
             return
-        if _wish_changed(self._foreseen, self.state):
+        if leads_elsewhere(self._foreseen, self.state):
             self.state = foreseen(self.state)
             self._foreseen = self.state
         self._draw()
@@ -279,18 +289,8 @@ class Session:
 def _seated_at(robot: Robot, seat: Seat) -> Seat:
     """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
     stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
-    return (
-        replace(seat, selected=None) if stays else replace(seat, selected=None, lesson=None, step=0, done=frozenset())
-    )
+    return replace(seat if stays else lesson.entered(seat, None), selected=None)
 
 
 def _let_go(state: State, who: str) -> State:
     return replace(state, grasp=None) if state.grasp and state.grasp.seat == who else state
-
-
-def _wish_changed(old: State | None, new: State) -> bool:
-    """Whether the goal may be another than the one foreseen."""
-    return old is None or any(
-        getattr(old, name) is not getattr(new, name)
-        for name in ("q", "command", "problem", "detour", "with_orientation", "parked")
-    )

@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 import tyro
 
 from helicoide import kernels
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load, welcome
 from helicoide.lesson import load as read_lesson
 from helicoide.session import Session
 from helicoide.text import Language
@@ -37,7 +37,9 @@ def run(
     """
     language: Language = lang
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
-    session = Session(load(robot or default, tip, set), language, lesson)
+    arm = load(robot or default, tip, set)
+    welcome(arm)
+    session = Session(arm, language, lesson)
     if kernels.CACHE_NOTE is not None:
         print(kernels.CACHE_NOTE[language])
     stopped = threading.Event()

@@ -41,9 +41,28 @@ def names() -> list[str]:
     return [*sorted(folders), *sorted(set(packaged()) - set(folders))]
 
 
+_guests: dict[str, Robot] = {}
+
+
+def welcome(robot: Robot) -> None:
+    """Keep a robot that came from a file, or with other parameters, to be had by its name while the program runs."""
+    _guests[robot.name] = robot
+
+
+def titles() -> dict[str, Text]:
+    """The titles of the robots that have a folder and of guests, by name; a title of two robots has the name added."""
+    found = {**_titles_of_folders(), **{name: robot.title for name, robot in _guests.items()}}
+    shown = [title.en for title in found.values()]
+    double = Text(en="{title} ({name})", pt_BR="{title} ({name})")
+    return {
+        name: title if shown.count(title.en) == 1 else double.format(title=title, name=name)
+        for name, title in found.items()
+    }
+
+
 @cache
-def titles() -> Mapping[str, Text]:
-    """The titles of the robots that have a folder, by name; broken ones are left out."""
+def _titles_of_folders() -> Mapping[str, Text]:
+    """The titles of the robots that have a folder; broken ones are left out."""
     found: dict[str, Text] = {}
     for name, folder in sorted(content.found("robots").items()):
         with suppress(HelicoideError):
@@ -57,6 +76,8 @@ def load(robot: str, tip: str | None = None, settings: Sequence[str] = ()) -> Ro
     tip: the link of a URDF where the arm ends; settings: parameters of a robot's file to change, mm, such as "l1=1500".
     Raises HelicoideError that lists the names there are, or says what is wrong in a file.
     """
+    if robot in _guests and tip is None and not settings:
+        return _guests[robot]
     folders = content.found("robots")
     path = Path(robot) if robot.endswith((".urdf", ".xml", ".xacro")) else None
     if path is None and robot not in folders:

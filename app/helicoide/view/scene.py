@@ -34,7 +34,6 @@ class Scene:
 
     def __init__(self, server: viser.ViserServer, robot: Robot, shapes: list[Shape]) -> None:
         stage = Stage(server.scene, robot, shapes, lambda wish: None, "")
-        server.scene.reset()
         server.scene.set_up_direction("+z")
         side, cell = 2.4 * stage.size, 0.1 * 2 ** round(np.log2(stage.size))
         server.scene.add_grid(
@@ -43,6 +42,11 @@ class Scene:
         server.initial_camera.position, server.initial_camera.look_at = outlook(robot)
         self.layers: list[Layer] = [layer.build(stage) for layer in layers.found() if layer.SHARED]
         self.shown: View | None = None
+
+    def clear(self, server: viser.ViserServer) -> None:
+        """Take everything away."""
+        self.layers.clear()
+        server.scene.reset()
 
     def update(self, view: View) -> None:
         """Bring the shared scene to a state."""

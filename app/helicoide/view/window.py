@@ -78,9 +78,14 @@ class Window:
         self._stage(robot, shapes, view)
         self._fill()
 
+    def clear(self) -> None:
+        """Take everything off this window's scene."""
+        self.layers.clear()
+        self.client.scene.reset()
+        self.client.flush()
+
     def _stage(self, robot: Robot, shapes: list[Shape], view: View) -> None:
         self.robot, self.view = robot, view
-        self.client.scene.reset()
         stage = Stage(self.client.scene, robot, shapes, self.act, str(self.client.client_id))
         self.layers = [layer.build(stage) for layer in layers.found() if not layer.SHARED]
         self.drawn: View | None = None

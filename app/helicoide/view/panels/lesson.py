@@ -11,7 +11,7 @@ from viser import Icon
 
 from helicoide import content
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import Lesson, load
+from helicoide.lesson import Lesson, entered, load
 from helicoide.state import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view.rows import Button, Choice, ForArm, ForSeat, Row, View, Wish, Words
@@ -65,11 +65,6 @@ def _readable(name: str) -> Lesson | None:
     except HelicoideError as error:
         log.warning("%s", error)
         return None
-
-
-def entered(seat: Seat, name: str | None) -> Seat:
-    """The seat at the first step of a lesson, or in free play."""
-    return replace(seat, lesson=name, step=0, done=frozenset(), hint_open=False)
 
 
 def _lesson(view: View) -> Lesson | None:

@@ -43,10 +43,10 @@ def rows(robot: Robot) -> list[Row]:
 
 
 def _choice(robot: Robot) -> Choice:
-    """Every robot with a folder, and the one that is here."""
+    """Every robot with a folder, and the one that was asked for at the start."""
     return Choice(
         label=Text(en="Arm", pt_BR="Braço"),
-        options=list({**titles(), robot.name: robot.title}.items()),
+        options=list({robot.name: robot.title, **titles()}.items()),
         value=lambda view: view.state.robot.name,
         wish=ForLab,
     )

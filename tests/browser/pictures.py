@@ -1,4 +1,4 @@
-"""The picture of the README, taken from the running app: `make docs-pictures` writes static/pictures/lab.png."""
+"""The pictures of the README, taken from the running app: `make docs-pictures` writes static/pictures/."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
+from tests.browser import sheet
 from tests.browser.conftest import CHROMIUMS, FLAGS, SIZES, SLOW_GL_TOAST
 
 from helicoide import content
@@ -67,7 +68,7 @@ def light_up(page: Page, reading: str) -> None:
     page.get_by_role("option", name=reading).click()
 
 
-def main() -> None:
+def take_the_lab() -> None:
     """The target above the ceiling: the arm held 80 mm below it, the reason in words, the plane as a multivector."""
     PICTURE.parent.mkdir(exist_ok=True)
     with served() as address, opened(address) as page:
@@ -82,4 +83,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    take_the_lab()
+    sheet.main()

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from PIL import Image
 from playwright.sync_api import Browser, Page
+from tests.browser import sheet
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, grab, opened, pixels, tab, until
 
@@ -129,3 +131,16 @@ def test_the_gizmo_takes_the_tool_along(lab: Lab, page: Page, arm: State) -> Non
     moved = lab.state.T_world_tool[:3, 3] - start
     assert np.linalg.norm(moved - along) < 0.35 * np.linalg.norm(along), "the pointer is where the handle is"
     assert moved @ along > 0.6 * along @ along
+
+
+def test_the_contact_sheet_shows_every_arm() -> None:
+    with Image.open(sheet.PICTURE) as picture:
+        last = sheet.corner(len(NAMES) - 1)[1]
+        assert picture.size == (sheet.COLUMNS * sheet.CELL, last + sheet.CELL + sheet.LABEL), "run make docs-pictures"
+    cells = sheet.cells()
+    assert list(cells) == NAMES
+    for name, cell in cells.items():
+        middle = cell[sheet.CELL // 5 : -sheet.CELL // 5, sheet.CELL // 5 : -sheet.CELL // 5]
+        assert (middle < 160).sum() > 200, name
+    for name, other in pairwise(NAMES):
+        assert (abs(cells[name] - cells[other]) > 40).sum() > 500, f"{name} and {other} are one picture"

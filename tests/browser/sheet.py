@@ -1,0 +1,115 @@
+"""The contact sheet of the README: every arm at `ready`, from the running app; its layout, which the tests read too."""
+
+from __future__ import annotations
+
+import base64
+import io
+import shutil
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageDraw, ImageFont
+from playwright.sync_api import Page, sync_playwright
+from tests.browser.conftest import CHROMIUMS, FLAGS
+from tests.browser.lab import Lab, opened, until
+
+from helicoide import content
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.library import titles
+from helicoide.state import State
+from helicoide.view.layers.target import Target
+from helicoide.view.scene import outlook
+from helicoide.view.shapes import Shape
+
+PICTURE = content.STATIC / "pictures" / "robots.png"
+COLUMNS, CELL, LABEL = 4, 300, 26
+NEAR = 1.0
+SETTLING_MS = 2_500  # software rendering draws a few frames a second
+SCENE = "() => window.__viserMutable.canvas.toDataURL('image/png')"
+
+
+def names() -> list[str]:
+    """The arms in the order of the sheet."""
+    return sorted(content.found("robots"))
+
+
+def corner(index: int) -> tuple[int, int]:
+    """Left and upper edge of the cell of an arm."""
+    return (index % COLUMNS) * CELL, (index // COLUMNS) * (CELL + LABEL)
+
+
+def close_up(lab: Lab) -> tuple[Array, Array]:
+    """From where an arm fills its cell, and where to: a step nearer than it is seen first, and on its middle."""
+    position, look_at = outlook(lab.state.robot)
+    edges = [placed(lab.state, shape) for shape in lab.session.shapes if len(shape.edges)]
+    points = np.concatenate(edges)
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    away = (position - look_at) / np.linalg.norm(position - look_at)
+    return centre + NEAR * float(np.linalg.norm(np.ptp(points, axis=0))) * away, centre
+
+
+def placed(state: State, shape: Shape) -> Array:
+    """The ends of the edges of a shape where it stands, (e, 3), m."""
+    T = state.poses[shape.link] @ shape.T_link_shape
+    return np.asarray(shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3])
+
+
+def picture(lab: Lab, page: Page, name: str) -> Image.Image:
+    """One arm, alone in its scene."""
+    session = lab.session
+
+    def arrange() -> None:
+        (window,) = session.windows.values()
+        for layer in window.layers:
+            if isinstance(layer, Target):
+                layer.gizmo.visible = False
+        window.client.camera.position, window.client.camera.look_at = close_up(lab)
+        window.client.flush()
+
+    session.loop.call_soon_threadsafe(session.change, name)
+    until(page, lambda: lab.state.robot.name == name)
+    page.wait_for_timeout(SETTLING_MS)
+    session.loop.call_soon_threadsafe(arrange)
+    page.wait_for_timeout(SETTLING_MS)
+    data = base64.b64decode(page.evaluate(SCENE).partition(",")[2])
+    flat = Image.new("RGB", (CELL, CELL), "white")
+    scene = Image.open(io.BytesIO(data)).convert("RGBA").resize((CELL, CELL))
+    flat.paste(scene, mask=scene)
+    return flat
+
+
+def sheet(pictures: dict[str, Image.Image]) -> Image.Image:
+    """All arms in rows, each with its title under it."""
+    width, height = COLUMNS * CELL, corner(len(pictures) - 1)[1] + CELL + LABEL
+    page, font = Image.new("RGB", (width, height), "white"), ImageFont.load_default(15)
+    for index, (name, shown) in enumerate(pictures.items()):
+        x, y = corner(index)
+        page.paste(shown, (x, y))
+        title = titles()[name].en
+        ImageDraw.Draw(page).text((x + CELL / 2, y + CELL + 4), title, "#333", font, anchor="ma")
+    return page
+
+
+def main() -> None:
+    """Take the pictures and write the sheet."""
+    lab = opened()
+    found = next(filter(None, map(shutil.which, CHROMIUMS)), None)
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
+        page = chromium.new_page(viewport={"width": 2 * CELL, "height": 2 * CELL})
+        page.goto(f"http://127.0.0.1:{lab.port}/")
+        until(page, lambda: lab.session.ready and len(lab.session.windows) == 1, 300)
+        taken = {name: picture(lab, page, name) for name in names()}
+        chromium.close()
+    lab.session.close()
+    sheet(taken).save(PICTURE, optimize=True)
+
+
+def cells(path: Path = PICTURE) -> dict[str, Array]:
+    """The cells of the committed sheet by name, grey."""
+    whole = np.asarray(Image.open(path).convert("L"), dtype=np.float64)
+    found = {}
+    for index, name in enumerate(names()):
+        x, y = corner(index)
+        found[name] = whole[y : y + CELL, x : x + CELL]
+    return found

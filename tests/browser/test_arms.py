@@ -69,13 +69,13 @@ def show(lab: Lab, page: Page, shown: bool) -> None:
     (layer,) = (layer for layer in lab.session.scene.layers if isinstance(layer, Arm))
 
     def write() -> None:
-        for frame in layer.frames:
+        for frame in layer.placed.frames:
             frame.visible = shown
         lab.session.server.flush()
 
     lab.session.loop.call_soon_threadsafe(write)
     script = "(n) => window.__viserMutable.nodeRefFromName[n].visible"
-    until(page, lambda: page.evaluate(script, f"/arm/{layer.shapes[0].name}") is shown)
+    until(page, lambda: page.evaluate(script, layer.placed.frames[0].name) is shown)
     page.wait_for_timeout(1000)
 
 
@@ -86,10 +86,8 @@ def test_the_arm_is_in_the_picture_and_every_part_of_it_is_somewhere_else(lab: L
     show(lab, page, True)
     assert (abs(with_arm - without) > 12).sum() > DRAWN
     (layer,) = (layer for layer in lab.session.scene.layers if isinstance(layer, Arm))
-    assert len(layer.frames) >= len(arm.robot.joints) + 1 > 0, "a mesh for the base and every moving link"
-    links = {shape.link for shape in layer.shapes}
-    assert links == set(range(len(arm.robot.joints) + 1))
-    for shape, frame in zip(layer.shapes, layer.frames, strict=True):
+    assert set(layer.placed.links) == set(range(len(arm.robot.joints) + 1)), "a mesh for the base and each moving link"
+    for shape, frame in zip(lab.session.shapes, layer.placed.frames, strict=True):
         wished = arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
         np.testing.assert_allclose(frame.position, wished[:3], atol=1e-6)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy import empty
 from numpy.typing import NDArray
 
 from helicoide.geometry.signature import Array, Signature, Table
@@ -14,27 +15,33 @@ from helicoide.text import HelicoideError, Text
 
 __all__ = ["CL031", "PGA", "QUATERNIONS", "Algebra", "Array"]
 
+Places = NDArray[np.intp]
+
 # Where a divides zero, rounding leaves an answer that is huge, or that misses a a⁻¹ = 1 by about 1.
 WORST_CONDITION = 1e12
 INVERSE_TOLERANCE = 1e-6
 
 
 @kernel
-def multiply(factors: Array, partner: NDArray[np.intp], a: Array, b: Array, out: Array) -> None:
-    """Product of two multivectors by the left table of a Signature: outₖ = Σⱼ factors[k, j] a[partner[k, j]] b[j]."""
-    for k in range(out.size):
+def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
+    """Product of two multivectors by a `Table.whole`, factors and partners: outₖ = Σⱼ factors[k, j] a[partner] b[j]."""
+    count = out.size
+    if a.size != count or b.size != count:
+        raise ValueError("each multivector needs as many coefficients as the algebra has blades")
+    for k in range(count):
         total = 0.0
-        for j in range(out.size):
-            total += factors[k, j] * a[partner[k, j]] * b[j]
+        for j in range(count):
+            # An unsigned place saves the question whether it counts from the end.
+            total += table[0, k, j] * (a[np.uintp(table[1, k, j])] * b[j])
         out[k] = total
 
 
 @kernel
-def conjugated(factors: Array, partner: NDArray[np.intp], signs: Array, a: Array, b: Array, out: Array) -> None:
-    """Product a b a* by the same table, with (a*)ₖ = signsₖ aₖ."""
+def conjugated(tables: Places, a: Array, b: Array, out: Array) -> None:
+    """Product a b a* by the tables of x y and of x y*."""
     half = np.empty(out.size)
-    multiply(factors, partner, a, b, half)
-    multiply(factors, partner, half, signs * a, out)
+    multiply(tables[0], a, b, half)
+    multiply(tables[1], half, a, out)
 
 
 @dataclass(frozen=True)
@@ -47,6 +54,10 @@ class Algebra(Signature):
 
     def product(self, a: Array, b: Array) -> Array:
         """Geometric product a b of shapes (..., 2ⁿ) (Cerbaro 2022, eqs. 73–74)."""
+        if a.ndim == b.ndim == 1:
+            out = empty(self.count)
+            multiply(self._table, a, b, out)
+            return out
         return self._combine(self._geometric, a, b)
 
     def outer(self, a: Array, b: Array) -> Array:
@@ -69,10 +80,9 @@ class Algebra(Signature):
 
         Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes.
         """
-        left, _, partner, shape = self._geometric
-        if a.shape == b.shape == shape:
-            out = np.empty(shape)
-            conjugated(left, partner, self._conjugate_signs, a, b, out)
+        if a.ndim == b.ndim == 1:
+            out = empty(self.count)
+            conjugated(self._sandwich_tables, a, b, out)
             return out
         return self.product(self.product(a, b), self.conjugate(a))
 
@@ -143,10 +153,10 @@ class Algebra(Signature):
 
     def _combine(self, table: Table, a: Array, b: Array) -> Array:
         """Two by the kernel; of many, turn the smaller operand into its matrix, so that a motor builds only one."""
-        left, right, partner, shape = table
-        if a.shape == b.shape == shape:
-            out = np.empty(shape)
-            multiply(left, partner, a, b, out)
+        left, right, partner, whole = table
+        if a.ndim == b.ndim == 1:
+            out = empty(self.count)
+            multiply(whole, a, b, out)
             return out
         if a.size <= b.size:
             matrix, vector = left * a.take(partner, axis=-1), b
@@ -164,6 +174,17 @@ class Algebra(Signature):
     @cached_property
     def _geometric(self) -> Table:
         return self.table(lambda a, b: True)
+
+    @cached_property
+    def _table(self) -> Places:
+        return self._geometric.whole
+
+    @cached_property
+    def _sandwich_tables(self) -> Places:
+        """For products x y, and for x y* with the signs of the conjugate drawn into the factors."""
+        conjugating = self._table.copy()
+        conjugating[0] *= self._conjugate_signs.astype(int)
+        return np.stack([self._table, conjugating])
 
     @cached_property
     def _outer(self) -> Table:

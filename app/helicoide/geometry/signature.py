@@ -29,7 +29,9 @@ class Table(NamedTuple):
     left: Array
     right: Array
     partner: NDArray[np.intp]
-    shape: tuple[int]
+
+    whole: NDArray[np.intp]
+    """Left and partner as one array (2, 2ⁿ, 2ⁿ) of integers: a kernel is called the faster, the fewer it is given."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,11 @@ class Signature:
         return tuple(sorted(every, key=lambda blade: (len(blade), sum(g in nulls for g in blade), blade)))
 
     @cached_property
+    def count(self) -> int:
+        """How many blades there are, 2ⁿ."""
+        return len(self.blades)
+
+    @cached_property
     def grades(self) -> NDArray[np.intp]:
         """The grade of each blade, shape (2ⁿ,)."""
         return np.array([len(blade) for blade in self.blades])
@@ -104,7 +111,7 @@ class Signature:
     def blade(self, name: str) -> Array:
         """The basis blade called `name`, as `read` understands it, shape (2ⁿ,)."""
         place, sign = self.read(name)
-        return np.asarray(np.eye(len(self.blades))[place] * sign)
+        return np.asarray(np.eye(self.count)[place] * sign)
 
     def factor(self, a: Blade, b: Blade) -> int:
         """Factor of the product of two blades: one swap for each inversion, then the squares of shared generators."""
@@ -119,8 +126,9 @@ class Signature:
     def table(self, keeps: Callable[[set[int], set[int]], bool]) -> Table:
         """The table of the product that keeps those pairs of blades and loses the others."""
         factors = [[self.factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
-        table, places = np.array(factors, dtype=float), np.arange(len(factors))
-        return Table(table[self.partner, places], table[places, self.partner], self.partner, (len(factors),))
+        table, places = np.array(factors, dtype=float), np.arange(self.count)
+        left, right = table[self.partner, places], table[places, self.partner]
+        return Table(left, right, self.partner, np.array([left, self.partner], dtype=np.intp))
 
     @cached_property
     def _labels(self) -> tuple[str, ...]:

@@ -1,9 +1,8 @@
-"""The tool's pose and Jacobian in one call, for one posture or many: kernels for scripts, which the page leaves alone.
+"""The tool's pose and Jacobian in one call: kernels for scripts, which the page leaves alone.
 
-Each takes the arm as the one array of `packed`. Those named `_into` write into an array of the caller's: as each array
-that goes in costs as much as half the mathematics, and one that comes out more than all of it, they are for loops.
-A frame is held as three rows (R, p) of four numbers, which stay in registers; of many postures `BLOCK` are taken at a
-time, and each of the twelve numbers then stands in a row of its own, which the compiler turns into vector instructions.
+They take the arm as the one array of `packed`. Those named `_into` write into an array of the caller's and are for
+loops: an array costs as much as half the mathematics where it goes in, and more than all of it where it comes out.
+Shapes are not checked. A frame is held as three rows (R, p) of four numbers, which stay in registers.
 """
 
 from __future__ import annotations
@@ -13,31 +12,27 @@ import numpy as np
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.trigonometry import cosine_and_sine
 
 Triple = tuple[float, float, float]
 Row = tuple[float, float, float, float]
 
-# Columns of a joint: its axis (three), the way from the axis point before (three), the variable q that drives it, and
-# the two motions along its axis, a turn by θ = TURN q + TURN_SHIFT and a slide by x = SLIDE q + SLIDE_SHIFT.
+# Columns of a joint: its axis s (three), the way s₀ᵢ − s₀ᵢ₋₁ to it (three), the number of the variable q that drives it,
+# and what it does along its axis, a turn by θ = TURN q + TURN_SHIFT and a slide by x = SLIDE q + SLIDE_SHIFT.
 AXIS, WAY, DRIVER, TURN, TURN_SHIFT, SLIDE, SLIDE_SHIFT = 0, 3, 6, 7, 8, 9, 10
-COLUMNS = 12  # as many as the rows (R, p) of the tool, which stand in the last row
-BLOCK = 64
+COLUMNS = 12  # the last row is the tool: (R, p) on the last link, row by row
 
-# π/2 in three parts; j times one of the first two has no rounding error for |j| < 2²⁰. Source: fdlibm, e_rem_pio2.c.
-HALF_PI = (1.57079632673412561417, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
-# A sum with it has no binary places left: the nearest whole number stands in its last bits.
-TO_WHOLE = 1.5 * 2.0**52
+X, Y, Z = (1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0)  # the base
 
 
 def packed(robot: Robot) -> Array:
-    """An arm as the kernels here take it: m joints and the tool on the last link, (m + 1, 12), base frame, rad and m.
+    """An arm as the kernels here take it: its m joints and its tool, (m + 1, 12), at q = 0 in the base frame, rad, m.
 
-    It is not read-only as other arrays are: Numba takes twice as long to recognise one that is.
+    It is not read-only, as other arrays are, because Numba takes longer to recognise one that is.
     """
     chain, arm = robot.chain, np.zeros((len(robot.joints) + 1, COLUMNS))
     joints, turns = arm[:-1], ~chain["slides"]
-    joints[:, AXIS : AXIS + 3], joints[:, WAY : WAY + 3] = chain["direction"], chain["offset"]
-    joints[:, DRIVER] = chain["driver"]
+    joints[:, AXIS:WAY], joints[:, WAY:DRIVER], joints[:, DRIVER] = chain["direction"], chain["offset"], chain["driver"]
     joints[:, TURN], joints[:, TURN_SHIFT] = turns * chain["ratio"], turns * chain["shift"]
     joints[:, SLIDE], joints[:, SLIDE_SHIFT] = ~turns * chain["ratio"], ~turns * chain["shift"]
     arm[-1] = robot.T_link_tool[:3].ravel()
@@ -45,26 +40,135 @@ def packed(robot: Robot) -> Array:
 
 
 @kernel
-def cosine_and_sine(x: float) -> tuple[float, float]:
-    """cos x and sin x without a branch: x = j π/2 + r, |r| ≤ π/4, and minimax polynomials of r.
+def along(row: Row, v: Triple) -> float:
+    """A component of R v."""
+    return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
 
-    Args: x, rad, |x| < 10⁶; the error is below 2 units in the last place. Source: fdlibm, k_sin.c and k_cos.c (Sun
-    Microsystems 1993), for the polynomials; Cody and Waite 1980, ch. 8, for the reduction.
-    """
-    j = (x * (2 / np.pi) + TO_WHOLE) - TO_WHOLE
-    r = ((x - j * HALF_PI[0]) - j * HALF_PI[1]) - j * HALF_PI[2]
-    z = r * r
-    s = 2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)
-    s = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * s)
-    s = r + r * z * (-1.66666666666666324348e-01 + z * s)
-    c = -2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)
-    c = z * (4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * c)))
-    w = 1.0 - 0.5 * z
-    c = w + (((1.0 - w) - 0.5 * z) + z * c)
-    quadrant = j - 4.0 * ((0.25 * j + TO_WHOLE) - TO_WHOLE)  # -2 to 2; -2 and 2 are one
-    odd = quadrant * quadrant == 1.0
-    cosine, sine = (s, c) if odd else (c, s)
+
+@kernel
+def cross(a: Triple, b: Triple) -> Triple:
+    """a × b."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+@kernel
+def line(joint: Array) -> tuple[Triple, Triple]:
+    """A joint's axis, and the way to it."""
+    return (joint[0], joint[1], joint[2]), (joint[3], joint[4], joint[5])
+
+
+@kernel
+def carried(row: Row, axis: Triple, way: Triple, x: float, c: float, s: float) -> Row:
+    """A row (r, p) behind a joint: r cos θ + (1 − cos θ)(r·s) s + sin θ r × s and p + r·(way + x s). Source: Rodrigues."""
+    height = along(row, axis)
+    v = (1.0 - c) * height
     return (
-        -cosine if quadrant * (quadrant - 1.0) == 0.0 else cosine,
-        sine,
+        c * row[0] + v * axis[0] + s * (row[1] * axis[2] - row[2] * axis[1]),
+        c * row[1] + v * axis[1] + s * (row[2] * axis[0] - row[0] * axis[2]),
+        c * row[2] + v * axis[2] + s * (row[0] * axis[1] - row[1] * axis[0]),
+        row[3] + along(row, way) + x * height,
     )
+
+
+@kernel
+def behind(x: Row, y: Row, z: Row, joint: Array, q: float) -> tuple[Row, Row, Row]:
+    """The frame behind a joint whose variable stands at q."""
+    axis, way = line(joint)
+    slid = joint[SLIDE] * q + joint[SLIDE_SHIFT]
+    c, s = cosine_and_sine(joint[TURN] * q + joint[TURN_SHIFT])
+    return carried(x, axis, way, slid, c, s), carried(y, axis, way, slid, c, s), carried(z, axis, way, slid, c, s)
+
+
+@kernel
+def ending(row: Row, tool: tuple[Row, Row, Row]) -> Row:
+    """A row of T_world_link T_link_tool."""
+    x, y, z = tool
+    return (
+        row[0] * x[0] + row[1] * y[0] + row[2] * z[0],
+        row[0] * x[1] + row[1] * y[1] + row[2] * z[1],
+        row[0] * x[2] + row[1] * y[2] + row[2] * z[2],
+        row[0] * x[3] + row[1] * y[3] + row[2] * z[3] + row[3],
+    )
+
+
+@kernel
+def rows_of(a: Array) -> tuple[Row, Row, Row]:
+    """The three rows of the tool."""
+    return (a[0], a[1], a[2], a[3]), (a[4], a[5], a[6], a[7]), (a[8], a[9], a[10], a[11])
+
+
+@kernel
+def write(T: Array, x: Row, y: Row, z: Row) -> None:
+    """Write a pose."""
+    T[0, 0], T[0, 1], T[0, 2], T[0, 3] = x
+    T[1, 0], T[1, 1], T[1, 2], T[1, 3] = y
+    T[2, 0], T[2, 1], T[2, 2], T[2, 3] = z
+    T[3, 0], T[3, 1], T[3, 2], T[3, 3] = 0.0, 0.0, 0.0, 1.0
+
+
+@kernel
+def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
+    """A joint's twist (v, ω) at the base's origin for q̇ = 1: ω = TURN s and v = SLIDE s + p × ω."""
+    s = (along(x, axis), along(y, axis), along(z, axis))
+    w = (turn * s[0], turn * s[1], turn * s[2])
+    v = cross((x[3], y[3], z[3]), w)
+    return (v[0] + slide * s[0], v[1] + slide * s[1], v[2] + slide * s[2]), w
+
+
+@kernel
+def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
+    """Write the pose of `tool_pose` into T (4, 4)."""
+    x, y, z = X, Y, Z
+    last = arm.shape[0] - 1
+    for i in range(last):
+        x, y, z = behind(x, y, z, arm[i], q[int(arm[i, DRIVER])])
+    tool = rows_of(arm[last])
+    write(T, ending(x, tool), ending(y, tool), ending(z, tool))
+
+
+@kernel
+def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
+    """Write the Jacobian of `tool_jacobian` into J (6, n).
+
+    On the way along the arm columns belong to the base's origin; at its end v ← v + ω × p takes them to the tool.
+    """
+    J[:] = 0.0
+    x, y, z = X, Y, Z
+    last = arm.shape[0] - 1
+    for i in range(last):
+        j = int(arm[i, DRIVER])
+        x, y, z = behind(x, y, z, arm[i], q[j])
+        v, w = swept(x, y, z, line(arm[i])[0], arm[i, TURN], arm[i, SLIDE])
+        for a in range(3):
+            J[a, j] += v[a]
+            J[3 + a, j] += w[a]
+    tool = rows_of(arm[last])
+    p = (ending(x, tool)[3], ending(y, tool)[3], ending(z, tool)[3])
+    for j in range(J.shape[1]):
+        v = cross((J[3, j], J[4, j], J[5, j]), p)
+        for a in range(3):
+            J[a, j] += v[a]
+
+
+@kernel
+def tool_pose(arm: Array, q: Array) -> Array:
+    """Tool pose in a posture: T = (Πᵢ Tr(s₀ᵢ − s₀ᵢ₋₁ + xᵢ sᵢ) Rot(sᵢ, θᵢ)) T_link_tool.
+
+    Args: arm of `packed`; q (n,), rad or m. Returns T_world_tool (4, 4), m.
+    Source: Cerbaro 2022, App. D, with the link frames of `forward.link_poses`.
+    """
+    T = np.empty((4, 4))
+    tool_pose_into(arm, q, T)
+    return T
+
+
+@kernel
+def tool_jacobian(arm: Array, q: Array) -> Array:
+    """Geometric Jacobian of the tool in a posture: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
+
+    Args: arm of `packed`; q (n,), rad or m. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
+    Source: Cerbaro 2022, eq. 67; Vargas 2013, eqs. 2.16–2.21.
+    """
+    J = np.empty((6, q.size))
+    tool_jacobian_into(arm, q, J)
+    return J

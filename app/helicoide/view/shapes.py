@@ -14,6 +14,7 @@ from helicoide.kinematics.robot import Robot
 
 SHARP = np.radians(50.0)
 SHORTEST_EDGE = 0.015
+FEWEST_EDGES = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +77,12 @@ def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
 
 
 def _edges(scene: trimesh.Scene, shortest: float) -> Array:
-    """The sharp edges of a shape that are at least so long, (e, 2, 3), m."""
+    """The sharp edges of a shape that are at least so long, (e, 2, 3), m; of a smooth shape those that show it best."""
     mesh = scene.to_mesh()
     mesh.merge_vertices(merge_tex=True, merge_norm=True)
-    edges = mesh.vertices[mesh.face_adjacency_edges[mesh.face_adjacency_angles > SHARP]]
-    return np.asarray(edges[np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1) > shortest])
+    edges, angles = mesh.vertices[mesh.face_adjacency_edges], mesh.face_adjacency_angles
+    lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
+    sharp = (angles > SHARP) & (lengths > shortest)
+    if sharp.sum() >= FEWEST_EDGES:
+        return np.asarray(edges[sharp])
+    return np.asarray(edges[np.argsort(-angles * lengths)[: 4 * FEWEST_EDGES]])

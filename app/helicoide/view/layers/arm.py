@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import viser
 
@@ -21,26 +23,41 @@ def build(stage: Stage) -> Arm:
     for shape in stage.shapes:
         frames.append(stage.scene.add_frame(f"/arm/{shape.name}", show_axes=False))
         stage.scene.add_glb(f"/arm/{shape.name}/mesh", shape.glb)
-    return Arm(stage.shapes, frames)
+    return Arm(Placed(stage.shapes, frames))
 
 
-def place(shapes: list[Shape], frames: list[viser.FrameHandle], poses: Array, gripper: float) -> None:
-    """Write the pose of every link's frame. Args: poses (n + 1, 4, 4), m; gripper: 0 closed to 1 open."""
-    quats = rotation.from_matrix(poses[:, :3, :3])
-    for shape, frame in zip(shapes, frames, strict=True):
-        pose = poses[shape.link]
-        frame.wxyz = quats[shape.link]
-        frame.position = pose[:3, 3] + pose[:3, :3] @ (shape.T_link_shape[:3, 3] + gripper * shape.slide)
+class Placed:
+    """Frames in the scene that follow the links which carry their shapes."""
+
+    def __init__(self, shapes: Sequence[Shape], frames: Sequence[viser.FrameHandle]) -> None:
+        self.frames = frames
+        self.links = [shape.link for shape in shapes]
+        self.Ts_link_shape = np.array([shape.T_link_shape for shape in shapes]).reshape(-1, 4, 4)
+        self.slides = np.array([shape.slide for shape in shapes]).reshape(-1, 3, 1)
+
+    def poses(self, Ts_world_link: Array, gripper: float) -> Array:
+        """Where the shapes are, (s, 4, 4), m. Args: Ts_world_link (m + 1, 4, 4), m; gripper: 0 closed to 1 open."""
+        carriers = Ts_world_link[self.links]
+        Ts = carriers @ self.Ts_link_shape
+        Ts[:, :3, 3:] += gripper * carriers[:, :3, :3] @ self.slides
+        return np.asarray(Ts)
+
+    def write(self, Ts_world_link: Array, gripper: float) -> None:
+        """Bring the frames there."""
+        Ts = self.poses(Ts_world_link, gripper)
+        quats = rotation.from_matrix(Ts[:, :3, :3])
+        for frame, quat, T in zip(self.frames, quats, Ts, strict=True):
+            frame.wxyz, frame.position = quat, T[:3, 3]
 
 
 class Arm:
-    """The frames of the solid arm."""
+    """The solid arm's frames."""
 
-    def __init__(self, shapes: list[Shape], frames: list[viser.FrameHandle]) -> None:
-        self.shapes, self.frames = shapes, frames
+    def __init__(self, placed: Placed) -> None:
+        self.placed = placed
 
     def update(self, old: View | None, new: View) -> None:
         """Follow joints and gripper."""
         state = new.state
         if old is None or old.state.q is not state.q or old.state.gripper != state.gripper:
-            place(self.shapes, self.frames, np.asarray(state.poses), state.gripper)
+            self.placed.write(np.asarray(state.poses), state.gripper)

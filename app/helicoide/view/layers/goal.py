@@ -8,9 +8,8 @@ import viser
 from helicoide.readout import SHORT
 from helicoide.state import Along, Hold, State
 from helicoide.view.layers import Stage
-from helicoide.view.layers.arm import place
+from helicoide.view.layers.arm import Placed
 from helicoide.view.rows import View
-from helicoide.view.shapes import Shape
 
 NAME = "goal"
 SHARED = True
@@ -22,21 +21,19 @@ AWAY = 0.02
 def build(stage: Stage) -> Outline:
     """The outline of the arm, hidden until there is a goal."""
     scene, thickness = stage.scene, 0.0016 * stage.size
+    drawn = [shape for shape in stage.shapes if len(shape.edges)]
     frames, lines = [], []
-    for shape in stage.shapes:
-        if len(shape.edges):
-            frames.append((shape, scene.add_frame(f"/goal/{shape.name}", show_axes=False, visible=False)))
-            lines.append(scene.add_line_segments(f"/goal/{shape.name}/edges", shape.edges, MET, thickness=thickness))
-    return Outline(frames, lines)
+    for shape in drawn:
+        frames.append(scene.add_frame(f"/goal/{shape.name}", show_axes=False, visible=False))
+        lines.append(scene.add_line_segments(f"/goal/{shape.name}/edges", shape.edges, MET, thickness=thickness))
+    return Outline(Placed(drawn, frames), lines)
 
 
 class Outline:
     """The frames of the outline and its lines."""
 
-    def __init__(self, frames: list[tuple[Shape, viser.FrameHandle]], lines: list[viser.LineSegmentsHandle]) -> None:
-        self.shapes = [shape for shape, _ in frames]
-        self.frames = [frame for _, frame in frames]
-        self.lines = lines
+    def __init__(self, placed: Placed, lines: list[viser.LineSegmentsHandle]) -> None:
+        self.placed, self.lines = placed, lines
         self.shown, self.colour = False, MET
 
     def update(self, old: View | None, new: View) -> None:
@@ -47,13 +44,13 @@ class Outline:
         goal = state.goal
         self._show(goal is not None and _is_away(state))
         if goal is not None and self.shown:
-            place(self.shapes, self.frames, np.asarray(goal.poses), state.gripper)
+            self.placed.write(np.asarray(goal.poses), state.gripper)
             self._paint(MET if goal.short <= SHORT else MISSED)
 
     def _show(self, shown: bool) -> None:
         if shown != self.shown:
             self.shown = shown
-            for frame in self.frames:
+            for frame in self.placed.frames:
                 frame.visible = shown
 
     def _paint(self, colour: tuple[int, int, int]) -> None:

@@ -75,8 +75,8 @@ def _joint(robot: Robot, index: int) -> Slider:
 
     return Slider(
         label=same("{n} {title}{unit}").format(n=index + 1, title=joint.title, unit=unit),
-        lower=round(scale * joint.lower, 3),
-        upper=round(scale * joint.upper, 3),
+        lower=float(np.ceil(10 * scale * joint.lower - 1e-6)) / 10,
+        upper=float(np.floor(10 * scale * joint.upper + 1e-6)) / 10,
         step=0.1,
         value=value,
         wish=lambda shown: ForArm(gate.set_joint(index, shown / scale)),

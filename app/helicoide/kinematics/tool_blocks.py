@@ -1,0 +1,165 @@
+"""Poses and Jacobians of the tool in many postures: the kernels of `tool`, a block of postures at a time.
+
+Each number of a frame stands side by side for all postures of the block, and loops over a block have neither branches
+nor calls, so that they become vector instructions.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.tool import (
+    DRIVER,
+    SLIDE,
+    SLIDE_SHIFT,
+    TURN,
+    TURN_SHIFT,
+    Row,
+    Triple,
+    carried,
+    cross,
+    ending,
+    line,
+    rows_of,
+    swept,
+    write,
+)
+from helicoide.kinematics.trigonometry import cosine_and_sine
+
+# A block holds the twelve numbers of the frame, then x and θ of the joint, each for so many postures.
+BLOCK = 64
+SLID, TURNED, NUMBERS = 12 * BLOCK, 13 * BLOCK, 14 * BLOCK
+
+
+@kernel
+def at(block: Array, a: int, k: int) -> Row:
+    """Row a of the frame in posture k."""
+    i = 4 * BLOCK * a + k
+    return block[i], block[i + BLOCK], block[i + 2 * BLOCK], block[i + 3 * BLOCK]
+
+
+@kernel
+def put(block: Array, a: int, k: int, row: Row) -> None:
+    """Write row a of the frame in posture k."""
+    i = 4 * BLOCK * a + k
+    block[i], block[i + BLOCK], block[i + 2 * BLOCK], block[i + 3 * BLOCK] = row
+
+
+@kernel
+def begin(block: Array) -> None:
+    """The base's frame in all postures."""
+    for number in range(12):
+        block[number * BLOCK : (number + 1) * BLOCK] = 1.0 if number % 5 == 0 else 0.0
+
+
+@kernel
+def move(block: Array, joint: Array, qs: Array) -> None:
+    """Where a joint stands in each posture."""
+    turn, turn_shift, slide, slide_shift = joint[TURN], joint[TURN_SHIFT], joint[SLIDE], joint[SLIDE_SHIFT]
+    j = int(joint[DRIVER])
+    for k in range(qs.shape[0]):
+        block[SLID + k], block[TURNED + k] = slide * qs[k, j] + slide_shift, turn * qs[k, j] + turn_shift
+
+
+@kernel
+def carry(block: Array, joint: Array) -> None:
+    """From the frame before a joint to that behind it."""
+    axis, way = line(joint)
+    for k in range(BLOCK):
+        x, (c, s) = block[SLID + k], cosine_and_sine(block[TURNED + k])
+        put(block, 0, k, carried(at(block, 0, k), axis, way, x, c, s))
+        put(block, 1, k, carried(at(block, 1, k), axis, way, x, c, s))
+        put(block, 2, k, carried(at(block, 2, k), axis, way, x, c, s))
+
+
+@kernel
+def finish(block: Array, end: Array) -> None:
+    """From the frame of the last link to the tool."""
+    tool = rows_of(end)
+    for k in range(BLOCK):
+        put(block, 0, k, ending(at(block, 0, k), tool))
+        put(block, 1, k, ending(at(block, 1, k), tool))
+        put(block, 2, k, ending(at(block, 2, k), tool))
+
+
+@kernel
+def tool_poses_into(arm: Array, qs: Array, Ts: Array) -> None:
+    """Write the poses of `tool_poses` into Ts (k, 4, 4)."""
+    block, last = np.zeros(NUMBERS), arm.shape[0] - 1
+    for first in range(0, qs.shape[0], BLOCK):
+        some = qs[first : first + BLOCK]
+        begin(block)
+        for i in range(last):
+            move(block, arm[i], some)
+            carry(block, arm[i])
+        finish(block, arm[last])
+        for k in range(some.shape[0]):
+            write(Ts[first + k], at(block, 0, k), at(block, 1, k), at(block, 2, k))
+
+
+@kernel
+def record(column: Array, block: Array, joint: Array) -> None:
+    """Add the twists of a joint, at the base's origin, to the column of its variable."""
+    (axis, _), turn, slide = line(joint), joint[TURN], joint[SLIDE]
+    for k in range(BLOCK):
+        v, w = swept(at(block, 0, k), at(block, 1, k), at(block, 2, k), axis, turn, slide)
+        add(column, 0, k, v)
+        add(column, 3, k, w)
+
+
+@kernel
+def add(column: Array, a: int, k: int, v: Triple) -> None:
+    """Add three numbers of posture k, from number a on."""
+    i = a * BLOCK + k
+    column[i], column[i + BLOCK], column[i + 2 * BLOCK] = (
+        column[i] + v[0],
+        column[i + BLOCK] + v[1],
+        column[i + 2 * BLOCK] + v[2],
+    )
+
+
+@kernel
+def take_to_tool(column: Array, block: Array) -> None:
+    """From the base's origin to the tool: v ← v + ω × p."""
+    for k in range(BLOCK):
+        p = (at(block, 0, k)[3], at(block, 1, k)[3], at(block, 2, k)[3])
+        w = (column[3 * BLOCK + k], column[4 * BLOCK + k], column[5 * BLOCK + k])
+        add(column, 0, k, cross(w, p))
+
+
+@kernel
+def tool_jacobians_into(arm: Array, qs: Array, Js: Array) -> None:
+    """Write the Jacobians of `tool_jacobians` into Js (k, 6, n)."""
+    block, last, columns = np.zeros(NUMBERS), arm.shape[0] - 1, np.empty((qs.shape[1], 6 * BLOCK))
+    for first in range(0, qs.shape[0], BLOCK):
+        some = qs[first : first + BLOCK]
+        begin(block)
+        columns[:] = 0.0
+        for i in range(last):
+            move(block, arm[i], some)
+            carry(block, arm[i])
+            record(columns[int(arm[i, DRIVER])], block, arm[i])
+        finish(block, arm[last])
+        for j in range(qs.shape[1]):
+            take_to_tool(columns[j], block)
+            for k in range(some.shape[0]):
+                for a in range(6):
+                    Js[first + k, a, j] = columns[j, a * BLOCK + k]
+
+
+@kernel
+def tool_poses(arm: Array, qs: Array) -> Array:
+    """Tool poses of many postures: `tool_pose` of each row of qs (k, n); returns Ts_world_tool (k, 4, 4), m."""
+    Ts = np.empty((qs.shape[0], 4, 4))
+    tool_poses_into(arm, qs, Ts)
+    return Ts
+
+
+@kernel
+def tool_jacobians(arm: Array, qs: Array) -> Array:
+    """Jacobians of many postures: `tool_jacobian` of each row of qs (k, n); returns Js_world (k, 6, n)."""
+    Js = np.empty((qs.shape[0], 6, qs.shape[1]))
+    tool_jacobians_into(arm, qs, Js)
+    return Js

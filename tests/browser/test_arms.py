@@ -12,7 +12,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Page
 from tests.browser import sheet
 from tests.browser.conftest import window
-from tests.browser.lab import Lab, box, grab, opened, pixels, tab, until
+from tests.browser.lab import Lab, box, grab, opened, pixels, status, tab, until
 
 from helicoide import content, gate
 from helicoide.ik.goal import goal_at_pose
@@ -142,3 +142,27 @@ def test_the_contact_sheet_shows_every_arm() -> None:
         assert (middle < 160).sum() > 200, name
     for name, other in pairwise(NAMES):
         assert (abs(cells[name] - cells[other]) > 40).sum() > 500, f"{name} and {other} are one picture"
+
+
+def test_a_lesson_brings_its_arm_and_another_arm_ends_it(lab: Lab, page: Page) -> None:
+    change(lab, page, "scara")
+    tab(page, "Lesson")
+    page.get_by_label("Lesson", exact=True).and_(page.locator("input")).click()
+    page.get_by_role("option", name="Drive the arm").click()
+    until(page, lambda: lab.state.robot.name == "movemaster")
+    page.locator(".helicoide-lesson h3").wait_for()
+    change(lab, page, "scara")
+    page.locator(".helicoide-lesson h3").wait_for(state="detached")
+    assert {seat.lesson for seat in lab.session.seats.values()} == {None}
+
+
+def test_an_arm_that_is_not_there_is_refused_in_words(lab: Lab, page: Page) -> None:
+    here = lab.state.robot
+    lab.session.loop.call_soon_threadsafe(lab.session.change, "nowhere")
+    until(page, lambda: "There is no robot named 'nowhere'" in status(page))
+    assert lab.state.robot is here
+
+
+def change(lab: Lab, page: Page, name: str) -> None:
+    lab.session.loop.call_soon_threadsafe(lab.session.change, name)
+    until(page, lambda: lab.state.robot.name == name)

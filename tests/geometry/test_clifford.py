@@ -270,6 +270,8 @@ def test_arrays_of_another_length_are_refused() -> None:
     for a, b in ((np.ones(8), np.ones(8)), (np.ones(16), np.ones(8)), (np.ones(17), np.ones(16))):
         with pytest.raises((ValueError, IndexError)):
             CL031.product(a, b)
+        with pytest.raises((ValueError, IndexError)):
+            CL031.sandwich(a, b)
 
 
 def test_read_only_and_strided_arrays_give_the_same() -> None:
@@ -282,8 +284,17 @@ def test_read_only_and_strided_arrays_give_the_same() -> None:
 
 def test_kernels_are_their_python_functions() -> None:
     a, b = np.random.default_rng(6).normal(size=(2, 16))
-    table, out = CL031.table(lambda a, b: True), np.empty(16)
-    plain(multiply)(table.left, table.partner, a, b, out)
+    table, out = CL031.table(lambda a, b: True).whole, np.empty(16)
+    plain(multiply)(table, a, b, out)
     np.testing.assert_allclose(CL031.product(a, b), out, atol=1e-15)
-    plain(conjugated)(table.left, table.partner, CL031.conjugate(np.ones(16)), a, b, out)
+    turned = table.copy()
+    turned[0] *= CL031.conjugate(np.ones(16)).astype(int)
+    plain(conjugated)(np.stack([table, turned]), a, b, out)
     np.testing.assert_allclose(CL031.sandwich(a, b), out, atol=1e-13)
+
+
+@given(algebra_and_operands())
+def test_two_alone_are_what_they_are_among_many(case: tuple[Algebra, Array, Array, Array]) -> None:
+    algebra, a, b, _ = case
+    for times in (algebra.product, algebra.outer, algebra.left_contraction):
+        np.testing.assert_allclose(times(a, b), times(a[None], b[None])[0], rtol=1e-12, atol=1e-12)

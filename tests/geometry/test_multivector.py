@@ -26,6 +26,7 @@ def test_formulas_read_like_formulas() -> None:
     assert str((1 + e1).grade(1) * 1010.14079) == "1010.141 e1"
     assert str(~(e1 * e2)) == "-e1e2"
     assert str(np.float64(2) * e1 + e2 - e2) == "2 e1"
+    assert repr(2 * e1) == "2 e1 in Cl(0,3,1)"
 
 
 def test_coefficients_are_read_by_blade_name() -> None:
@@ -45,6 +46,21 @@ def test_a_multivector_cannot_be_changed() -> None:
     assert m["1"] == 0
     with pytest.raises(ValueError, match="read-only"):
         m.values[0] = 1
+    with pytest.raises(AttributeError):
+        m.values = source  # type: ignore[misc]
+    with pytest.raises(AttributeError):
+        m.algebra = CL031  # type: ignore[misc]
+
+
+@pytest.mark.parametrize("algebra", [CL031, Algebra(0, 3, 1)], ids=["the same", "an equal one"])
+def test_results_cannot_be_changed_and_change_no_operand(algebra: Algebra) -> None:
+    a, b = random(4), Multivector(random(5).values, algebra)
+    before = [a.values.copy(), b.values.copy()]
+    for result in [operator(a, b) for operator, _ in BINARY.values()] + [operator(a) for operator, _ in UNARY.values()]:
+        assert not result.values.flags.writeable
+        assert not any(np.shares_memory(result.values, operand.values) for operand in (a, b))
+        assert result.algebra is CL031
+    np.testing.assert_array_equal([a.values, b.values], before)
 
 
 def test_operands_of_another_algebra_or_shape_are_refused() -> None:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tests.kinematics.arms import MIXED, NAMES, arm, derivative, frame_by_screws, postures, twist_by_differences
 
 from helicoide.geometry import euler, rigid, rotation
-from helicoide.kinematics import differential, jacobian, tool
+from helicoide.kinematics import differential, jacobian
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_motors, link_poses, tool_by_screws
 from helicoide.kinematics.representation import (
@@ -192,19 +192,6 @@ def test_the_jacobian_of_a_line_is_the_derivative_of_the_moved_line(name: str) -
         line, rate = differential.line_jacobian(robot, q, direction, through, link)
         np.testing.assert_allclose(line, moved(q), rtol=0, atol=1e-12)
         np.testing.assert_allclose(rate, derivative(moved, q), rtol=0, atol=1e-7)
-
-
-@each_arm
-def test_the_kernels_of_the_tool_agree_with_the_long_way(name: str) -> None:
-    robot = arm(name)
-    qs = np.array(postures(robot, 20))
-    Ts = tool.tool_poses(robot.chain, robot.T_link_tool, qs)
-    Js = tool.tool_jacobians(robot.chain, robot.T_link_tool, qs)
-    for q, T, J in zip(qs, Ts, Js, strict=True):
-        np.testing.assert_allclose(T, link_poses(robot.chain, q)[-1] @ robot.T_link_tool, rtol=0, atol=1e-14)
-        np.testing.assert_allclose(J, differential.geometric(robot, q), rtol=0, atol=1e-13)
-        np.testing.assert_array_equal(tool.tool_pose(robot.chain, robot.T_link_tool, q), T)
-        np.testing.assert_array_equal(tool.tool_jacobian(robot.chain, robot.T_link_tool, q), J)
 
 
 def test_a_slide_and_a_joint_that_follows_have_the_columns_of_the_definition() -> None:

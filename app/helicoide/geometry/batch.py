@@ -8,8 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from helicoide.geometry.clifford import CL031, Algebra, Array
+from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
 from helicoide.kernels import kernel
+from helicoide.text import HelicoideError, Text
 
 Places = NDArray[np.intp]
 
@@ -17,10 +18,10 @@ Places = NDArray[np.intp]
 BLOCK = 64
 
 MOTOR_ROWS = np.flatnonzero(CL031.grades % 2 == 0)
-"""Places of the coefficients of a motor of Cl(0,3,1): 1, e1e2, e1e3, e2e3, e1e, e2e, e3e, e1e2e3e."""
+"""Places of the coefficients of a motor of Cl(0,3,1) or Cl(3,0,1): 1, e1e2, e1e3, e2e3, e1e, e2e, e3e, e1e2e3e."""
 
 POINT_ROWS = np.flatnonzero(CL031.grades == 3)
-"""Places of the coefficients of a point of Cl(0,3,1): e1e2e3, e1e2e, e1e3e, e2e3e."""
+"""Places of the coefficients of a point: e1e2e3, e1e2e, e1e3e, e2e3e."""
 
 
 def products(algebra: Algebra, a: Array, b: Array) -> Array:
@@ -50,8 +51,8 @@ def sandwich_rows(algebra: Algebra, a: Array, b: Array) -> Array:
     return product_rows(algebra, product_rows(algebra, a, b), algebra.conjugate(a.T).T)
 
 
-def move_points(motors: Array, points: Array) -> Array:
-    """Move each point by its motor, M X M*, of Cl(0,3,1).
+def move_points(algebra: Algebra, motors: Array, points: Array) -> Array:
+    """Move each point by its motor, M X M*, in Cl(0,3,1) or Cl(3,0,1).
 
     With M = s + g + (d₀ + d) ε, g and d the coefficients of i, j, k, and X of weight w at v = w r:
     w' = ‖M‖² w and v' = ‖M‖² v + 2 g × (g × v + s v + w d) + 2 w (s d − d₀ g), where ‖M‖² = s² + g·g.
@@ -59,25 +60,49 @@ def move_points(motors: Array, points: Array) -> Array:
     Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes, written out in quaternions.
     """
     out = np.empty_like(points)
-    move_columns(motors, points, out)
+    move_columns(_turn(algebra), motors[0], motors[1:7], motors[7], points, out)
     return out
 
 
+def move_whole_points(algebra: Algebra, motors: Array, points: Array) -> Array:
+    """The same, a whole multivector a row; what is neither even in a motor nor of grade 3 in a point is not read.
+
+    motors, points: (N, 16); returns (N, 16).
+    """
+    out = np.zeros(points.shape)
+    M, rows = motors.T, slice(POINT_ROWS[0], POINT_ROWS[-1] + 1)
+    move_columns(_turn(algebra), M[0], M[5:11], M[15], points.T[rows], out.T[rows])
+    return out
+
+
+def _turn(algebra: Algebra) -> float:
+    """Sign of i = e2e3, j = −e1e3, k = e1e2, ε = −e1e2e3e and of a point's e2e3e, −e1e3e, e1e2e against Cl(0,3,1)."""
+    if algebra not in (CL031, PGA):
+        raise HelicoideError(
+            Text(
+                en=f"{algebra} has no motors and points to move: use {CL031} or {PGA}",
+                pt_BR=f"{algebra} não tem motores e pontos para mover: use {CL031} ou {PGA}",
+            )
+        )
+    return -float(algebra.squares[0])
+
+
 @kernel
-def move_columns(motors: Array, points: Array, out: Array) -> None:
-    """Equation of `move_points`, column by column; j = −e1e3 and ε = −e1e2e3e turn signs."""
+def move_columns(turn: float, scalars: Array, bivectors: Array, volumes: Array, points: Array, out: Array) -> None:
+    """Equation of `move_points`, column by column, with the parts of the motors by grade."""
     for i in range(points.shape[1]):
-        s, gx, gy, gz = motors[0, i], motors[3, i], -motors[2, i], motors[1, i]
-        d0, dx, dy, dz = -motors[7, i], motors[4, i], motors[5, i], motors[6, i]
-        w, x, y, z = points[0, i], points[3, i], -points[2, i], points[1, i]
+        s, d0 = scalars[i], -turn * volumes[i]
+        gx, gy, gz = turn * bivectors[2, i], -turn * bivectors[1, i], turn * bivectors[0, i]
+        dx, dy, dz = bivectors[3, i], bivectors[4, i], bivectors[5, i]
+        w, x, y, z = points[0, i], turn * points[3, i], -turn * points[2, i], turn * points[1, i]
         squared = s * s + gx * gx + gy * gy + gz * gz
         cx = gy * z - gz * y + s * x + w * dx
         cy = gz * x - gx * z + s * y + w * dy
         cz = gx * y - gy * x + s * z + w * dz
         out[0, i] = squared * w
-        out[3, i] = squared * x + 2 * (gy * cz - gz * cy + w * (s * dx - d0 * gx))
-        out[2, i] = -squared * y - 2 * (gz * cx - gx * cz + w * (s * dy - d0 * gy))
-        out[1, i] = squared * z + 2 * (gx * cy - gy * cx + w * (s * dz - d0 * gz))
+        out[3, i] = turn * (squared * x + 2 * (gy * cz - gz * cy + w * (s * dx - d0 * gx)))
+        out[2, i] = -turn * (squared * y + 2 * (gz * cx - gx * cz + w * (s * dy - d0 * gy)))
+        out[1, i] = turn * (squared * z + 2 * (gx * cy - gy * cx + w * (s * dz - d0 * gz)))
 
 
 @kernel

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from numbers import Real
 
 import numpy as np
@@ -11,39 +10,52 @@ from helicoide.geometry import notation
 from helicoide.geometry.clifford import Algebra, Array
 from helicoide.text import HelicoideError, Text
 
+_new = object.__new__
 
-@dataclass(frozen=True, eq=False)
+
 class Multivector:
-    """Coefficients and their algebra; ^ | & >> bind weaker than + and need brackets."""
+    """Coefficients and their algebra, which stay as they are; ^ | & >> bind weaker than + and need brackets."""
 
-    values: Array
-    algebra: Algebra
+    __slots__ = ("_algebra", "_own")
 
     # Without this, numpy scalars on the left would spread the product over an object array.
     __array_ufunc__ = None
 
-    def __post_init__(self) -> None:
-        """Keep an own, read-only copy of the coefficients."""
-        own = np.array(self.values, dtype=float)
-        count = len(self.algebra.blades)
-        if own.shape != (count,):
+    _algebra: Algebra
+    _own: Array
+
+    def __init__(self, values: Array, algebra: Algebra) -> None:
+        """Keep an own copy of the coefficients."""
+        own = np.array(values, dtype=float)
+        if own.shape != (algebra.count,):
             raise HelicoideError(
                 Text(
-                    en=f"a multivector of {self.algebra} has {count} coefficients, not an array of shape {own.shape}",
-                    pt_BR=f"um multivetor de {self.algebra} tem {count} coeficientes, não a forma {own.shape}",
+                    en=f"a multivector of {algebra} has {algebra.count} coefficients, not an array of shape {own.shape}",
+                    pt_BR=f"um multivetor de {algebra} tem {algebra.count} coeficientes, não a forma {own.shape}",
                 )
             )
-        own.setflags(write=False)
-        object.__setattr__(self, "values", own)
+        self._own, self._algebra = own, algebra
+
+    @property
+    def values(self) -> Array:
+        """The coefficients, read-only, shape (2ⁿ,)."""
+        view = self._own.view()
+        view.setflags(write=False)
+        return view
+
+    @property
+    def algebra(self) -> Algebra:
+        """The algebra that the coefficients belong to."""
+        return self._algebra
 
     def __getitem__(self, name: str) -> float:
         """Coefficient of a blade in either naming, as in m["e1e2"] or m["e12"]; m["e21"] is its negative."""
-        place, sign = self.algebra.read(name)
-        return sign * float(self.values[place])
+        place, sign = self._algebra.read(name)
+        return sign * float(self._own[place])
 
     def __add__(self, other: Multivector | float) -> Multivector:
         """Sum; a number is a multiple of 1."""
-        return self._make(self.values + self._coefficients(other))
+        return self._make(self._own + self._coefficients(other))
 
     def __radd__(self, other: float) -> Multivector:
         """Sum with a number."""
@@ -51,7 +63,7 @@ class Multivector:
 
     def __sub__(self, other: Multivector | float) -> Multivector:
         """Difference; a number is a multiple of 1."""
-        return self._make(self.values - self._coefficients(other))
+        return self._make(self._own - self._coefficients(other))
 
     def __rsub__(self, other: float) -> Multivector:
         """Difference from a number."""
@@ -59,11 +71,11 @@ class Multivector:
 
     def __neg__(self) -> Multivector:
         """All coefficients negated."""
-        return self._make(-self.values)
+        return self._make(-self._own)
 
     def __mul__(self, other: Multivector | float) -> Multivector:
         """Geometric product; a number scales."""
-        return self._make(self.algebra.product(self.values, self._coefficients(other)))
+        return self._make(self._algebra.product(self._own, self._coefficients(other)))
 
     def __rmul__(self, other: float) -> Multivector:
         """Scale by a number."""
@@ -80,82 +92,91 @@ class Multivector:
     def __pow__(self, exponent: int) -> Multivector:
         """Repeated geometric product; a negative exponent repeats the inverse."""
         factor = self if exponent >= 0 else self.inverse()
-        power = self._make(self.algebra.blade("1"))
+        power = self._make(self._algebra.blade("1"))
         for _ in range(abs(exponent)):
             power = power * factor
         return power
 
     def __xor__(self, other: Multivector | float) -> Multivector:
         """Outer product a ^ b."""
-        return self._make(self.algebra.outer(self.values, self._coefficients(other)))
+        return self._make(self._algebra.outer(self._own, self._coefficients(other)))
 
     def __or__(self, other: Multivector | float) -> Multivector:
         """Left contraction a | b."""
-        return self._make(self.algebra.left_contraction(self.values, self._coefficients(other)))
+        return self._make(self._algebra.left_contraction(self._own, self._coefficients(other)))
 
     def __and__(self, other: Multivector | float) -> Multivector:
         """Regressive product a & b."""
-        return self._make(self.algebra.regressive(self.values, self._coefficients(other)))
+        return self._make(self._algebra.regressive(self._own, self._coefficients(other)))
 
     def __rshift__(self, other: Multivector | float) -> Multivector:
         """Sandwich M >> X = M X M* with the Clifford conjugate: X_a = M_a_b >> X_b."""
-        return self._make(self.algebra.sandwich(self.values, self._coefficients(other)))
+        return self._make(self._algebra.sandwich(self._own, self._coefficients(other)))
 
     def __invert__(self) -> Multivector:
         """Reverse ~a."""
-        return self._make(self.algebra.reverse(self.values))
+        return self._make(self._algebra.reverse(self._own))
 
     def conjugate(self) -> Multivector:
         """Clifford conjugate."""
-        return self._make(self.algebra.conjugate(self.values))
+        return self._make(self._algebra.conjugate(self._own))
 
     def involute(self) -> Multivector:
         """Grade involution."""
-        return self._make(self.algebra.involute(self.values))
+        return self._make(self._algebra.involute(self._own))
 
     def grade(self, k: int) -> Multivector:
         """The part of grade k."""
-        return self._make(self.algebra.grade(self.values, k))
+        return self._make(self._algebra.grade(self._own, k))
 
     def dual(self) -> Multivector:
         """Hodge star."""
-        return self._make(self.algebra.hodge(self.values))
+        return self._make(self._algebra.hodge(self._own))
 
     def undual(self) -> Multivector:
         """Inverse of the Hodge star."""
-        return self._make(self.algebra.unhodge(self.values))
+        return self._make(self._algebra.unhodge(self._own))
 
     def norm(self) -> float:
         """Norm √|⟨a ã⟩₀|."""
-        return float(self.algebra.norm(self.values))
+        return float(self._algebra.norm(self._own))
 
     def inverse(self) -> Multivector:
         """The multivector with a a⁻¹ = 1; raises HelicoideError where there is none."""
-        return self._make(self.algebra.inverse(self.values))
+        return self._make(self._algebra.inverse(self._own))
 
     def __str__(self) -> str:
         """Sum of the blades that are not zero after rounding, such as 0.866 + 0.5 e1e2."""
-        return notation.text(self.values, self.algebra)
+        return notation.text(self._own, self._algebra)
+
+    def __repr__(self) -> str:
+        """The sum, and where it belongs."""
+        return f"{self} in {self._algebra}"
 
     def _make(self, values: Array) -> Multivector:
-        return Multivector(values, self.algebra)
+        """One of the same algebra that keeps this array itself: it must be new, or another multivector's."""
+        made = _new(Multivector)
+        made._own, made._algebra = values, self._algebra
+        return made
 
     def _coefficients(self, other: Multivector | float) -> Array:
         """Coefficients of an operand of the same algebra; a number is a multiple of 1."""
+        if isinstance(other, Multivector) and other._algebra is self._algebra:
+            return other._own
         if isinstance(other, Real):
-            return float(other) * self.algebra.blade("1")
+            return float(other) * self._algebra.blade("1")
         if not isinstance(other, Multivector):
             raise HelicoideError(
                 Text(
-                    en=f"a multivector of {self.algebra} meets {other!r}: use another of its algebra, or a number",
-                    pt_BR=f"um multivetor de {self.algebra} encontra {other!r}: use um da mesma álgebra ou número",
+                    en=f"a multivector of {self._algebra} meets {other!r}: use another of its algebra, or a number",
+                    pt_BR=f"um multivetor de {self._algebra} encontra {other!r}: use um da mesma álgebra ou número",
                 )
             )
-        if other.algebra != self.algebra:
+        if other._algebra != self._algebra:
             raise HelicoideError(
                 Text(
-                    en=f"a multivector of {self.algebra} meets one of {other.algebra}: both must be of one algebra",
-                    pt_BR=f"um multivetor de {self.algebra} encontra um de {other.algebra}: use uma só álgebra",
+                    en=f"a multivector of {self._algebra} meets one of {other._algebra}: both must be of one algebra",
+                    pt_BR=f"um multivetor de {self._algebra} encontra um de {other._algebra}: use uma só álgebra",
                 )
             )
-        return other.values
+        return other._own

@@ -17,8 +17,8 @@ from helicoide.kinematics.trigonometry import cosine_and_sine
 Triple = tuple[float, float, float]
 Row = tuple[float, float, float, float]
 
-# Columns of a joint: its axis s (three), the way s₀ᵢ − s₀ᵢ₋₁ to it (three), the number of the variable q that drives it,
-# and what it does along its axis, a turn by θ = TURN q + TURN_SHIFT and a slide by x = SLIDE q + SLIDE_SHIFT.
+# Columns of a joint: its axis s (three), the way s₀ᵢ − s₀ᵢ₋₁ to it (three), the number of the variable that drives it,
+# and what it does when that stands at q, a turn by θ = TURN q + TURN_SHIFT and a slide by x = SLIDE q + SLIDE_SHIFT.
 AXIS, WAY, DRIVER, TURN, TURN_SHIFT, SLIDE, SLIDE_SHIFT = 0, 3, 6, 7, 8, 9, 10
 COLUMNS = 12  # the last row is the tool: (R, p) on the last link, row by row
 
@@ -59,7 +59,7 @@ def line(joint: Array) -> tuple[Triple, Triple]:
 
 @kernel
 def carried(row: Row, axis: Triple, way: Triple, x: float, c: float, s: float) -> Row:
-    """A row (r, p) behind a joint: r cos θ + (1 − cos θ)(r·s) s + sin θ r × s and p + r·(way + x s). Source: Rodrigues."""
+    """A row (r, p) behind a joint: r cos θ + (1 − cos θ)(r·s) s + sin θ r × s (Rodrigues) and p + r·(way + x s)."""
     height = along(row, axis)
     v = (1.0 - c) * height
     return (

@@ -113,11 +113,9 @@ def record(column: Array, block: Array, joint: Array) -> None:
 def add(column: Array, a: int, k: int, v: Triple) -> None:
     """Add three numbers of posture k, from number a on."""
     i = a * BLOCK + k
-    column[i], column[i + BLOCK], column[i + 2 * BLOCK] = (
-        column[i] + v[0],
-        column[i + BLOCK] + v[1],
-        column[i + 2 * BLOCK] + v[2],
-    )
+    column[i] += v[0]
+    column[i + BLOCK] += v[1]
+    column[i + 2 * BLOCK] += v[2]
 
 
 @kernel

@@ -6,7 +6,7 @@ import numpy as np
 
 from helicoide.kernels import kernel
 
-# π/2 in three parts, the first two of 33 bits: j times one of them is exact for |j| < 2²⁰. Source: fdlibm, e_rem_pio2.c.
+# π/2 in three parts, the first two of 33 bits: j times them is exact for |j| < 2²⁰. Source: fdlibm, e_rem_pio2.c.
 HALF_PI = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
 # (sin r − r) / r³ and (cos r − 1 + r²/2) / r⁴ as polynomials of r². Source: fdlibm, k_sin.c and k_cos.c.
 SINE = (

@@ -21,19 +21,12 @@ def tasks_of(squares: list[int], blades: Blades, a: Rows, b: Rows, motors: Rows,
     names |= {"a": av[0], "b": bv[0], "m": ms[0], "x": xs[0], "arrays": arrays, "pairs": pairs, "places": places}
     names |= {"gmt": layout.gmt_func, "adjoint": layout.adjoint_func}
     return [
-        Task("product", "A * B", "(A * B).value[places]", names),
-        Task("product", "gmt(a, b)", "gmt(a, b)[places]", names),
-        Task("sandwich", OBJECTS, f"({OBJECTS}).value[places]", names),
-        Task("sandwich", BARE, f"{BARE}[places]", names),
-        Task(
-            "10,000 sandwiches, (N, 16)",
-            f"for M, X in pairs: {OBJECTS}",
-            f"[({OBJECTS}).value[places] for M, X in pairs]",
-            names,
-        ),
-        Task(
-            "10,000 sandwiches, (N, 16)", f"for m, x in arrays: {BARE}", f"[{BARE}[places] for m, x in arrays]", names
-        ),
+        Task("product, operators", "A * B", "(A * B).value[places]", names),
+        Task("product, bare functions", "gmt(a, b)", "gmt(a, b)[places]", names),
+        Task("sandwich, operators", OBJECTS, f"({OBJECTS}).value[places]", names),
+        Task("sandwich, bare functions", BARE, f"{BARE}[places]", names),
+        Task(MANY, f"for M, X in pairs: {OBJECTS}", f"[({OBJECTS}).value[places] for M, X in pairs]", names),
+        Task(MANY, f"for m, x in arrays: {BARE}", f"[{BARE}[places] for m, x in arrays]", names),
     ]
 
 

@@ -33,10 +33,10 @@ def tasks_of(squares: list[int], blades: Blades, a: Rows, b: Rows, motors: Rows,
     names |= {"ms": names["Ms"].values(), "xs": names["Xs"].values()}
     names |= {"gp": algebra.gp[A, B].func, "sw": algebra.sw[M, X].func, "full": full}
     return [
-        Task("product", "A * B", "full(A * B)", names),
-        Task("product", "gp(a, b)", "full(A * B)", names),
-        Task("sandwich", "M >> X", "full(M >> X)", names),
-        Task("sandwich", "sw(m, x)", "full(M >> X)", names),
+        Task("product, operators", "A * B", "full(A * B)", names),
+        Task("product, bare functions", "gp(a, b)", "full(A * B)", names),
+        Task("sandwich, operators", "M >> X", "full(M >> X)", names),
+        Task("sandwich, bare functions", "sw(m, x)", "full(M >> X)", names),
         Task("10,000 sandwiches, rows", "Ms >> Xs", "full(Ms >> Xs)", names),
         Task("10,000 sandwiches, rows", "sw(ms, xs)", "full(Ms >> Xs)", names),
         Task("10,000 sandwiches, (N, 16)", "Mv >> Xv", "full(Mv >> Xv)", names),

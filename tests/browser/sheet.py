@@ -22,7 +22,7 @@ from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
 PICTURE = content.STATIC / "pictures" / "robots.png"
-COLUMNS, CELL, LABEL = 4, 300, 26
+COLUMNS, CELL, LABEL = 4, 250, 26
 NEAR = 1.0
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
 SCENE = "() => window.__viserMutable.canvas.toDataURL('image/png')"

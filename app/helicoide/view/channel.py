@@ -11,7 +11,7 @@ from typing import Literal
 import viser
 from viser._messages import RunJavascriptMessage
 from websockets.asyncio.server import ServerConnection, broadcast
-from websockets.exceptions import ConnectionClosedError
+from websockets.exceptions import ConnectionClosed
 
 from helicoide.text import Language, Text
 
@@ -44,7 +44,7 @@ class Control:
     async def serve(self, connection: ServerConnection) -> None:
         """Listen to one page until it leaves: stop, its seat, and the beat by which it knows that we still listen."""
         try:
-            with contextlib.suppress(ConnectionClosedError):
+            with contextlib.suppress(ConnectionClosed):
                 async for raw in connection:
                     for answer in self._hear(connection, raw):
                         await connection.send(answer)

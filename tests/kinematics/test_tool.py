@@ -16,6 +16,7 @@ from helicoide.kinematics.trigonometry import cosine_and_sine
 each_arm = pytest.mark.parametrize("name", NAMES)
 COUNTS = (0, 1, tool_blocks.BLOCK - 1, tool_blocks.BLOCK, 2 * tool_blocks.BLOCK + 3)
 LARGEST = 1e4
+UNITS = 3.0  # ours are within 2½, NumPy's within one half, and differences of floats are whole
 
 
 def cosines_and_sines(angles: Array) -> Array:
@@ -67,19 +68,19 @@ def test_postures_may_be_columns_of_a_larger_array() -> None:
 def test_random_angles() -> None:
     random = np.random.default_rng(0)
     for size in (1e-300, 1e-8, 1.0, 10.0, 100.0, LARGEST):
-        assert worst(random.uniform(-size, size, 100_000)) <= 2.0
+        assert worst(random.uniform(-size, size, 100_000)) <= UNITS
 
 
 def test_angles_around_the_multiples_of_an_eighth_of_a_turn() -> None:
     """Where one of the two vanishes, and where the quadrant changes: the floats next to them, up to the largest."""
     at = np.arange(-(2 * LARGEST // np.pi) * 2, (2 * LARGEST // np.pi) * 2 + 1) * (np.pi / 4)
     below, above = np.nextafter(at, -np.inf), np.nextafter(at, np.inf)
-    assert worst(np.concatenate([at, below, above])) <= 2.0
+    assert worst(np.concatenate([at, below, above])) <= UNITS
 
 
 @given(st.floats(-LARGEST, LARGEST))
 def test_any_angle(angle: float) -> None:
-    assert worst(np.array([angle])) <= 2.0
+    assert worst(np.array([angle])) <= UNITS
 
 
 def test_what_is_no_angle_has_no_sine() -> None:

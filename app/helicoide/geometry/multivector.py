@@ -30,7 +30,7 @@ class Multivector:
         if own.shape != (algebra.count,):
             raise HelicoideError(
                 Text(
-                    en=f"a multivector of {algebra} has {algebra.count} coefficients, not an array of shape {own.shape}",
+                    en=f"a multivector of {algebra} has {algebra.count} coefficients, not the shape {own.shape}",
                     pt_BR=f"um multivetor de {algebra} tem {algebra.count} coeficientes, não a forma {own.shape}",
                 )
             )

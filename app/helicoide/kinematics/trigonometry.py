@@ -31,7 +31,7 @@ def horner(z: float, a: tuple[float, ...]) -> float:
 def cosine_and_sine(x: float) -> tuple[float, float]:
     """cos x and sin x without a branch, from x = j π/2 + r, |r| ≤ π/4, and minimax polynomials of r.
 
-    Args: x, rad, |x| ≤ 10⁶. The error is below 2 units in the last place.
+    Args: x, rad, |x| ≤ 10⁶. The error is below 2½ units in the last place.
     Source: Cody and Waite 1980, ch. 8 (reduction); fdlibm, Sun Microsystems 1993 (polynomials and their order).
     """
     j = (x * (2 / np.pi) + TO_WHOLE) - TO_WHOLE

@@ -10,8 +10,8 @@ import pytest
 from helicoide import content, gate, lesson
 from helicoide.advance import advance
 from helicoide.geometry import rotation
-from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.library import load as load_robot
+from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Step
 from helicoide.state import Hold, Seat, State, Update, initial
 from helicoide.text import LANGUAGES, Language

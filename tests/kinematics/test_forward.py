@@ -13,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helicoide.geometry import rigid
-from helicoide.kinematics.forward import ROADS, carried_points, link_poses, tool_motor
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.folder import from_folder
+from helicoide.kinematics.forward import ROADS, carried_points, link_poses, tool_motor
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 

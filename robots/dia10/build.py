@@ -7,14 +7,13 @@ way the machine faces. The left arm, which nothing drives, is no drawing of its 
 more, fixed to the torso.
 """
 
-from pathlib import Path
-
 import numpy as np
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, merged, painted, write_meshes
+from helicoide.solids.lettering import word
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "blue": cad.paint(38, 104, 178, roughness=0.45),
     "white": cad.paint(232, 234, 236, roughness=0.5),
@@ -26,28 +25,6 @@ SHOULDER_HEIGHT, SHOULDER, UPPER_ARM, FOREARM, HAND = 1037.0, 380.0, 390.0, 330.
 SHOULDER_ROLL, UPPER_ROLL, FOREARM_ROLL, HAND_ROLL = 212.0, 185.0, 104.0, 112.0
 LOWER, UPPER = -1, 1
 FACES: tuple[tuple[cad.Axis, int], ...] = (("x", 1), ("-x", -1))
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "D": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 5), (4, 1), (2, 0)]],
-    "I": [[(2, -0.5), (2, 6.5)]],
-    "M": [[(0, 0), (0, 6), (2, 2.4), (4, 6), (4, 0)]],
-    "N": [[(0, -0.5), (0, 6), (4, 0), (4, 6.5)]],
-    "O": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "T": [[(0, 6), (4, 6)], [(2, 6), (2, -0.5)]],
-    "0": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "1": [[(0.8, 4.6), (2, 6), (2, -0.5)]],
-}
-
-
-def word(text: str, height: float, axis: cad.Axis, at: tuple[float, float, float]) -> Trimesh:
-    """Raised lettering centred on `at`."""
-    unit = height / 6
-    offset = np.array([-(6.4 * len(text) - 2.4) / 2, -3])
-    strokes = [(np.array(s) + offset + (6.4 * i, 0)) * unit for i, c in enumerate(text) for s in STROKES[c]]
-    return cad.letters(strokes, 0.9 * unit, 1.2, axis, at)
 
 
 def half_joint(y: float, radius: float, depth: float, half: int, pipe: float, mouth: float) -> Trimesh:
@@ -79,11 +56,6 @@ def pivot(y: float, radius: float, depth: float) -> Trimesh:
     """The dark bearing between the two halves of a drum, with a core that closes the view into them."""
     return cad.turned([(radius - 16, -0.5 * depth), (radius - 16, -5), (radius - 4, -5), (radius - 4, 5),
                        (radius - 16, 5), (radius - 16, 0.5 * depth)], at=(0, y, 0))  # fmt: skip
-
-
-def merged(*parts: Parts) -> Parts:
-    """The solids of several drawings by surface."""
-    return {name: [solid for part in parts for solid in part.get(name, [])] for name in SURFACES}
 
 
 # --- body: frames on the floor, under the waist ----------------------------------------------------------------------
@@ -122,7 +94,7 @@ def torso() -> Parts:
         ],
         "dark": [cad.cylinder(86, 12, axis="y", at=(0, y, SHOULDER_HEIGHT)) for y in (-209, 209)],
     }
-    return merged(shell, *[torso_face(axis, side) for axis, side in FACES])
+    return merged(SURFACES, shell, *[torso_face(axis, side) for axis, side in FACES])
 
 
 def torso_face(axis: cad.Axis, side: int) -> Parts:
@@ -132,7 +104,7 @@ def torso_face(axis: cad.Axis, side: int) -> Parts:
     return {
         "blue": [cad.raised(plate, 8, edge=3, steps=2, axis=axis, at=(side * 107, 0, 0))],
         "dark": [cad.raised(slot, 2, axis=axis, at=(side * (137.5 - z / 32), 0, z)) for z in range(750, 841, 18)],
-        "metal": [word("MOTOMAN", 24, axis, (side * 114.5, 0, SHOULDER_HEIGHT))],
+        "metal": [word("MOTOMAN", 24, 1.2, axis, (side * 114.5, 0, SHOULDER_HEIGHT))],
     }
 
 
@@ -142,13 +114,13 @@ def torso_face(axis: cad.Axis, side: int) -> Parts:
 def shoulder() -> Parts:
     """From the socket in the torso to the lower half of the shoulder drum; its frame is on the torso's axis."""
     casting = half_joint(SHOULDER, 86, 92, LOWER, 90, SHOULDER_ROLL)
-    return merged(cap(SHOULDER, 86, 92, LOWER), {"blue": [casting], "dark": [pivot(SHOULDER, 86, 92)]})
+    return merged(SURFACES, cap(SHOULDER, 86, 92, LOWER), {"blue": [casting], "dark": [pivot(SHOULDER, 86, 92)]})
 
 
 def upper_arm() -> Parts:
     """The upper half of the shoulder drum and the first part of the upper arm."""
     casting = half_joint(0, 86, 92, UPPER, 70, UPPER_ROLL - 4)
-    return merged(cap(0, 86, 92, UPPER), {"blue": [casting], "dark": [seam(UPPER_ROLL, 70)]})
+    return merged(SURFACES, cap(0, 86, 92, UPPER), {"blue": [casting], "dark": [seam(UPPER_ROLL, 70)]})
 
 
 def upper_arm_roll() -> Parts:
@@ -156,30 +128,30 @@ def upper_arm_roll() -> Parts:
     casting = half_joint(UPPER_ARM, 72, 78, LOWER, 70, UPPER_ROLL + 4)
     collar = cad.turned([(71, 189), (74, 192), (74, 208), (71, 211)], axis="y")
     return merged(
-        cap(UPPER_ARM, 72, 78, LOWER), {"blue": [casting], "white": [collar], "dark": [pivot(UPPER_ARM, 72, 78)]}
+        SURFACES,
+        cap(UPPER_ARM, 72, 78, LOWER),
+        {"blue": [casting], "white": [collar], "dark": [pivot(UPPER_ARM, 72, 78)]},
     )
 
 
 def elbow() -> Parts:
     """The upper half of the elbow, up to where the forearm turns."""
     casting = half_joint(0, 72, 78, UPPER, 56, FOREARM_ROLL - 4)
-    return merged(cap(0, 72, 78, UPPER), {"blue": [casting], "dark": [seam(FOREARM_ROLL, 56)]})
+    return merged(SURFACES, cap(0, 72, 78, UPPER), {"blue": [casting], "dark": [seam(FOREARM_ROLL, 56)]})
 
 
 def forearm() -> Parts:
     """The restricted link: a slim tube that slides through the entry point, and the lower half of the wrist."""
     tube = cad.turned([(56, 108), (56, 120), (46, 132), (46, 250)], axis="y")
     casting = half_joint(FOREARM, 54, 58, LOWER, 48, 236)
-    return merged(
-        cap(FOREARM, 54, 58, LOWER),
-        {"white": [tube], "blue": [casting], "dark": [pivot(FOREARM, 54, 58), word("DIA10", 11, "x", (44.8, 180, 0))]},
-    )
+    dark = [pivot(FOREARM, 54, 58), word("DIA10", 11, 1.2, "x", (44.8, 180, 0))]
+    return merged(SURFACES, cap(FOREARM, 54, 58, LOWER), {"white": [tube], "blue": [casting], "dark": dark})
 
 
 def wrist() -> Parts:
     """The upper half of the wrist, up to where the flange turns."""
     casting = half_joint(0, 54, 58, UPPER, 44, HAND_ROLL - 4)
-    return merged(cap(0, 54, 58, UPPER), {"blue": [casting], "dark": [seam(HAND_ROLL, 44)]})
+    return merged(SURFACES, cap(0, 54, 58, UPPER), {"blue": [casting], "dark": [seam(HAND_ROLL, 44)]})
 
 
 def flange() -> Parts:
@@ -204,14 +176,8 @@ DRAWINGS = (pedestal, torso, shoulder, upper_arm, upper_arm_roll, elbow, forearm
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items() if solids}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

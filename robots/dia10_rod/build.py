@@ -3,20 +3,15 @@
 The rest of what the URDF shows are the meshes of robots/dia10. The frame is that of the flange's link, on the wrist.
 """
 
-from pathlib import Path
-
-from trimesh import Trimesh
-
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, painted, write_meshes
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "blue": cad.paint(38, 104, 178, roughness=0.45),
     "dark": cad.paint(58, 61, 66, roughness=0.55),
     "steel": cad.paint(206, 209, 214, roughness=0.25, metallic=0.7),
 }
 FLANGE, TIP, RADIUS = 210.0, 510.0, 5.0
-Parts = dict[str, list[Trimesh]]
 
 
 def rod() -> Parts:
@@ -42,14 +37,8 @@ DRAWINGS = (rod,)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

@@ -5,14 +5,10 @@ the stretched arm lies along +x and the hand points up. The screws and rods that
 fixed to the links that carry them, and end at discs about the joints, so that they look joined at any angle.
 """
 
-from pathlib import Path
-
-import numpy as np
-from trimesh import Trimesh
-
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, both, merged, painted, write_meshes
+from helicoide.solids.lettering import on_both_sides
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "orange": cad.paint(233, 138, 36, roughness=0.5),
     "dark": cad.paint(52, 56, 62, roughness=0.55),
@@ -20,34 +16,6 @@ SURFACES = {
     "metal": cad.paint(198, 201, 206, roughness=0.35, metallic=0.6),
 }
 FLOOR, WAIST, UPPER_ARM, FOREARM = -600.0, -310.0, 400.0, 500.0
-SIDES: tuple[tuple[cad.Axis, int], ...] = (("-y", 1), ("y", -1))
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "L": [[(0, 6.5), (0, 0), (4, 0)]],
-    "M": [[(0, 0), (0, 6), (2, 2.4), (4, 6), (4, 0)]],
-    "N": [[(0, -0.5), (0, 6), (4, 0), (4, 6.5)]],
-    "O": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "T": [[(0, 6), (4, 6)], [(2, 6), (2, -0.5)]],
-    "3": [[(0, 6), (4, 6), (4, 0), (0, 0)], [(4, 3), (1, 3)]],
-    "-": [[(0.6, 3), (3.4, 3)]],
-}
-
-
-def both(solid: Trimesh) -> list[Trimesh]:
-    """The part and its mirror image on the other side of the arm."""
-    return [solid, cad.mirrored(solid)]
-
-
-def lettering(text: str, height: float, at: tuple[float, float, float]) -> list[Trimesh]:
-    """Raised letters centred on `at`, which is on the right side of the arm, and the same on its left side."""
-    unit = height / 6
-    offset = np.array([-(6.4 * len(text) - 2.4) / 2, -3])
-    strokes = [(np.array(s) + offset + (6.4 * i, 0)) * unit for i, c in enumerate(text) for s in STROKES[c]]
-    x, y, z = at
-    return [cad.letters(strokes, 0.9 * unit, 1.5, axis, (x, side * y, z)) for axis, side in SIDES]
 
 
 def hub(x: float, y: float, radius: float) -> Parts:
@@ -59,12 +27,6 @@ def hub(x: float, y: float, radius: float) -> Parts:
             *both(cad.bolts(cad.ring_of_points(6, 0.72 * radius, "-y", (x, -y - 6, 0)), 3, 2, "-y")),
         ],
     }
-
-
-def merged(*parts: Parts) -> Parts:
-    """The solids of several drawings by surface."""
-    together = {name: [solid for part in parts for solid in part.get(name, [])] for name in SURFACES}
-    return {name: solids for name, solids in together.items() if solids}
 
 
 # --- base and waist: frames at the height of the shoulder, on the vertical axis ---------------------------------------
@@ -105,7 +67,7 @@ def waist() -> Parts:
         ],
         "metal": [cad.cylinder(14, 262, axis="y", sides=24)],
     }
-    return merged(housing, hub(0, 104, 46), *[ball_screw(side) for side in (-1, 1)])
+    return merged(SURFACES, housing, hub(0, 104, 46), *[ball_screw(side) for side in (-1, 1)])
 
 
 def ball_screw(side: int) -> Parts:
@@ -145,13 +107,13 @@ def upper_arm() -> Parts:
         "orange": [plates],
         "metal": [
             *both(rod),
-            *lettering("L-3", 26, (128, -52, 0)),
+            *on_both_sides("L-3", 26, 1.5, (128, -52, 0)),
             cad.cylinder(20, 72, axis="y", at=(UPPER_ARM, 0, 0)),
         ],
         "dark": [solid for end in ends for solid in both(end)]
         + [solid for x in (0.0, UPPER_ARM) for solid in both(cad.cylinder(58, 9, edge=2, axis="y", at=(x, -57, 0)))],
     }
-    return merged(body, hub(UPPER_ARM, 61.5, 30))
+    return merged(SURFACES, body, hub(UPPER_ARM, 61.5, 30))
 
 
 def forearm() -> Parts:
@@ -172,10 +134,10 @@ def forearm() -> Parts:
         "dark": both(cad.raised(case, 6, edge=2, axis="-y", at=(0, -38, 0))),
         "metal": [
             *both(cad.bolts([(x, -44, 0) for x in (152, 440)], 3, 2, "-y")),
-            *lettering("MOTOMAN", 15, (290, -44, 0)),
+            *on_both_sides("MOTOMAN", 15, 1.5, (290, -44, 0)),
         ],
     }  # fmt: skip
-    return merged(body, hub(FOREARM, 44, 15))
+    return merged(SURFACES, body, hub(FOREARM, 44, 15))
 
 
 def wrist() -> Parts:
@@ -204,14 +166,8 @@ DRAWINGS = (base, waist, upper_arm, forearm, wrist, flange)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

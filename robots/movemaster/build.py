@@ -5,14 +5,13 @@ keeps within 65 mm of the lines between its joint centres (Cerbaro 2022, section
 the right of the machine, x to the right and z up.
 """
 
-from pathlib import Path
-
 import numpy as np
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, both, merged, painted, write_meshes
+from helicoide.solids.lettering import on_both_sides, word
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "ivory": cad.paint(236, 225, 196, roughness=0.5),
     "dark": cad.paint(64, 66, 70, roughness=0.55),
@@ -20,34 +19,6 @@ SURFACES = {
     "orange": cad.paint(232, 104, 30, roughness=0.6),
 }
 UPPER_ARM, FOREARM = 250.0, 200.0
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "E": [[(4, 0), (0, 0), (0, 6), (4, 6)], [(0, 3), (3.2, 3)]],
-    "M": [[(0, 0), (0, 6), (2, 2.4), (4, 6), (4, 0)]],
-    "O": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "R": [[(0, -0.5), (0, 6.5)], [(0, 6), (4, 6), (4, 3), (0, 3)], [(1.8, 3), (3.8, -0.4)]],
-    "S": [[(0, 0), (4, 0), (4, 3), (0, 3), (0, 6), (4, 6)]],
-    "T": [[(0, 6), (4, 6)], [(2, 6), (2, -0.5)]],
-    "V": [[(0, 6.4), (2, 0), (4, 6.4)]],
-    "2": [[(0, 6), (4, 6), (4, 3.2), (0, 2.8), (0, 0), (4, 0)]],
-    "-": [[(0.6, 3), (3.4, 3)]],
-}
-
-
-def both(solid: Trimesh) -> list[Trimesh]:
-    """The part and its mirror image on the other side of the arm."""
-    return [solid, cad.mirrored(solid)]
-
-
-def word(text: str, height: float, depth: float, axis: cad.Axis, at: tuple[float, float, float]) -> Trimesh:
-    """Raised lettering centred on `at`."""
-    unit = height / 6
-    offset = np.array([-(6.4 * len(text) - 2.4) / 2, -3])
-    strokes = [(np.array(s) + offset + (6.4 * i, 0)) * unit for i, c in enumerate(text) for s in STROKES[c]]
-    return cad.letters(strokes, 0.9 * unit, depth, axis, at)
 
 
 # --- base: frame on the bench, under the waist ----------------------------------------------------------------------
@@ -55,8 +26,7 @@ def word(text: str, height: float, depth: float, axis: cad.Axis, at: tuple[float
 
 def base() -> Parts:
     """Plinth, painted housing, bearing collar, name plate in front, side covers, connectors behind."""
-    halves = (base_housing(), base_covers(), base_rear())
-    return {surface: [solid for half in halves for solid in half.get(surface, [])] for surface in SURFACES}
+    return merged(SURFACES, base_housing(), base_covers(), base_rear())
 
 
 def base_housing() -> Parts:
@@ -169,8 +139,7 @@ def upper_arm() -> Parts:
     return {
         "ivory": [
             cad.cut(cad.prism(side, 92, edge=8, steps=2, axis="-y"), slot),
-            word("RV-M2", 16, 1.2, "-y", (140, -49.3, 4)),
-            word("RV-M2", 16, 1.2, "y", (140, 49.3, 4)),
+            *on_both_sides("RV-M2", 16, 1.2, (140, -49.3, 4)),
         ],
         "dark": [
             *both(cad.raised(strip, 3.5, edge=1.2, axis="-y", at=(0, -46, 0))),
@@ -287,14 +256,8 @@ DRAWINGS = (base, waist, shoulder, upper_arm, forearm, wrist, gripper, finger)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

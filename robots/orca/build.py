@@ -4,14 +4,12 @@ Each part is drawn in the frame of its link, which at q = 0 is parallel to the b
 lie one above the other, the gripper in the frame of the source, z = 0; the unit stands on a plate instead of its rail.
 """
 
-from pathlib import Path
-
 import numpy as np
-from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, both, painted, write_meshes
+from helicoide.solids.lettering import on_both_sides, word
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "cream": cad.paint(231, 226, 211, roughness=0.5),
     "dark": cad.paint(62, 64, 68, roughness=0.55),
@@ -20,27 +18,6 @@ SURFACES = {
 }
 FLOOR = -420.0
 UPPER_ARM, FOREARM = 245.0, 240.0
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "C": [[(4, 0), (0, 0), (0, 6), (4, 6)]],
-    "O": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "R": [[(0, -0.5), (0, 6.5)], [(0, 6), (4, 6), (4, 3), (0, 3)], [(1.8, 3), (3.8, -0.4)]],
-}
-
-
-def both(solid: Trimesh) -> list[Trimesh]:
-    """The part and its mirror image on the other side of the arm."""
-    return [solid, cad.mirrored(solid)]
-
-
-def word(height: float, axis: cad.Axis, at: tuple[float, float, float]) -> Trimesh:
-    """The name of the machine in raised letters centred on `at`."""
-    offset = np.array([-11.6, -3])
-    strokes = [(np.array(s) + offset + (6.4 * i, 0)) * height / 6 for i, c in enumerate("ORCA") for s in STROKES[c]]
-    return cad.letters(strokes, 0.16 * height, 2.4, axis, at)
 
 
 def base() -> Parts:
@@ -64,7 +41,7 @@ def base() -> Parts:
         "blue": [
             cad.turned([(58, -180), (58, -170)], sides=40),
             cad.box((8, 104, 4), at=(77.4, 0, -262)),
-            word(24, "x", (77.6, 0, -236)),
+            word("ORCA", 24, 2.4, "x", (77.6, 0, -236), pen=0.96),
         ],
         "metal": [
             cad.box((320, 280, 16), corner=18, edge=3, at=(0, 0, FLOOR + 8)),
@@ -81,8 +58,7 @@ def upper_arm() -> Parts:
     return {
         "cream": [
             cad.prism(side, 66, 8, 3, at=(0, 0, -122)),
-            word(14, "-y", (122, -49, -120)),
-            word(14, "y", (122, 49, -120)),
+            *on_both_sides("ORCA", 14, 2.4, (122, -49, -120), pen=0.96),
         ],
         "dark": [
             *both(strip),
@@ -157,14 +133,8 @@ DRAWINGS = (base, upper_arm, forearm, gripper, finger)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

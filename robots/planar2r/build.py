@@ -5,14 +5,12 @@ are drawn as they are; each bar is drawn 1000 mm long, and the URDF stretches it
 link lies above the first, in the frame of the source, z = 0, so that the arm folds freely.
 """
 
-from pathlib import Path
-
 import numpy as np
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, painted, write_meshes
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "aluminium": cad.paint(206, 209, 212, roughness=0.38, metallic=0.5),
     "teal": cad.paint(0, 128, 122, roughness=0.55),
@@ -24,7 +22,6 @@ FLOOR = -720.0
 LOWER, UPPER = -92.0, 0.0  # heights of the middles of the two bars
 BARS = (80.0, 60.0)  # their sections
 UNIT = 1000.0
-Parts = dict[str, list[Trimesh]]
 
 
 def slotted(width: float) -> cad.Array:
@@ -134,14 +131,8 @@ DRAWINGS = (base, shoulder, tube1, elbow_seat, elbow, tube2)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

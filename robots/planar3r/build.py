@@ -5,13 +5,11 @@ the length of its link. The links lie one above the other, so that the arm folds
 lies in the last.
 """
 
-from pathlib import Path
-
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, painted, write_meshes
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "white": cad.paint(226, 230, 234, roughness=0.45),
     "dark": cad.paint(52, 58, 66, roughness=0.5),
@@ -22,7 +20,6 @@ FLOOR = -950.0
 LEVELS = ((-262.0, -152.0), (-137.0, -47.0), (-35.0, 35.0))  # lower and upper side of each link
 WIDTHS = (150.0, 116.0, 84.0)
 UNIT = 1000.0
-Parts = dict[str, list[Trimesh]]
 
 
 def disc(radius: float, low: float, high: float, edge: float = 8.0) -> Trimesh:
@@ -129,14 +126,8 @@ DRAWINGS = (base, shoulder, tube1, elbow_seat, elbow, tube2, wrist_seat, wrist, 
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

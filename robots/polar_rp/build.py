@@ -4,14 +4,12 @@ A turret on a column carries a housing through which the ram slides; the ram's p
 points along y, and the ram's frame, with the tool, is on the axis of the turret. Side views are drawn as seen along x.
 """
 
-from pathlib import Path
-
 import numpy as np
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, painted, write_meshes
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "sand": cad.paint(226, 218, 200, roughness=0.5),
     "green": cad.paint(46, 110, 70, roughness=0.5),
@@ -21,7 +19,6 @@ SURFACES = {
 FLOOR = -560.0
 FRONT, REAR = 215.0, -215.0  # ends of the housing along the slide
 RAM = 690.0
-Parts = dict[str, list[Trimesh]]
 
 
 def base() -> Parts:
@@ -108,14 +105,8 @@ DRAWINGS = (base, turret, ram)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

@@ -6,14 +6,13 @@ whose plane the source puts joints 2 to 6. Side views are drawn as seen from the
 is -x, unless they say otherwise.
 """
 
-from pathlib import Path
-
 import numpy as np
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, painted, write_meshes
+from helicoide.solids.lettering import word
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "white": cad.paint(188, 189, 185, roughness=0.5),
     "grey": cad.paint(104, 108, 114, roughness=0.5),
@@ -24,32 +23,7 @@ SURFACES = {
 UPPER_ARM, JOG = 431.8, 20.3
 FLOOR = -672.0
 SIDE = 93.4  # the middle of the upper arm lies so far outside of the forearm's
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "I": [[(2, -0.5), (2, 6.5)]],
-    "M": [[(0, 0), (0, 6), (2, 2.4), (4, 6), (4, 0)]],
-    "N": [[(0, -0.5), (0, 6), (4, 0), (4, 6.5)]],
-    "O": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "P": [[(0, -0.5), (0, 6.5)], [(0, 6), (4, 6), (4, 3), (0, 3)]],
-    "T": [[(0, 6), (4, 6)], [(2, 6), (2, -0.5)]],
-    "U": [[(0, 6.5), (0, 0), (4, 0), (4, 6.5)]],
-    "5": [[(4, 6), (0, 6), (0, 3.2), (4, 3.2), (4, 0), (0, 0)]],
-    "6": [[(4, 6), (0, 6), (0, 0)], [(0, 0), (4, 0), (4, 3), (0, 3)]],
-    "0": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    " ": [],
-}
-
-
-def word(text: str, height: float, axis: cad.Axis, at: tuple[float, float, float], upright: bool = True) -> Trimesh:
-    """Raised lettering centred on `at`, along u, or downwards when not upright."""
-    unit, start = height / 6, -(6.4 * len(text) - 2.4) / 2
-    strokes = [np.add(s, [start + 6.4 * i, -3]) * unit for i, c in enumerate(text) for s in STROKES[c]]
-    if not upright:
-        strokes = [np.column_stack([s[:, 1], -s[:, 0]]) for s in strokes]
-    return cad.letters(strokes, 1.15 * unit, 0.8, axis, at)
+PEN = 1.15  # width of the lines of the lettering
 
 
 # --- trunk: frame at the shoulder, on the axis of the waist ----------------------------------------------------------
@@ -78,7 +52,7 @@ def base() -> Parts:
         ],
         "metal": [
             cad.bolts(corners, 9, 8, "z"),
-            word("PUMA 560", 21, "x", (84, 0, -340), upright=False),
+            word("PUMA 560", 21, 0.8, "x", (84, 0, -340), PEN, upright=False),
             cad.bolts(cad.ring_of_points(12, 81.5, "z", (0, 0, -174)), 2.6, 4, "z"),
         ],
     }
@@ -114,7 +88,7 @@ def shoulder() -> Parts:
             cad.turned([(78.6, -140), (78.6, -134)], sides=48),
             cad.turned([(58, 116), (58, 121), (55, 124)], axis="-y"),
         ],
-        "blue": [word("UNIMATION", 12, "x", (95.4, 0, 0))],
+        "blue": [word("UNIMATION", 12, 0.8, "x", (95.4, 0, 0), PEN)],
         "metal": [
             cad.bolts(cad.ring_of_points(8, 67, "-y", (0, -116, 0), phase=0.5), 3.5, 5, "-y"),
             cad.bolts(cad.ring_of_points(6, 46, "-y", (0, -124, 0)), 3, 2.5, "-y"),
@@ -146,7 +120,7 @@ def upper_arm() -> Parts:
         ],
         "blue": [
             cad.raised(cad.rectangle(236, 5), 0.8, axis="y", at=(188, outside + 5, -26)),
-            word("UNIMATION", 30, "y", (188, outside + 5, 6)),
+            word("UNIMATION", 30, 0.8, "y", (188, outside + 5, 6), PEN),
         ],
         "metal": [
             cad.bolts(screws, 4, 2.5, "y"),
@@ -171,7 +145,7 @@ def forearm() -> Parts:
         ],
         "grey": [cad.turned([(50, 36), (50, 46)], axis="y", sides=40)],
         "black": [cad.turned([(19, 0), (19, 26), (15, 30)], at=at, sides=24) for at in motors],
-        "blue": [word("PUMA", 22, "-y", (8, -41, -120), upright=False)],
+        "blue": [word("PUMA", 22, 0.8, "-y", (8, -41, -120), PEN, upright=False)],
         "metal": [
             cad.turned([(34, -344), (34, -352)], at=(JOG, 0, 0), sides=40),
             cad.raised(cad.circle(30), 4, edge=1.5, axis="-y", at=(0, -41, 0)),
@@ -226,14 +200,8 @@ DRAWINGS = (base, shoulder, upper_arm, forearm, wrist, hand, flange)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

@@ -4,14 +4,12 @@ Each part is drawn in the frame of its link, which at q = 0 is parallel to the b
 above the table. The hose runs from the first axis to the second, so that it turns with the inner arm alone.
 """
 
-from pathlib import Path
-
 import numpy as np
-from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, both, painted, write_meshes
+from helicoide.solids.lettering import on_both_sides
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "white": cad.paint(240, 241, 240, roughness=0.45),
     "dark": cad.paint(58, 62, 68, roughness=0.55),
@@ -20,27 +18,6 @@ SURFACES = {
     "table": cad.paint(176, 182, 188, roughness=0.5, metallic=0.3),
 }
 INNER, OUTER, TOOL = 325.0, 225.0, -110.0
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "C": [[(4, 0), (0, 0), (0, 6), (4, 6)]],
-    "R": [[(0, -0.5), (0, 6.5)], [(0, 6), (4, 6), (4, 3), (0, 3)], [(1.8, 3), (3.8, -0.4)]],
-    "S": [[(0, 0), (4, 0), (4, 3), (0, 3), (0, 6), (4, 6)]],
-}
-
-
-def both(solid: Trimesh) -> list[Trimesh]:
-    """The part and its mirror image on the other side of the arm."""
-    return [solid, cad.mirrored(solid)]
-
-
-def word(height: float, axis: cad.Axis, at: tuple[float, float, float]) -> Trimesh:
-    """The kind of arm in raised letters centred on `at`."""
-    offset = np.array([-14.8, -3])
-    strokes = [(np.array(s) + offset + (6.4 * i, 0)) * height / 6 for i, c in enumerate("SCARA") for s in STROKES[c]]
-    return cad.letters(strokes, 0.15 * height, 1.5, axis, at)
 
 
 def base() -> Parts:
@@ -112,8 +89,7 @@ def outer_arm() -> Parts:
             cad.stacked([(cover, 20), *rim]),
         ],
         "dark": [
-            word(18, "-y", (64, -49.5, 58)),
-            word(18, "y", (64, 49.5, 58)),
+            *on_both_sides("SCARA", 18, 1.5, (64, -49.5, 58)),
             cad.turned([(34, 22), (34, 58), (28, 64)], at=(OUTER, 0, 0), sides=40),
             cad.turned([(28, -35), (28, -42), (24, -45)][::-1], at=(OUTER, 0, 0), sides=40),
             cad.turned([(24, 100), (24, 112), (17, 118)], sides=32),
@@ -155,14 +131,8 @@ DRAWINGS = (base, inner_arm, outer_arm, quill, spindle)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

@@ -5,14 +5,13 @@ arm points along x, the forearm stands upright. The forearm and the hand are nar
 plates of the upper arm. Side views are drawn as seen from the right (axis -y), x to the right and z up.
 """
 
-from pathlib import Path
-
 import numpy as np
 from trimesh import Trimesh
 
 from helicoide import solids as cad
+from helicoide.solids.drawing import Parts, both, painted, write_meshes
+from helicoide.solids.lettering import on_both_sides, word
 
-MESHES = Path(__file__).parent / "meshes"
 SURFACES = {
     "black": cad.paint(50, 52, 56, roughness=0.55),
     "grey": cad.paint(112, 116, 122, roughness=0.5),
@@ -22,30 +21,7 @@ SURFACES = {
 }
 UPPER_ARM, TOOL = 279.4, 165.0
 FLOOR = -280.0
-Parts = dict[str, list[Trimesh]]
-
-# Letters on a grid 4 wide and 6 high, drawn with a square pen.
-STROKES: dict[str, list[list[tuple[float, float]]]] = {
-    "A": [[(0, 0), (2, 6), (4, 0)], [(0.8, 2), (3.2, 2)]],
-    "B": [[(0, -0.5), (0, 6.5)], [(0, 6), (3.6, 6), (3.6, 3)], [(0, 3), (4, 3), (4, 0), (0, 0)]],
-    "E": [[(4, 0), (0, 0), (0, 6), (4, 6)], [(0, 3), (3.2, 3)]],
-    "O": [[(2, 0), (0, 0), (0, 6), (2, 6)], [(2, 6), (4, 6), (4, 0), (2, 0)]],
-    "R": [[(0, -0.5), (0, 6.5)], [(0, 6), (4, 6), (4, 3), (0, 3)], [(1.8, 3), (3.8, -0.4)]],
-    "Z": [[(0, 6), (4, 6), (0, 0), (4, 0)]],
-    "-": [[(0.6, 3), (3.4, 3)]],
-}
-
-
-def both(solid: Trimesh) -> list[Trimesh]:
-    """The part and its mirror image on the other side of the arm."""
-    return [solid, cad.mirrored(solid)]
-
-
-def word(text: str, height: float, axis: cad.Axis, at: tuple[float, float, float]) -> Trimesh:
-    """Raised lettering centred on `at`."""
-    unit, start = height / 6, -(6.4 * len(text) - 2.4) / 2
-    strokes = [np.add(s, [start + 6.4 * i, -3]) * unit for i, c in enumerate(text) for s in STROKES[c]]
-    return cad.letters(strokes, 1.15 * unit, 0.6, axis, at)
+PEN = 1.15  # width of the lines of the lettering
 
 
 def stripes(count: int, height: float, axis: cad.Axis, at: tuple[float, float, float]) -> list[Trimesh]:
@@ -76,7 +52,7 @@ def base() -> Parts:
         ],
         "white": [
             *stripes(11, 10, "x", (106, 0, FLOOR + 34)),
-            word("ZEBRA-ZERO", 16, "x", (106, 0, FLOOR + 62)),
+            word("ZEBRA-ZERO", 16, 0.6, "x", (106, 0, FLOOR + 62), PEN),
         ],
         "red": [cad.turned([(9, 0), (9, 7), (7, 9)], axis="-x", at=(-108, 50, FLOOR + 50), sides=20)],
         "metal": [
@@ -126,8 +102,7 @@ def upper_arm() -> Parts:
             *both(cad.raised(cad.circle(23), 4, edge=1.5, axis="-y", at=elbow)),
         ],
         "white": [
-            word("ZEBRA", 16, "-y", (92, -39.5, 0)),
-            word("ZEBRA", 16, "y", (92, 39.5, 0)),
+            *on_both_sides("ZEBRA", 16, 0.6, (92, -39.5, 0), PEN),
             *stripes(6, 40, "z", (86, 0, 28)),
         ],
         "metal": [
@@ -205,14 +180,8 @@ DRAWINGS = (base, turret, upper_arm, forearm, wrist, hand, gripper)
 
 def files() -> dict[str, bytes]:
     """The GLB of every drawing, by file name."""
-    painted = {
-        drawing.__name__: {surface: (SURFACES[surface], solids) for surface, solids in drawing().items()}
-        for drawing in DRAWINGS
-    }
-    return {f"{name}.glb": cad.glb(parts, unit=0.001) for name, parts in painted.items()}
+    return painted(DRAWINGS, SURFACES)
 
 
 if __name__ == "__main__":
-    MESHES.mkdir(exist_ok=True)
-    for name, data in files().items():
-        (MESHES / name).write_bytes(data)
+    write_meshes(__file__, files())

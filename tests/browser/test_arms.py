@@ -42,9 +42,9 @@ def page(browser: Browser, lab: Lab) -> Iterator[Page]:
         yield page
 
 
-@pytest.fixture(params=NAMES)
+@pytest.fixture(scope="module", params=NAMES)
 def arm(request: pytest.FixtureRequest, lab: Lab, page: Page) -> State:
-    """The page with an arm of its list, at `ready`."""
+    """The page with an arm of its list; the state at `ready`, from which its tests then move on."""
     name: str = request.param
     page.get_by_label("Arm", exact=True).click()
     page.get_by_role("option", name=titles()[name].en, exact=True).click()

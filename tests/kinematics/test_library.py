@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from tests.kinematics.urdfs import write
 
 from helicoide import content
 from helicoide.kinematics import library
-from helicoide.kinematics.library import PACKAGES, load, names, packaged, titles
+from helicoide.kinematics.library import PACKAGES, load, names, packaged, titles, welcome
 from helicoide.text import HelicoideError, Text
 
 
@@ -41,7 +42,20 @@ def test_a_broken_folder_has_no_title(tmp_path: Path, monkeypatch: pytest.Monkey
     (tmp_path / "robot.toml").write_text("broken", "utf-8")
     folders = {"broken": tmp_path, "movemaster": content.folder("robots", "movemaster")}
     monkeypatch.setattr(content, "found", lambda kind: folders)
-    assert list(titles.__wrapped__()) == ["movemaster"]
+    monkeypatch.setattr(library, "_titles_of_folders", library._titles_of_folders.__wrapped__)
+    assert list(titles()) == ["movemaster"]
+
+
+def test_a_guest_is_had_by_its_name_and_title(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(library, "_guests", {})
+    long = load("planar3r", settings=["l1=3000"])
+    welcome(long)
+    assert load("planar3r") is long
+    assert load("planar3r", settings=["l1=2000"]) is not long
+    guest = replace(load(str(write(tmp_path))), title=load("movemaster").title)
+    welcome(guest)
+    assert titles()[guest.name].en == f"{guest.title.en} ({guest.name})"
+    assert len(set(titles().values())) == len(titles())
 
 
 def test_packaged_names_are_plain() -> None:

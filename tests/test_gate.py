@@ -11,8 +11,9 @@ from tests.driving import after, at, beside, turning_z_to
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
-from helicoide.state import GetReady, Hold, Park, State, ToPose, Update
+from helicoide.state import GetReady, Hold, Park, State, ToPose, Update, initial
 
 NAN, INF = float("nan"), float("inf")
 UP = [1.0, 0.0, 0.0, 0.0]
@@ -248,3 +249,11 @@ def test_a_stop_on_the_way_home_holds_there_and_ready_leads_back(state: State) -
     np.testing.assert_array_equal(back.q, back.robot.poses["ready"])
     home = after(gate.park()(state), 10)
     np.testing.assert_array_equal(home.q, home.robot.poses["home"])
+
+
+def test_an_arm_without_planes_does_not_park() -> None:
+    start = initial(load("orca"))
+    refused = gate.park()(start)
+    assert refused.notice == gate.NO_PARKING
+    assert refused.command is start.command
+    assert not isinstance(gate.go_to("home")(start).command, Park)

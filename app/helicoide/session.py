@@ -181,8 +181,9 @@ class Session:
         try:
             robot = await asyncio.to_thread(load, robot_name)
             drawn = await asyncio.to_thread(shapes.load, robot)
-        except HelicoideError as refusal:
-            words = refusal.text
+        except Exception as error:
+            log.warning("%s was not put up", robot_name, exc_info=not isinstance(error, HelicoideError))
+            words = error.text if isinstance(error, HelicoideError) else FAILED
             self.post(lambda state: replace(state, notice=words))
             return
         if robot_name == self._wanted:

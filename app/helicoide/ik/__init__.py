@@ -26,12 +26,26 @@ class Limits:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What an arm may do here: its geometry, its limits, the planes around it."""
+    """What an arm may do here: its geometry, its limits, the planes around it.
+
+    scale: the characteristic length ℓ, m, where it is not the arm's reach: weights, gains and damping depend on it.
+    """
 
     robot: Robot
     limits: Limits
     planes: Planes
     zones: Zones = field(default_factory=Zones)
+    scale: float | None = None
+
+    @property
+    def length(self) -> float:
+        """The characteristic length ℓ, m."""
+        return self.robot.reach if self.scale is None else self.scale
+
+    @cached_property
+    def joint_units(self) -> Array:
+        """What a rate without unit stands for in each joint, (n,): 1 rad, or ℓ where it slides."""
+        return frozen([self.length if joint.slides else 1.0 for joint in self.robot.variables])
 
     @cached_property
     def arm(self) -> tuple[Chain, Array, NDArray[np.int64]]:

@@ -1,0 +1,138 @@
+"""Closed-loop inverse kinematics: the error of the tool, fed back, asks for a velocity; a method answers with rates.
+
+    ν = ẋ_d + Λ e,   q̇ = method(J, ν) + (I − J† J) q̇₀,   q ← q + q̇ Δt
+
+Source: Vargas 2013, eqs. 2.33–2.51; Cerbaro 2022, §4.4.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+
+from helicoide.geometry import rotation
+from helicoide.ik import Problem
+from helicoide.ik.method import Method, Solution, Task
+from helicoide.ik.task import rotation_vector
+from helicoide.kinematics import jacobian
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.manipulability import analysed
+
+OrientationError = Literal["rotation vector", "quaternion"]
+STILL = frozen(np.zeros(6))
+
+
+@dataclass(frozen=True, eq=False)
+class Aim:
+    """What is wished at one posture and instant, without lengths (see `method.Task`).
+
+    J (r, n); error: e (r,); ahead: velocity ẋ_d of what is aimed at, (r,), 1/s.
+    """
+
+    J: Array
+    error: Array
+    ahead: Array
+
+
+Aiming = Callable[[Array, float], Aim]
+
+
+def quaternion_error(R_target: Array, R_tool: Array) -> Array:
+    """Vector part of Q_d * Q_e⁻¹, the shorter way round, world frame: sin(ϑ/2) a, about half the angle.
+
+    Args: rotations (3, 3). Source: Vargas 2013, eqs. 2.40–2.43; the sign is turned where Δη < 0.
+    """
+    vector: Array = rotation.from_matrix(R_target @ R_tool.T)[1:]
+    return vector
+
+
+def tool_aim(
+    problem: Problem,
+    poses: Array,
+    T_world_target: Array,
+    with_orientation: bool,
+    ahead: Array = STILL,
+    measure: OrientationError = "rotation vector",
+) -> Aim:
+    """Bring the tool to a pose: rows position over ℓ, then orientation where it counts.
+
+    Args: poses (m + 1, 4, 4) of `forward.link_poses`; T_world_target (4, 4), m; ahead: (v, ω) of the target, (6,),
+    m/s and rad/s; measure: of the error of orientation.
+    """
+    chain, length = problem.robot.chain, problem.length
+    T = poses[-1] @ problem.robot.T_link_tool
+    J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), T[:3, 3].copy(), len(chain))
+    J *= problem.joint_units
+    J[:3] /= length
+    rows = 6 if with_orientation else 3
+    error = np.zeros(rows)
+    error[:3] = (T_world_target[:3, 3] - T[:3, 3]) / length
+    if with_orientation:
+        turned = rotation_vector if measure == "rotation vector" else quaternion_error
+        error[3:] = turned(T_world_target[:3, :3].copy(), T[:3, :3].copy())
+    return Aim(J[:rows], error, (ahead / ([length] * 3 + [1.0] * 3))[:rows])
+
+
+def to_pose(problem: Problem, T_world_target: Array, with_orientation: bool = True) -> Aiming:
+    """Aim at a pose that stands still, (4, 4), m."""
+    return lambda q, t: tool_aim(problem, link_poses(problem.robot.chain, q), T_world_target, with_orientation)
+
+
+def asked(aim: Aim, gains: Array | float, q: Array, dt: float) -> Task:
+    """The task of an aim: ν = ẋ_d + Λ e. Args: gains: Λ, 1/s, one for all rows or (r,)."""
+    return Task(q, aim.J, aim.ahead + gains * aim.error, dt)
+
+
+def answered(
+    problem: Problem, method: Method, task: Task, memory: Any, options: Any, push: Array | None = None
+) -> tuple[Solution, Any]:
+    """The method's answer with a joint motion q̇₀ (n,) added that the task does not feel: q̇ + (I − J† J) q̇₀.
+
+    Source: Cerbaro 2022, eq. 9; Vargas 2013, eq. 2.51.
+    """
+    solution, memory = method.step(problem, task, memory, options)
+    if push is None:
+        return solution, memory
+    return replace(solution, rates=solution.rates + analysed(task.J).null_projector @ push), memory
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """One step of a run: time, s; q (n,) before it; what was aimed at; what was answered; the memory after it."""
+
+    t: float
+    q: Array
+    aim: Aim
+    solution: Solution
+    memory: Any
+
+
+def followed(
+    problem: Problem,
+    method: Method,
+    options: Any,
+    aiming: Aiming,
+    gains: Array | float,
+    q: Array,
+    dt: float,
+    push: Callable[[Array, float], Array] | None = None,
+    memory: Any = None,
+) -> Iterator[Moment]:
+    """The closed loop from q (n,), without any guard, step after step and without end; explicit Euler in q.
+
+    push: q̇₀ at q and t, (n,); memory: of the method, where it is not to begin with its own.
+    """
+    t = 0.0
+    while True:
+        aim = aiming(q, t)
+        task = asked(aim, gains, q, dt)
+        if memory is None:
+            memory = method.start(task, options)
+        solution, memory = answered(problem, method, task, memory, options, push and push(q, t))
+        yield Moment(t, q, aim, solution, memory)
+        q = q + problem.joint_units * solution.rates * dt
+        t += dt

@@ -1,0 +1,1 @@
+"""Secondary objectives, a file each: what the joints do with the freedom that the task leaves them."""

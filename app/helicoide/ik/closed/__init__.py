@@ -1,0 +1,23 @@
+"""Closed forms, a file for each family of arms; `branch.Form` says what such a file holds."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from functools import cache
+from typing import cast
+
+from helicoide.ik.branch import Form
+from helicoide.kinematics.robot import Robot
+
+
+@cache
+def found() -> dict[str, Form]:
+    """Every closed form by the name of its file."""
+    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
+    return {name: cast(Form, importlib.import_module(f"{__name__}.{name}")) for name in names}
+
+
+def of(robot: Robot) -> dict[str, Form]:
+    """The closed forms that apply to a robot."""
+    return {name: form for name, form in found().items() if form.applies(robot) is None}

@@ -57,4 +57,4 @@ class Form(Protocol):
         """Why the form does not apply to a robot; None where it does."""
 
     def solve(self, robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-        """Every posture for a tool pose (4, 4), m; q (n,), rad or m: the current posture, kept where a joint is free."""
+        """Every posture for a tool pose (4, 4), m; q (n,), rad or m: kept where a joint is free."""

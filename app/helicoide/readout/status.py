@@ -1,4 +1,4 @@
-"""What a State says of itself: named multivectors, distances, and the status in words."""
+"""What the arm does, or why it does not, in words."""
 
 from __future__ import annotations
 
@@ -7,101 +7,17 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.confinement import Zone
-from helicoide.geometry import rigid
-from helicoide.geometry.clifford import CL031
 from helicoide.ik import AtLimit, Contact
 from helicoide.ik.goal import Goal
-from helicoide.kinematics.chain import Array
+from helicoide.readout.distances import distances_of
 from helicoide.state import Along, GetReady, Hold, Park, State, points_on
 from helicoide.text import Text
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]
+
 SHORT = 1e-3
+
 TURNED = np.radians(1.0)
-
-
-@dataclass(frozen=True, eq=False)
-class Reading:
-    """A multivector of the scene: a key that names its object, a title, a symbol in TeX, 16 coefficients (m)."""
-
-    key: str
-    title: Text
-    symbol: str
-    values: Array
-
-
-def readings(state: State) -> list[Reading]:
-    """Tool motor, joint lines, planes and guarded points as multivectors of Cl(0,3,1)."""
-    return [_tool(state), *_lines(state), *_planes(state), *_points(state)]
-
-
-def _tool(state: State) -> Reading:
-    motor = rigid.canonical(rigid.motor_from_pose(state.T_world_tool))
-    return Reading("tool", Text(en="tool motor", pt_BR="motor do efetuador"), "M", motor)
-
-
-def _lines(state: State) -> list[Reading]:
-    title = Text(en="axis of joint {n} ({joint})", pt_BR="eixo da junta {n} ({joint})")
-    return [
-        Reading(
-            f"joint {i}",
-            title.format(n=i + 1, joint=joint.title),
-            rf"\ell_{i + 1}",
-            rigid.line(state.axes[i], state.poses[i + 1, :3, 3]),
-        )
-        for i, joint in enumerate(state.robot.joints)
-    ]
-
-
-def _planes(state: State) -> list[Reading]:
-    planes, title = state.problem.planes, Text(en="plane {name} ({pane})", pt_BR="plano {name} ({pane})")
-    return [
-        Reading(
-            f"plane {k}",
-            title.format(name=pane.name, pane=pane.title),
-            rf"\pi_{{{pane.name}}}",
-            rigid.plane(planes.normals[k], planes.offsets[k]),
-        )
-        for k, pane in enumerate(state.robot.panes)
-    ]
-
-
-def _points(state: State) -> list[Reading]:
-    title = Text(en="point: {point}", pt_BR="ponto: {point}")
-    return [
-        Reading(f"point {j}", title.format(point=point.title), rf"p_{j + 1}", rigid.point(state.guarded_points[j]))
-        for j, point in enumerate(state.robot.guarded)
-    ]
-
-
-def distance_product(state: State, point: int, plane: int) -> Array:
-    """πp − pπ = 2 l e1e2e3e of a guarded point and a plane, (16,), m. Source: Cerbaro 2022, eq. 19."""
-    pi = rigid.plane(state.problem.planes.normals[plane], state.problem.planes.offsets[plane])
-    p = rigid.point(state.guarded_points[point])
-    return np.subtract(CL031.product(pi, p), CL031.product(p, pi))
-
-
-def plane_distances(state: State) -> Array:
-    """Distances of every guarded point to every plane, (m, k), m."""
-    return _distances(state, state.guarded_points)
-
-
-def _distances(state: State, points: Array) -> Array:
-    planes = state.problem.planes
-    return np.asarray(points @ planes.normals.T - planes.offsets)
-
-
-def nearest(state: State) -> Contact:
-    """The guarded point and the plane that are closest to each other."""
-    table = plane_distances(state)
-    point, plane = np.unravel_index(np.argmin(table), table.shape)
-    return Contact(int(plane), int(point))
-
-
-def zones(state: State) -> tuple[Zone, ...]:
-    """The zone of each plane: that of the guarded point nearest to it."""
-    return tuple(state.problem.zones.of(float(least)) for least in plane_distances(state).min(axis=0))
 
 
 @dataclass(frozen=True)
@@ -215,7 +131,7 @@ def _held_back(state: State, goal: Goal) -> Text:
 
 def _distance_at(state: State, goal: Goal, contact: Contact) -> float:
     """The distance of a contact's point to its plane at the goal, m."""
-    return float(_distances(state, points_on(state.robot, goal.poses))[contact.point, contact.plane])
+    return float(distances_of(state, points_on(state.robot, goal.poses))[contact.point, contact.plane])
 
 
 def _misaligned(state: State, goal: Goal) -> Text:

@@ -1,0 +1,71 @@
+"""What every wish is held to: finite numbers, a pose that is one, an arm that may move."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.geometry import rotation
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.state import State, Update
+from helicoide.text import HelicoideError, Text
+
+LATCH = 0.5
+FARTHEST = 3.7
+PARKED = Text(
+    en="The arm is parked with its planes off: press Ready first.",
+    pt_BR="O braço está estacionado, com os planos desligados: aperte Pronto primeiro.",
+)
+NOT_A_NUMBER = Text(en="That is not a finite number.", pt_BR="Isso não é um número finito.")
+
+
+def finite(values: ArrayLike, shape: tuple[int, ...]) -> Array:
+    """The values as an array of that shape; raises HelicoideError unless all are finite numbers."""
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise HelicoideError(NOT_A_NUMBER) from error
+    if array.shape != shape or not np.isfinite(array).all():
+        raise HelicoideError(NOT_A_NUMBER)
+    return frozen(array)
+
+
+def checked(wish: Update) -> Update:
+    """The wish, or the same state with the reason why not."""
+
+    def update(state: State) -> State:
+        try:
+            return wish(state)
+        except HelicoideError as refusal:
+            return replace(state, notice=refusal.text)
+
+    return update
+
+
+def driven(wish: Update) -> Update:
+    """A wish that moves the arm: refused while it is parked."""
+
+    def update(state: State) -> State:
+        if state.parked:
+            raise HelicoideError(PARKED)
+        return wish(state)
+
+    return checked(update)
+
+
+def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
+    """T (4, 4), m, from a position and a quaternion; raises HelicoideError unless both are finite and make a pose."""
+    p, q, far = finite(position, (3,)), finite(wxyz, (4,)), FARTHEST * state.robot.reach
+    if np.abs(p).max() > far or np.abs(q).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
+        raise HelicoideError(
+            Text(
+                en="The target must lie within {far:.1f} m of the base and have an orientation.",
+                pt_BR="O alvo deve ficar a até {far:.1f} m da base e ter uma orientação.",
+            ).format(far=far)
+        )
+    T = np.eye(4)
+    T[:3, :3] = rotation.to_matrix(q / np.linalg.norm(q))
+    T[:3, 3] = p
+    return frozen(T)

@@ -1,0 +1,106 @@
+"""Joints, named postures and the gripper, and the way home with the planes off."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from helicoide.gate.check import LATCH, checked, driven, finite
+from helicoide.kinematics.chain import frozen
+from helicoide.state import GetReady, Hold, Park, State, ToJoints, Update, commanded
+from helicoide.text import HelicoideError, Text
+
+NO_PARKING = Text(
+    en="This arm has no planes to park out of.",
+    pt_BR="Este braço não tem planos dos quais sair para estacionar.",
+)
+
+
+def set_joint(index: int, angle: float) -> Update:
+    """One joint from its slider or number box, rad or m; ignored right after a stop, until the hand has let go."""
+
+    def wish(state: State) -> State:
+        if state.t < state.latched:
+            return replace(state, latched=state.t + LATCH)
+        (value,) = finite([angle], (1,))
+        if index not in range(len(state.q)):
+            raise HelicoideError(
+                Text(en="There are joints 1 to {n}.", pt_BR="Há juntas de 1 a {n}.").format(n=len(state.q))
+            )
+        limits = state.problem.limits
+        if not limits.lower[index] - 1e-6 <= value <= limits.upper[index] + 1e-6:
+            raise HelicoideError(_outside(state, index))
+        goal = state.command.q if isinstance(state.command, ToJoints) else state.q
+        q = goal.copy()
+        q[index] = min(max(value, limits.lower[index]), limits.upper[index])
+        return commanded(state, ToJoints(frozen(q), yielding=index))
+
+    return driven(wish)
+
+
+def _outside(state: State, index: int) -> Text:
+    joint, limits = state.robot.variables[index], state.problem.limits
+    scale, unit = (1000.0, " mm") if joint.slides else (180 / np.pi, "°")
+    return Text(
+        en="Joint {n} ({title}) takes {lower:.0f}{unit} to {upper:.0f}{unit}.",
+        pt_BR="A junta {n} ({title}) aceita de {lower:.0f}{unit} a {upper:.0f}{unit}.",
+    ).format(
+        n=index + 1,
+        title=joint.title,
+        lower=scale * limits.lower[index],
+        upper=scale * limits.upper[index],
+        unit=unit,
+    )
+
+
+def go_to(name: str) -> Update:
+    """A named posture of the robot; with planes `home` is parking, and `ready` is getting ready."""
+
+    def wish(state: State) -> State:
+        poses = state.robot.poses
+        if name not in poses:
+            raise HelicoideError(
+                Text(
+                    en="There is no pose {name!r}; there is: {known}.",
+                    pt_BR="Não existe a pose {name!r}; existe: {known}.",
+                ).format(name=name, known=", ".join(poses))
+            )
+        return commanded(state, ToJoints(poses[name]))
+
+    def update(state: State) -> State:
+        parking = name == "home" and state.robot.panes
+        return park()(state) if parking else driven(wish)(state)
+
+    return get_ready() if name == "ready" else update
+
+
+def park() -> Update:
+    """To `ready` inside the planes, then home with the planes off."""
+
+    def wish(state: State) -> State:
+        if not state.robot.panes:
+            raise HelicoideError(NO_PARKING)
+        return commanded(replace(state, grasp=None), Park())
+
+    return checked(wish)
+
+
+def get_ready() -> Update:
+    """To `ready`; from home with the planes off."""
+    return lambda state: commanded(replace(state, grasp=None), GetReady())
+
+
+def set_gripper(opening: float) -> Update:
+    """The gripper, 0 closed to 1 open."""
+
+    def wish(state: State) -> State:
+        if state.t < state.latched:
+            return replace(state, latched=state.t + LATCH)
+        (value,) = finite([opening], (1,))
+        if not 0.0 <= value <= 1.0:
+            raise HelicoideError(Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %."))
+        released = Hold() if state.command == Hold(stopped=True) else state.command
+        return replace(state, gripper_target=value, command=released)
+
+    return checked(wish)

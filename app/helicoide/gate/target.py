@@ -1,0 +1,47 @@
+"""The target of the tool: dragged, or set by numbers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Literal
+
+from numpy.typing import ArrayLike
+
+from helicoide.gate.check import driven, pose
+from helicoide.ik.goal import best_goal
+from helicoide.kinematics.chain import Array
+from helicoide.state import Grasp, State, ToPose, Update, commanded
+
+Phase = Literal["start", "update", "end"]
+
+
+def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -> Update:
+    """The target gizmo: held from start to end; at the end it comes to rest on the accepted goal."""
+
+    def wish(state: State) -> State:
+        T = pose(state, position, wxyz)
+        if phase == "start":
+            state = replace(state, grasp=Grasp(seat, "target"))
+        if state.grasp != Grasp(seat, "target"):
+            return state
+        state = commanded(state, ToPose(T))
+        return _released(state, T) if phase == "end" else state
+
+    return driven(wish)
+
+
+def _released(state: State, T_world_target: Array) -> State:
+    """The target let go: kept where another posture reaches it, else moved to the nearest that the arm can do."""
+    goal, detour = best_goal(state.problem, state.q, T_world_target, state.with_orientation)
+    T = goal.T_world_tool if detour is None else T_world_target
+    return replace(state, grasp=None, command=ToPose(T), detour=detour, searched=True)
+
+
+def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
+    """The target by numbers; it stays where it was put, also out of reach."""
+    return driven(lambda state: commanded(state, ToPose(pose(state, position, wxyz))))
+
+
+def hold_orientation(on: bool) -> Update:
+    """Whether the target's orientation counts, or its position only."""
+    return lambda state: replace(state, with_orientation=bool(on), searched=False, rested=0.0)

@@ -166,7 +166,9 @@ def watch(worst: Worst, old: State, new: State, dt: float) -> None:
     else:
         worst.beyond = max(worst.beyond, float((beyond(new, new.q) - beyond(new, old.q)).max()))
     if not new.parked:
-        worst.clearance = min(worst.clearance, float(plane_distances(new).min()) - new.problem.zones.critical)
+        worst.clearance = min(
+            worst.clearance, float(plane_distances(new).min(initial=np.inf)) - new.problem.zones.critical
+        )
     assert worst.too_fast <= ROUNDING
     assert worst.beyond <= ROUNDING
     assert worst.clearance >= -ROUNDING

@@ -6,12 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.ik import drive as drives
+from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
 from helicoide.ik.guarded import guarded_step
 from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.state import Along, GetReady, Hold, Park, State, ToJoints, ToPose, points_on
+from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, State, ToJoints, ToPose, points_on
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
@@ -26,7 +28,11 @@ Task = tuple[Array, Array, Array, Array]
 
 def advance(state: State, dt: float) -> State:
     """The state dt seconds later; joints, planes and speeds stay within what `guarded_step` promises."""
-    state = _gripper_moved(state, dt)
+    moved = _advanced(_gripper_moved(state, dt), dt)
+    return moved if state.beside is None else replace(moved, beside=_beside(state, moved, dt))
+
+
+def _advanced(state: State, dt: float) -> State:
     if state.parked:
         return _parked(state, dt)
     match state.command:
@@ -50,6 +56,25 @@ def _gripper_moved(state: State, dt: float) -> State:
     return replace(state, t=state.t + dt, rested=state.rested + dt, gripper=state.gripper + step)
 
 
+def _beside(state: State, moved: State, dt: float) -> Beside:
+    """The arm beside: after the same target by its own method, else back to where the first arm is."""
+    other = state.of_beside
+    assert other is not None
+    if state.parked or moved.parked:
+        return Beside(moved.q, moved.speeds, moved.poses, other.drive)
+    match moved.command:
+        case ToPose(T):
+            other = _to_pose(other, T, _STILL, dt)
+        case Along(path, s, playing, arrived):
+            ahead = frozen(path.velocity(s)) if playing and arrived else _STILL
+            other = _to_pose(other, frozen(path.pose(s)), ahead, dt)
+        case Hold():
+            other = _still(other)
+        case _:
+            other = _stepped(other, joint_task(other.q.copy(), moved.q, EVERY, dt), dt)
+    return Beside(other.q, other.speeds, other.poses, other.drive, other.held)
+
+
 def _still(state: State) -> State:
     return state if not state.speeds.any() else replace(state, speeds=frozen(np.zeros(len(state.q))))
 
@@ -57,9 +82,10 @@ def _still(state: State) -> State:
 def _stepped(state: State, task: Task, dt: float) -> State:
     """The guarded step towards a task. (Copies keep the kernels to one type: numba tells read-only arrays apart.)"""
     problem = state.problem
-    q, poses, _, _ = guarded_step(
+    q, poses, multipliers, _ = guarded_step(
         problem.arm, state.q.copy(), state.poses.copy(), task, problem.limit_arrays, problem.plane_arrays, dt
     )
+    state = replace(state, held=Held(multipliers, float(np.linalg.norm(task[2] * task[1]))))
     if np.max(np.abs(q - state.q)) < IMPERCEPTIBLE:
         return _still(state)
     speeds = (q - state.q) / dt
@@ -75,10 +101,22 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
         if not blocked and np.max(np.abs(state.detour - state.q)) > ARRIVED_JOINTS:
             return _stepped(state, joint_task(state.q.copy(), state.detour, EVERY, dt), dt)
         state = replace(state, detour=None)
+    if state.drive.method != GUARDED:
+        return _by_method(state, T_world_target, ahead, dt)
     robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
     tool = (robot.T_link_tool, T_world_target, allowed, state.with_orientation, robot.reach)
     task = pose_task(state.poses.copy(), robot.chain, tool, ahead, dt)
     return _stepped(state, task, dt)
+
+
+def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
+    """By a method that knows of no limits: the guard lets through what it may of the rates that it wishes."""
+    problem, drive = state.problem, state.drive
+    asked = drives.task_of(
+        problem, state.q, state.poses, T_world_target, state.with_orientation, ahead, drive.gains, dt
+    )
+    wished, drive = drives.step(problem, asked, state.poses, drive)
+    return _stepped(replace(state, drive=drive), drives.displacement(wished), dt)
 
 
 def _searched(state: State, T_world_target: Array) -> State:
@@ -88,11 +126,11 @@ def _searched(state: State, T_world_target: Array) -> State:
 
 
 def _resting(state: State) -> bool:
-    """Whether the wish has rested for a while and nobody has looked yet where it leads.
+    """Whether the wish has rested for a while and nobody has looked yet where it leads, as the guarded step does.
 
     The search foresees where the arm will stop, so it need not wait: along a wall the arm may creep for a minute.
     """
-    return state.rested > SETTLED and not state.searched
+    return state.rested > SETTLED and not state.searched and state.drive.method == GUARDED
 
 
 def _along(state: State, command: Along, dt: float) -> State:
@@ -145,8 +183,13 @@ def _parked(state: State, dt: float) -> State:
 
 
 def foreseen(state: State) -> State:
-    """The same state with the goal that its command leads to; solved at the scene's rate, not in every tick."""
+    """The same state with the goal that its command leads to; solved at the scene's rate, not in every tick.
+
+    Where a method of the sources will come to rest is not foreseen.
+    """
     problem, q = state.problem, state.q if state.detour is None else state.detour
+    if isinstance(state.command, ToPose | Along) and state.drive.method != GUARDED:
+        return replace(state, goal=None)
     match state.command:
         case ToPose(T):
             return replace(state, goal=goal_at_pose(problem, q, T, state.with_orientation))
@@ -164,5 +207,5 @@ def leads_elsewhere(old: State | None, new: State) -> bool:
     """Whether the goal may be another than the one foreseen."""
     return old is None or any(
         getattr(old, name) is not getattr(new, name)
-        for name in ("q", "command", "problem", "detour", "with_orientation", "parked")
+        for name in ("q", "command", "problem", "detour", "with_orientation", "parked", "drive")
     )

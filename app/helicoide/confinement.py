@@ -7,10 +7,11 @@ to a plane than these. Source: Cerbaro 2022, §6.1; normals and signs as in the 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen
@@ -27,10 +28,13 @@ class Zone(Enum):
 
 @dataclass(frozen=True)
 class Zones:
-    """Distances in m: no guarded point comes closer than `critical`; from `warning` on the arm is said to be near."""
+    """Distances in m: no guarded point comes closer to a plane than `critical`; from `warning` on the arm is said to be
+    near. `between`: what stays free between two bodies, measured from surface to surface.
+    """
 
     critical: float = 0.080
     warning: float = 0.110
+    between: float = 0.010
 
     def of(self, distance: float) -> Zone:
         """The zone of a distance in m; what is held at the critical distance counts as critical."""
@@ -56,6 +60,25 @@ class Planes:
         normals, centres = self.normals.copy(), self.centres.copy()
         normals[index], centres[index] = normal / np.linalg.norm(normal), centre
         return replace(self, normals=frozen(normals), centres=frozen(centres))
+
+
+@dataclass(frozen=True, eq=False)
+class Obstacles:
+    """k bodies in the way, capsules: all points within a radius (k,), m, of the straight piece between two points.
+
+    ends (k, 2, 3), m, world frame; a sphere has both ends in its centre.
+    """
+
+    ends: Array = field(default_factory=lambda: frozen(np.zeros((0, 2, 3))))
+    radii: Array = field(default_factory=lambda: frozen(np.zeros(0)))
+
+    def with_capsule(self, start: ArrayLike, end: ArrayLike, radius: float) -> Obstacles:
+        """The same obstacles and one more, from start to end (3,), m."""
+        return Obstacles(frozen([*self.ends, np.array([start, end])]), frozen([*self.radii, radius]))
+
+    def with_sphere(self, centre: ArrayLike, radius: float) -> Obstacles:
+        """The same obstacles and a sphere around centre (3,), m."""
+        return self.with_capsule(centre, centre, radius)
 
 
 def planes_of(panes: tuple[Pane, ...]) -> Planes:

@@ -10,6 +10,7 @@ import numpy as np
 
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
+from helicoide.ik.drive import Drive
 from helicoide.ik.goal import Goal, tool_pose
 from helicoide.ik.task import EVERY
 from helicoide.kernels import plain
@@ -74,13 +75,33 @@ class Grasp:
 
 
 @dataclass(frozen=True, eq=False)
+class Held:
+    """What held the last guarded step back: the multipliers of its rows, and the pull of the task against them."""
+
+    multipliers: Array
+    pull: float
+
+
+@dataclass(frozen=True, eq=False)
+class Beside:
+    """A second arm of the same kind that follows the same target by another method; fields as in State."""
+
+    q: Array
+    speeds: Array
+    poses: Array
+    drive: Drive
+    held: Held | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
     q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
     1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture
     to pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: until when
-    sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate.
+    sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate. drive: the method that
+    brings the tool to poses; held: what held it back; beside: a second arm to compare with.
     """
 
     problem: Problem
@@ -101,6 +122,9 @@ class State:
     latched: float = 0.0
     goal: Goal | None = None
     notice: Text | None = None
+    drive: Drive = field(default_factory=Drive)
+    held: Held | None = None
+    beside: Beside | None = None
 
     @property
     def robot(self) -> Robot:
@@ -121,6 +145,23 @@ class State:
     def axes(self) -> Array:
         """The joint axes where they are, (m, 3), unit, world frame."""
         return np.asarray(np.einsum("mij,mj->mi", self.poses[1:, :3, :3], self.robot.directions))
+
+    @property
+    def of_beside(self) -> State | None:
+        """The state in which the second arm stands in for the first."""
+        other = self.beside
+        if other is None:
+            return None
+        return replace(
+            self,
+            q=other.q,
+            speeds=other.speeds,
+            poses=other.poses,
+            drive=other.drive,
+            held=other.held,
+            beside=None,
+            detour=None,
+        )
 
     @property
     def moving(self) -> bool:

@@ -20,7 +20,6 @@ from tests.benchmarks.report import beside, p50
 from tests.benchmarks.served import ROOT
 
 HERE = Path(__file__).parent
-PINS = HERE / "peers.txt"
 ENVIRONMENTS = ROOT / ".venv-bench"
 # Peers and we have the same threads: none but our own.
 SINGLE = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "OPENBLAS", "MKL", "NUMBA")}
@@ -31,10 +30,19 @@ AGREEMENT = 1e-9
 
 @dataclass(frozen=True)
 class Peer:
-    """A package on the index, and the file in `children` that answers for it."""
+    """A package on the index, the file in `children` that answers for it, and what else that file imports.
+
+    pins: the versions that go together; a peer that asks for others than the rest has a file of its own.
+    """
 
     package: str
     child: str
+    also: tuple[str, ...] = ()
+    pins: str = "peers.txt"
+
+    @property
+    def versions(self) -> str:
+        return (HERE / self.pins).read_text()
 
 
 class LeftOut(Exception):
@@ -78,18 +86,19 @@ class Child:
         return [Way(self, index, *way) for index, way in enumerate(self.ask({"given": given}))]
 
 
-def interpreter(package: str) -> Path:
-    """The interpreter of an environment that holds the package; it is made when there is none with these pins.
+def interpreter(peer: Peer) -> Path:
+    """The interpreter of an environment that holds the peer; it is made when there is none with these pins.
 
     Raises LeftOut when it cannot be made.
     """
-    folder, pins = ENVIRONMENTS / package, PINS.read_text()
+    folder, pins = ENVIRONMENTS / peer.package, peer.versions
     python, ready = folder / "bin" / "python", folder / "ready"
     if ready.exists() and ready.read_text() == pins:
         return python
-    print(f"  Installing {package} in {folder.relative_to(ROOT)}; this happens once.", flush=True)
+    print(f"  Installing {peer.package} in {folder.relative_to(ROOT)}; this happens once.", flush=True)
     shutil.rmtree(folder, ignore_errors=True)
-    pip = [str(python), "-m", "pip", "install", "-qq", "--disable-pip-version-check", "-c", str(PINS), package]
+    pip = [str(python), "-m", "pip", "install", "-qq", "--disable-pip-version-check", "-c", str(HERE / peer.pins)]
+    pip += [peer.package, *peer.also]
     for command in ([sys.executable, "-m", "venv", str(folder)], pip):
         made = subprocess.run(command, capture_output=True, text=True)
         if made.returncode:
@@ -102,7 +111,7 @@ def interpreter(package: str) -> Path:
 def _started(peer: Peer) -> Iterator[Child]:
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     process = subprocess.Popen(
-        [interpreter(peer.package), HERE / "children" / peer.child],
+        [interpreter(peer), HERE / "children" / peer.child],
         env=environment | SINGLE,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
@@ -122,8 +131,10 @@ def started(peers: Sequence[Peer]) -> Iterator[list[Child]]:
                 children.append(stack.enter_context(_started(peer)))
             except LeftOut as reason:
                 print(f"  {peer.package} is LEFT OUT: {reason}")
-        versions = [line.replace("==", " ") for line in PINS.read_text().split()]
-        print("  " + " · ".join(line for line in versions if line.split()[0] in {child.name for child in children}))
+        taking_part = {child.name for child in children}
+        pinned = [(peer, line.split("==")) for peer in peers for line in peer.versions.split()]
+        versions = [" ".join(pin) for peer, pin in pinned if pin[0] == peer.package and pin[0] in taking_part]
+        print("  " + " · ".join(versions))
         yield children
 
 

@@ -11,7 +11,7 @@ from playwright.sync_api import Page
 from helicoide.confinement import distances
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
-from helicoide.session import Session
+from helicoide.session import TICK, Session
 from helicoide.state import State, Update, initial
 
 PROJECT = """(p) => {
@@ -30,10 +30,15 @@ def clearance(state: State) -> float:
 
 @dataclass
 class Lab:
-    """A session of the Movemaster; `nearest` is the smallest clearance seen at any tick since the last reset."""
+    """A session of the Movemaster.
+
+    Since the last reset, seen at any tick: nearest: the smallest clearance, m; fastest: the fastest that a joint moved,
+    over its speed limit.
+    """
 
     session: Session
     nearest: float = field(default=np.inf)
+    fastest: float = 0.0
 
     @property
     def state(self) -> State:
@@ -52,7 +57,9 @@ class Lab:
         tick = self.session._tick
 
         def watched() -> None:
+            before, limit = self.state.q, self.state.problem.limits.speed * TICK
             tick()
+            self.fastest = max(self.fastest, float(np.max(np.abs(self.state.q - before) / limit)))
             if not self.state.parked:
                 self.nearest = min(self.nearest, clearance(self.state))
 
@@ -64,7 +71,7 @@ class Lab:
         self.post(lambda state: replace(fresh, t=state.t))
         until(page, lambda: bool((self.state.q == fresh.q).all()))
         page.wait_for_timeout(1000)  # controls that were touched are left alone for a moment, then follow
-        self.nearest = np.inf
+        self.nearest, self.fastest = np.inf, 0.0
 
     def ticks(self, page: Page, n: int) -> None:
         """Let the arm live for n ticks."""

@@ -1,4 +1,4 @@
-"""The quadratic program: optimality by its conditions, and against every choice of active rows."""
+"""The quadratic program: optimality by its conditions, against every choice of active rows, and against scipy."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.optimize import minimize
 
 from helicoide.ik import qp
 from helicoide.kinematics.chain import Array
@@ -29,6 +30,12 @@ def feasible(seed: int, n: int, m: int) -> Program:
     return root @ root.T + 1e-2 * np.eye(n), 5 * rng.normal(size=n), A, A @ inside - slack
 
 
+def solved(program: Program) -> tuple[Array, Array, int]:
+    """With A x ≥ b as the lower bound alone."""
+    H, g, A, b = program
+    return qp.solve(H, g, A, b, np.full(len(b), np.inf))
+
+
 def cost(program: Program, x: Array) -> float:
     H, g, _, _ = program
     return float(x @ H @ x / 2 - g @ x)
@@ -39,7 +46,7 @@ def cost(program: Program, x: Array) -> float:
 def test_the_solution_meets_the_optimality_conditions(seed: int, n: int, m: int) -> None:
     """H x − g = Aᵀ μ, μ ≥ 0, A x ≥ b, μ (A x − b) = 0 (Karush, Kuhn and Tucker)."""
     H, g, A, b = feasible(seed, n, m)
-    x, multipliers, verdict = qp.solve(H, g, A, b)
+    x, multipliers, verdict = solved((H, g, A, b))
     scale = 1 + np.abs(g).max() + np.abs(A.T @ multipliers).max()
     assert verdict == qp.SOLVED
     assert (multipliers >= 0).all()
@@ -68,7 +75,7 @@ def enumerated(program: Program) -> float:
 @given(seed=seeds, n=st.integers(1, 3), m=st.integers(1, 6))
 def test_the_solution_is_the_best_of_all_active_sets(seed: int, n: int, m: int) -> None:
     program = feasible(seed, n, m)
-    x, _, verdict = qp.solve(*program)
+    x, _, verdict = solved(program)
     assert verdict == qp.SOLVED
     assert cost(program, x) == pytest.approx(enumerated(program), rel=1e-7, abs=1e-9)
 
@@ -82,21 +89,49 @@ def test_a_contradiction_is_infeasible(seed: int, n: int, m: int) -> None:
     c = rng.normal(size=n)
     A, b = np.vstack((A, c, -c)), np.array([*b, 1.0, -0.5])
     order = rng.permutation(len(b))
-    *_, verdict = qp.solve(H, g, np.ascontiguousarray(A[order]), b[order])
+    *_, verdict = solved((H, g, np.ascontiguousarray(A[order]), b[order]))
     assert verdict == qp.INFEASIBLE
 
 
 def test_without_rows_that_hold_it_is_the_free_minimum() -> None:
     H, g, A, b = feasible(1, 5, 8)
-    x, multipliers, _ = qp.solve(H, g, A, b - 1e6)
+    x, multipliers, _ = solved((H, g, A, b - 1e6))
     np.testing.assert_allclose(x, np.linalg.solve(H, g), rtol=1e-9)
     assert not multipliers.any()
 
 
 def test_a_corner_of_a_box() -> None:
-    """By hand: the point of the unit square nearest to (3, 0.5) is (1, 0.5), pushed back with 2."""
-    A = np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]])
-    x, multipliers, verdict = qp.solve(np.eye(2), np.array([3.0, 0.5]), A, np.array([0.0, 0, -1, -1]))
+    """By hand: the point of the unit square nearest to (3, 0.5) is (1, 0.5), pushed back from above with 2."""
+    x, multipliers, verdict = qp.solve(np.eye(2), np.array([3.0, 0.5]), np.eye(2), np.zeros(2), np.ones(2))
     assert verdict == qp.SOLVED
     np.testing.assert_allclose(x, [1, 0.5])
-    np.testing.assert_allclose(multipliers, [0, 0, 2, 0])
+    np.testing.assert_allclose(multipliers, [-2, 0])
+
+
+@settings(max_examples=200)
+@given(seed=seeds, n=st.integers(1, 7), m=st.integers(0, 15))
+def test_an_upper_bound_is_a_lower_bound_of_the_row_turned_round(seed: int, n: int, m: int) -> None:
+    """Random bands of rows, some closed to an equation: as 2 m rows with lower bounds they have the same solution."""
+    H, g, A, lower = feasible(seed, n, m)
+    rng = np.random.default_rng(seed + 2)
+    upper = lower + rng.random(m) * rng.choice([0.1, 3.0]) + 2 * np.abs(A).sum(axis=1)
+    if m and n > 1:
+        upper[0] = lower[0] = float(A[0] @ np.linalg.lstsq(A, lower, rcond=None)[0])
+    x, multipliers, verdict = qp.solve(H, g, A, lower, upper)
+    twice = np.vstack((A, -A)), np.concatenate((lower, -upper))
+    expected, _, of_twice = solved((H, g, *twice))
+    assert verdict == of_twice
+    if verdict == qp.SOLVED:
+        scale = 1 + np.abs(expected).max() + np.abs(A.T @ multipliers).max()
+        np.testing.assert_allclose(x, expected, rtol=0, atol=1e-6 * scale)
+        np.testing.assert_allclose(H @ x - g, A.T @ multipliers, rtol=0, atol=1e-8 * scale)
+
+
+@settings(max_examples=25)
+@given(seed=seeds, n=st.integers(2, 6), m=st.integers(1, 8))
+def test_scipy_finds_nothing_cheaper(seed: int, n: int, m: int) -> None:
+    program = H, g, A, b = feasible(seed, n, m)
+    x, _, _ = solved(program)
+    rows = {"type": "ineq", "fun": lambda x: A @ x - b, "jac": lambda x: A}
+    other = minimize(lambda x: cost(program, x), x, jac=lambda x: H @ x - g, constraints=rows, method="SLSQP")
+    assert cost(program, x) <= other.fun + 1e-7 * (1 + abs(other.fun))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from helicoide.kinematics.folder import from_folder
@@ -39,6 +40,16 @@ MISTAKES = {
     "a sum of unknown lengths": ("d_mm = 400", 'd_mm = "h1 + h2"', ["$.joints", "d_mm"]),
     "unknown carrier": ('joint = "J3"\n', 'joint = "J9"\n', ["J9", "J1, J2, J3, J4, J5"]),
     "plane without a normal": ("normal = [0, 0, 1]", "normal = [0, 0, 0]", ["-z", "normal"]),
+    "a capsule on no joint": ('joint = "J4"\nfrom_mm', 'joint = "J8"\nfrom_mm', ["J8", "J1, J2, J3, J4, J5"]),
+    "a capsule without a body": ("radius_mm = 40", "radius_mm = 0", ["hand", "radius"]),
+    "a pair with an unknown capsule": ('["base", "hand"]', '["base", "fist"]', ["fist", "base, shoulder"]),
+    "a pair of one": ('["base", "hand"]', '["hand", "hand"]', ["hand", "itself"]),
+    "no acceleration": ("speed_deg_s = 60 ", "acceleration_deg_s2 = 0\nspeed_deg_s = 60 ", ["J1", "acceleration"]),
+    "a slide's acceleration": (
+        "speed_deg_s = 60 ",
+        "acceleration_mm_s2 = 9\nspeed_deg_s = 60 ",
+        ["J1", "acceleration_deg_s2"],
+    ),
     "broken toml": ("[tool]", "[tool", ["line"]),
 }
 
@@ -86,3 +97,16 @@ def test_an_unknown_robot_lists_those_there_are() -> None:
 def test_joint_values_are_counted_and_finite(robot: Robot, q: list[float]) -> None:
     with pytest.raises(HelicoideError, match="J1, J2, J3, J4, J5"):
         robot.check_joints(q)
+
+
+def test_capsules_pairs_and_accelerations_are_read(tmp_path: Path) -> None:
+    """The forearm lies from the elbow to the wrist, 200 mm along x in the frame of its link."""
+    changed = GOOD.replace("speed_deg_s = 60 ", "acceleration_deg_s2 = 90\nspeed_deg_s = 60 ", 1)
+    (tmp_path / "robot.toml").write_text(changed, "utf-8")
+    robot = from_folder(tmp_path)
+    forearm = next(capsule for capsule in robot.capsules if capsule.name == "forearm")
+    assert forearm.links == (3, 3)
+    assert forearm.radius == 0.065
+    np.testing.assert_allclose(forearm.ends, [[0, 0, 0], [0.2, 0, 0]], atol=1e-12)
+    assert {(robot.bodies[a].name, robot.bodies[b].name) for a, b in robot.self_collision} >= {("base", "gripper")}
+    np.testing.assert_allclose(robot.acceleration, [np.pi / 2, *[np.inf] * 4])

@@ -6,29 +6,55 @@ nowhere else: a browser may send anything.
 
 from helicoide.gate.check import LATCH, PARKED, pose
 from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
+from helicoide.gate.method import (
+    HEAVIEST,
+    LARGEST_GAIN,
+    LEAST_GAIN,
+    choose_method,
+    choose_objective,
+    compare_with,
+    grow_weights,
+    objective_as_row,
+    set_gain,
+    set_objective,
+    set_option,
+    weigh_objective,
+)
 from helicoide.gate.path import pause, play, scrub
 from helicoide.gate.planes import drag_plane, restore_planes
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, hold_orientation, set_target
 
 __all__ = [
+    "HEAVIEST",
+    "LARGEST_GAIN",
     "LATCH",
+    "LEAST_GAIN",
     "NO_PARKING",
     "PARKED",
     "Phase",
+    "choose_method",
+    "choose_objective",
+    "compare_with",
     "drag_plane",
     "drag_target",
     "get_ready",
     "go_to",
+    "grow_weights",
     "hold_orientation",
+    "objective_as_row",
     "park",
     "pause",
     "play",
     "pose",
     "restore_planes",
     "scrub",
+    "set_gain",
     "set_gripper",
     "set_joint",
+    "set_objective",
+    "set_option",
     "set_target",
     "stop",
+    "weigh_objective",
 ]

@@ -2,31 +2,76 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
-from helicoide.confinement import Planes, Zones
-from helicoide.kinematics.chain import Array, Chain, frozen
+from helicoide.confinement import Obstacles, Planes, Zones
+from helicoide.ik.rows import DAMPER_GAIN, Arm, Entry, Guard, Indices, LimitArrays, Pairs, PlaneArrays
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
 
 NOTICEABLE = 0.02
+NEAR = 1e-4
+
+
+def _indices(values: ArrayLike, *shape: int) -> Indices:
+    array = np.array(values, dtype=np.int64).reshape(shape)
+    array.flags.writeable = False
+    return array
 
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """Joint limits, (n,) each: lower and upper, rad; speed, rad/s."""
+    """Joint limits, (n,) each: lower and upper, rad; speed, rad/s; acceleration, rad/s², without limit unless given."""
 
     lower: Array
     upper: Array
     speed: Array
+    acceleration: Array = field(default_factory=lambda: frozen([]))
+
+    def __post_init__(self) -> None:
+        if not self.acceleration.size:
+            object.__setattr__(self, "acceleration", frozen(np.full(len(self.lower), np.inf)))
+
+
+@dataclass(frozen=True, eq=False)
+class EntryPoint:
+    """A point that a straight instrument must pass through: the remote centre of motion.
+
+    point (3,), m, world; link: the one that carries the instrument; shaft (2, 3): a point of it, m, and its direction,
+    unit, in the frame of that link.
+    """
+
+    point: Array
+    link: int
+    shaft: Array
+
+
+def entry_point(robot: Robot, point: ArrayLike) -> EntryPoint:
+    """An entry point (3,), m, for the shaft of a robot: along the axis of the joint that carries its frame `rcm`.
+
+    Raises HelicoideError for a robot without such a frame.
+    """
+    if "rcm" not in robot.frames:
+        raise HelicoideError(
+            Text(
+                en="{robot} has no frame rcm, which says where its instrument is; there is: {frames}.",
+                pt_BR="{robot} não tem o referencial rcm, que diz onde está o instrumento; há: {frames}.",
+            ).format(robot=robot.name, frames=", ".join(robot.frames))
+        )
+    frame = robot.frames["rcm"]
+    return EntryPoint(
+        frozen(point), frame.link, frozen([frame.T_link_frame[:3, 3], robot.joints[frame.link - 1].direction])
+    )
 
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What an arm may do here: its geometry, its limits, the planes around it.
+    """What an arm may do here: its geometry, its limits, planes and obstacles around it, where it must pass through.
 
     scale: the characteristic length ℓ, m, where it is not the arm's reach: weights, gains and damping depend on it.
     """
@@ -36,6 +81,8 @@ class Problem:
     planes: Planes
     zones: Zones = field(default_factory=Zones)
     scale: float | None = None
+    obstacles: Obstacles = field(default_factory=Obstacles)
+    entry: EntryPoint | None = None
 
     @property
     def length(self) -> float:
@@ -48,23 +95,79 @@ class Problem:
         return frozen([self.length if joint.slides else 1.0 for joint in self.robot.variables])
 
     @cached_property
-    def arm(self) -> tuple[Chain, Array, NDArray[np.int64]]:
+    def arm(self) -> Arm:
         """Moving axes, guarded points, links that carry them: what the kernels know of the robot."""
         return self.robot.chain, self.robot.guarded_points, self.robot.guarded_joints
 
     @cached_property
-    def limit_arrays(self) -> tuple[Array, Array, Array]:
-        """Lower, upper and speed, for the kernels."""
-        return self.limits.lower, self.limits.upper, self.limits.speed
+    def limit_arrays(self) -> LimitArrays:
+        """Lower, upper, speed and acceleration, for the kernels."""
+        return self.limits.lower, self.limits.upper, self.limits.speed, self.limits.acceleration
 
     @cached_property
-    def plane_arrays(self) -> tuple[Array, Array, float]:
+    def plane_arrays(self) -> PlaneArrays:
         """Normals, offsets and the critical distance, for the kernels."""
         return self.planes.normals, frozen(self.planes.offsets), self.zones.critical
 
+    @cached_property
+    def pairs(self) -> tuple[tuple[int, int], ...]:
+        """Bodies that are kept apart, by number, obstacles after those of the arm: pairs of the arm's, then each moving
+        one and each obstacle.
+        """
+        bodies = self.robot.bodies
+        moving = [i for i, body in enumerate(bodies) if max(body.links) > 0]
+        behind = range(len(bodies), len(bodies) + len(self.obstacles.radii))
+        return *self.robot.self_collision, *((i, j) for i in moving for j in behind)
+
+    @cached_property
+    def points(self) -> Arm:
+        """`arm`, where there are pairs with the ends of all bodies after its points; an obstacle stands on link 0."""
+        if not self.pairs:
+            return self.arm
+        bodies, obstacles = self.robot.bodies, self.obstacles
+        ends = [*self.robot.guarded_points, *(end for body in bodies for end in body.ends)]
+        links = [*self.robot.guarded_joints, *(link for body in bodies for link in body.links)]
+        return (
+            self.robot.chain,
+            frozen([*ends, *obstacles.ends.reshape(-1, 3)]),
+            np.array([*links, *[0] * (2 * len(obstacles.radii))], dtype=np.int64),
+        )
+
+    @cached_property
+    def pair_arrays(self) -> Pairs:
+        """How many points are guarded, the four points of each pair, and how far apart their axes stay, m."""
+        m = len(self.robot.guarded_points)
+        radii = [*(body.radius for body in self.robot.bodies), *self.obstacles.radii]
+        corners = [(m + 2 * a, m + 2 * a + 1, m + 2 * b, m + 2 * b + 1) for a, b in self.pairs]
+        return m, _indices(corners, -1, 4), frozen([radii[a] + radii[b] + self.zones.between for a, b in self.pairs])
+
+    @cached_property
+    def shaft_arrays(self) -> Entry:
+        """The link with the instrument, 0 for none, a point and the direction of its shaft, and the entry point."""
+        if self.entry is None:
+            return 0, frozen(np.zeros(3)), frozen(np.zeros(3)), frozen(np.zeros(3))
+        return self.entry.link, frozen(self.entry.shaft[0]), frozen(self.entry.shaft[1]), self.entry.point
+
+    @cached_property
+    def guard(self) -> Guard:
+        """All of it, as `guarded.guarded_tick` takes it."""
+        return self.points, self.limit_arrays, self.plane_arrays, self.pair_arrays, self.shaft_arrays, DAMPER_GAIN
+
+    @cached_property
+    def weightless(self) -> Problem:
+        """The same without limits of acceleration: where the arm comes to rest does not depend on them."""
+        return replace(self, limits=Limits(self.limits.lower, self.limits.upper, self.limits.speed))
+
 
 @dataclass(frozen=True)
-class Contact:
+class Held:
+    """What holds a step back, and how hard: its multiplier, in the unit of the task's cost per m or rad."""
+
+    multiplier: float = field(default=0.0, compare=False, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Contact(Held):
     """A guarded point held at the critical distance by a plane; numbers as in the robot and its planes."""
 
     plane: int
@@ -72,23 +175,86 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class AtLimit:
+class ObstacleContact(Held):
+    """A body of the arm held by an obstacle; numbers as in `Robot.bodies` and the obstacles."""
+
+    obstacle: int
+    body: int
+
+
+@dataclass(frozen=True)
+class SelfContact(Held):
+    """A body of the arm held by another; numbers as in `Robot.bodies`."""
+
+    first: int
+    second: int
+
+
+@dataclass(frozen=True)
+class AtLimit(Held):
     """A joint held by its position limit."""
 
     joint: int
 
 
-Reason = Contact | AtLimit
+@dataclass(frozen=True)
+class AtSpeed(Held):
+    """A joint that cannot move faster."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class AtAcceleration(Held):
+    """A joint that cannot become faster or slower sooner, or must slow down to stop before its limit."""
+
+    joint: int
+
+
+@dataclass(frozen=True)
+class RcmHeld(Held):
+    """The instrument held by its entry point."""
+
+
+Reason = Contact | ObstacleContact | SelfContact | AtLimit | RcmHeld | AtSpeed | AtAcceleration
+
+
+def _reason(problem: Problem, row: int, multiplier: float) -> Reason:
+    """What a slot of `guarded.sorted_out` stands for."""
+    n, k = len(problem.limits.lower), len(problem.planes.normals)
+    points, bodies = k * len(problem.robot.guarded_points), len(problem.robot.bodies)
+    joint, row = row % n, row - 2 * n
+    if row < 0:
+        return AtLimit(joint, multiplier=multiplier)
+    if row < points:
+        return Contact(row % k, row // k, multiplier=multiplier)
+    row -= points
+    if row < len(problem.pairs):
+        a, b = problem.pairs[row]
+        if b < bodies:
+            return SelfContact(a, b, multiplier=multiplier)
+        return ObstacleContact(b - bodies, a, multiplier=multiplier)
+    row -= len(problem.pairs)
+    if row == 4 * n:
+        return RcmHeld(multiplier=multiplier)
+    return (AtSpeed if row < 2 * n else AtAcceleration)(row % n, multiplier=multiplier)
+
+
+_ORDER = (Contact, ObstacleContact, SelfContact, AtLimit, RcmHeld, AtSpeed, AtAcceleration)
 
 
 def reasons(problem: Problem, q: Array, multipliers: Array, pull: float) -> tuple[Reason, ...]:
-    """What held a guarded step back at q: planes first, then joint limits, the hardest of each kind first.
+    """What held a guarded step back at q: planes, obstacles, the arm itself, position limits, the entry point, speed,
+    acceleration, and the hardest of each kind first.
 
     A row that carries less than `NOTICEABLE` of the task's pull does not count: a stretched arm rests on the limit of
     its elbow without being held by it.
     """
-    n, k = len(q), len(problem.planes.normals)
-    order = [int(row) for row in np.argsort(-multipliers) if multipliers[row] > NOTICEABLE * pull]
-    contacts = [Contact((row - 2 * n) % k, (row - 2 * n) // k) for row in order if row >= 2 * n]
+    n = len(q)
     room = np.concatenate((q - problem.limits.lower, problem.limits.upper - q))
-    return (*contacts, *(AtLimit(row % n) for row in order if row < 2 * n and room[row] < 1e-4))
+    found = [
+        _reason(problem, int(row), float(multipliers[row]))
+        for row in np.argsort(-multipliers)
+        if multipliers[row] > NOTICEABLE * pull and not (row < 2 * n and room[row] >= NEAR)
+    ]
+    return tuple(sorted(found, key=lambda reason: _ORDER.index(type(reason))))

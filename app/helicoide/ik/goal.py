@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.ik import Problem, Reason, reasons
+from helicoide.ik import AtAcceleration, AtSpeed, Problem, Reason, reasons
 from helicoide.ik.qp import SOLVED, project
-from helicoide.ik.rollout import are_clear, settle_at_joints, settle_at_pose
+from helicoide.ik.rollout import are_clear, settle
 from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
@@ -51,7 +51,7 @@ def allowed_point(problem: Problem, wished: Array) -> Array:
     normals, offsets, critical = problem.plane_arrays
     if (normals @ wished >= offsets + critical).all():
         return frozen(wished)
-    point, _, verdict = project(normals, offsets + critical, wished.copy())
+    point, _, verdict = project(normals, offsets + critical, frozen(np.full(len(offsets), np.inf)), wished.copy())
     return frozen(point if verdict == SOLVED else wished)
 
 
@@ -71,7 +71,11 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
         reached=bool(np.linalg.norm(allowed_point(problem, wished) - T[:3, 3]) < REACHED),
         short=short,
         turned=turned,
-        reasons=reasons(problem, q, multipliers, tick * pull),
+        reasons=tuple(
+            reason
+            for reason in reasons(problem, q, multipliers, tick * pull)
+            if not isinstance(reason, AtSpeed | AtAcceleration)
+        ),
     )
 
 
@@ -84,29 +88,28 @@ def goal_at_pose(
     """
     allowed = allowed_point(problem, T_world_target[:3, 3])
     tool = (problem.robot.T_link_tool, T_world_target, allowed, with_orientation, problem.robot.reach)
-    rest, multipliers = settle_at_pose(problem.arm, q, tool, problem.limit_arrays, problem.plane_arrays, *ticks)
+    rest, multipliers = settle(problem.weightless.guard, q, tool, (False, q, EVERY), *ticks)
     return _goal(problem, rest, T_world_target, multipliers, ticks[0])
 
 
 def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = EVERY) -> Goal:
     """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
-    rest, multipliers = settle_at_joints(
-        problem.arm, q, q_target, yielding, problem.limit_arrays, problem.plane_arrays, *_AHEAD
-    )
     robot = problem.robot
     wished = tool_pose(problem, link_poses(robot.chain, q_target))
+    tool = (robot.T_link_tool, wished, frozen(wished[:3, 3]), True, robot.reach)
+    rest, multipliers = settle(problem.weightless.guard, q, tool, (True, q_target, yielding), *_AHEAD)
     return _goal(problem, rest, wished, multipliers, _AHEAD[0])
 
 
 def _starts(problem: Problem, q: Array) -> list[Array]:
-    """Postures spread evenly over the limits (additive recurrence) and clear of the planes, the nearest to q first."""
+    """Postures spread evenly over the limits (additive recurrence), clear of all obstacles, the nearest to q first."""
     limits, n = problem.limits, len(q)
     ratio = 2.0
     for _ in range(30):
         ratio = (1 + ratio) ** (1 / (n + 1))
     shares = (0.5 + np.outer(np.arange(_DRAWN), ratio ** -np.arange(1.0, n + 1))) % 1.0
     drawn = frozen([problem.robot.poses["ready"], *(limits.lower + shares * (limits.upper - limits.lower))])
-    clear = drawn[are_clear(problem.arm, drawn, problem.plane_arrays)][:_STARTS]
+    clear = drawn[are_clear(problem.guard, drawn)][:_STARTS]
     return [frozen(start) for start in sorted(clear, key=lambda start: float(np.abs(start - q).max()))]
 
 

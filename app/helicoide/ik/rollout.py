@@ -5,74 +5,48 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from helicoide.confinement import distances
-from helicoide.ik.guarded import guarded_step
+from helicoide.ik.guarded import ONE_LEVEL, clearances, guarded_tick
+from helicoide.ik.rows import Guard
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
 
 AT_REST = 1e-5
 
 
 @kernel
-def are_clear(
-    arm: tuple[Chain, Array, NDArray[np.int64]], postures: Array, planes: tuple[Array, Array, float]
-) -> NDArray[np.bool_]:
-    """Which postures (p, n), rad, keep every guarded point farther than critical from every plane, (p,)."""
+def are_clear(guard: Guard, postures: Array) -> NDArray[np.bool_]:
+    """Which postures (p, n), rad, keep their distance from planes, obstacles and the arm itself, (p,)."""
     clear = np.empty(postures.shape[0], dtype=np.bool_)
     for k in range(postures.shape[0]):
-        points = carried_points(link_poses(arm[0], postures[k]), arm[1], arm[2])
-        clear[k] = (distances(planes[0], planes[1], points) > planes[2]).all()
+        left, _, _ = clearances(link_poses(guard[0][0], postures[k]), guard[0], guard[2], guard[3])
+        clear[k] = (left > 0.0).all()
     return clear
 
 
 @kernel
-def settle_at_pose(
-    arm: tuple[Chain, Array, NDArray[np.int64]],
+def settle(
+    guard: Guard,
     q: Array,
     tool: tuple[Array, Array, Array, bool, float],
-    limits: tuple[Array, Array, Array],
-    planes: tuple[Array, Array, float],
+    joints: tuple[bool, Array, int],
     dt: float,
     ticks: int,
 ) -> tuple[Array, Array]:
-    """The joint values (n,) at which guarded ticks towards a tool pose end, from q (n,), rad, and the last multipliers.
+    """The joint values (n,) at which guarded ticks end, from q (n,), rad, and the last multipliers.
 
-    Args: arm, limits, planes as in `guarded_step`; tool as in `pose_task`; dt, s, of a tick; ticks: how many at most.
+    Args: guard as in `guarded_tick`, without limits of acceleration; tool: the pose to go to, as in `pose_task`;
+    joints: whether to go to joint values instead, those (n,), rad, and `yielding` as in `joint_task`; dt, s, of a tick;
+    ticks: how many at most.
     """
-    q = q.copy()
-    poses = link_poses(arm[0], q)
-    multipliers = np.zeros(0)
-    for _ in range(ticks):
-        task = pose_task(poses, arm[0], tool, np.zeros(3), dt)
-        before = q
-        q, poses, multipliers, _ = guarded_step(arm, q, poses, task, limits, planes, dt)
-        if np.max(np.abs(q - before)) < AT_REST:
-            break
-    return q, multipliers
-
-
-@kernel
-def settle_at_joints(
-    arm: tuple[Chain, Array, NDArray[np.int64]],
-    q: Array,
-    q_target: Array,
-    yielding: int,
-    limits: tuple[Array, Array, Array],
-    planes: tuple[Array, Array, float],
-    dt: float,
-    ticks: int,
-) -> tuple[Array, Array]:
-    """The same for ticks towards other joint values q_target (n,), rad; `yielding` as in `joint_task`."""
-    q = q.copy()
-    poses = link_poses(arm[0], q)
+    q, chain = q.copy(), guard[0][0]
+    poses, still, ahead = link_poses(chain, q), np.zeros(q.shape[0]), np.zeros(3)
     multipliers = np.zeros(0)
     for _ in range(ticks):
         before = q
-        q, poses, multipliers, _ = guarded_step(
-            arm, q, poses, joint_task(q, q_target, yielding, dt), limits, planes, dt
-        )
+        task = joint_task(q, joints[1], joints[2], dt) if joints[0] else pose_task(poses, chain, tool, ahead, dt)
+        q, poses, multipliers, _ = guarded_tick(guard, q, still, poses, task, ONE_LEVEL, dt)
         if np.max(np.abs(q - before)) < AT_REST:
             break
     return q, multipliers

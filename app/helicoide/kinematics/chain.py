@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -43,7 +44,7 @@ class Mimic:
 class Joint:
     """A moving joint: its axis at q = 0 in the base frame; limits in rad and rad/s, m and m/s where it slides.
 
-    mimic: what it follows instead of a variable of its own.
+    mimic: what it follows instead of a variable of its own; acceleration: rad/s² or m/s², infinite where none is given.
     """
 
     name: str
@@ -56,6 +57,7 @@ class Joint:
     upper: float
     speed: float
     mimic: Mimic | None = None
+    acceleration: float = math.inf
 
     @property
     def slides(self) -> bool:

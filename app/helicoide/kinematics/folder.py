@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from helicoide.kinematics import robot_file
 from helicoide.kinematics.chain import Array, Joint, frozen
 from helicoide.kinematics.dh import DhRow, DhTable
-from helicoide.kinematics.robot import Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
+from helicoide.kinematics.robot import Capsule, Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
 
 
 def _metres(triple: ArrayLike) -> Array:
@@ -39,6 +39,7 @@ def _joint(file: robot_file.JointFile) -> Joint:
         lower=limits[0] * scale,
         upper=limits[1] * scale,
         speed=speed * scale,
+        acceleration=robot_file.acceleration_of(file) * scale,
     )
 
 
@@ -95,6 +96,27 @@ def _guarded(
     return tuple(GuardedPoint(point.name, point.title.text) for point in file.guarded_points), frozen(points), carriers
 
 
+def _capsules(file: robot_file.RobotFile, joints: tuple[Joint, ...]) -> tuple[Capsule, ...]:
+    order = ["", *(joint.name for joint in joints)]
+    origins = np.array([(0.0, 0.0, 0.0), *(joint.point for joint in joints)])
+    carriers = [order.index(capsule.joint) for capsule in file.capsules]
+    return tuple(
+        Capsule(
+            name=capsule.name,
+            title=capsule.title.text,
+            ends=frozen(_metres([capsule.from_mm, capsule.to_mm]) - origins[carrier]),
+            links=(carrier, carrier),
+            radius=capsule.radius_mm / 1000,
+        )
+        for capsule, carrier in zip(file.capsules, carriers, strict=True)
+    )
+
+
+def _pairs(file: robot_file.RobotFile) -> tuple[tuple[int, int], ...]:
+    names = [capsule.name for capsule in file.capsules]
+    return tuple((names.index(a), names.index(b)) for a, b in file.self_collision)
+
+
 def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> Robot:
     """The robot that a folder with a robot.toml describes, with some of its parameters (mm) changed.
 
@@ -126,5 +148,7 @@ def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> 
         camera=(_metres(file.camera.position_mm), _metres(file.camera.look_at_mm)) if file.camera else None,
         gripper=Gripper(file.gripper.joint, file.gripper.opening_mm / 1000) if file.gripper else None,
         panes=tuple(map(_pane, file.planes)),
+        capsules=_capsules(file, joints),
+        self_collision=_pairs(file),
         actuators=file.actuators.actuators([joint.name for joint in joints]) if file.actuators else None,
     )

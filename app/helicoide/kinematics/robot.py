@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,9 @@ from helicoide.kinematics.chain import Array, Chain, Joint, chain_of, frozen
 from helicoide.kinematics.dh import DhTable
 from helicoide.text import HelicoideError, Text
 
+# Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
+# unless a slide makes them longer.
+SLENDER = 0.04
 FRAME_TITLES = {
     "station": Text(en="station", pt_BR="estação"),
     "wrist": Text(en="wrist", pt_BR="punho"),
@@ -46,6 +50,20 @@ class GuardedPoint:
 
 
 @dataclass(frozen=True, eq=False)
+class Capsule:
+    """A body of the arm: all points within `radius`, m, of the straight piece between two points.
+
+    ends (2, 3), m, in the frames of the links (2,) that carry them: one link, or two where something slides between.
+    """
+
+    name: str
+    title: Text
+    ends: Array
+    links: tuple[int, int]
+    radius: float
+
+
+@dataclass(frozen=True, eq=False)
 class Pane:
     """A confinement plane n·r = d (m, inward normal) as the robot's file gives it, with the pane that shows it."""
 
@@ -74,7 +92,8 @@ class Robot:
     guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
     Of a shipped robot, screws, DH rows and the URDF are separate statements: none is derived from another.
     parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
-    is seen first, and where to, m. ours: what the source does not give: lengths, limits or speeds.
+    is seen first, and where to, m. ours: what the source does not give: lengths, limits or speeds. capsules: what the
+    file gives of its bodies; self_collision: pairs of them that must not touch, by number.
     """
 
     name: str
@@ -97,6 +116,8 @@ class Robot:
     camera: tuple[Array, Array] | None = None
     gripper: Gripper | None = None
     panes: tuple[Pane, ...] = ()
+    capsules: tuple[Capsule, ...] = ()
+    self_collision: tuple[tuple[int, int], ...] = ()
     actuators: Actuators | None = None
 
     @cached_property
@@ -135,6 +156,16 @@ class Robot:
         return frozen([joint.speed for joint in self.variables])
 
     @cached_property
+    def acceleration(self) -> Array:
+        """Acceleration limits of the variables, (n,), rad/s² or m/s²; infinite where there is none."""
+        return frozen([joint.acceleration for joint in self.variables])
+
+    @cached_property
+    def bodies(self) -> tuple[Capsule, ...]:
+        """The capsules of the file; where it gives none, the straight pieces between the guarded points."""
+        return self.capsules or _between_guarded_points(self)
+
+    @cached_property
     def T_link_tool(self) -> Array:
         """The tool in the frame of the last link, (4, 4), m."""
         return on_link(self.T_world_tool_0, self.points[-1])
@@ -163,6 +194,24 @@ class Robot:
                 )
             )
         return frozen(values)
+
+
+def _between_guarded_points(robot: Robot) -> tuple[Capsule, ...]:
+    origins = np.array([np.zeros(3), *robot.points])
+    at_zero = robot.guarded_points + origins[robot.guarded_joints]
+    piece = Text(en="from {a} to {b}", pt_BR="de {a} a {b}")
+    return tuple(
+        Capsule(
+            name=f"{a.name}-{b.name}",
+            title=piece.format(a=a.title, b=b.title),
+            ends=frozen(robot.guarded_points[i : i + 2]),
+            links=(int(robot.guarded_joints[i]), int(robot.guarded_joints[i + 1])),
+            radius=SLENDER * robot.reach,
+        )
+        for i, (a, b) in enumerate(pairwise(robot.guarded))
+        if np.linalg.norm(at_zero[i + 1] - at_zero[i]) > SLENDER * robot.reach
+        or any(joint.slides for joint in robot.joints[robot.guarded_joints[i] : robot.guarded_joints[i + 1]])
+    )
 
 
 def on_link(T_world_frame_0: Array, point: Array) -> Array:

@@ -50,7 +50,10 @@ class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A joint and the URDF link that it carries; limits in degrees, or in millimetres where it slides."""
+    """A joint and the URDF link that it carries; limits in degrees, or in millimetres where it slides.
+
+    Without an acceleration there is no limit of it.
+    """
 
     name: str
     title: Title
@@ -60,8 +63,10 @@ class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     kind: Literal["revolute", "prismatic"] = "revolute"
     limits_deg: tuple[float, float] | None = None
     speed_deg_s: float | None = None
+    acceleration_deg_s2: float | None = None
     limits_mm: tuple[float, float] | None = None
     speed_mm_s: float | None = None
+    acceleration_mm_s2: float | None = None
 
 
 class ToolFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -106,6 +111,17 @@ class PointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     point_mm: Triple
 
 
+class CapsuleFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """A body of the arm, at q = 0: what lies within the radius of a straight piece; `joint` as in `PointFile`."""
+
+    name: str
+    title: Title
+    joint: str
+    from_mm: Triple
+    to_mm: Triple
+    radius_mm: float
+
+
 class CameraFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """From where the arm is seen first."""
 
@@ -137,6 +153,7 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
     parameters: lengths, mm, that the file may use by name: any length may be a sum such as "l1 + l2", and the URDF may
     hold ${l1}, in metres. ours: what the source does not give. floor_mm: where the floor is drawn, under the base.
+    self_collision: pairs of capsules, by name, that must not touch each other.
     """
 
     title: Title
@@ -152,6 +169,8 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     camera: CameraFile | None = None
     frames: FramesFile = FramesFile()
     guarded_points: tuple[PointFile, ...] = ()
+    capsules: tuple[CapsuleFile, ...] = ()
+    self_collision: tuple[tuple[str, str], ...] = ()
     gripper: GripperFile | None = None
     planes: tuple[PlaneFile, ...] = ()
     actuators: ActuatorsFile | None = None
@@ -210,13 +229,15 @@ def _check(file: RobotFile) -> None:
     names = [joint.name for joint in file.joints]
     for joint in file.joints:
         _check_joint(joint)
-    for carrier in [point.joint for point in file.guarded_points] + [frame.joint for frame in _given(file.frames)]:
+    parts: list[PointFile | FrameFile | CapsuleFile] = [*file.guarded_points, *_given(file.frames), *file.capsules]
+    for carrier in [part.joint for part in parts]:
         if carrier not in ("", *names):
             raise ValueError(f"{carrier!r} is no joint; there is: {', '.join(names)}")
     if file.guarded_points and not any(
         point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points
     ):
         raise ValueError(f"no guarded point of joint {names[-1]} lies at the tool, {file.tool.position_mm} mm")
+    _check_capsules(file)
     if file.actuators:
         if sliding := [joint.name for joint in file.joints if joint.kind == "prismatic"]:
             raise ValueError(f"actuators are for joints that turn, and these slide: {', '.join(sliding)}")
@@ -233,12 +254,26 @@ def _check(file: RobotFile) -> None:
         raise ValueError("pose home is missing: with planes, the arm parks there")
 
 
+def _check_capsules(file: RobotFile) -> None:
+    names = [capsule.name for capsule in file.capsules]
+    for capsule in file.capsules:
+        if not capsule.radius_mm > 0:
+            raise ValueError(f"capsule {capsule.name} needs a positive radius")
+    for pair in file.self_collision:
+        if missing := [name for name in pair if name not in names]:
+            raise ValueError(f"{missing[0]!r} is no capsule; there is: {', '.join(names) or 'none'}")
+        if pair[0] == pair[1]:
+            raise ValueError(f"self_collision pairs {pair[0]} with itself")
+
+
 def _check_joint(joint: JointFile) -> None:
     if not any(joint.screw.direction):
         raise ValueError(f"the axis of joint {joint.name} is zero")
     limits, speed = limits_of(joint)
     if not limits[0] < limits[1] or not speed > 0:
         raise ValueError(f"joint {joint.name} needs limits in rising order and a positive speed")
+    if not acceleration_of(joint) > 0:
+        raise ValueError(f"joint {joint.name} needs a positive acceleration")
 
 
 def limits_of(joint: JointFile) -> tuple[tuple[float, float], float]:
@@ -250,6 +285,16 @@ def limits_of(joint: JointFile) -> tuple[tuple[float, float], float]:
             f"joint {joint.name} is {joint.kind} and needs limits_{unit} and speed_{unit}_s, in no other unit"
         )
     return limits, speed
+
+
+def acceleration_of(joint: JointFile) -> float:
+    """Acceleration limit in the unit of the joint's kind, infinite where there is none; raises as `limits_of`."""
+    given, other, unit = joint.acceleration_deg_s2, joint.acceleration_mm_s2, "deg"
+    if joint.kind == "prismatic":
+        given, other, unit = other, given, "mm"
+    if other is not None:
+        raise ValueError(f"joint {joint.name} is {joint.kind} and takes acceleration_{unit}_s2")
+    return math.inf if given is None else given
 
 
 def _given(frames: FramesFile) -> list[FrameFile]:

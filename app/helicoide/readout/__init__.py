@@ -1,16 +1,20 @@
 """What a State says of itself: named multivectors, distances, and the status in words."""
 
 from helicoide.readout.distances import nearest, plane_distances, zones
+from helicoide.readout.instruments import Instrument, instruments
 from helicoide.readout.multivectors import Reading, distance_product, readings
-from helicoide.readout.status import SHORT, TURNED, Status, Tone, status
+from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status
 
 __all__ = [
     "SHORT",
     "TURNED",
+    "Instrument",
     "Reading",
     "Status",
     "Tone",
     "distance_product",
+    "holding",
+    "instruments",
     "nearest",
     "plane_distances",
     "readings",

@@ -7,17 +7,22 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.ik import AtLimit, Contact
+from helicoide.ik import AtLimit, Contact, Reason, methods
+from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.readout.distances import distances_of
-from helicoide.state import Along, GetReady, Hold, Park, State, points_on
+from helicoide.readout.instruments import errors, held_by
+from helicoide.state import Along, GetReady, Hold, Park, State, ToPose, points_on
 from helicoide.text import Text
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]
 
-SHORT = 1e-3
-
+SHORT, ARRIVED = 1e-3, 10e-3
 TURNED = np.radians(1.0)
+
+FOLLOWING = Text(en="Following the ellipse.", pt_BR="Seguindo a elipse.")
+MOVING = Text(en="Moving.", pt_BR="Em movimento.")
+AT_THE_GOAL = Text(en="At the goal.", pt_BR="No objetivo.")
 
 
 @dataclass(frozen=True)
@@ -50,6 +55,8 @@ def status(state: State) -> Status:
         )
     if state.parked or isinstance(state.command, Park | GetReady):
         return _parking(state)
+    if isinstance(state.command, ToPose | Along) and state.drive.method != GUARDED:
+        return _by_method(state)
     if state.goal is not None and not isinstance(state.command, Hold):
         return _towards(state, state.goal)
     return Status(Text(en="Ready: drag the target or a slider.", pt_BR="Pronto: arraste o alvo ou um controle."), "ok")
@@ -94,10 +101,47 @@ def _towards(state: State, goal: Goal) -> Status:
     if state.with_orientation and goal.turned > TURNED:
         return Status(_misaligned(state, goal), "warn")
     if isinstance(state.command, Along) and state.command.playing:
-        return Status(Text(en="Following the ellipse.", pt_BR="Seguindo a elipse."), "ok")
+        return Status(FOLLOWING, "ok")
     if state.moving:
-        return Status(Text(en="Moving.", pt_BR="Em movimento."), "ok")
-    return Status(Text(en="At the goal.", pt_BR="No objetivo."), "ok")
+        return Status(MOVING, "ok")
+    return Status(AT_THE_GOAL, "ok")
+
+
+def _by_method(state: State) -> Status:
+    """On the way by a method of the sources: whether it applies, and where it comes to rest."""
+    if state.drive.refusal is not None:
+        return Status(state.drive.refusal, "blocked")
+    way, turn = errors(state)
+    if isinstance(state.command, Along) and state.command.playing and way < ARRIVED:
+        return Status(FOLLOWING, "ok")
+    if state.moving:
+        return Status(MOVING, "ok")
+    if way > SHORT:
+        return Status(_rests(state, way), "blocked")
+    if state.with_orientation and turn > TURNED:
+        return Status(
+            Text(
+                en="Position held, orientation {turned:.0f}° off.",
+                pt_BR="Posição mantida, orientação a {turned:.0f}°.",
+            ).format(turned=np.degrees(turn)),
+            "warn",
+        )
+    return Status(AT_THE_GOAL, "ok")
+
+
+def _rests(state: State, way: float) -> Text:
+    """Where a method has come to rest, with what the guard held it back by, if anything."""
+    method = methods.named(state.drive.method).TITLE
+    held = holding(state)
+    if not held:
+        return Text(
+            en="Rests {way:.0f} mm from the target: the method “{method}” finds no way on.",
+            pt_BR="Parou a {way:.0f} mm do alvo: o método “{method}” não acha como seguir.",
+        ).format(way=1000 * way, method=method)
+    return Text(
+        en="Rests {way:.0f} mm from the target, held by: {held}.",
+        pt_BR="Parou a {way:.0f} mm do alvo, retido por: {held}.",
+    ).format(way=1000 * way, held=held[0])
 
 
 def _held_back(state: State, goal: Goal) -> Text:
@@ -149,3 +193,18 @@ def _misaligned(state: State, goal: Goal) -> Text:
         en="Position held, orientation {turned:.0f}° off: {why}.",
         pt_BR="Posição mantida, orientação a {turned:.0f}°: {why}.",
     ).format(turned=np.degrees(goal.turned), why=why)
+
+
+def holding(state: State) -> list[Text]:
+    """What held the last step back, the hardest first, in a few words each."""
+    return [_named(state, reason) for reason in held_by(state)]
+
+
+def _named(state: State, reason: Reason) -> Text:
+    match reason:
+        case Contact(plane, point):
+            return Text(en="plane {name}: {point}", pt_BR="plano {name}: {point}").format(
+                name=state.robot.panes[plane].name, point=state.robot.guarded[point].title
+            )
+        case AtLimit(joint):
+            return Text(en="limit of joint {n}", pt_BR="limite da junta {n}").format(n=joint + 1)

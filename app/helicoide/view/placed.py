@@ -11,11 +11,12 @@ from typing import Any, Protocol
 
 import viser
 
-from helicoide.text import Language
+from helicoide.text import Language, Text
 from helicoide.view import bind
 from helicoide.view.rows import (
     Act,
     Button,
+    Changing,
     Choice,
     Folder,
     Row,
@@ -40,14 +41,27 @@ class Placed(Protocol):
 
 
 class _Folder:
-    """Rows under a heading."""
+    """Rows under a heading; those that change with the view are placed anew when their key does."""
 
     def __init__(self, gui: viser.GuiApi, row: Folder, view: View, act: Act) -> None:
+        self.gui, self.row, self.act = gui, row, act
         self.handle = gui.add_folder(row.label[view.seat.language], expand_by_default=row.open)
+        self.rows: list[Placed] = []
+        self._fill(view)
+
+    def _fill(self, view: View) -> None:
+        for row in self.rows:
+            row.remove()
+        rows = self.row.rows
+        if isinstance(rows, Changing):
+            self.key = rows.key(view)
+            rows = rows.rows(self.key)
         with self.handle:
-            self.rows = place(gui, row.rows, view, act)
+            self.rows = place(self.gui, rows, view, self.act)
 
     def refresh(self, view: View) -> None:
+        if isinstance(self.row.rows, Changing) and self.row.rows.key(view) != self.key:
+            self._fill(view)
         for row in self.rows:
             row.refresh(view)
 
@@ -79,8 +93,9 @@ class _Control:
         wish: Callable[[Any], None],
         enabled: Callable[[View], bool],
         view: View,
+        label: Callable[[View], str] | None = None,
     ) -> None:
-        self.handle, self.value, self.enabled, self.view = handle, value, enabled, view
+        self.handle, self.value, self.enabled, self.view, self.label = handle, value, enabled, view, label
         self.touched = 0.0
         handle.disabled = not enabled(view)
 
@@ -96,6 +111,8 @@ class _Control:
         disabled = not self.enabled(view)
         if disabled != self.handle.disabled:
             self.handle.disabled = disabled
+        if self.label is not None and self.label(view) != self.handle.label:
+            self.handle.label = self.label(view)
         value = self.value(view)
         if value != self.handle.value and monotonic() - self.touched > UNTOUCHED:
             self.handle.value = value
@@ -136,8 +153,12 @@ def _slider(gui: viser.GuiApi, row: Slider, view: View, act: Act) -> Placed:
         steps = round((row.value(view) - row.lower) / row.step)
         return round(min(max(row.lower + steps * row.step, row.lower), row.upper), 6)
 
-    handle = gui.add_slider(row.label[view.seat.language], row.lower, row.upper, row.step, value(view))
-    return _Control(handle, value, lambda given: act(row.wish(given)), row.enabled, view)
+    def label(view: View) -> str:
+        text = row.label if isinstance(row.label, Text) else row.label(view)
+        return text[view.seat.language]
+
+    handle = gui.add_slider(label(view), row.lower, row.upper, row.step, value(view))
+    return _Control(handle, value, lambda given: act(row.wish(given)), row.enabled, view, label)
 
 
 def _tick(gui: viser.GuiApi, row: Tick, view: View, act: Act) -> Placed:

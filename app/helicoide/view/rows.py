@@ -58,9 +58,9 @@ class Words:
 
 @dataclass(frozen=True)
 class Slider:
-    """A number with a slider and a box."""
+    """A number with a slider and a box; its label may say more of the number than the slider does."""
 
-    label: Text
+    label: Text | Callable[[View], Text]
     lower: float
     upper: float
     step: float
@@ -110,11 +110,19 @@ class Triple:
 
 
 @dataclass(frozen=True)
+class Changing:
+    """Rows that hang on a key of the view, and are placed anew when that changes."""
+
+    key: Callable[[View], str]
+    rows: Callable[[str], Sequence[Row]]
+
+
+@dataclass(frozen=True)
 class Folder:
     """Rows under a heading."""
 
     label: Text
-    rows: Sequence[Row]
+    rows: Sequence[Row] | Changing
     open: bool = True
 
 

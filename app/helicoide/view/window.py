@@ -12,6 +12,7 @@ import numpy as np
 import viser
 
 from helicoide import gate
+from helicoide.ik import methods
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import status
@@ -156,6 +157,12 @@ class Window:
             yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
             yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
             yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
+        for name in methods.names():
+            title = methods.named(name).TITLE
+            yield (
+                Text(en="Method: {title}", pt_BR="Método: {title}").format(title=title),
+                ForArm(gate.choose_method(name)),
+            )
         for name, title in titles().items():
             yield Text(en="Arm: {title}", pt_BR="Braço: {title}").format(title=title), ForLab(name)
 

@@ -11,6 +11,7 @@ from helicoide.ik.method import Method
 from helicoide.text import HelicoideError, Text
 
 
+@cache
 def names() -> tuple[str, ...]:
     """The names of all methods: those of their files."""
     return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__)))

@@ -1,0 +1,116 @@
+"""Points of an arm that an objective watches, and how they move: its tool, its guarded points, points along its links.
+
+A link is the straight piece between two corners of the line through the arm: the points of its joints, on both sides
+of a slide, and the tool.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from helicoide.ik import Problem
+from helicoide.ik.method import OneOf, Quantity
+from helicoide.kinematics import jacobian
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text, same
+
+# Settings of the objectives that watch points.
+WATCHED = OneOf(
+    Text(en="watched", pt_BR="onde vigiar"),
+    {
+        "tool": Text(en="the tool", pt_BR="o efetuador"),
+        "guarded": Text(en="the guarded points", pt_BR="os pontos vigiados"),
+        "links": Text(en="points along the links", pt_BR="pontos ao longo dos elos"),
+    },
+)
+PER_LINK = Quantity(Text(en="points per link", pt_BR="pontos por elo"), 1, 40)
+# Corners nearer than this, m, are one.
+MEETING = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class ArmPoints:
+    """k points of an arm, p = W c: mixtures of corners c that its links carry.
+
+    corners (c, 3), m, each in the frame of its link; links (c,): the numbers of these; weights: W (k, c).
+    """
+
+    corners: Array
+    links: tuple[int, ...]
+    weights: Array
+
+    def at(self, poses: Array) -> Array:
+        """Where they are, (k, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
+        return np.asarray(self.weights @ self._corners(poses))
+
+    def moving(self, problem: Problem, poses: Array) -> tuple[Array, Array]:
+        """Where they are, p (k, 3), and their J (k, 3, n), ṗ = J q̇, both without lengths (see `method.Task`)."""
+        chain, corners = problem.robot.chain, self._corners(poses)
+        axes = jacobian.joint_axes(poses, chain)
+        rows = [jacobian.geometric(poses, chain, axes, c, i)[:3] for c, i in zip(corners, self.links, strict=True)]
+        J = np.tensordot(self.weights, rows, 1) * problem.joint_units
+        return self.weights @ corners / problem.length, J / problem.length
+
+    def _corners(self, poses: Array) -> Array:
+        T = poses[list(self.links)]
+        return np.asarray(np.einsum("cab,cb->ca", T[:, :3, :3], self.corners) + T[:, :3, 3])
+
+
+def tool(robot: Robot) -> ArmPoints:
+    """The tool alone."""
+    return ArmPoints(robot.T_link_tool[None, :3, 3], (len(robot.joints),), np.ones((1, 1)))
+
+
+def guarded(robot: Robot) -> ArmPoints:
+    """The guarded points of the robot."""
+    links = tuple(robot.guarded_joints.tolist())
+    return ArmPoints(robot.guarded_points, links, np.eye(len(links)))
+
+
+def _line(robot: Robot) -> ArmPoints:
+    """The corners of the line through the arm, from the first joint to the tool, one after another."""
+    corners, links = [], []
+    for i, joint in enumerate(robot.joints):
+        corners.append(robot.chain[i]["offset"])
+        links.append(i)
+        if joint.slides:
+            corners.append(np.zeros(3))
+            links.append(i + 1)
+    corners.append(robot.T_link_tool[:3, 3])
+    return ArmPoints(frozen(corners), (*links, len(robot.joints)), np.eye(len(corners)))
+
+
+def along_links(robot: Robot, per_link: int) -> ArmPoints:
+    """So many points on each link, evenly spread, the last at its far end: p = c + (j/k) (c' − c), j = 1 … k.
+
+    Corners that always meet, as where axes of a wrist cross, have no link between them.
+    """
+    line = _line(robot)
+    extremes = np.array([line.at(link_poses(robot.chain, q)) for q in (robot.lower, robot.upper)])
+    apart = np.linalg.norm(np.diff(extremes, axis=1), axis=2).max(axis=0) > MEETING
+    start, end = line.weights[:-1][apart], line.weights[1:][apart]
+    share = np.arange(1, per_link + 1)[:, None] / per_link
+    weights = np.concatenate([a + share * (b - a) for a, b in zip(start, end, strict=True)])
+    return ArmPoints(line.corners, line.links, weights)
+
+
+def coordinate(axis: str) -> Quantity:
+    """A setting that is a coordinate of a point in the base frame."""
+    return Quantity(same(axis), -1.5, 1.5, "mm", lengths=1)
+
+
+@lru_cache(maxsize=64)
+def watched(robot: Robot, where: str, per_link: int = 1) -> ArmPoints:
+    """The points of a choice of `WATCHED`; per_link counts for those along the links."""
+    match where:
+        case "tool":
+            return tool(robot)
+        case "guarded":
+            return guarded(robot)
+        case _:
+            return along_links(robot, per_link)

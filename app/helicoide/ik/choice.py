@@ -1,0 +1,82 @@
+"""The choice between postures: the one that asks for the least motion of the joints, each with its weight."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.ik.branch import ON_LIMIT, Branch, wrap
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+
+OUT_OF_LIMITS = Text(en="outside the joint limits", pt_BR="fora dos limites de junta")
+COLLIDES = Text(en="touches an obstacle", pt_BR="toca um obstáculo")
+
+
+@dataclass(frozen=True, eq=False)
+class Ranked:
+    """A posture in the choice.
+
+    change (n,), rad or m: of every joint, the shorter way round; cost: their weighted sum; q (n,): where they come to
+    on that way, or the branch's own values where limits bar it; dropped: why it is ruled out, or None.
+    """
+
+    branch: Branch
+    change: Array
+    cost: float
+    q: Array
+    dropped: Text | None
+
+
+def ranked(
+    robot: Robot,
+    branches: Sequence[Branch],
+    q: Array,
+    weights: ArrayLike,
+    collides: Callable[[Array], bool] = lambda q: False,
+) -> tuple[Ranked, ...]:
+    """The postures in the order of Σᵢ wᵢ |wrap(θᵢ − θᵢ_now)|: first those that remain, then those that are dropped.
+
+    Slides are not wrapped. Args: q (n,): where the arm is, rad or m; weights (n,), larger for the joints near the base
+    to let the small links move, 1/rad or 1/m; collides: whether a posture (n,) touches something.
+    Raises HelicoideError for wrong q or weights. Source: Campos 1998, s.17.
+    """
+    now, w = robot.check_joints(q), _checked(robot, weights)
+    rows = [_row(robot, branch, now, w, collides) for branch in branches]
+    return tuple(sorted(rows, key=lambda row: (row.dropped is not None, row.cost)))
+
+
+def nearest(rows: Sequence[Ranked]) -> Ranked | None:
+    """The first posture of a ranking that is not dropped; None where all are."""
+    return next((row for row in rows if row.dropped is None), None)
+
+
+def _row(robot: Robot, branch: Branch, now: Array, weights: Array, collides: Callable[[Array], bool]) -> Ranked:
+    slides = [joint.slides for joint in robot.variables]
+    change = np.where(slides, branch.q - now, wrap(branch.q - now))
+    there = now + change
+    kept = (there >= robot.lower - ON_LIMIT) & (there <= robot.upper + ON_LIMIT)
+    dropped = COLLIDES if branch.within and collides(branch.q) else None
+    return Ranked(
+        branch=branch,
+        change=frozen(change),
+        cost=float(weights @ np.abs(change)),
+        q=frozen(np.where(kept, there, branch.q)),
+        dropped=dropped if branch.within else OUT_OF_LIMITS,
+    )
+
+
+def _checked(robot: Robot, weights: ArrayLike) -> Array:
+    w = np.atleast_1d(np.asarray(weights, dtype=np.float64))
+    if w.shape != (len(robot.variables),) or not (np.isfinite(w) & (w >= 0)).all():
+        raise HelicoideError(
+            Text(
+                en="The choice takes {n} weights, one for each joint, finite and not negative; not {given}.",
+                pt_BR="A escolha recebe {n} pesos, um por junta, finitos e não negativos; não {given}.",
+            ).format(n=len(robot.variables), given=", ".join(f"{value:g}" for value in w.ravel()))
+        )
+    return w

@@ -1,0 +1,73 @@
+"""Planar arms with two joints: for a point two postures, each with an orientation of its own."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+
+from helicoide.ik import elbow, subspace
+from helicoide.ik.branch import Answer, branch_of, sentences, wrap
+from helicoide.ik.planar import planar
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+
+TITLE = Text(en="planar arm with two joints", pt_BR="braço planar de duas juntas")
+SOURCE = "Campos 1998, Cinemática inversa de manipuladores, s.8–12, s.44–48 and s.52–54"
+EQUATIONS = (
+    r"x = l_1 c_1 + l_2 c_{12},\quad y = l_1 s_1 + l_2 s_{12}",
+    r"c_2 = \frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}",
+    r"s_2 = \pm\sqrt{1 - c_2^2},\quad \theta_2 = \operatorname{Atan2}(s_2, c_2)",
+    r"k_1 = l_1 + l_2 c_2,\quad k_2 = l_2 s_2",
+    r"r = \sqrt{k_1^2 + k_2^2},\quad \gamma = \operatorname{Atan2}(k_2, k_1)",
+    r"\theta_1 = \operatorname{Atan2}(y, x) - \gamma",
+    r"\beta = \operatorname{Atan2}(y, x),\quad \cos\psi = \frac{x^2 + y^2 + l_1^2 - l_2^2}{2 l_1 \sqrt{x^2 + y^2}}",
+    r"\theta_1 = \beta + \psi \;(\theta_2 < 0),\quad \theta_1 = \beta - \psi \;(\theta_2 > 0)",
+    r"\varphi = \theta_1 + \theta_2",
+)
+
+
+def applies(robot: Robot) -> Text | None:
+    """Why the form does not apply to a robot; None where it does."""
+    arm = planar(robot, 2)
+    return arm if isinstance(arm, Text) else None
+
+
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """Every posture for the point of a tool pose (4, 4), m; q (n,), rad: θ₁ is kept where the point leaves it free.
+
+    A goal of this arm is a point. Its pose takes the orientation of the nearer posture, and what a branch misses is
+    measured from the pose with its own, φ = θ₁ + θ₂.
+    Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.8–12, s.44–54.
+    """
+    if isinstance(arm := planar(robot, 2), Text):
+        raise HelicoideError(arm)
+    goal = subspace.project(robot, T_world_tool, q)
+    x, y, _ = arm.end(goal.T_world_goal)
+    found = elbow.postures(x, y, arm.links, kept=float(arm.angles(q)[0]))
+    thetas = [np.array([one.algebraic.theta1, one.algebraic.theta2]) for one in found]
+    start = {"x": x, "y": y}
+    values = [{**start, **one.values, "φ": float(wrap(theta.sum()))} for one, theta in zip(found, thetas, strict=True)]
+    r = hypot(x, y)
+    return Answer(
+        branches=tuple(
+            branch_of(robot, one.name, arm.joints(theta), arm.tool(x, y, theta.sum()))
+            for one, theta in zip(found, thetas, strict=True)
+        ),
+        T_world_goal=goal.T_world_goal,
+        words=sentences(goal.words, arm.links.words(r) or elbow.free_or_edge(x, y, arm.links) or _orientations(values)),
+        moved=goal.moved,
+        turned=goal.turned,
+        short=arm.links.beyond(r),
+        free=(0,) if arm.links.at_centre(r) else (),
+        values=tuple(values) or ({**start, "c₂": elbow.cosine_of_elbow(x, y, arm.links)},),
+    )
+
+
+def _orientations(values: list[dict[str, float]]) -> Text:
+    first, second = (np.degrees(one["φ"]) for one in values)
+    return Text(
+        en="Two postures, each with an orientation of its own: φ = {first:.1f}° and {second:.1f}°.",
+        pt_BR="Duas posturas, cada uma com a sua orientação: φ = {first:.1f}° e {second:.1f}°.",
+    ).format(first=first, second=second)

@@ -1,0 +1,166 @@
+"""How the tool is driven to a pose on the page: by any method with its settings, always under the guard.
+
+The guarded step works on the pose itself. Every other method answers the closed loop's task with joint rates, and the
+guard lets of those through what limits and planes allow:  Δq = argmin ‖Δq − q̇ Δt‖².
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.ik import Problem, methods, objectives
+from helicoide.ik.clik import Aim, answered, tool_aim
+from helicoide.ik.limit_gains import clipped
+from helicoide.ik.method import Solution, Task
+from helicoide.ik.objective import Posture
+from helicoide.ik.subspace import project
+from helicoide.ik.task import GAIN, TOOL_SPEED, TOOL_TURN, shortened
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.differential import geometric
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+
+GUARDED = "guarded"
+Gains = tuple[float, float, float, float]
+NOTHING: Mapping[str, Any] = MappingProxyType({})
+
+
+@dataclass(frozen=True, eq=False)
+class Secondary:
+    """What the joints do besides, with the freedom that the task leaves them.
+
+    objective: its name; options: of it; weight: k₀, 1/s; as_row: as one more row of the task instead of in its null
+    space; grows: Algorithm 1, by which the weight of a joint grows each time it is stopped at its limit; weights: what
+    they have come to, (n,), None before the first step.
+    """
+
+    objective: str
+    options: Any
+    weight: float = 1.0
+    as_row: bool = False
+    grows: bool = False
+    weights: Array | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Drive:
+    """A method at work.
+
+    changed: options of methods, by name, where they are not the defaults; gains: of the tool's x, y, z and of its
+    orientation, 1/s; memory: of the method; solution: its last answer, None for the guarded step; refusal: why there is
+    none.
+    """
+
+    method: str = GUARDED
+    changed: Mapping[str, Any] = field(default_factory=lambda: NOTHING)
+    gains: Gains = (GAIN, GAIN, GAIN, GAIN)
+    secondary: Secondary | None = None
+    memory: Any = None
+    solution: Solution | None = None
+    refusal: Text | None = None
+
+    def options(self, method: str) -> Any:
+        """The options of a method."""
+        return self.changed.get(method) or methods.named(method).Options()
+
+    def by(self, method: str) -> Drive:
+        """The same drive by another method, which starts with a memory of its own."""
+        return replace(self, method=method, memory=None, solution=None, refusal=None)
+
+    def with_options(self, method: str, options: Any) -> Drive:
+        """The same drive with other options of a method; what it remembers stays."""
+        return replace(self, changed=MappingProxyType({**self.changed, method: options}))
+
+
+def rate(aim: Aim, gains: Gains) -> Array:
+    """ν = ẋ_d + Λ e, cut to the speed of the tool: a target that jumps by metres asks for no more than a near one."""
+    x, y, z, turn = gains
+    asked = aim.ahead.copy()
+    asked[:3] = shortened(aim.ahead[:3] + np.array([x, y, z]) * aim.error[:3], TOOL_SPEED)
+    if len(asked) > 3:
+        asked[3:] = shortened(aim.ahead[3:] + turn * aim.error[3:], TOOL_TURN)
+    return asked
+
+
+@lru_cache(maxsize=32)
+def movable_rows(robot: Robot) -> NDArray[np.bool_]:
+    """Which of vx vy vz ωx ωy ωz the tool of a robot can have at all, (6,): an arm in a plane has no others."""
+    rng = np.random.default_rng(0)
+    size = sum(np.abs(geometric(robot, rng.uniform(robot.lower, robot.upper))) for _ in range(4))
+    return np.asarray(np.max(size, axis=1) > 1e-9)
+
+
+def task_of(
+    problem: Problem,
+    q: Array,
+    poses: Array,
+    T_world_target: Array,
+    with_orientation: bool,
+    ahead: Array,
+    gains: Gains,
+    dt: float,
+) -> Task:
+    """What the closed loop asks at a posture: the rows of `clik.tool_aim` that the tool can move along at all.
+
+    An arm with fewer than six joints is asked for the nearest pose of its subspace, which does not set the rows of the
+    task against each other.
+
+    Args: q (n,), rad or m, and its poses; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
+    """
+    goal = project(problem.robot, T_world_target, q).T_world_goal if with_orientation else T_world_target
+    aim = tool_aim(problem, poses, goal, with_orientation, np.append(ahead, np.zeros(3)))
+    rows = movable_rows(problem.robot)[: len(aim.J)]
+    return Task(q, aim.J[rows], rate(aim, gains)[rows], dt)
+
+
+def step(problem: Problem, task: Task, poses: Array, drive: Drive) -> tuple[Array, Drive]:
+    """The joint displacement Δq (n,), rad or m, that the method wishes for a task, and the drive after it.
+
+    A method that does not apply to the task wishes for none, and `refusal` says why.
+    poses (m + 1, 4, 4) at task.q.
+    """
+    method, options = methods.named(drive.method), drive.options(drive.method)
+    task, push = besides(problem, task, poses, drive)
+    if (why := method.applies(task)) is not None:
+        return np.zeros(len(task.q)), replace(drive, memory=None, solution=None, refusal=why)
+    memory = method.start(task, options) if drive.memory is None else drive.memory
+    solution, memory = answered(problem, method, task, memory, options, push)
+    return grown(problem, task, replace(drive, memory=memory, solution=solution, refusal=None))
+
+
+def besides(problem: Problem, task: Task, poses: Array, drive: Drive) -> tuple[Task, Array | None]:
+    """The task with the objective's row, or the objective's push q̇₀ (n,) for the null space."""
+    second = drive.secondary
+    if second is None:
+        return task, None
+    objective = objectives.named(second.objective)
+    cost = objective.cost(problem, Posture(task.q, poses), second.options)
+    if second.as_row:
+        return replace(task, J=np.vstack([task.J, cost.gradient]), rate=np.append(task.rate, -cost.value)), None
+    weights = second.weight if second.weights is None else second.weights
+    return task, -weights * cost.gradient
+
+
+def grown(problem: Problem, task: Task, drive: Drive) -> tuple[Array, Drive]:
+    """Δq of the drive's last answer, with Algorithm 1 where it is asked for."""
+    assert drive.solution is not None
+    wished = problem.joint_units * drive.solution.rates * task.dt
+    second = drive.secondary
+    if second is None or not second.grows:
+        return wished, drive
+    weights = np.full(len(wished), second.weight) if second.weights is None else second.weights
+    q, weights = clipped(task.q + wished, problem.limits.lower, problem.limits.upper, weights)
+    return q - task.q, replace(drive, secondary=replace(second, weights=weights))
+
+
+def displacement(wished: Array) -> tuple[Array, Array, Array, Array]:
+    """A joint displacement Δq (n,) as a task of the guarded step: J = I, v = Δq, equal weights, no damping."""
+    n = len(wished)
+    return np.eye(n), np.asarray(wished), np.ones(n), np.zeros(n)

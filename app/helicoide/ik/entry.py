@@ -1,0 +1,80 @@
+"""A straight instrument through an entry point: two rows that keep its shaft there (remote centre of motion).
+
+With d the direction of the shaft, P (3, 2) across it and c the point of the shaft nearest to the entry point r,
+
+    Pᵀ J_c Δq = k Pᵀ (r − c) + ℓ,   k = 1 − e^(−K dt),
+
+a small miss is taken back at once; ℓ is what the curvature of the way takes, known once the step has been tried.
+Source: Coutinho 2015, §3.3, with the drift fed back; P is there the x and z of the restricted link.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.ik.rows import Entry, add_point
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.jacobian import columns
+
+GAIN = 12.5
+AT_ONCE = 0.2e-3
+# Firm against the damping of the task, so that a miss is taken back as asked.
+FIRM = 10.0
+
+
+@kernel
+def nearest_of_shaft(poses: Array, entry: Entry) -> tuple[Array, Array]:
+    """The point of the shaft nearest to the entry point, (3,), m, and the shaft's direction, (3,), both world."""
+    link, point, direction, there = entry
+    pose = poses[link]
+    c, d = np.empty(3), np.empty(3)
+    along = 0.0
+    for a in range(3):
+        c[a] = pose[a, 0] * point[0] + pose[a, 1] * point[1] + pose[a, 2] * point[2] + pose[a, 3]
+        d[a] = pose[a, 0] * direction[0] + pose[a, 1] * direction[1] + pose[a, 2] * direction[2]
+        along += d[a] * (there[a] - c[a])
+    return c + along * d, d
+
+
+@kernel
+def across(direction: Array) -> Array:
+    """Two unit vectors across a direction and each other, (2, 3)."""
+    x, y, z = direction
+    if abs(x) < 0.6:
+        length = np.sqrt(y * y + z * z)
+        first = np.array([0.0, -z / length, y / length])
+    else:
+        length = np.sqrt(x * x + y * y)
+        first = np.array([-y / length, x / length, 0.0])
+    pair = np.empty((2, 3))
+    pair[0] = first
+    pair[1, 0] = y * first[2] - z * first[1]
+    pair[1, 1] = z * first[0] - x * first[2]
+    pair[1, 2] = x * first[1] - y * first[0]
+    return pair
+
+
+@kernel
+def miss(poses: Array, entry: Entry, pair: Array) -> Array:
+    """How far the entry point lies beside the shaft, along two directions (2, 3): (2,), m."""
+    c, _ = nearest_of_shaft(poses, entry)
+    away = np.zeros(2)
+    for i in range(2):
+        for a in range(3):
+            away[i] += pair[i, a] * (entry[3][a] - c[a])
+    return away
+
+
+@kernel
+def entry_rows(poses: Array, chain: Chain, axes: Array, entry: Entry, dt: float) -> tuple[Array, Array, Array, Array]:
+    """The two rows (2, n) of the shaft, what they ask (2,), m, the directions across it (2, 3), the miss (2,), m."""
+    c, d = nearest_of_shaft(poses, entry)
+    pair = across(d)
+    rows = np.zeros((2, columns(chain)))
+    for i in range(2):
+        add_point(rows[i], 1.0, pair[i], poses, chain, axes, c, entry[0])
+    away = miss(poses, entry, pair)
+    far = np.sqrt(away[0] ** 2 + away[1] ** 2)
+    share = max(1.0 - np.exp(-GAIN * dt), AT_ONCE / max(far, AT_ONCE))
+    return rows, share * away, pair, away

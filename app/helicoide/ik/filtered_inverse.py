@@ -1,0 +1,121 @@
+"""The filtered inverse: a matrix Θ that follows the inverse of a changing Jacobian without ever inverting it.
+
+    Θ̇ = −Γ (Jᵀ S_r + S_ℓ Jᵀ),   S_r = J Θ − I,   S_ℓ = Θ J − I
+
+The errors act alone or together: "right", "left", "composite". With both, the equilibrium is the Sylvester equation
+JᵀJ Θ + Θ JJᵀ = 2 Jᵀ, and Θ comes to J† from anywhere if J has full rank. Everywhere J is (r, n), Θ is (n, r), and
+gain is γ or a positive definite symmetric Γ (n, n), 1/s. Source: Vargas 2013, eqs. 4.18–4.38.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+
+Update = Literal["right", "left", "composite"]
+Step = Literal["exact", "sylvester", "euler"]
+
+# how much of the right and of the left error acts
+SIDES: dict[Update, tuple[int, int]] = {"right": (1, 0), "left": (0, 1), "composite": (1, 1)}
+
+
+def inversion_errors(J: Array, Theta: Array) -> tuple[Array, Array]:
+    """How far Θ is from an inverse: S_r = J Θ − I (r, r) and S_ℓ = Θ J − I (n, n). Source: Vargas 2013, 4.18, 4.19."""
+    n, r = Theta.shape
+    return J @ Theta - np.eye(r), Theta @ J - np.eye(n)
+
+
+def lyapunov(J: Array, Theta: Array) -> tuple[float, float]:
+    """V_r = ½ tr(S_rᵀ S_r) and V_ℓ = ½ tr(S_ℓᵀ S_ℓ); V_c is their sum and never grows while J stands still.
+
+    Source: Vargas 2013, eqs. 4.20, 4.25, 4.30.
+    """
+    S_r, S_l = inversion_errors(J, Theta)
+    return float(np.sum(S_r * S_r)) / 2, float(np.sum(S_l * S_l)) / 2
+
+
+def slope(J: Array, Theta: Array, gain: Array | float, update: Update = "composite") -> Array:
+    """Θ̇ = −Γ (Jᵀ S_r + S_ℓ Jᵀ), with one of the two terms or both. Source: Vargas 2013, eqs. 4.21, 4.26, 4.31."""
+    right, left = SIDES[update]
+    S_r, S_l = inversion_errors(J, Theta)
+    return np.asarray(-np.dot(gain, right * J.T @ S_r + left * S_l @ J.T))
+
+
+def step_limit(J: Array, gain: float, update: Update = "composite") -> float:
+    """The longest dt for which Euler's rule is stable, s: 1/(γ σ₁²), twice that where one error acts alone."""
+    fastest = float(sum(SIDES[update]) * gain * np.linalg.norm(J, 2) ** 2)
+    return 2 / fastest if fastest > 0 else np.inf
+
+
+def euler(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite") -> Array:
+    """Θ + Θ̇ dt, stable up to `step_limit`. Source: Vargas 2013, tab. 4.1."""
+    return Theta + dt * slope(J, Theta, gain, update)
+
+
+def sylvester(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite") -> Array:
+    """Backward Euler, stable for every dt: X + dt Γ (JᵀJ X + X JJᵀ) = Θ + 2 dt Γ Jᵀ, solved for vec X.
+
+    Source: Vargas 2013, eqs. 4.38, A.6, A.9: vec(A X B) = (Bᵀ ⊗ A) vec X.
+    """
+    n, r = Theta.shape
+    right, left = SIDES[update]
+    Gamma = dt * np.dot(gain, np.eye(n))
+    system = np.eye(n * r) + np.kron(np.eye(r), right * Gamma @ J.T @ J) + np.kron(left * J @ J.T, Gamma)
+    known = Theta + (right + left) * Gamma @ J.T
+    return np.asarray(np.linalg.solve(system, known.ravel("F")).reshape((n, r), order="F"))
+
+
+def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite") -> Array:
+    """What Θ becomes after dt while J stands still, for every dt. With J = U Σ Vᵀ and Ψ = Vᵀ Θ U, for Γ = γ I,
+
+    ψᵢⱼ ← e^(−γ (σᵢ² + σⱼ²) dt) ψᵢⱼ, and dᵢ = ψᵢᵢ gains (1 − e^(−2γσᵢ² dt))/σᵢ.
+
+    Source: Vargas 2013, eqs. 4.44–4.54, solved.
+    """
+    if np.ndim(gain):
+        return _exact_by_columns(J, Theta, np.asarray(gain), dt, update)
+    right, left = SIDES[update]
+    U, sigma, Vt = np.linalg.svd(J)
+    rows, columns = np.zeros(len(Vt)), np.zeros(len(U))
+    rows[: sigma.size] = columns[: sigma.size] = sigma
+    x = gain * dt * (right * rows[:, None] ** 2 + left * columns**2)
+    Psi = np.exp(-x) * (Vt @ Theta @ U)
+    i = np.arange(sigma.size)
+    Psi[i, i] += (right + left) * gain * dt * sigma * _mean_decay(x[i, i])
+    return np.asarray(Vt.T @ Psi @ U.T)
+
+
+def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: Update) -> Array:
+    """The same for a matrix gain Γ = L Lᵀ: with JJᵀ uⱼ = λⱼ uⱼ, each yⱼ = L⁻¹ Θ uⱼ has a law of its own,
+
+    ẏⱼ = −Lᵀ(JᵀJ + λⱼ I)L yⱼ + 2 Lᵀ Jᵀ uⱼ.
+    """
+    right, left = SIDES[update]
+    L = np.linalg.cholesky(Gamma)
+    squares, U = np.linalg.eigh(J @ J.T)
+    M = L.T @ (right * J.T @ J + left * squares[:, None, None] * np.eye(len(L))) @ L
+    rates, W = np.linalg.eigh(M)
+    turned = np.swapaxes(W, 1, 2)
+    y = turned @ np.linalg.solve(L, Theta @ U).T[..., None]
+    pull = turned @ ((right + left) * L.T @ J.T @ U).T[..., None]
+    x = rates[..., None] * dt
+    return np.asarray(L @ (W @ (np.exp(-x) * y + dt * _mean_decay(x) * pull))[..., 0].T @ U.T)
+
+
+def _mean_decay(x: Array) -> Array:
+    """(1 − e⁻ˣ)/x, which is 1 at x = 0."""
+    small = np.abs(x) < 1e-12
+    return np.where(small, 1.0, -np.expm1(-x) / np.where(small, 1.0, x))
+
+
+STEPS = {"exact": exact, "sylvester": sylvester, "euler": euler}
+
+
+def stepped(
+    J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite", step: Step = "exact"
+) -> Array:
+    """Θ after dt, s, by one of the rules above."""
+    return STEPS[step](J, Theta, gain, dt, update)

@@ -1,0 +1,69 @@
+"""Joint limits by gains that grow: each time a joint is stopped at its limit, its objective pulls it harder.
+
+Source: Cerbaro 2022, §4.5, Algorithm 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from helicoide.ik import Problem
+from helicoide.ik.clik import Aiming, Moment, answered, asked
+from helicoide.ik.method import Method
+from helicoide.ik.secondary import Chosen, Others, nobody, push
+from helicoide.kinematics.chain import Array
+
+GROWTH = 1.01
+
+
+def clipped(q: Array, lower: Array, upper: Array, gains: Array) -> tuple[Array, Array]:
+    """Joints outside their limits are put on them, and their gains grow: qᵢ ← limit, k₀ᵢ ← 1.01 k₀ᵢ.
+
+    Args: q, lower, upper (n,), rad or m; gains: k₀ (n,), the diagonal of K₀. Returns q and k₀.
+    Source: Cerbaro 2022, Algorithm 1; the gains only grow, as there.
+    """
+    outside = (q < lower) | (q > upper)
+    return np.clip(q, lower, upper), np.where(outside, GROWTH * gains, gains)
+
+
+@dataclass(frozen=True, eq=False)
+class Memory:
+    """What a run remembers: k₀ (n,), 1/s, and what its method does."""
+
+    gains: Array
+    method: Any = None
+
+
+def followed(
+    problem: Problem,
+    method: Method,
+    options: Any,
+    aiming: Aiming,
+    gains: Array | float,
+    chosen: Chosen,
+    memory: Memory,
+    q: Array,
+    dt: float,
+    others: Others = nobody,
+) -> Iterator[Moment]:
+    """`clik.followed` with the objectives in the null space and Algorithm 1 after each step: q̇₀ = −diag(k₀) ∂f/∂q.
+
+    memory: what to begin with, and in each moment what there is after it; chosen and others as in `secondary.push`.
+    """
+    t, k0, of_method = 0.0, memory.gains, memory.method
+    while True:
+        aim = aiming(q, t)
+        task = asked(aim, gains, q, dt)
+        if of_method is None:
+            of_method = method.start(task, options)
+        pushed = push(problem, chosen, k0, others)(q, t)
+        solution, of_method = answered(problem, method, task, of_method, options, pushed)
+        moved = q + problem.joint_units * solution.rates * dt
+        moved, k0 = clipped(moved, problem.limits.lower, problem.limits.upper, k0)
+        yield Moment(t, q, aim, solution, Memory(k0, of_method))
+        q = moved
+        t += dt

@@ -1,0 +1,75 @@
+"""The guarded step as a method: least squares within limits, planes, obstacles and the arm's own acceleration."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from helicoide.ik import Problem, reasons
+from helicoide.ik.guarded import ONE_LEVEL, guarded_tick, indices
+from helicoide.ik.method import Promise, Quantity, Solution, Task, YesNo
+from helicoide.ik.rows import DAMPER_GAIN
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.text import Text
+
+TITLE = Text(en="guarded step", pt_BR="passo vigiado")
+SOURCE = "Helicoide; Goldfarb and Idnani 1983; Faverjon and Tournassoud 1987; Cerbaro 2022, §7 (future work)"
+EQUATION = (
+    r"\min_{\Delta q} \|W (J \Delta q - \nu \Delta t)\|^2 + \lambda^2 \|\Delta q\|^2"
+    r"\;\text{ with }\; \underline{b} \le A \Delta q \le \overline{b}"
+)
+REMEMBERS: Text | None = Text(
+    en="the joint rates of the step before", pt_BR="as velocidades de junta do passo anterior"
+)
+PROMISES = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.KEEPS_LIMITS, Promise.STAYS_SINGULAR})
+FIGURES: Mapping[str, Text] = {
+    "share": Text(en="share of the step that was taken", pt_BR="parte do passo que foi dada"),
+}
+
+
+@dataclass(frozen=True)
+class Options:
+    """damping: λ, in units of ℓ per radian; turn: the weight of orientation, a radian against ℓ; gain: κ of the
+    velocity dampers, 1/s; levels: the position first, and the orientation in what it leaves free.
+    """
+
+    damping: Annotated[
+        float, Quantity(Text(en="damping λ", pt_BR="amortecimento λ"), 1e-4, 1.0, "mm/rad", lengths=1, decades=True)
+    ] = 0.02
+    turn: Annotated[
+        float,
+        Quantity(Text(en="weight of orientation", pt_BR="peso da orientação"), 1e-3, 1.0, decades=True),
+    ] = 1.0
+    gain: Annotated[
+        float, Quantity(Text(en="gain of the dampers κ", pt_BR="ganho dos amortecedores κ"), 1.0, 50.0, "1/s")
+    ] = DAMPER_GAIN
+    levels: Annotated[bool, YesNo(Text(en="position first", pt_BR="posição primeiro"))] = False
+
+
+def applies(task: Task) -> Text | None:
+    """To every task."""
+    return None
+
+
+def start(task: Task, options: Options) -> Array:
+    """At rest."""
+    return frozen(np.zeros(len(task.q)))
+
+
+def step(problem: Problem, task: Task, memory: Array, options: Options) -> tuple[Solution, Array]:
+    """One guarded tick from task.q; the memory holds the joint rates, rad/s, of the one before."""
+    units, q = problem.joint_units, task.q.copy()
+    v, weights = task.rate * task.dt, np.ones(len(task.rate))
+    weights[3:] = options.turn
+    split = indices([3]) if options.levels and len(v) > 3 else ONE_LEVEL
+    rows = (np.ascontiguousarray(task.J / units), v, weights, (options.damping / units) ** 2)
+    poses = link_poses(problem.robot.chain, q)
+    guard = (*problem.guard[:5], options.gain)
+    after, _, held, share = guarded_tick(guard, q, memory.copy(), poses, rows, split, task.dt)
+    rates = frozen((after - q) / task.dt)
+    pull = float(np.sum((weights * v) ** 2) ** 0.5)
+    return Solution(rates / units, {"share": share}, reasons=reasons(problem, after, held, pull)), rates

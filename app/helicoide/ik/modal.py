@@ -1,0 +1,48 @@
+"""What the filtered inverse does to each singular value: the diagnosis of Θ in the axes of J.
+
+    J = U Σ Vᵀ,   Ψ = Vᵀ Θ U = D + R,   ḋᵢ = −2γσᵢ(σᵢdᵢ − 1),   ṙᵢⱼ = −γ(σᵢ² + σⱼ²) rᵢⱼ
+
+Source: Vargas 2013, eqs. 4.44–4.54.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.manipulability import analysed
+
+
+@dataclass(frozen=True, eq=False)
+class Diagnosis:
+    """Θ (n, r) seen from J (r, n), p = min(n, r): sigma (p,); d (p,), on its way to 1/σᵢ; R (n, r), on its way to 0.
+
+    rates (n, r), 1/s: how fast each entry gets there, 2γσᵢ² for dᵢ, γ(σᵢ² + σⱼ²) for rᵢⱼ, with σ = 0 beyond p. V_c and
+    the least that it can be, (r − ρ)/2 + (n − ρ)/2 for rank ρ.
+    """
+
+    sigma: Array
+    d: Array
+    R: Array
+    rates: Array
+    V_c: float
+    floor: float
+
+
+def diagnosed(J: Array, Theta: Array, gain: float) -> Diagnosis:
+    """The modal diagnosis of Θ. Args: J (r, n); Theta (n, r); gain: γ, 1/s. Source: Vargas 2013, §4.4."""
+    r, n = J.shape
+    axes = analysed(J)
+    p = axes.sigma.size
+    rows, columns = np.zeros(n), np.zeros(r)
+    rows[:p] = columns[:p] = axes.sigma
+    R = axes.V.T @ Theta @ axes.U
+    d = R.diagonal().copy()
+    np.fill_diagonal(R, 0.0)
+    # ½‖S_r‖² + ½‖S_ℓ‖² in the axes of J: the diagonal counts in both, and each side has ones where σ is missing
+    off = np.sum((rows[:, None] ** 2 + columns**2) * R**2) / 2
+    V_c = float(np.sum((axes.sigma * d - 1) ** 2) + off + (r - p) / 2 + (n - p) / 2)
+    rates = gain * (rows[:, None] ** 2 + columns**2)
+    return Diagnosis(axes.sigma, d, R, rates, V_c, (r - axes.rank) / 2 + (n - axes.rank) / 2)

@@ -1,0 +1,210 @@
+"""Numerical inverse kinematics of any arm: searches with restarts, for one posture within the limits or for all.
+
+What cannot be reached is approached by least squares, ‖Δp‖² + (w ℓ θ)² with w ≪ 1: the position comes first.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helicoide.ik.branch import Answer, Branch, branch_of, check_pose, tool_at
+from helicoide.ik.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER
+from helicoide.ik.listing import nearest_first
+from helicoide.ik.restarts import approach, draw, search
+from helicoide.ik.task import ORIENTATION_LENGTH
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.tool import packed, tool_jacobian
+from helicoide.text import Text
+
+TITLE = Text(en="numerical search with restarts", pt_BR="busca numérica com reinícios")
+SOURCE = "Chan and Lawrence 1988; Sugihara 2011; Marquardt 1963"
+
+WITHIN, FINE = (1e-6, 1e-6), (1e-9, 1e-9)  # what may be left by one posture, and by those of a list, m and rad
+STEPS, SEARCHES = 30, 400  # of one search, and of them: mostly 10 and 1 or 2; the worst of 160,000 poses took 185
+FINE_STEPS, MOST_SEARCHES, PATIENCE = 60, 1000, 150
+APPROACH_STEPS, APPROACHES = 300, 20
+APART = 1e-3  # two postures differ by so much in a joint, rad or ℓ; where two meet, each is known to √FINE only
+MOST = 16  # postures that are listed
+WALK, LOST = 0.05, 1e-4  # a step along a direction in which no joint motion is felt; below this it is not, of the most
+
+POSTURE = Text(en="posture {n}", pt_BR="postura {n}")
+FOUND = Text(en="{n} posture{s} found in {searches} searches.", pt_BR="{n} postura{s} em {searches} buscas.")
+ENDLESS = Text(
+    en="The arm reaches the goal in infinitely many postures; {n} of them, found in {searches} searches.",
+    pt_BR="O braço alcança o alvo em infinitas posturas; {n} delas, encontradas em {searches} buscas.",
+)
+REACHED = Text(en="Reached, in {searches} search{es}.", pt_BR="Alcançado, em {searches} busca{s}.")
+MISSED = Text(
+    en="The nearest posture found misses the goal by {mm:.3f} mm and {degrees:.3f}°.",
+    pt_BR="A postura mais próxima encontrada fica a {mm:.3f} mm e {degrees:.3f}° do alvo.",
+)
+LIMITED = Text(
+    en="Only postures beyond the joint limits reach the goal; the nearest within them misses it by {mm:.3f} mm and "
+    "{degrees:.3f}°.",
+    pt_BR="Só posturas além dos limites das juntas alcançam o alvo; a mais próxima dentro deles fica a {mm:.3f} mm e "
+    "{degrees:.3f}°.",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Searcher:
+    """A robot as the searches take it: its joints and tool; ranges (n, 6) that keep the limits, and that do not.
+
+    Without limits a joint that turns is searched over a full turn.
+    """
+
+    arm: Array
+    ranges: Array
+    wide: Array
+    reach: float
+
+
+@lru_cache(maxsize=16)
+def searcher(robot: Robot) -> Searcher:
+    """The arrays of a robot; writable, as the kernels are compiled for."""
+    n = len(robot.variables)
+    turns = _turns_whole(robot)
+    ranges = np.empty((n, 6))
+    ranges[:, LOWER], ranges[:, UPPER] = robot.lower, robot.upper
+    ranges[:, PERIOD] = np.where(turns, 2 * np.pi, 0.0)
+    ranges[:, HELD] = ~turns | (robot.upper - robot.lower < 2 * np.pi)
+    ranges[:, STRIDE] = strides(n)
+    ranges[:, UNIT] = [robot.reach if joint.slides else 1.0 for joint in robot.variables]
+    wide = ranges.copy()
+    wide[turns, LOWER], wide[turns, UPPER], wide[:, HELD] = -np.pi, np.pi, 0.0
+    return Searcher(packed(robot), ranges, wide, robot.reach)
+
+
+def _turns_whole(robot: Robot) -> NDArray[np.bool_]:
+    """Whether the arm stands alike when a variable changes by 2π, (n,): not where it slides or drives by a ratio."""
+    chain = robot.chain
+    whole = ~chain["slides"] & (chain["ratio"] == np.round(chain["ratio"]))
+    return np.array([bool(whole[chain["driver"] == i].all()) for i in range(len(robot.variables))])
+
+
+def strides(n: int) -> Array:
+    """By how much the shares of n joints differ from one draw to the next: φ⁻¹, φ⁻², …, with φⁿ⁺¹ = φ + 1.
+
+    Source: Roberts 2018, The unreasonable effectiveness of quasirandom sequences.
+    """
+    phi = 2.0
+    for _ in range(60):
+        phi = (1.0 + phi) ** (1.0 / (n + 1))
+    return phi ** -np.arange(1.0, n + 1)
+
+
+def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Array:
+    """The first posture found within the limits, to 10⁻⁶ m and rad, searching from q on; unchecked, for loops.
+
+    Args: T_world_tool (4, 4), m; q (n,), rad or m. Returns what `restarts.search` does, (n + 4,).
+    """
+    of = searcher(robot)
+    weights = (1.0 / of.reach, float(with_orientation))
+    # copies: a kernel is compiled anew for arrays that are read-only or not in the usual order
+    return search(of.arm, of.ranges, T_world_tool.copy(), q.copy(), weights, WITHIN, STEPS, SEARCHES)
+
+
+def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
+    """One posture within the limits, searched from q (n,) on; where there is none, the one that comes nearest.
+
+    Args: T_world_tool (4, 4), m; without orientation its position counts alone. Raises HelicoideError unless the pose
+    is a pose and q has n finite values.
+    """
+    goal, start = check_pose(T_world_tool).copy(), robot.check_joints(q)
+    found = posture(robot, goal, start, with_orientation)
+    if np.isfinite(found[-4]):
+        searches = int(found[-1])
+        words = REACHED.format(searches=searches, es="es"[: 2 * (searches > 1)], s="s"[: searches > 1])
+        branch = _branch(robot, found[:-4], goal, with_orientation)
+        return Answer(nearest_first(robot, [branch], start), frozen(goal), words)
+    return _nearest(robot, goal, start, with_orientation)
+
+
+def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
+    """Every posture that restarts find, within the limits or not, to 10⁻⁹ m and rad, in the order of `nearest_first`.
+
+    Where there are infinitely many, some of them; where there is none, the one within the limits that comes nearest.
+    Arguments and errors as in `solve`.
+    """
+    goal, start = check_pose(T_world_tool).copy(), robot.check_joints(q)
+    rows, searches = _gathered(searcher(robot), goal, start, with_orientation, MOST)
+    if not len(rows):
+        return _nearest(robot, goal, start, with_orientation)
+    postures = [_branch(robot, row, goal, with_orientation) for row in rows]
+    ordered = nearest_first(robot, postures, start)
+    named = tuple(replace(branch, name=POSTURE.format(n=n)) for n, branch in enumerate(ordered, 1))
+    endless = any(_is_endless(robot, row, goal, with_orientation) for row in rows)
+    words = (ENDLESS if endless else FOUND).format(n=len(rows), s="s"[: len(rows) > 1], searches=searches)
+    return Answer(named, frozen(goal), words)
+
+
+def turned_alike(robot: Robot, q: Array, T_world_goal: Array) -> Array:
+    """The goal (4, 4), m, with the orientation that the tool has at q (n,): what counts where its own does not."""
+    goal = T_world_goal.copy()
+    goal[:3, :3] = tool_at(robot, q)[:3, :3]
+    return frozen(goal)
+
+
+def _branch(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> Branch:
+    return branch_of(robot, POSTURE.format(n=1), q, goal if with_orientation else turned_alike(robot, q, goal))
+
+
+def _gathered(of: Searcher, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
+    """Different postures (k, n), within the limits or not, and the number of searches.
+
+    It ends with `most` of them, or when a number of searches in a row came to known ones.
+    """
+    found, again, number = np.empty((0, start.size)), 0, 0
+    q = start.copy()
+    while number < MOST_SEARCHES and len(found) < most and again < PATIENCE:
+        reached = _fine(of, goal, q, with_orientation)
+        if reached is not None and _is_known(of, reached, found):
+            again += 1
+        elif reached is not None:
+            found, again = np.vstack([found, reached]), 0
+        number += 1
+        draw(of.wide, number, q)
+    return found, number
+
+
+def _fine(of: Searcher, goal: Array, q: Array, with_orientation: bool) -> Array | None:
+    """The posture that one search from q comes to, within the limits or not; None if in vain."""
+    weights = (1.0 / of.reach, float(with_orientation))
+    found = search(of.arm, of.wide, goal, q, weights, FINE, FINE_STEPS, 1)
+    return found[:-4] if found[-4] < np.inf else None
+
+
+def _is_known(of: Searcher, q: Array, found: Array, apart: float = APART) -> bool:
+    """Whether in one of the rows of found (k, n) every joint stands nearer than that to where q has it."""
+    ways = found - q
+    ways -= of.wide[:, PERIOD] * np.round(ways / np.where(of.wide[:, PERIOD] > 0, of.wide[:, PERIOD], np.inf))
+    return bool((np.abs(ways) < apart * of.wide[:, UNIT]).all(axis=1).any())
+
+
+def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Answer:
+    """The posture within the limits that comes nearest, and whether others would reach the goal."""
+    of = searcher(robot)
+    weights = (1.0 / of.reach, ORIENTATION_LENGTH * with_orientation)
+    q = approach(of.arm, of.ranges, goal, start.copy(), weights, APPROACH_STEPS, APPROACHES)
+    branch = _branch(robot, q, goal, with_orientation)
+    beyond_limits = len(_gathered(of, goal, start, with_orientation, 1)[0]) > 0
+    words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * branch.missed, degrees=np.degrees(branch.turned))
+    return Answer((branch,), frozen(goal), words, short=branch.missed)
+
+
+def _is_endless(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> bool:
+    """Whether a posture (n,) is one of a family: a step along a motion that the tool does not feel leads to another."""
+    of = searcher(robot)
+    J = tool_jacobian(of.arm, q)[: 6 if with_orientation else 3] * of.wide[:, UNIT]
+    J[:3] /= of.reach
+    _, sigma, Vt = np.linalg.svd(J)
+    for way in Vt[np.count_nonzero(sigma > LOST * sigma[0]) :] * of.wide[:, UNIT]:
+        walked = _fine(of, goal, q + WALK * way, with_orientation)
+        if walked is not None and not _is_known(of, walked, q[None], WALK / 4):
+            return True
+    return False

@@ -1,0 +1,93 @@
+"""Manipulability: keep away from singular postures, where the tool cannot move in some direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Annotated
+
+import numpy as np
+
+from helicoide.ik import Problem
+from helicoide.ik.method import OneOf
+from helicoide.ik.objective import Cost, Posture
+from helicoide.ik.objective import posture as posture_at
+from helicoide.kinematics import jacobian
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+
+TITLE = Text(en="manipulability", pt_BR="manipulabilidade")
+SOURCE = "Cerbaro 2022, eqs. 10–11; Vargas 2013, eq. 3.5; Yoshikawa 1985"
+EQUATION = r"f = -w, \quad w = \sqrt{\det(J J^T)} = \sigma_1 \sigma_2 \cdots \sigma_r"
+AUGMENTS = False
+
+
+@dataclass(frozen=True)
+class Options:
+    """of: the motion of the tool whose manipulability counts."""
+
+    of: Annotated[
+        str,
+        OneOf(
+            Text(en="manipulability of", pt_BR="manipulabilidade de"),
+            {
+                "position": Text(en="position", pt_BR="posição"),
+                "pose": Text(en="position and orientation", pt_BR="posição e orientação"),
+            },
+        ),
+    ] = "position"
+
+
+def applies(robot: Robot) -> Text | None:
+    """To every robot."""
+    return None
+
+
+def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
+    """f = −w, ∂w/∂q_k = Σᵢ (Πⱼ≠ᵢ σⱼ) uᵢᵀ (∂J/∂q_k) vᵢ.
+
+    The product runs over the rank r that J has in general: a planar arm is not always singular because it is planar.
+    At a singular posture w has a kink, and what is given leads out of it, to one side.
+    """
+    J, rates = tool_jacobian(problem, posture.poses, 3 if options.of == "position" else 6)
+    found, r = analysed(J), usual_rank(problem, len(J))
+    sigma, U, V = found.sigma[:r], found.U[:, :r], found.V[:, :r]
+    others = np.array([np.prod(np.delete(sigma, i)) for i in range(r)])
+    return Cost(-float(np.prod(sigma)), -np.einsum("i,ai,abk,bi->k", others, U, rates, V, optimize=True))
+
+
+@lru_cache(maxsize=64)
+def usual_rank(problem: Problem, rows: int) -> int:
+    """The rank of the tool's Jacobian at a posture without symmetry: its rank in general."""
+    lower, upper = problem.robot.lower, problem.robot.upper
+    q = lower + (upper - lower) * np.random.default_rng(0).uniform(0.2, 0.8, lower.size)
+    return analysed(tool_jacobian(problem, posture_at(problem, q).poses, rows)[0]).rank
+
+
+def tool_jacobian(problem: Problem, poses: Array, rows: int) -> tuple[Array, Array]:
+    """The tool's J (rows, n) without lengths, as in `clik.tool_aim`, and its derivative ∂J/∂q (rows, n, n).
+
+    With joint columns (vᵢ, ωᵢ), v̇ᵢ = ω_min(i,j) × v_max(i,j) and ω̇ᵢ = ωⱼ × ωᵢ for j < i, else 0, when joint j moves.
+    """
+    chain = problem.robot.chain
+    tool = poses[-1, :3, :3] @ problem.robot.T_link_tool[:3, 3] + poses[-1, :3, 3]
+    axes, slides = jacobian.joint_axes(poses, chain), chain["slides"][:, None]
+    v = np.where(slides, axes, np.cross(axes, tool - poses[1:, :3, 3])) / problem.length
+    spin = np.where(slides, 0.0, axes)
+    i, j = np.indices((len(chain), len(chain)))
+    v_rate = np.cross(spin[np.minimum(i, j)], v[np.maximum(i, j)])
+    spin_rate = np.where((j < i)[..., None], np.cross(spin[j], spin[i]), 0.0)
+    drives = _drives(problem)
+    J = np.concatenate([v, spin], axis=1).T[:rows]
+    rates = np.concatenate([v_rate, spin_rate], axis=2).transpose(2, 0, 1)[:rows]
+    return J @ drives, drives.T @ rates @ drives
+
+
+def _drives(problem: Problem) -> Array:
+    """What a rate without unit of each variable gives in each joint of the chain, (m, n)."""
+    chain = problem.robot.chain
+    drives = np.zeros((len(chain), len(problem.robot.variables)))
+    drives[np.arange(len(chain)), chain["driver"]] = chain["ratio"]
+    return drives * problem.joint_units

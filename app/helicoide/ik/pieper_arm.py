@@ -1,0 +1,163 @@
+"""Arms of six turning joints with a spherical wrist as Pieper's solution sees them: modified rows, the wrist last."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from math import cos, hypot, sin
+
+import numpy as np
+
+from helicoide.ik.solvability import meeting_point
+from helicoide.kinematics import dh
+from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+
+# A sine, and a length in m, below which an axis has none.
+NONE = 1e-6
+# The step of differences, rad, and the part of the arm's size, cubed, below which they are zero.
+STEP, STILL = 1e-5, 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Arm:
+    """An arm with the wrist last, in modified rows: α₁ … α₅, a₁ … a₃, d₁ … d₄, θ at q = 0 (6,), rad and m.
+
+    T_base_world, T_tool_wrist (4, 4), m. backwards: whether it is the robot seen from its tool, whose wrist is first.
+    """
+
+    alpha: tuple[float, ...]
+    a: tuple[float, ...]
+    d: tuple[float, ...]
+    shifts: Array
+    T_base_world: Array
+    T_tool_wrist: Array
+    backwards: bool
+
+    def wrist(self, T_world_tool: Array) -> Array:
+        """Pose of the last DH frame, whose origin is the wrist centre, d₁ z below, (4, 4), m."""
+        T = np.linalg.inv(T_world_tool) if self.backwards else T_world_tool
+        T = self.T_base_world @ T @ self.T_tool_wrist
+        T[2, 3] -= self.d[0]
+        return np.asarray(T)
+
+    def turned(self, q: Array) -> Array:
+        """q in the order of this arm: its own inverse."""
+        return q[::-1] if self.backwards else q
+
+    @cached_property
+    def f(self) -> Array:
+        """f₁, f₂, f₃: their constant part and the factors of c₃ and s₃, (3, 3), m."""
+        (_, sa2, sa3), (_, ca2, ca3) = np.sin(self.alpha[:3]), np.cos(self.alpha[:3])
+        (_, a2, a3), (_, _, d3, d4) = self.a, self.d
+        return frozen(
+            [
+                [a2, a3, d4 * sa3],
+                [-d4 * sa2 * ca3 - d3 * sa2, -d4 * sa3 * ca2, a3 * ca2],
+                [d4 * ca2 * ca3 + d3 * ca2, -d4 * sa3 * sa2, a3 * sa2],
+            ]
+        )
+
+    @cached_property
+    def size(self) -> Array:
+        """f₁² + f₂² + f₃² in the same form, (3,), m²: c₃² and s₃² fall together."""
+        (_, a2, a3), (_, _, d3, d4) = self.a, self.d
+        ca3, sa3 = cos(self.alpha[2]), sin(self.alpha[2])
+        constant = a2**2 + a3**2 + d3**2 + d4**2 + 2 * d3 * d4 * ca3
+        return frozen([constant, 2 * a2 * a3, 2 * a2 * d4 * sa3])
+
+    @cached_property
+    def k(self) -> tuple[Array, Array]:
+        """k₃, m², and k₄, m, in the same form, (3,)."""
+        a1, d2 = self.a[0], self.d[1]
+        k3 = self.size + 2 * d2 * self.f[2] + [a1**2 + d2**2, 0, 0]
+        return frozen(k3), frozen(cos(self.alpha[0]) * (self.f[2] + [d2, 0, 0]))
+
+
+@lru_cache(maxsize=64)
+def arm_of(robot: Robot) -> Arm | Text:
+    """The robot as such an arm, or why it is not one."""
+    if len(robot.joints) != 6 or any(joint.slides or joint.mimic for joint in robot.joints):
+        return JOINTS
+    ends = {False: (3, 4, 5), True: (0, 1, 2)}
+    arms = [_rows(robot, backwards) for backwards, axes in ends.items() if meeting_point(robot, axes) is not None]
+    return next((arm for arm in arms if _turns_everywhere(arm) and _moves_everywhere(arm)), PLACES if arms else WRIST)
+
+
+def _rows(robot: Robot, backwards: bool) -> Arm:
+    """The modified rows: of row i they take α and a of row i − 1 of the standard ones, which the axes give."""
+    joints, T_0 = robot.joints, robot.T_world_tool_0
+    if backwards:
+        T_0 = np.asarray(np.linalg.inv(T_0), dtype=np.float64)
+        joints = tuple(_seen(joint, T_0) for joint in reversed(joints))
+    table = dh.recovered(joints, T_0)
+    rows = table.rows
+    return Arm(
+        alpha=tuple(row.alpha for row in rows[:5]),
+        a=tuple(row.a for row in rows[:3]),
+        d=tuple(row.d for row in rows[:4]),
+        shifts=frozen([row.theta for row in rows]),
+        T_base_world=frozen(np.linalg.inv(table.T_world_dh)),
+        T_tool_wrist=frozen(np.linalg.inv(table.T_dh_tool)),
+        backwards=backwards,
+    )
+
+
+def _seen(joint: Joint, T_tool_world: Array) -> Joint:
+    """A joint as the tool sees it at q = 0: from there it turns the other way."""
+    R, p = T_tool_world[:3, :3], T_tool_world[:3, 3]
+    return replace(joint, direction=frozen(-R @ joint.direction), point=frozen(R @ joint.point + p))
+
+
+def _turns_everywhere(arm: Arm) -> bool:
+    return min(abs(sin(arm.alpha[3])), abs(sin(arm.alpha[4]))) > NONE
+
+
+def _moves_everywhere(arm: Arm) -> bool:
+    """Whether ∂(ρ², z)/∂(θ2, θ3) is not zero everywhere: the wrist centre then comes to points all around."""
+    theta2, theta3 = np.random.default_rng(0).uniform(-np.pi, np.pi, (2, 20))
+
+    def at(step2: float, step3: float) -> Array:
+        out, up = meridian(arm, theta2 + step2, theta3 + step3)
+        return np.array([out**2, up])
+
+    by_2, by_3 = at(STEP, 0) - at(-STEP, 0), at(0, STEP) - at(0, -STEP)
+    largest = sum(map(abs, (*arm.a, *arm.d[1:])))
+    return bool(np.abs(by_2[0] * by_3[1] - by_2[1] * by_3[0]).max() > (2 * STEP) ** 2 * STILL * largest**3)
+
+
+def meridian(arm: Arm, theta2: Array, theta3: Array) -> tuple[Array, Array]:
+    """Where the wrist centre lies at angles (...), rad: √(g₁² + g₂²) from the first axis, and z along it, m."""
+    f1, f2, f3 = (row[0] + row[1] * np.cos(theta3) + row[2] * np.sin(theta3) for row in arm.f)
+    c2, s2, ca1, sa1 = np.cos(theta2), np.sin(theta2), cos(arm.alpha[0]), sin(arm.alpha[0])
+    across, up = s2 * f1 + c2 * f2, f3 + arm.d[1]
+    return np.hypot(c2 * f1 - s2 * f2 + arm.a[0], ca1 * across - sa1 * up), sa1 * across + ca1 * up
+
+
+def beyond(arm: Arm, p: Array) -> float:
+    """How far a point (3,), m, lies from where the wrist centre can be, m, by a grid of θ2 and θ3 that closes in."""
+    out, (theta2, theta3), span = hypot(p[0], p[1]), np.zeros(2), np.pi
+    far = np.zeros(0)
+    while span > 1e-9:
+        grid = span * np.linspace(-1, 1, 61)
+        angles2, angles3 = np.meshgrid(theta2 + grid, theta3 + grid)
+        rho, z = meridian(arm, angles2, angles3)
+        far = np.hypot(rho - out, z - p[2])
+        best = np.unravel_index(np.argmin(far), far.shape)
+        theta2, theta3, span = angles2[best], angles3[best], span / 8
+    return float(far.min())
+
+
+JOINTS = Text(
+    en="The form is for six turning joints, each moved on its own.",
+    pt_BR="A forma vale para seis juntas de revolução, cada uma com movimento próprio.",
+)
+WRIST = Text(
+    en="The form is for arms whose last or first three axes meet at a point.",
+    pt_BR="A forma vale para braços cujos três últimos, ou três primeiros, eixos se cruzam num ponto.",
+)
+PLACES = Text(
+    en="Three axes meet at a point, but that wrist does not turn freely or the others do not move it everywhere.",
+    pt_BR="Há três eixos que se cruzam, mas esse punho não gira livremente ou os outros não o levam a toda parte.",
+)

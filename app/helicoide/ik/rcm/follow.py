@@ -1,0 +1,164 @@
+"""Following a path while the shaft passes an entry point that stays, or moves.
+
+    ν = [v_d + Kp e_p − ω × e_p; ω],  ω = ω_d + Ko ε̃,   u = inverse(J^r)(ν − Jc v),   v = v_rd + Kr e_r
+
+Source: Coutinho 2015, §2.4, fig. 3.3, table 4.1; Kr and the depth that follows the posture are added here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from helicoide.geometry import rotation
+from helicoide.ik import Problem, methods
+from helicoide.ik.method import Method, Solution, Task
+from helicoide.ik.rcm.constrained import Constrained, constrained
+from helicoide.ik.rcm.free_motions import Basis
+from helicoide.ik.rcm.passage import Passage, refusal
+from helicoide.kinematics.chain import Array
+from helicoide.text import HelicoideError
+
+
+@dataclass(frozen=True, eq=False)
+class Wish:
+    """Where the tool and the entry point shall go at one instant.
+
+    T_world_target (4, 4), m; ahead: (v, ω) of the target, (6,), world axes, m/s and rad/s; entry_rate: v_rd (r,), m/s,
+    along the forbidden directions.
+    """
+
+    T_world_target: Array
+    ahead: Array
+    entry_rate: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Inverse:
+    """A method of inverse kinematics with its options, whatever Jacobian it is given."""
+
+    method: Method
+    options: Any
+
+    def answered(self, problem: Problem, task: Task, memory: Any) -> tuple[Solution, Any]:
+        """The answer and the memory for the next task; None begins with the method's own."""
+        memory = self.method.start(task, self.options) if memory is None else memory
+        return self.method.step(problem, task, memory, self.options)
+
+
+def inverse(name: str, **options: Any) -> Inverse:
+    """A method by its name, with some of its options set. Raises HelicoideError for an unknown name."""
+    method = methods.named(name)
+    return Inverse(method, method.Options(**options))
+
+
+PSEUDOINVERSE = inverse("pseudoinverse")
+
+
+@dataclass(frozen=True, eq=False)
+class Control:
+    """How the loop is closed: position, orientation, entry: gains Kp, Ko, Kr, 1/s; of_tool inverts J^r, of_arm J_i.
+
+    Damping J^r leaves the entry point exact, damping J_i does not.
+    Source: Coutinho 2015, tables 4.1, 4.2, eqs. 3.43, 3.46.
+    """
+
+    of_tool: Inverse = PSEUDOINVERSE
+    of_arm: Inverse = PSEUDOINVERSE
+    position: float = 5.0
+    orientation: float = 10.0
+    entry: float = 0.0
+    basis: Basis = "scaled"
+
+
+@dataclass(frozen=True, eq=False)
+class Moment:
+    """One step: time, s; q (n,) and p_rcm (3,), m, before it; what is there, what was missed, what was answered.
+
+    error: (e_p, ε̃) (6,), body axes, m and sin(φ/2); asked: v_rd + Kr e_r (r,), m/s; tool and arm: the answers of the
+    two inverses; rates: θ̇ (n,), rad/s; memory: of both, after it.
+    """
+
+    t: float
+    q: Array
+    entry_world: Array
+    at: Constrained
+    error: Array
+    asked: Array
+    tool: Solution
+    arm: Solution
+    rates: Array
+    memory: tuple[Any, Any]
+
+    @property
+    def entry_slip(self) -> Array:
+        """Λ J_i θ̇ − v (r,), m/s: by how much the shaft misses the velocity that its entry point asks."""
+        return self.at.at_entry(self.rates) - self.asked
+
+
+def pose_error(T_world_target: Array, T_world_tool: Array) -> Array:
+    """Error of pose as the tool sees it: e_p = Rᵀ (p_d − p), ε̃ = vector part of Q⁻¹ ⊗ Q_d, the shorter way round.
+
+    Q_d ⊗ Q⁻¹, as the source has it, is in the base frame and may not be added to a body velocity.
+    Args: (4, 4), m. Returns (6,), m and sin(φ/2). Source: Coutinho 2015, eqs. 2.59, 2.62–2.63 corrected.
+    """
+    R = T_world_tool[:3, :3]
+    position = R.T @ (T_world_target[:3, 3] - T_world_tool[:3, 3])
+    return np.concatenate([position, rotation.from_matrix(R.T @ T_world_target[:3, :3])[1:]])
+
+
+def command(R_world_tool: Array, ahead: Array, error: Array, position: float, orientation: float) -> Array:
+    """ν = [v_d + Kp e_p − ω × e_p; ω], ω = ω_d + Ko ε̃: body velocity of the tool under which ė_p = −Kp e_p.
+
+    Args: ahead: (v, ω) of the target in world axes (6,); error (6,) of `pose_error`; gains, 1/s. Returns (6,).
+    Source: Coutinho 2015, eq. 2.66.
+    """
+    turn = R_world_tool.T @ ahead[3:] + orientation * error[3:]
+    move = R_world_tool.T @ ahead[:3] + position * error[:3] - np.cross(turn, error[:3])
+    return np.concatenate([move, turn])
+
+
+def answered(
+    at: Constrained, control: Control, wish: Wish, error: Array, dt: float, memory: tuple[Any, Any]
+) -> tuple[Array, Solution, Solution, Array, tuple[Any, Any]]:
+    """What the entry point is asked, u, the rates of the arm, θ̇ and the memories: one turn of fig. 3.3."""
+    asked = wish.entry_rate + control.entry * at.place.lateral
+    nu = command(at.T_world_tool[:3, :3], wish.ahead, error, control.position, control.orientation)
+    tool, of_tool = control.of_tool.answered(at.problem, at.task(nu, asked, dt), memory[0])
+    velocity = at.shaft_velocity(tool.rates, asked)
+    arm, of_arm = control.of_arm.answered(at.problem, at.arm_task(velocity, dt), memory[1])
+    return asked, tool, arm, at.rates(arm.rates, tool.rates), (of_tool, of_arm)
+
+
+def followed(
+    problem: Problem,
+    passage: Passage,
+    control: Control,
+    wished: Callable[[float], Wish],
+    q: Array,
+    entry_world: Array,
+    dt: float,
+    memory: tuple[Any, Any] = (None, None),
+) -> Iterator[Moment]:
+    """The closed loop from q (n,) with the entry point at p_rcm (3,), m, step after step and without end.
+
+    Explicit Euler, the entry point too: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. Raises HelicoideError where six ways of the
+    tool and the entry point are too much for the arm. memory: of the two inverses, where they are not to begin with
+    their own.
+    """
+    refused = refusal(problem.robot, passage)
+    if refused:
+        raise HelicoideError(refused)
+    t = 0.0
+    while True:
+        at = constrained(problem, passage, q, entry_world, control.basis)
+        wish = wished(t)
+        error = pose_error(wish.T_world_target, at.T_world_tool)
+        asked, tool, arm, rates, memory = answered(at, control, wish, error, dt, memory)
+        yield Moment(t, q, entry_world, at, error, asked, tool, arm, rates, memory)
+        q = q + rates * dt
+        entry_world = entry_world + at.R_world_shaft @ (at.place.forbidden.T @ wish.entry_rate) * dt
+        t += dt

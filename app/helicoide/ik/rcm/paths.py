@@ -1,0 +1,123 @@
+"""The paths of the source's simulations and of its first experiment: S1 to S4 and E1.
+
+The tool moves from its start T_0 by d(t) along its own axes at the start and turns by φ(t) about its x:
+T_d = (p_0 + R_0 d, R_0 Rot(x, φ)). Source: Coutinho 2015, §4.1, §4.2.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import cos, pi, sin
+from types import MappingProxyType
+
+import numpy as np
+
+from helicoide.ik.rcm.follow import Wish
+from helicoide.ik.rcm.passage import SLIT, TROCAR
+from helicoide.kinematics.chain import Array
+
+A = 0.03
+OMEGA = 2 * pi / 200
+# Seconds of one sample of the experiment, in which 5000 samples took 45 s.
+SAMPLE = 0.009
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """What a path asks at one instant: d and ḋ (3,), m and m/s; φ and φ̇, rad and rad/s; v_rd (2,), m/s."""
+
+    d: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    d_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    turn: float = 0.0
+    turn_rate: float = 0.0
+    entry_rate: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A path of the source: its way by time, how long it takes, s, and what its entry point forbids, (r, 3)."""
+
+    way: Callable[[float], Way]
+    duration: float
+    across: Array
+
+    def wished(self, T_world_start: Array) -> Callable[[float], Wish]:
+        """The wishes by time of a tool that starts at T_0 (4, 4), m."""
+        R, p = T_world_start[:3, :3], T_world_start[:3, 3]
+
+        def at(t: float) -> Wish:
+            way = self.way(t)
+            target = np.eye(4)
+            target[:3, :3] = R @ _about_x(way.turn)
+            target[:3, 3] = p + R @ way.d
+            ahead = np.concatenate([R @ way.d_rate, way.turn_rate * R[:, 0]])
+            return Wish(target, ahead, np.array(way.entry_rate[: len(self.across)]))
+
+        return at
+
+
+def _about_x(angle: float) -> Array:
+    c, s = cos(angle), sin(angle)
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+def s1(t: float) -> Way:
+    """d = (½A sin ωt, 2.2A cos 2ωt − 2.2A, A sin 2ωt): withdraws 132 mm. Source: Coutinho 2015, eq. 4.1."""
+    w = OMEGA
+    return Way(
+        (0.5 * A * sin(w * t), 2.2 * A * (cos(2 * w * t) - 1), A * sin(2 * w * t)),
+        (0.5 * A * w * cos(w * t), -4.4 * A * w * sin(2 * w * t), 2 * A * w * cos(2 * w * t)),
+    )
+
+
+def s2(t: float) -> Way:
+    """d = (½A sin ωt, −2A sin(3ωt − π/2) − 2A, ½A sin 2ωt). Source: Coutinho 2015, eq. 4.2."""
+    w = OMEGA
+    return Way(
+        (0.5 * A * sin(w * t), 2 * A * (cos(3 * w * t) - 1), 0.5 * A * sin(2 * w * t)),
+        (0.5 * A * w * cos(w * t), -6 * A * w * sin(3 * w * t), A * w * cos(2 * w * t)),
+    )
+
+
+def s3(t: float) -> Way:
+    """d = (0, 0.9A sin(ωt − π/2) + 0.9A, 0), φ = −π/8 sin ωt: crosses θ₇ = 0. Source: Coutinho 2015, eqs. 4.3, 4.4."""
+    w = OMEGA
+    return Way(
+        (0.0, 0.9 * A * (1 - cos(w * t)), 0.0),
+        (0.0, 0.9 * A * w * sin(w * t), 0.0),
+        -pi / 8 * sin(w * t),
+        -pi / 8 * w * cos(w * t),
+    )
+
+
+def s4(t: float) -> Way:
+    """As S2, while the entry point moves: v_rd = 5 (sin 3ωt, −sin 3ωt) mm/s. Source: Coutinho 2015, eqs. 4.5, 4.6."""
+    way, v = s2(t), 0.005 * sin(3 * OMEGA * t)
+    return Way(way.d, way.d_rate, entry_rate=(v, -v))
+
+
+def e1(t: float) -> Way:
+    """d = (30 mm sin ωk, 0, 0), φ = π/18 (cos ωk − 1), v_rd = (10 mm/s sin 8ωk, 0), ωk = 2π/7000 k, k = t / 9 ms.
+
+    Source: Coutinho 2015, §4.2.1, with ω by sample.
+    """
+    w = 2 * pi / 7000 / SAMPLE
+    return Way(
+        (0.03 * sin(w * t), 0.0, 0.0),
+        (0.03 * w * cos(w * t), 0.0, 0.0),
+        pi / 18 * (cos(w * t) - 1),
+        -pi / 18 * w * sin(w * t),
+        (0.01 * sin(8 * w * t), 0.0),
+    )
+
+
+PATHS: Mapping[str, Path] = MappingProxyType(
+    {
+        "S1": Path(s1, 200.0, SLIT),
+        "S2": Path(s2, 200.0, TROCAR),
+        "S3": Path(s3, 200.0, TROCAR),
+        "S4": Path(s4, 200.0, TROCAR),
+        "E1": Path(e1, 45.0, TROCAR),
+    }
+)

@@ -1,0 +1,79 @@
+"""A straight instrument on any arm: its tip goes where it is asked, its shaft stays in the entry point.
+
+No wrist beyond the entry, so three ways of the tip and r of the entry point make 3 + r rows, and the turn about the
+shaft stays free. Source: after Coutinho 2015, §3.4, §5.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.ik import Problem
+from helicoide.ik.clik import Aim, Aiming
+from helicoide.ik.rcm.passage import Passage, insertion
+from helicoide.kinematics import jacobian
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+
+
+@dataclass(frozen=True, eq=False)
+class TipWish:
+    """Where the tip and the entry point shall be at one instant: target p_d, ahead ṗ_d, entry p_rcm, (3,), m and m/s.
+
+    entry_rate: v_rd (r,), m/s, along the forbidden directions.
+    """
+
+    target: Array
+    ahead: Array
+    entry: Array
+    entry_rate: Array
+
+
+def refusal(robot: Robot, passage: Passage) -> Text | None:
+    """Why the tip cannot be moved in all three ways; None where it can: n ≥ 3 + r."""
+    n, rows = len(robot.variables), 3 + passage.r
+    if n >= rows:
+        return None
+    return Text(
+        en="{robot} has {n} joints; the tip and the entry point need at least {rows}.",
+        pt_BR="{robot} tem {n} juntas; a ponta e o ponto de entrada requerem pelo menos {rows}.",
+    ).format(robot=robot.name, n=n, rows=rows)
+
+
+def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> Aim:
+    """J_a = [J_p(tip); Pᵀ J_p(p_c)], e = [p_d − p; Pᵀ(p_rcm − p_c)], p_c the shaft's point nearest to the entry point.
+
+    P holds the forbidden directions in world axes. Rows over ℓ. Args: q (n,), rad or m.
+    Source: after Coutinho 2015, §3.4.
+    """
+    chain, length = problem.robot.chain, problem.length
+    poses = link_poses(chain, q)
+    axes = jacobian.joint_axes(poses, chain)
+    tip = (poses[-1] @ problem.robot.T_link_tool)[:3, 3].copy()
+    T_shaft = poses[passage.link] @ passage.T_link_shaft
+    place = insertion(passage, T_shaft, wish.entry)
+    nearest = T_shaft[:3, 3] + place.outside * T_shaft[:3, 1]
+    across = place.forbidden @ T_shaft[:3, :3].T
+    of_tip = jacobian.geometric(poses, chain, axes, tip, len(chain))[:3]
+    of_entry = jacobian.geometric(poses, chain, axes, nearest, passage.link)[:3]
+    J = np.vstack([of_tip, across @ of_entry]) * problem.joint_units / length
+    error = np.concatenate([wish.target - tip, place.lateral]) / length
+    return Aim(J, error, np.concatenate([wish.ahead, wish.entry_rate]) / length)
+
+
+def to_points(problem: Problem, passage: Passage, wished: Callable[[float], TipWish]) -> Aiming:
+    """What `clik.followed` aims at; raises HelicoideError where the arm has too few joints."""
+    refused = refusal(problem.robot, passage)
+    if refused:
+        raise HelicoideError(refused)
+    return lambda q, t: aim(problem, passage, q, wished(t))
+
+
+def gains(passage: Passage, position: float, entry: float) -> Array:
+    """Λ of the rows of `aim`: Kp for the tip, Kr for the entry point, (3 + r,), 1/s."""
+    return np.array([position] * 3 + [entry] * passage.r)

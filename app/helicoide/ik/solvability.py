@@ -1,0 +1,162 @@
+"""Whether an arm has a closed form, by Pieper's test, and how many postures it can have for one tool pose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from helicoide.ik.branch import sentences
+from helicoide.kinematics import dh
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+
+# Axes meet, and links have no length, below this distance, m; axes are parallel below this sine.
+MEETING, PARALLEL = 1e-6, 1e-9
+
+
+class Ground(Enum):
+    """Why there is a closed form, or not, in words; the axes and the bound are filled in."""
+
+    MEETING = Text(
+        en="Closed form: axes {axes} meet at a point (Pieper).",
+        pt_BR="Forma fechada: os eixos {axes} se cruzam num ponto (Pieper).",
+    )
+    PARALLEL = Text(
+        en="Closed form: axes {axes} are parallel, they meet at infinity (Pieper).",
+        pt_BR="Forma fechada: os eixos {axes} são paralelos, cruzam-se no infinito (Pieper).",
+    )
+    FEW = Text(
+        en="Closed form: with {joints} joints an equation of degree 4 at most is left.",
+        pt_BR="Forma fechada: com {joints} juntas sobra, no máximo, uma equação de grau 4.",
+    )
+    REDUNDANT = Text(
+        en="Numerically only: {joints} joints leave infinitely many postures for one pose.",
+        pt_BR="Só numericamente: {joints} juntas deixam infinitas posturas para uma mesma pose.",
+    )
+    NONE = Text(
+        en="Numerically only: no three adjacent axes meet at a point or are parallel.",
+        pt_BR="Só numericamente: não há três eixos vizinhos que se cruzem num ponto ou sejam paralelos.",
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """What Pieper's test says: the ground, the three axes from 0, where they meet at q = 0, (3,), m, and words.
+
+    bound: postures for one pose at most, row: the same by the table of the source; None but for six turning joints.
+    """
+
+    ground: Ground
+    axes: tuple[int, ...]
+    point: Array | None
+    bound: int | None
+    row: int | None
+    words: Text
+
+    @property
+    def closed(self) -> bool:
+        """Whether there is a closed form: formulas, or a polynomial of degree 4 at most."""
+        return self.ground in (Ground.MEETING, Ground.PARALLEL, Ground.FEW)
+
+
+def verdict(robot: Robot) -> Verdict:
+    """Pieper's test: three adjacent turning axes that meet at a point, or else three that are parallel, suffice.
+
+    With n ≤ 4 joints the missing axes can be imagined through a point of the last, so that three meet.
+    Source: Campos 1998, s.22–26; Pieper 1968.
+    """
+    ground, joints = Ground.NONE, len(robot.variables)
+    axes: tuple[int, ...] = ()
+    point: Array | None = None
+    if joints > 6:
+        ground = Ground.REDUNDANT
+    elif (meeting := meeting_axes(robot)) is not None:
+        ground, (axes, point) = Ground.MEETING, meeting
+    elif (parallel := parallel_axes(robot)) is not None:
+        ground, axes = Ground.PARALLEL, parallel
+    elif joints <= 4:
+        ground = Ground.FEW
+    bound, row = solution_bound(robot), table_row(robot)
+    shown = ", ".join(str(axis + 1) for axis in axes)
+    said = ground.value.format(axes=shown, joints=joints)
+    if bound is not None:
+        said = sentences(said, AT_MOST.format(bound=bound, row=row))
+    return Verdict(ground, axes, point, bound, row, said)
+
+
+def meeting_axes(robot: Robot) -> tuple[tuple[int, ...], Array] | None:
+    """Three adjacent axes that meet in every posture, counted from 0, the last ones first, and the point at q = 0."""
+    for first in reversed(range(len(robot.joints) - 2)):
+        axes = (first, first + 1, first + 2)
+        if (point := meeting_point(robot, axes)) is not None:
+            return axes, point
+    return None
+
+
+def meeting_point(robot: Robot, axes: tuple[int, ...]) -> Array | None:
+    """Where turning axes meet at q = 0, (3,), m: the least squares of their distances; None where they do not.
+
+    The middle one of three turns the others about the point where they meet, so that they always do.
+    """
+    if not _all_turn(robot, axes):
+        return None
+    across = np.concatenate([np.eye(3) - np.outer(s, s) for s in robot.directions[list(axes)]])
+    sides = np.concatenate([robot.points[i] - (robot.points[i] @ s) * s for i in axes for s in [robot.directions[i]]])
+    point, *_ = np.linalg.lstsq(across, sides)
+    apart = np.linalg.norm((across @ point - sides).reshape(-1, 3), axis=1)
+    return frozen(point) if apart.max() < MEETING else None
+
+
+def parallel_axes(robot: Robot) -> tuple[int, ...] | None:
+    """The first three adjacent turning axes that are parallel, counted from 0."""
+    for first in range(len(robot.joints) - 2):
+        axes = (first, first + 1, first + 2)
+        sines = np.linalg.norm(np.cross(robot.directions[first], robot.directions[list(axes)]), axis=1)
+        if _all_turn(robot, axes) and sines.max() < PARALLEL:
+            return axes
+    return None
+
+
+def _all_turn(robot: Robot, axes: tuple[int, ...]) -> bool:
+    return not any(robot.joints[axis].slides or robot.joints[axis].mimic for axis in axes)
+
+
+def link_lengths(robot: Robot) -> Array:
+    """a₁ … aₙ₋₁: the common normals of neighbouring axes, (n − 1,), m."""
+    rows = dh.recovered(robot.joints, robot.T_world_tool_0).rows
+    return frozen([row.a for row in rows[:-1]])
+
+
+def table_row(robot: Robot) -> int | None:
+    """What the table of the source prints: a₁ = a₃ = a₅ = 0 ≤ 4, a₃ = a₅ = 0 ≤ 8, else ≤ 16; six turning joints only.
+
+    Its first two rows do not hold for every arm: the PUMA with a₃ = 0 has eight postures, and an arm with
+    a₁ = a₃ = a₅ = 0, right-angled twists and offsets d can have sixteen. Source: Campos 1998, s.22, after Craig.
+    """
+    if not _has_six(robot):
+        return None
+    a1, _, a3, _, a5 = link_lengths(robot) < MEETING
+    return 4 if a1 and a3 and a5 else 8 if a3 and a5 else 16
+
+
+def solution_bound(robot: Robot) -> int | None:
+    """The postures for one pose at most: 8 with a spherical wrist at either end, else 16; six turning joints only.
+
+    A quartic and two postures of the wrist give 8. Source: Pieper 1968; Primrose 1986; Lee and Liang 1988.
+    """
+    if not _has_six(robot):
+        return None
+    return 8 if any(meeting_point(robot, end) is not None for end in ((0, 1, 2), (3, 4, 5))) else 16
+
+
+def _has_six(robot: Robot) -> bool:
+    return len(robot.joints) == 6 and _all_turn(robot, tuple(range(6)))
+
+
+AT_MOST = Text(
+    en="At most {bound} postures for one pose; the table by zero link lengths prints {row}.",
+    pt_BR="No máximo {bound} posturas para uma pose; a tabela por comprimentos de elo nulos traz {row}.",
+)

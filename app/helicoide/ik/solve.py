@@ -1,0 +1,158 @@
+"""The front door of inverse kinematics: the closed form of an arm where it has one, else searches; or a way by name."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.confinement import planes_of
+from helicoide.ik import Limits, Problem, closed, methods, numeric, subspace
+from helicoide.ik.branch import Answer, Form, branch_of, check_pose, sentences
+from helicoide.ik.clik import asked, to_pose
+from helicoide.ik.converge import Tolerance, by_method, converged
+from helicoide.ik.listing import nearest_first
+from helicoide.ik.method import Method
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+
+NUMERIC = "numeric"
+GENERAL = "pieper"  # for all arms with a spherical wrist: it comes after the forms of one arm
+EXACT = Tolerance(1e-5, 1e-5)  # what may be left of a goal that counts as reached
+FACTOR, PERIOD, STEPS = 0.5, 0.1, 1000  # of an iteration: step factor, how long a step lasts, s, and how many
+
+REACHED = Text(en="reached", pt_BR="alcançado")
+OUT = Text(
+    en="out of reach by {mm:.3f} mm and {degrees:.3f}°", pt_BR="fora de alcance por {mm:.3f} mm e {degrees:.3f}°"
+)
+LEFT = Text(
+    en="not reached: {mm:.3f} mm and {degrees:.3f}° are left",
+    pt_BR="não alcançado: faltam {mm:.3f} mm e {degrees:.3f}°",
+)
+LIMITED = Text(en="reached only beyond the joint limits", pt_BR="alcançado só além dos limites das juntas")
+PROJECTED = Text(
+    en="projected by {degrees:.3f}° and {mm:.3f} mm to what the arm can take: {status}",
+    pt_BR="projetado por {degrees:.3f}° e {mm:.3f} mm no que o braço assume: {status}",
+)
+
+
+def solve(
+    robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, every: bool = False, with_orientation: bool = True
+) -> Answer:
+    """Every posture for a tool pose, or the one within the limits that asks for the least motion from q.
+
+    Args: T_world_tool (4, 4), m; q (n,), rad or m; without orientation its position counts alone. An arm with fewer
+    than six joints gets the nearest goal that it can take. Where no posture within the limits reaches the goal, the
+    one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
+    """
+    T, q = check_pose(T_world_tool), robot.check_joints(q)
+    forms = closed.of(robot) if with_orientation else {}
+    if not forms:
+        return _searched(robot, T, q, every, with_orientation)
+    first = min(forms, key=lambda name: (name == GENERAL, name))
+    return _by_form(robot, forms[first], T, q, every)
+
+
+def solve_by(
+    name: str, robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, every: bool = False, with_orientation: bool = True
+) -> Answer:
+    """The same in the way of that name: a closed form, `numeric`, or a method that iterates from q.
+
+    Raises HelicoideError, which lists the names that are valid here, also where the way does not apply.
+    """
+    T, q = check_pose(T_world_tool), robot.check_joints(q)
+    if name == NUMERIC:
+        return _searched(robot, T, q, every, with_orientation)
+    if name in methods.names():
+        return _iterated(robot, methods.named(name), T, q, with_orientation)
+    if name not in closed.found():
+        raise _refused(robot, Text(en=f"There is no way {name!r}.", pt_BR=f"Não existe o modo {name!r}."))
+    form = closed.found()[name]
+    reason = form.applies(robot) if with_orientation else _WHOLE
+    if reason is not None:
+        raise _refused(robot, sentences(Text(en=f"{name} does not apply.", pt_BR=f"{name} não se aplica."), reason))
+    return _by_form(robot, form, T, q, every)
+
+
+_WHOLE = Text(en="A closed form needs an orientation.", pt_BR="Uma forma fechada precisa de orientação.")
+
+
+def ways(robot: Robot) -> tuple[str, ...]:
+    """The names that `solve_by` takes for a robot."""
+    return (*closed.of(robot), NUMERIC, *methods.names())
+
+
+def _refused(robot: Robot, why: Text) -> HelicoideError:
+    valid = Text(en="For {robot} there is: {ways}.", pt_BR="Para {robot} há: {ways}.")
+    return HelicoideError(sentences(why, valid.format(robot=robot.name, ways=", ".join(ways(robot)))))
+
+
+def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool) -> Answer:
+    """The answer of a closed form; where one posture is asked for and none keeps the limits, the nearest that does."""
+    answer = _ordered(robot, form.solve(robot, T, q), q)
+    if every:
+        return answer
+    if answer.branches and answer.branches[0].within:
+        return replace(answer, branches=answer.branches[:1], values=answer.values[:1])
+    found = numeric.solve(robot, answer.T_world_goal, q)
+    words = sentences(answer.words, found.words)
+    return replace(answer, branches=found.branches, words=words, short=max(answer.short, found.short))
+
+
+def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
+    """The answer of the searches; a pose that an arm with fewer than six joints cannot take is projected first."""
+    find = numeric.branches if every else numeric.solve
+    answer = find(robot, T, q, with_orientation)
+    if _left(answer) is None or not with_orientation or len(robot.variables) >= 6:
+        return answer
+    goal = subspace.project(robot, T, q)
+    answer = find(robot, goal.T_world_goal, q)
+    return replace(answer, moved=goal.moved, turned=goal.turned, words=sentences(goal.words, answer.words))
+
+
+def _ordered(robot: Robot, answer: Answer, q: Array) -> Answer:
+    """The same postures, nearest first, and with them their values."""
+    branches = nearest_first(robot, answer.branches, q)
+    names = [branch.name for branch in answer.branches]
+    values = answer.values
+    if len(values) == len(names):
+        values = tuple(values[names.index(branch.name)] for branch in branches)
+    return replace(answer, branches=branches, values=values)
+
+
+def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation: bool) -> Answer:
+    """Where a method comes to from q, with its default settings; limits and planes are not guarded."""
+    goal = subspace.project(robot, T, q) if with_orientation else subspace.Projection(T, 0.0, 0.0)
+    problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
+    aiming = to_pose(problem, goal.T_world_goal, with_orientation)
+    why = method.applies(asked(aiming(q, 0.0), FACTOR / PERIOD, q, PERIOD))
+    if why is not None:
+        raise _refused(robot, why)
+    run = by_method(problem, method, method.Options(), FACTOR, dt=PERIOD)
+    report = converged(problem, run, aiming, q, EXACT, STEPS)
+    counted = goal.T_world_goal if with_orientation else numeric.turned_alike(robot, report.q, T)
+    branch = branch_of(robot, method.TITLE, report.q, counted)
+    words = sentences(goal.words, report.words)
+    return Answer((branch,), goal.T_world_goal, words, moved=goal.moved, turned=goal.turned)
+
+
+def _left(answer: Answer) -> tuple[float, float] | None:
+    """What the best posture leaves of the goal, m and rad; None where it is reached."""
+    errors = [(branch.missed, branch.turned) for branch in answer.branches]
+    least = min(errors, key=sum, default=(answer.short, 0.0))
+    return None if errors and EXACT.holds(*least) else least
+
+
+def status(answer: Answer) -> Text:
+    """In few words: reached, or by how much not, and whether the goal is not the one that was asked for."""
+    left = _left(answer)
+    if left is None:
+        said = REACHED if any(branch.within for branch in answer.branches) else LIMITED
+    else:
+        words = OUT if answer.short > EXACT.position or not answer.branches else LEFT
+        said = words.format(mm=1000 * left[0], degrees=np.degrees(left[1]))
+    if EXACT.holds(answer.moved, answer.turned):
+        return said
+    return PROJECTED.format(mm=1000 * answer.moved, degrees=np.degrees(answer.turned), status=said)

@@ -1,0 +1,109 @@
+"""The numbers of a method at work: how far the target is, how well the arm can move, what the method remembers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.ik import Reason, reasons
+from helicoide.ik.drive import task_of
+from helicoide.ik.methods import named
+from helicoide.ik.task import rotation_vector
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.manipulability import Manipulability, analysed
+from helicoide.state import Along, State, ToPose
+from helicoide.text import Text
+
+_STILL = frozen(np.zeros(3))
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """A number, its symbol in TeX and its unit; without a unit lengths are counted in the arm's reach."""
+
+    title: Text
+    symbol: str
+    value: float
+    unit: str = ""
+
+
+def target(state: State) -> Array | None:
+    """The pose that the tool is driven to, T_world_target (4, 4), m; None when no pose is asked for."""
+    match state.command:
+        case ToPose(T):
+            return T
+        case Along(path, s):
+            return frozen(path.pose(s))
+        case _:
+            return None
+
+
+def mobility(state: State) -> Manipulability:
+    """What the rows of the task let the arm do where it stands, lengths in terms of the characteristic length."""
+    T, drive = state.T_world_tool, state.drive
+    task = task_of(state.problem, state.q, state.poses, T, state.with_orientation, _STILL, drive.gains, 0.0)
+    return analysed(task.J)
+
+
+def instruments(state: State) -> tuple[Instrument, ...]:
+    """Everything that can be read off a method at work, in a fixed order; the method's own figures come last."""
+    here = mobility(state)
+    return (
+        *_errors(state),
+        Instrument(Text(en="joint rates", pt_BR="velocidades de junta"), r"\|\dot q\|", _length(state.speeds), "rad/s"),
+        Instrument(Text(en="condition number", pt_BR="número de condição"), r"\kappa", here.condition),
+        Instrument(Text(en="manipulability", pt_BR="manipulabilidade"), "w", here.w),
+        Instrument(Text(en="joints left free", pt_BR="juntas livres"), r"n - r", _free(here)),
+        Instrument(Text(en="least singular value", pt_BR="menor valor singular"), r"\sigma_{\min}", _least(here)),
+        *_figures(state),
+    )
+
+
+def held_by(state: State) -> tuple[Reason, ...]:
+    """What held the last guarded step back, the hardest first."""
+    if state.held is None or state.held.pull == 0.0:
+        return ()
+    return reasons(state.problem, state.q, state.held.multipliers, state.held.pull)
+
+
+def _length(values: Array) -> float:
+    return float(np.linalg.norm(values))
+
+
+def _free(here: Manipulability) -> float:
+    return float(here.V.shape[0] - here.rank)
+
+
+def _least(here: Manipulability) -> float:
+    return float(here.sigma[-1])
+
+
+def errors(state: State) -> tuple[float, float]:
+    """How far the tool is from its target: the way, m, and the turn, rad; none where no pose is asked for."""
+    T = state.T_world_tool
+    wished = target(state)
+    if wished is None:
+        return 0.0, 0.0
+    turn = rotation_vector(wished[:3, :3].copy(), T[:3, :3].copy())
+    return _length(wished[:3, 3] - T[:3, 3]), _length(turn)
+
+
+def _errors(state: State) -> tuple[Instrument, ...]:
+    way, turn = errors(state)
+    return (
+        Instrument(Text(en="to the target", pt_BR="até o alvo"), "e_p", 1000 * way, "mm"),
+        Instrument(Text(en="turn to the target", pt_BR="giro até o alvo"), "e_o", float(np.degrees(turn)), "°"),
+    )
+
+
+def _figures(state: State) -> tuple[Instrument, ...]:
+    """The figures of the method's last answer, in the order of its file."""
+    solution, method = state.drive.solution, named(state.drive.method)
+    if solution is None:
+        return ()
+    return tuple(
+        Instrument(title, symbol, solution.figures[symbol])
+        for symbol, title in method.FIGURES.items()
+        if symbol in solution.figures
+    )

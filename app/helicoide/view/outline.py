@@ -1,0 +1,45 @@
+"""An arm drawn by its sharp edges alone: where it will be, or where another one is."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.view.layers import Stage
+from helicoide.view.layers.arm import Placed
+
+Colour = tuple[int, int, int]
+THICKNESS = 0.0016
+
+
+class Outline:
+    """The frames of the outline and its lines, hidden at first."""
+
+    def __init__(self, stage: Stage, name: str, colour: Colour) -> None:
+        scene, thickness = stage.scene, THICKNESS * stage.size
+        drawn = [shape for shape in stage.shapes if len(shape.edges)]
+        self.frames = [scene.add_frame(f"/{name}/{shape.name}", show_axes=False, visible=False) for shape in drawn]
+        self.lines = [
+            scene.add_line_segments(f"/{name}/{shape.name}/edges", shape.edges, colour, thickness=thickness)
+            for shape in drawn
+        ]
+        self.placed = Placed(drawn, self.frames)
+        self.shown, self.colour = False, colour
+
+    def show(self, shown: bool) -> None:
+        """Show or hide it."""
+        if shown != self.shown:
+            self.shown = shown
+            for frame in self.frames:
+                frame.visible = shown
+
+    def write(self, poses: Array, gripper: float) -> None:
+        """Bring it to link poses (m + 1, 4, 4), m; gripper: 0 closed to 1 open."""
+        self.placed.write(np.asarray(poses), gripper)
+
+    def paint(self, colour: Colour) -> None:
+        """Give it another colour."""
+        if colour != self.colour:
+            self.colour = colour
+            for line in self.lines:
+                line.colors = np.array(colour, dtype=np.uint8)

@@ -1,0 +1,14 @@
+"""Inverse kinematics beside other libraries: one posture, the guarded step, and all postures of the PUMA."""
+
+from __future__ import annotations
+
+from tests.benchmarks import ik_postures, ik_solve, ik_step
+
+TITLE = (
+    "Inverse kinematics beside other libraries; ours and theirs in turn, each in its own process, single calls timed"
+)
+
+
+def run() -> None:
+    for part in (ik_solve, ik_step, ik_postures):
+        part.run()

@@ -1,0 +1,147 @@
+"""The Method tab in a real page: another method under the hand, its settings, an objective, a second arm beside."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page
+from tests.browser.conftest import window
+from tests.browser.lab import Lab, grab, opened, pixels, status, tab, until
+
+from helicoide import gate
+from helicoide.ik import objectives
+from helicoide.ik.methods import named
+
+CRITICAL = 0.080
+ARROW = 0.22
+OUTLINE_SHOWN = "() => window.__viserMutable.nodeRefFromName['/beside/gripper']?.visible"
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    lab = opened()
+    yield lab
+    lab.session.close()
+
+
+@pytest.fixture(scope="module")
+def shared_page(browser: Browser, lab: Lab) -> Iterator[Page]:
+    with window(browser, lab.port) as page:
+        until(page, lambda: lab.session.ready, 300)
+        lab.watch()
+        yield page
+
+
+@pytest.fixture
+def page(shared_page: Page, lab: Lab) -> Page:
+    lab.reset(shared_page)
+    tab(shared_page, "Method")
+    return shared_page
+
+
+def choose(page: Page, label: str, option: str) -> None:
+    """Choose from a list of the tab that is open."""
+    page.locator("input[role=combobox]:visible").and_(page.get_by_label(label, exact=True)).click()
+    page.get_by_role("option", name=option, exact=True).click()
+
+
+def by_palette(page: Page, words: str) -> None:
+    """Choose a command with the keyboard alone, as one can with the pointer on a handle."""
+    page.keyboard.press("Control+K")
+    page.keyboard.type(words)
+    page.wait_for_timeout(400)
+    page.keyboard.press("Enter")
+
+
+def reads(page: Page, title: str) -> list[str]:
+    """What the table says of a quantity, for each arm."""
+    row = page.locator(".helicoide-instruments tr").filter(has_text=title)
+    return [] if row.count() == 0 else row.first.locator("td").all_inner_texts()[1:]
+
+
+def test_a_method_is_chosen_while_the_hand_holds_the_target(lab: Lab, page: Page) -> None:
+    T = lab.state.T_world_tool
+    start, along = T[:3, 3], T[:3, 0]
+    grab(lab, page, start + ARROW * along, start + (ARROW - 0.06) * along)
+    for words, name in (("damped least", "damped"), ("Method: filtered inverse", "filtered")):
+        by_palette(page, words)
+        until(page, lambda name=name: lab.state.drive.method == name)  # type: ignore[misc]
+        assert lab.state.grasp is not None
+        page.mouse.move(*pixels(page, start + (ARROW - 0.12) * along), steps=5)
+    page.mouse.up()
+    until(page, lambda: lab.state.grasp is None)
+    until(page, lambda: "At the goal" in status(page) or "off" in status(page))
+    assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - start) > 0.08
+    assert lab.fastest <= 1 + 1e-9
+    assert lab.nearest >= CRITICAL - 1e-9
+
+
+def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> None:
+    lab.post(gate.set_target(lab.state.T_world_tool[:3, 3] + [0.05, 0.05, 0.0], [1, 0, 0, 0]))
+    until(page, lambda: float(reads(page, "condition number")[0].replace("∞", "inf")) > 1)
+    assert float(reads(page, "manipulability")[0]) > 0
+    assert reads(page, "inversion error") == []
+    choose(page, "Method", "filtered inverse")
+    until(page, lambda: len(reads(page, "inversion error")) == 1)
+    choose(page, "integration", "explicit Euler")
+    until(page, lambda: lab.state.drive.options("filtered").step == "euler")
+    choose(page, "Method", "damped least squares")
+    gain = page.locator(".mantine-NumberInput-input:visible").first
+    gain.fill(gain.input_value()[:-1] + "9")
+    gain.press("Enter")
+    until(page, lambda: lab.state.drive.options("damped").damping != named("damped").Options().damping)
+
+
+def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
+    lab.post(gate.hold_orientation(False))
+    choose(page, "Method", "pseudoinverse")
+    page.get_by_role("button", name="Secondary objective").click()
+    choose(page, "Objective", objectives.named("limit_distance").TITLE.en)
+    until(page, lambda: lab.state.drive.secondary is not None)
+    lab.post(gate.set_target(lab.state.T_world_tool[:3, 3], [1, 0, 0, 0]))
+    q, tool = lab.state.q, lab.state.T_world_tool[:3, 3]
+    page.get_by_label("weights grow at limits").click()
+    lab.post(gate.weigh_objective(50.0))
+    until(page, lambda: bool(np.abs(lab.state.q - q).max() > 0.05))
+    assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - tool) < 1e-3
+    assert lab.state.drive.secondary is not None
+    assert lab.state.drive.secondary.grows
+    page.get_by_role("button", name="Secondary objective").click()
+
+
+def test_two_methods_follow_the_same_target_side_by_side(lab: Lab, page: Page) -> None:
+    choose(page, "Side by side with", "Jacobian transpose")
+    until(page, lambda: lab.state.beside is not None and bool(page.evaluate(OUTLINE_SHOWN)))
+    lab.post(gate.set_target(lab.state.T_world_tool[:3, 3] + [0.0, 0.12, 0.0], [1, 0, 0, 0]))
+    until(page, lambda: len(reads(page, "to the target")) == 2)
+    until(page, lambda: reads(page, "to the target")[0] != reads(page, "to the target")[1])
+    choose(page, "Side by side with", "none")
+    until(page, lambda: lab.state.beside is None and not page.evaluate(OUTLINE_SHOWN))
+
+
+def test_what_holds_the_arm_is_named_and_a_method_that_does_not_apply_says_why(lab: Lab, page: Page) -> None:
+    lab.post(gate.set_target([0.6, 0.0, 0.9], [1, 0, 0, 0]))
+    until(page, lambda: "plane +z" in " ".join(reads(page, "held by")))
+    choose(page, "Method", "inverse")
+    until(page, lambda: "rows" in status(page) and "joints" in status(page))
+    page.get_by_role("button", name="Listing").click()
+    until(page, lambda: "np.linalg.inv" in page.locator(".helicoide-listing").inner_text())
+    page.get_by_role("button", name="Listing").click()
+
+
+def test_the_tab_in_portuguese(lab: Lab, page: Page) -> None:
+    page.get_by_label("Language · Idioma").click()
+    page.get_by_role("option", name="Português (Brasil)").click()
+    tab(page, "Método")
+    choose(page, "Método", "inversa filtrada")
+    until(page, lambda: lab.state.drive.method == "filtered")
+    said = page.locator("body").inner_text()
+    for word in ("Ajustes", "Ganhos", "Objetivo secundário", "Lado a lado com", "número de condição", "retido por"):
+        assert word in said, word
+    for english in ("Settings", "Gains", "Side by side", "condition number", "held by", "It promises"):
+        assert english not in said, english
+    page.get_by_label("Idioma · Language").click()
+    page.get_by_role("option", name="English").click()
+    tab(page, "Method")

@@ -1,0 +1,195 @@
+"""`helicoide ik` as people run it."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.kinematics.arms import arm
+from tests.kinematics.urdfs import write
+
+from helicoide import __main__
+from helicoide.geometry import euler, rotation
+from helicoide.ik import methods
+from helicoide.ik.branch import tool_at
+
+APP = Path(__file__).parents[2] / "app"
+EXAMPLE = ("--position", "0.4704294", "0.2716025", "0.3", "--quat", "0.683013", "0.5", "0.5", "-0.183013")
+
+
+def printed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    monkeypatch.setattr(sys, "argv", ["helicoide", "ik", *arguments])
+    __main__.main()
+    return capsys.readouterr().out
+
+
+def answered(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *arguments: str) -> dict[str, Any]:
+    answer: dict[str, Any] = json.loads(printed(monkeypatch, capsys, *arguments, "--json"))
+    return answer
+
+
+def ended(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> str:
+    """The words with which the command ends."""
+    monkeypatch.setattr(sys, "argv", ["helicoide", "ik", *arguments])
+    with pytest.raises(SystemExit) as caught:
+        __main__.main()
+    return str(caught.value.code)
+
+
+def test_the_example_of_the_source_from_the_shell() -> None:
+    """Cerbaro 2022, eqs. 4-6: the pose of (30, 60, -90, -30, 90)°."""
+    environment = {**os.environ, "PYTHONPATH": str(APP), "LC_ALL": "C.UTF-8"}
+    command = [sys.executable, "-m", "helicoide", "ik", "movemaster", *EXAMPLE, "--all", "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=300, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    postures = [np.degrees(branch["q"]) for branch in json.loads(done.stdout)["branches"]]
+    assert any(q == pytest.approx([30, 60, -90, -30, 90], abs=1e-3) for q in postures)
+
+
+def is_text(value: Any) -> bool:
+    return set(value) == {"en", "pt_BR"} and all(isinstance(words, str) for words in value.values())
+
+
+def test_the_json_has_its_keys_and_the_numbers_lead_to_the_goal(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    goal = ("--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
+    answer = answered(monkeypatch, capsys, "puma560", *goal, "--all")
+    keys = {"robot", "joints", "goal", "solved", "moved", "turned", "short", "status", "words", "branches"}
+    assert set(answer) == keys
+    assert answer["robot"] == "puma560"
+    assert answer["joints"] == [joint.name for joint in arm("puma560").variables]
+    assert answer["goal"]["position"] == [0.4, 0.2, 0.3]
+    assert answer["solved"]["quaternion_wxyz"] == pytest.approx(answer["goal"]["quaternion_wxyz"])
+    assert is_text(answer["status"])
+    assert is_text(answer["words"])
+    assert answer["status"] == {"en": "reached", "pt_BR": "alcançado"}
+    assert len(answer["branches"]) == 8
+    R = euler.matrix([3.0, 0.1, -0.2], "extrinsic xyz")
+    np.testing.assert_allclose(rotation.to_matrix(np.array(answer["goal"]["quaternion_wxyz"])), R, atol=1e-12)
+    for branch in answer["branches"]:
+        assert set(branch) == {"name", "q", "missed", "turned", "within"}
+        assert is_text(branch["name"])
+        T = tool_at(arm("puma560"), np.array(branch["q"]))
+        np.testing.assert_allclose(T[:3, 3], [0.4, 0.2, 0.3], atol=1e-9)
+        np.testing.assert_allclose(T[:3, :3], R, atol=1e-9)
+        assert branch["within"] in (True, False)
+
+
+def test_without_an_orientation_the_position_counts_alone(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    answer = answered(monkeypatch, capsys, "puma560", "--position", "0.4", "0.2", "0.3")
+    assert answer["goal"]["quaternion_wxyz"] is None
+    assert len(answer["branches"]) == 1
+    branch = answer["branches"][0]
+    assert tool_at(arm("puma560"), np.array(branch["q"]))[:3, 3] == pytest.approx([0.4, 0.2, 0.3], abs=1.1e-6)
+    assert branch["turned"] < 1e-12
+    assert branch["within"]
+
+
+def test_the_posture_nearest_to_where_the_arm_is_comes_alone(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    goal = ("puma560", "--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
+    kept = [one for one in answered(monkeypatch, capsys, *goal, "--all")["branches"] if one["within"]]
+    assert len(kept) >= 2
+    for one in kept:
+        there = [f"{value:.9f}" for value in one["q"]]
+        found = answered(monkeypatch, capsys, *goal, "--from", *there)["branches"]
+        assert len(found) == 1
+        assert found[0]["q"] == pytest.approx(one["q"], abs=1e-6)
+
+
+def test_degrees_are_read_and_printed(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    q = [10.0, -80.0, 20.0, 30.0, 50.0, -40.0]
+    T = tool_at(arm("puma560"), np.radians(q))
+    place = [f"{value:.12f}" for value in T[:3, 3]]
+    rpy = [f"{value:.12f}" for value in np.degrees(euler.angles(T[:3, :3], "extrinsic xyz").values)]
+    goal = ("puma560", "--position", *place, "--rpy", *rpy, "--deg", "--from", *map(str, q))
+    out = printed(monkeypatch, capsys, *goal)
+    assert "reached" in out.splitlines()[0]
+    assert "J1 10.00000°, J2 -80.00000°, J3 20.00000°, J4 30.00000°, J5 50.00000°, J6 -40.00000°" in out
+    assert "0.0000 mm and 0.0000°; within the joint limits" in out
+    assert answered(monkeypatch, capsys, *goal)["branches"][0]["q"] == pytest.approx(np.radians(q), abs=1e-6)
+
+
+def test_a_slide_is_printed_in_metres(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = arm("scara")
+    x, y, z = (f"{value:.12f}" for value in tool_at(robot, robot.poses["ready"])[:3, 3])
+    out = printed(monkeypatch, capsys, "scara", "--position", x, y, z, "--deg")
+    assert "J3 0.0700000 m" in out
+
+
+@pytest.mark.parametrize("method", ["numeric", "puma560", *methods.names()])
+def test_a_method_by_its_name(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], method: str) -> None:
+    T = tool_at(arm("puma560"), arm("puma560").poses["ready"] + 0.1)
+    place, quat = ([f"{x:.12f}" for x in values] for values in (T[:3, 3], rotation.from_matrix(T[:3, :3])))
+    goal = ("puma560", "--position", *place, "--quat", *quat, "--method", method)
+    answer = answered(monkeypatch, capsys, *goal)
+    assert answer["status"]["en"] == "reached"
+    np.testing.assert_allclose(tool_at(arm("puma560"), np.array(answer["branches"][0]["q"])), T, atol=2e-5)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("puma560", "--position", "9", "0", "0"), "out of reach by 8"),
+        (("movemaster", "--position", "0.5", "0.1", "0.3", "--quat", "1", "0", "0", "0"), "projected by 11.310°"),
+        (("panda", "--position", "0.4", "0.2", "0.3", "--quat", "0", "1", "0", "0", "--all"), "infinitely many"),
+    ],
+)
+def test_the_status_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], words: str
+) -> None:
+    assert words in printed(monkeypatch, capsys, *arguments)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["puma560", "--position", "0.4", "0.2"], ["--position", "3 finite numbers", "0.4, 0.2"]),
+        (["puma560", "--position", "0.4", "0.2", "nan"], ["--position", "3 finite numbers"]),
+        (["puma560", "--position", "inf", "0.2", "0"], ["--position", "3 finite numbers"]),
+        (["puma560", "--position", "0.4", "0", "0.3", "--quat", "0", "0", "0", "0"], ["--quat", "zero"]),
+        (["puma560", "--position", "0.4", "0", "0.3", "--quat", "1", "0", "0"], ["--quat", "4 finite numbers"]),
+        (["puma560", "--position", "0.4", "0", "0.3", "--quat", "1", "nan", "0", "0"], ["--quat", "4 finite numbers"]),
+        (["puma560", "--position", "0.4", "0", "0.3", "--rpy", "1", "0"], ["--rpy", "3 finite numbers"]),
+        (
+            ["puma560", "--position", "0.4", "0", "0.3", "--rpy", "1", "0", "0", "--quat", "1", "0", "0", "0"],
+            ["--quat or --rpy"],
+        ),
+        (["puma560", "--position", "0.4", "0", "0.3", "--from", "1", "2"], ["6 finite joint values"]),
+        (["puma560", "--position", "0.4", "0", "0.3", "--method", "magic"], ["'magic'", "numeric", "puma560"]),
+        (
+            ["panda", "--position", "0.4", "0", "0.3", "--quat", "1", "0", "0", "0", "--method", "puma560"],
+            ["puma560 does not apply", "numeric", "pseudoinverse"],
+        ),
+        (["puma", "--position", "0.4", "0", "0.3"], ["'puma'", "movemaster"]),
+        (["{arm}", "--tip", "nowhere", "--position", "0.4", "0", "0.3"], ["{arm}", "'nowhere'"]),
+        (["planar2r", "--set", "l1=abc", "--position", "1", "0", "0"], ["l1=abc"]),
+    ],
+)
+def test_wrong_input_ends_in_one_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
+) -> None:
+    path = str(write(tmp_path))
+    said = ended(monkeypatch, *(argument.format(arm=path) for argument in arguments))
+    assert len(said.splitlines()) == 1
+    assert [word for word in words if word.format(arm=path) not in said] == []
+
+
+def test_lengths_and_tips_are_set(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    goal = ("planar2r", "--set", "l1=1500", "l2=250", "--position", "1.75", "0", "0")
+    assert answered(monkeypatch, capsys, *goal)["branches"][0]["q"] == pytest.approx([0, 0], abs=3e-3)
+    answer = answered(monkeypatch, capsys, str(write(tmp_path)), "--tip", "lower", "--position", "0", "0", "1")
+    assert answer["joints"] == ["one", "two"]

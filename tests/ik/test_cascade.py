@@ -1,0 +1,85 @@
+"""Levels: none takes anything from those before it, and all keep to the same rows."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helicoide.ik import qp
+from helicoide.ik.cascade import descend, null_space
+from helicoide.kinematics.chain import Array
+
+seeds = st.integers(0, 2**32 - 1)
+Task = tuple[Array, Array, Array, Array]
+
+
+def levels(seed: int, n: int, sizes: tuple[int, ...]) -> tuple[Task, Array]:
+    """Random levels; a row of the first may be repeated in the second."""
+    rng = np.random.default_rng(seed)
+    r = sum(sizes)
+    J, v = rng.normal(size=(r, n)), rng.normal(size=r)
+    if rng.random() < 0.3:
+        J[sizes[0]] = J[0]
+    return (J, v, rng.choice([0.1, 1.0], r), np.full(n, 1e-9)), np.cumsum(sizes)[:-1].astype(np.int64)
+
+
+def box(n: int, size: float) -> tuple[Array, Array, Array]:
+    return np.eye(n), np.full(n, -size), np.full(n, size)
+
+
+def missed(task: Task, rows: slice, x: Array) -> float:
+    J, v, weights, _ = task
+    return float(np.linalg.norm(weights[rows] * (J[rows] @ x - v[rows])))
+
+
+@settings(max_examples=100)
+@given(seed=seeds, n=st.integers(1, 8), r=st.integers(1, 9), rank=st.integers(0, 8))
+def test_a_null_space_is_what_the_rows_do_not_feel(seed: int, n: int, r: int, rank: int) -> None:
+    rng, rank = np.random.default_rng(seed), min(rank, n, r)
+    J = rng.normal(size=(r, rank)) @ rng.normal(size=(rank, n))
+    Z = null_space(J)
+    assert Z.shape == (n, n - np.linalg.matrix_rank(J, tol=1e-6 * max(1e-300, np.linalg.norm(J, axis=1).max())))
+    np.testing.assert_allclose(J @ Z, 0, atol=1e-8 * max(1.0, np.abs(J).max()))
+    np.testing.assert_allclose(Z.T @ Z, np.eye(Z.shape[1]), atol=1e-12)
+
+
+@settings(max_examples=100)
+@given(seed=seeds, n=st.integers(4, 8), size=st.sampled_from([0.2, 1.0, 1e3]))
+def test_a_level_takes_nothing_from_those_before_it(seed: int, n: int, size: float) -> None:
+    """The first two of three levels are served as well as when they are alone, and the rows are kept."""
+    task, begins = levels(seed, n, (2, 2, 3))
+    rows = box(n, size)
+    x, multipliers, verdict = descend(task, begins, *rows)
+    alone, _, _ = descend(tuple(part[:2] if len(part) == 7 else part for part in task), begins[:0], *rows)
+    two, _, _ = descend(tuple(part[:4] if len(part) == 7 else part for part in task), begins[:1], *rows)
+    assert verdict == qp.SOLVED
+    assert (np.abs(x) <= size + 1e-9).all()
+    assert abs(missed(task, slice(2), x) - missed(task, slice(2), alone)) < 1e-6
+    assert abs(missed(task, slice(2, 4), x) - missed(task, slice(2, 4), two)) < 1e-6
+    assert multipliers.shape == (3, n)
+
+
+@settings(max_examples=100)
+@given(seed=seeds, n=st.integers(4, 8))
+def test_without_bounds_the_levels_are_successive_pseudoinverses(seed: int, n: int) -> None:
+    """x = J₁† v₁ + (J₂ N₁)† (v₂ − J₂ J₁† v₁), N₁ = I − J₁† J₁ (Nakamura, Hanafusa and Yoshikawa 1987)."""
+    rng = np.random.default_rng(seed)
+    J, v = rng.normal(size=(4, n)), rng.normal(size=4)
+    x, _, _ = descend((J, v, np.ones(4), np.full(n, 1e-12)), np.array([2]), *box(n, 1e6))
+    first = np.linalg.pinv(J[:2])
+    N = np.eye(n) - first @ J[:2]
+    expected = first @ v[:2] + np.linalg.pinv(J[2:] @ N) @ (v[2:] - J[2:] @ first @ v[:2])
+    if np.linalg.svd(J[2:] @ N)[1][1] > 0.1:
+        np.testing.assert_allclose(x, expected, rtol=0, atol=1e-6)
+
+
+def test_one_level_is_the_programme_itself() -> None:
+    task, _ = levels(3, 5, (3, 3))
+    J, v, weights, damping = task
+    x, multipliers, _ = descend(task, np.zeros(0, dtype=np.int64), *box(5, 0.3))
+    H, g = J.T @ (weights[:, None] ** 2 * J) + np.diag(damping), J.T @ (weights**2 * v)
+    expected, of_rows, _ = qp.solve(H, g, *box(5, 0.3))
+    np.testing.assert_allclose(x, expected, atol=1e-12)
+    np.testing.assert_allclose(multipliers[0], of_rows, atol=1e-12)
+    assert np.abs(of_rows).max() > 0

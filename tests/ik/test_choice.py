@@ -1,0 +1,138 @@
+"""The choice between postures: Campos 1998, s.15–18."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from tests.ik.closed.small_arms import limited, planar, upright
+
+from helicoide.ik import choice
+from helicoide.ik.branch import Branch, branch_of, tool_at
+from helicoide.ik.closed import motoman_l3, planar3r
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, same
+
+L3 = 0.2
+ROBOT = planar("planar3r", 1.0, 0.7, L3)
+NOW = np.array([0.5, 0.2, -1.0])
+A, B = (-2.6971, 1.4202, -0.1232), (-1.5780, -1.4202, 1.5982)
+
+
+def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
+    """Section 1.3 of the checks: the third axis at (−0.7, −1.1), φ = −1.4."""
+    phi = -1.4
+    T = upright(-0.7 + L3 * np.cos(phi), -1.1 + L3 * np.sin(phi), phi)
+    return planar3r.solve(robot, T, NOW).branches
+
+
+@pytest.mark.parametrize(
+    ("weights", "chosen", "costs"), [((1, 1, 1), A, (5.183, 6.296)), ((3, 2, 1), B, (12.073, 12.576))]
+)
+def test_weights_turn_the_choice(
+    weights: tuple[float, ...], chosen: tuple[float, ...], costs: tuple[float, ...]
+) -> None:
+    rows = choice.ranked(ROBOT, example(), NOW, weights)
+    assert [row.cost for row in rows] == pytest.approx(costs, abs=6e-4)
+    best = choice.nearest(rows)
+    assert best is not None
+    np.testing.assert_allclose(best.branch.q, chosen, atol=5.1e-5)
+
+
+def test_an_obstacle_rules_a_posture_out_and_the_other_is_chosen() -> None:
+    """s.17–18: a post where the elbow of the nearer posture stands."""
+    near, far = choice.ranked(ROBOT, example(), NOW, (1, 1, 1))
+    post = link_poses(ROBOT.chain, near.branch.q)[2][:3, 3]
+
+    def touches(q: Array) -> bool:
+        return bool(np.linalg.norm(link_poses(ROBOT.chain, q)[2][:3, 3] - post) < 0.1)
+
+    rows = choice.ranked(ROBOT, example(), NOW, (1, 1, 1), touches)
+    assert [row.branch.name for row in rows] == [far.branch.name, near.branch.name]
+    assert [row.dropped for row in rows] == [None, choice.COLLIDES]
+    assert choice.nearest(rows) is rows[0]
+
+
+def test_limits_rule_a_posture_out_before_it_is_asked_whether_it_collides() -> None:
+    robot = limited(ROBOT, [-3.1, -1.5, -3], [3.1, 1.3, 3])
+    asked: list[Array] = []
+
+    def touches(q: Array) -> bool:
+        asked.append(q)
+        return False
+
+    rows = choice.ranked(robot, example(robot), NOW, (1, 1, 1), touches)
+    assert [row.dropped for row in rows] == [None, choice.OUT_OF_LIMITS]
+    np.testing.assert_allclose(asked, [B], atol=5.1e-5)
+
+
+def test_where_all_are_ruled_out_there_is_none() -> None:
+    rows = choice.ranked(ROBOT, example(), NOW, (1, 1, 1), lambda q: True)
+    assert len(rows) == 2
+    assert choice.nearest(rows) is None
+    assert choice.nearest(choice.ranked(ROBOT, (), NOW, (1, 1, 1))) is None
+
+
+def test_the_way_round_is_taken_where_the_limits_leave_it() -> None:
+    """From 170° to −170° it is 20°: to 190°, or, where the joint ends at 180°, to −170° all the same."""
+    now, there = np.radians([170.0, 0, 0]), np.radians([-170.0, 0, 0])
+    for robot, end in ((ROBOT, 190.0), (limited(ROBOT, [-np.pi] * 3, [np.pi] * 3), -170.0)):
+        branch = branch_of(robot, same("there"), there, tool_at(robot, there))
+        (row,) = choice.ranked(robot, [branch], now, (1, 1, 1))
+        assert np.degrees(row.change) == pytest.approx([20, 0, 0])
+        assert row.cost == pytest.approx(np.radians(20))
+        assert np.degrees(row.q[0]) == pytest.approx(end)
+
+
+def test_slides_are_not_wrapped() -> None:
+    slow = load("polar_rp")
+    joints = (slow.joints[0], replace(slow.joints[1], upper=9.0))
+    robot = replace(slow, joints=joints)
+    branch = branch_of(robot, same("out"), [0.0, 8.0], tool_at(robot, frozen([0.0, 8.0])))
+    (row,) = choice.ranked(robot, [branch], np.array([0.0, 0.5]), (1, 2))
+    assert row.change == pytest.approx([0, 7.5])
+    assert row.cost == pytest.approx(15)
+    assert row.q == pytest.approx([0, 8])
+
+
+@given(
+    q=st.tuples(*[st.floats(-2, 2)] * 5),
+    now=st.tuples(*[st.floats(-2, 2)] * 5),
+    weights=st.tuples(*[st.floats(0, 9)] * 5),
+)
+@settings(max_examples=30)
+def test_the_ranking_goes_by_cost_and_no_branch_is_lost(
+    q: tuple[float, ...], now: tuple[float, ...], weights: tuple[float, ...]
+) -> None:
+    robot = load_l3()
+    branches = motoman_l3.solve(robot, tool_at(robot, np.array(q)), np.array(now)).branches
+    rows = choice.ranked(robot, branches, np.array(now), weights)
+    assert {id(row.branch) for row in rows} == {id(branch) for branch in branches}
+    assert [row.dropped is None for row in rows] == sorted((row.dropped is None for row in rows), reverse=True)
+    for kept in (True, False):
+        costs = [row.cost for row in rows if (row.dropped is None) == kept]
+        assert costs == sorted(costs)
+    for row in rows:
+        turn = np.angle(np.exp(1j * (row.branch.q - np.array(now))))
+        assert row.cost == pytest.approx(np.array(weights) @ np.abs(turn), abs=1e-9)
+
+
+def load_l3() -> Robot:
+    return load("motoman_l3")
+
+
+@pytest.mark.parametrize("weights", [(1, 1), (1, 1, -1), (1, np.nan, 1), (1, 1, np.inf), 1])
+def test_wrong_weights_are_refused(weights: object) -> None:
+    with pytest.raises(HelicoideError, match="3 weights"):
+        choice.ranked(ROBOT, example(), NOW, weights)  # type: ignore[arg-type]
+
+
+def test_wrong_joint_values_are_refused() -> None:
+    with pytest.raises(HelicoideError, match="finite joint values"):
+        choice.ranked(ROBOT, example(), np.array([0, np.nan, 0]), (1, 1, 1))

@@ -1,0 +1,247 @@
+"""Iterating to a pose and along a path: the counts of the sources, every method, and what is said where it fails."""
+
+from __future__ import annotations
+
+from math import inf
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from tests.ik.cerbaro_runs import (
+    CIRCLE_RANGES,
+    ELLIPSE_RANGES,
+    circle,
+    ellipse,
+    home,
+    movemaster,
+    orca,
+    with_pitch_and_roll,
+    within,
+)
+from tests.ik.secondary_runs import DAMPED, PINV, PLAIN, along, at, position, problem, standing, start_at, tool
+
+from helicoide.ik import Problem, converge, methods
+from helicoide.ik.clik import to_pose
+from helicoide.ik.converge import Outcome, Tolerance, by_method, converged, still
+from helicoide.ik.method import Method, Promise, Solution, Task
+from helicoide.ik.methods import filtered
+from helicoide.kinematics.forward import link_poses
+from helicoide.trajectory import EQ_33
+
+GOAL = standing(0.44, 0, 0.2)
+
+# Cerbaro 2022, §4.4.3–4.4.4, demonstrations 1: from home to 1 mm and 0.01 rad; digest §3.6.
+
+
+@pytest.mark.parametrize(("factor", "iterations"), [(0.5, 8), (0.55, 7), (0.56, 7), (0.57, 7), (1.0, 3)])
+def test_the_orca_comes_from_home_to_its_target(factor: float, iterations: int) -> None:
+    here = orca()
+    report = converged(here, by_method(here, PINV, PLAIN, factor), to_pose(here, at(0.26, 0.18)), home(here))
+    assert report.reached
+    assert report.iterations == iterations
+    assert report.words.en.startswith(f"Converged after {iterations} iterations")
+    assert len(report.errors) == iterations + 1
+    assert Tolerance().holds(*report.errors[-1])
+    assert not Tolerance().holds(*report.errors[-2])
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.1])
+@pytest.mark.parametrize(("factor", "iterations"), [(0.3, 17), (0.5, 9), (1.0, 4)])
+def test_the_movemaster_comes_from_home_to_its_target(factor: float, iterations: int, damping: float) -> None:
+    """Five rows: position, pitch, roll; without damping and with λ = 0.1 mm."""
+    here = movemaster()
+    run = by_method(here, DAMPED, DAMPED.Options(damping), factor)
+    report = converged(here, run, with_pitch_and_roll(here, GOAL), home(here))
+    assert report.reached
+    assert report.iterations == iterations
+
+
+def test_a_tolerance_is_kept_by_both_errors() -> None:
+    near = Tolerance(1e-3, 0.01)
+    assert near.holds(1e-3, 0.01)
+    assert not near.holds(1.1e-3, 0.0)
+    assert not near.holds(0.0, 0.011)
+
+
+def test_how_long_an_iteration_lasts_makes_no_difference_without_memory() -> None:
+    here = orca()
+    run = by_method(here, PINV, PLAIN, 0.55, dt=0.02)
+    assert converged(here, run, to_pose(here, at(0.26, 0.18)), home(here)).iterations == 7
+
+
+def test_a_moving_target_can_be_taken_as_it_is_at_one_instant() -> None:
+    here = movemaster()
+    moving, newton = position(here, along(EQ_33)), by_method(here, PINV, PLAIN, 1.0)
+    report = converged(here, newton, still(moving, 7.5), here.robot.poses["path_start"], Tolerance(1e-9, 0))
+    assert report.reached
+    np.testing.assert_allclose(tool(here, report.q), EQ_33.point(7.5), rtol=0, atol=2e-9)
+
+
+def test_the_exact_solutions() -> None:
+    planar, mm = orca(), movemaster()
+    q = start_at(planar, to_pose(planar, at(0.26, 0.18)), home(planar))
+    np.testing.assert_allclose(np.degrees(q), [-0.7608, 130.9822, -130.2214], rtol=0, atol=5.1e-5)
+    q = start_at(mm, with_pitch_and_roll(mm, GOAL), home(mm))
+    np.testing.assert_allclose(np.degrees(q), [0, 56.424, -129.943, 13.519, 0], rtol=0, atol=5.1e-4)
+
+
+# Demonstrations 2, with steps of 10 ms and the same Λ Δt; the full count is in the soak tests.
+
+
+def test_the_orca_runs_round_its_circle() -> None:
+    """The error of Euler's rule grows with Δt²: 1.1e-6 mm at 1 ms, a hundred times that at 10 ms."""
+    run = circle(0.01)
+    within(run, CIRCLE_RANGES, 0.006)
+    assert run.error.max() == pytest.approx(1.1e-4, rel=0.1)
+    assert np.abs(run.q.sum(axis=1)).max() < 2e-15
+    assert np.degrees(run.fastest.max()) == pytest.approx(3.91, abs=0.006)
+
+
+def test_the_open_loop_drifts() -> None:
+    """By 0.009 mm in a turn at 1 ms, ten times that at 10 ms."""
+    assert circle(0.01, 0, 0).error[-1] == pytest.approx(0.09, rel=0.05)
+
+
+def test_the_movemaster_runs_round_its_ellipse() -> None:
+    run = ellipse(0.01)
+    within(run, ELLIPSE_RANGES, 0.06)
+    assert run.error.max() == pytest.approx(6e-5, rel=0.1)
+    assert np.degrees(run.fastest.max()) == pytest.approx(2.74, abs=0.006)
+    assert np.abs(run.q[:, 1:4].sum(axis=1) + np.pi / 3).max() < 2e-5
+    assert np.abs(run.q[:, 4]).max() < 1e-12
+
+
+# What else may happen.
+
+
+CONVERGENT = [name for name in methods.names() if Promise.CONVERGES in methods.named(name).PROMISES]
+
+
+@pytest.mark.parametrize("name", CONVERGENT)
+@pytest.mark.parametrize("robot_name", ["puma560", "scara", "dia10"])
+def test_every_method_comes_to_a_reachable_pose(robot_name: str, name: str) -> None:
+    here, method = problem(robot_name), methods.named(name)
+    q = here.robot.poses["ready"]
+    reachable = link_poses(here.robot.chain, q + 0.15 * here.joint_units)[-1] @ here.robot.T_link_tool
+    aiming = to_pose(here, reachable)
+    aim = aiming(q, 0.0)
+    if method.applies(Task(q, aim.J, aim.error, 1.0)) is None:
+        report = converged(here, by_method(here, method, method.Options(), 0.5), aiming, q, cap=400)
+        assert report.reached, report.words.en
+        np.testing.assert_array_less(report.errors[-1], [1e-3, 0.01])
+        assert report.iterations > 3
+
+
+def test_an_arm_at_a_singular_posture_says_that_it_cannot_move() -> None:
+    """Stretched along y and called to fold, damped least squares have nowhere to go: Jᵀ e = 0."""
+    here = problem("planar3r")
+    start = np.array([np.pi / 2, 0, 0])
+    report = converged(here, by_method(here, DAMPED, DAMPED.Options(), 0.5), position(here, standing(0, 3)), start)
+    assert report.outcome is Outcome.UNFELT
+    assert not report.reached
+    assert report.iterations == converge.PAUSES
+    np.testing.assert_allclose(report.errors, [[1.0, 0.0]] * 6, rtol=0, atol=1e-9)
+    assert "singular" in report.words.en
+    assert "1e+03 mm" in report.words.pt_BR
+
+
+def test_a_method_that_gives_nothing_is_told_from_a_singular_posture() -> None:
+    here = orca()
+    idle = SimpleNamespace(
+        start=lambda task, options: None,
+        step=lambda problem, task, memory, options: (Solution(np.zeros(3)), None),
+    )
+    report = converged(here, by_method(here, cast(Method, idle), None, 0.5), to_pose(here, at(0.26, 0.18)), home(here))
+    assert report.outcome is Outcome.HELD
+    assert "method" in report.words.en
+
+
+def test_a_pause_is_not_rest() -> None:
+    """The filtered inverse begins with Θ = 0 and stands still for one step."""
+    here = orca()
+    errors = converged(
+        here, by_method(here, filtered, filtered.Options(), 0.5), to_pose(here, at(0.26, 0.18)), home(here)
+    ).errors
+    np.testing.assert_array_equal(errors[0], errors[1])
+    assert (errors[2] < errors[1]).all()
+
+
+def test_what_is_out_of_reach_is_tried_until_the_cap() -> None:
+    here = problem("puma560")
+    run = by_method(here, DAMPED, DAMPED.Options(0.1), 0.5)
+    report = converged(here, run, position(here, standing(0.6, 1.0, 0.0)), here.robot.poses["ready"], cap=30)
+    assert report.outcome is Outcome.CAPPED
+    assert report.iterations == 30
+    assert "30" in report.words.pt_BR
+    assert report.errors[-1, 0] > 0.1
+
+
+def test_a_goal_that_is_met_needs_no_step() -> None:
+    here = movemaster()
+    q = here.robot.poses["ready"]
+    aiming = to_pose(here, link_poses(here.robot.chain, q)[-1] @ here.robot.T_link_tool)
+    report = converged(here, by_method(here, PINV, PLAIN, 0.5), aiming, q)
+    assert report.reached
+    assert report.iterations == 0
+    np.testing.assert_array_equal(report.q, q)
+
+
+def test_the_memory_of_a_report_goes_on_where_it_stopped() -> None:
+    """Twenty steps in one go, or ten and then ten more."""
+    here = orca()
+    run = by_method(here, filtered, filtered.Options(gain=0.1), 0.2)
+    aiming, never = to_pose(here, at(0.26, 0.18)), Tolerance(0, 0)
+    whole = converged(here, run, aiming, home(here), never, cap=20)
+    half = converged(here, run, aiming, home(here), never, cap=10)
+    rest = converged(here, run, aiming, half.q, never, cap=10, memory=half.memory)
+    np.testing.assert_allclose(rest.q, whole.q, rtol=0, atol=1e-13)
+    np.testing.assert_allclose(np.vstack([half.errors, rest.errors[1:]]), whole.errors, rtol=0, atol=1e-12)
+
+
+# Along a path with the inner rule (Cerbaro 2022, §6.1, step 3): 10 mm, and no point is left before.
+
+
+def sampled(here: Problem, points: Any) -> list[Any]:
+    return [position(here, standing(*point)) for point in points]
+
+
+def test_no_point_of_a_path_is_left_before_the_tool_is_within_10_mm() -> None:
+    """The ellipse of eq. 33 in 61 points, up to 29 mm apart, one step or more for each."""
+    here = movemaster()
+    points = [EQ_33.point(s) for s in np.linspace(0, 30, 61)]
+    run = by_method(here, DAMPED, DAMPED.Options(0.1), 0.5)
+    path = converge.along(here, run, sampled(here, points), here.robot.poses["path_start"])
+    assert path.refused == {}
+    steps = [report.iterations for report in path.reports]
+    assert min(steps) == 1
+    assert 2 <= max(steps) < 10
+    for point, report in zip(points, path.reports, strict=True):
+        tool = (link_poses(here.robot.chain, report.q)[-1] @ here.robot.T_link_tool)[:3, 3]
+        assert report.errors[-1, 0] == pytest.approx(np.linalg.norm(tool - point), abs=1e-9)
+        assert report.errors[-1, 0] <= 0.010
+
+
+def test_what_a_method_has_learnt_is_kept_from_point_to_point() -> None:
+    """Only at the first point does the filtered inverse begin with Θ = 0 and stand still for a step."""
+    here = movemaster()
+    run = by_method(here, filtered, filtered.Options(gain=5.0), 0.5)
+    points = [EQ_33.point(s) for s in (2.0, 4.0, 6.0)]
+    first, *rest = converge.along(here, run, sampled(here, points), here.robot.poses["path_start"]).reports
+    assert first.errors[0, 0] == first.errors[1, 0]
+    for report in rest:
+        assert report.errors[1, 0] < report.errors[0, 0]
+
+
+def test_points_out_of_reach_are_reported_with_what_is_missing() -> None:
+    """Straight out along x at the height of the shoulder: beyond 0.82 m plus 10 mm no point is met."""
+    here = movemaster()
+    xs = np.arange(0.70, 0.901, 0.02)
+    run = by_method(here, DAMPED, DAMPED.Options(50.0), 0.5)
+    start = start_at(here, position(here, standing(0.70, 0, 0.4)), here.robot.poses["ready"])
+    path = converge.along(here, run, sampled(here, [(x, 0, 0.4) for x in xs]), start)
+    assert sorted(path.refused) == [i for i, x in enumerate(xs) if x > 0.83]
+    for i, error in path.refused.items():
+        assert error == pytest.approx(xs[i] - 0.82, abs=1e-3)
+        assert path.reports[i].iterations <= converge.CAP_PER_POINT
+    assert converge.INNER.orientation == inf

@@ -1,0 +1,112 @@
+"""Scenes with random planes and obstacles, and long walks of guarded ticks through them with every promise measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from tests.kinematics.arms import arm
+
+from helicoide.confinement import Planes
+from helicoide.ik import Limits, Problem
+from helicoide.ik.guarded import ONE_LEVEL, clearances, guarded_tick
+from helicoide.ik.rows import Guard
+from helicoide.ik.task import joint_task, pose_task
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import carried_points, link_poses
+
+ARMS = ("movemaster", "puma560", "planar3r", "scara", "dia10", "zebra_zero")
+STAY = 60
+
+
+def left(problem: Problem, q: Array) -> Array:
+    """What is left of every clearance at q, m."""
+    poses = link_poses(problem.robot.chain, frozen(q))
+    return clearances(poses, problem.points, problem.plane_arrays, problem.pair_arrays)[0]
+
+
+def scene(name: str, seed: int, planes: int = 3, obstacles: int = 2, acceleration: float = np.inf) -> Problem:
+    """An arm among random planes and obstacles that are clear of it at `ready`."""
+    rng, robot = np.random.default_rng(seed), arm(name)
+    limits = Limits(robot.lower, robot.upper, robot.speed, frozen(np.full(len(robot.lower), acceleration)))
+    q, reach = robot.poses["ready"], robot.reach
+    at = carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints)
+    normals = rng.normal(size=(planes, 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    least = (at @ normals.T).min(axis=0) - rng.uniform(0.1, 0.6, planes) * reach - 0.1
+    problem = Problem(robot, limits, Planes(frozen(normals), frozen(normals * least[:, None])))
+    while len(problem.obstacles.radii) < obstacles:
+        start = rng.uniform(-reach, reach, 3)
+        end = start + rng.choice([0.0, 1.0]) * rng.uniform(-reach, reach, 3) / 2
+        more = problem.obstacles.with_capsule(start, end, rng.uniform(0.02, 0.1) * reach)
+        tried = Problem(robot, limits, problem.planes, obstacles=more)
+        if left(tried, q).min() > 0.02:
+            problem = tried
+    return problem
+
+
+@kernel
+def walk(guard: Guard, q: Array, T_link_tool: Array, reach: float, steps: int, seed: int, figures: Array) -> Array:
+    """Targets that jump and run, ticks of 1 to 50 ms; fills in `Figures` and gives the last joint values."""
+    np.random.seed(seed)
+    (chain, _, _), (lower, upper, speed, acceleration), planes, pairs, _, _ = guard
+    n = q.shape[0]
+    q, rates, poses, dt, kind = q.copy(), np.zeros(n), link_poses(chain, q), 0.01, 0
+    q_target, T, drift = q.copy(), poses[-1].copy(), np.zeros(3)
+    before, _, _ = clearances(poses, guard[0], planes, pairs)
+    for step in range(steps):
+        if step % STAY == 0:
+            dt, kind = np.exp(np.random.uniform(np.log(0.001), np.log(0.05))), np.random.randint(4)
+            for i in range(n):
+                q_target[i] = np.random.uniform(lower[i], upper[i])
+            T = link_poses(chain, q_target)[-1] @ T_link_tool
+            for a in range(3):
+                drift[a] = np.random.uniform(-0.3, 0.3) * reach * (kind == 1)
+                T[a, 3] += np.random.uniform(-2.0, 2.0) * reach * (kind == 2)
+        for a in range(3):
+            T[a, 3] += drift[a] * dt
+        tool = (T_link_tool, T, T[:3, 3].copy(), step % (5 * STAY) > STAY, reach)
+        task = joint_task(q, q_target, -1, dt) if kind == 3 else pose_task(poses, chain, tool, drift, dt)
+        q_after, poses, _, share = guarded_tick(guard, q, rates, poses, task, ONE_LEVEL, dt)
+        after, _, _ = clearances(poses, guard[0], planes, pairs)
+        now, sharpest = (q_after - q) / dt, 0.0
+        for i in range(n):
+            figures[1] = max(figures[1], min(lower[i], q[i]) - q_after[i], q_after[i] - max(upper[i], q[i]))
+            figures[2] = max(figures[2], abs(now[i]) - speed[i])
+            sharpest = max(sharpest, (abs(now[i] - rates[i]) - 1e-9) / (acceleration[i] * dt))
+        for r in range(after.shape[0]):
+            figures[0] = max(figures[0], min(0.0, before[r]) - after[r])
+            figures[7] += after[r] < 1e-3
+        figures[3] += 1
+        figures[4] += 0.0 < share < 1.0
+        figures[5] += share == 0.0
+        figures[6] += sharpest > 1.0 + 1e-6 and share == 1.0
+        figures[8] = max(figures[8], sharpest if share == 1.0 else 0.0)
+        figures[9] += not np.isfinite(q_after).all()
+        q, rates, before = q_after, now, after
+    return q
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What came nearest to breaking a promise in a walk, m, rad and rad/s, and how often what happened."""
+
+    closer: float
+    outside: float
+    too_fast: float
+    steps: float
+    shortened: float
+    stopped: float
+    gave_way: float
+    near: float
+    sharpest: float
+    unfinished: float
+
+
+def walked(problem: Problem, steps: int, seed: int) -> Figures:
+    """A walk from `ready`, at rest."""
+    figures, robot = np.zeros(len(fields(Figures))), problem.robot
+    figures[:3] = -np.inf
+    walk(problem.guard, robot.poses["ready"].copy(), robot.T_link_tool.copy(), robot.reach, steps, seed, figures)
+    return Figures(*map(float, figures))

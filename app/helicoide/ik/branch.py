@@ -83,13 +83,12 @@ def branch_of(robot: Robot, name: Text, q: ArrayLike, T_world_goal: Array) -> Br
 
 def turned_into_limits(robot: Robot, q: Array) -> Array:
     """q (n,) with angles in (−π, π], or 2πk away where only that lies within the joint's limits; slides as they are."""
-    slides = np.array([joint.slides for joint in robot.variables])
-    wrapped = np.where(slides, q, wrap(q))
+    wrapped = np.where(robot.turns_whole, wrap(q), q)
     turns = np.ceil((robot.lower - ON_LIMIT - wrapped) / (2 * np.pi)).clip(min=0)
     turns += np.floor((robot.upper + ON_LIMIT - wrapped) / (2 * np.pi)).clip(max=0)
     moved = wrapped + 2 * np.pi * turns
     fits = (moved >= robot.lower - ON_LIMIT) & (moved <= robot.upper + ON_LIMIT)
-    return frozen(np.where(fits & ~slides, moved, wrapped))
+    return frozen(np.where(fits & robot.turns_whole, moved, wrapped))
 
 
 def wrap(angle: ArrayLike) -> Array:

@@ -56,8 +56,7 @@ def nearest(rows: Sequence[Ranked]) -> Ranked | None:
 
 
 def _row(robot: Robot, branch: Branch, now: Array, weights: Array, collides: Callable[[Array], bool]) -> Ranked:
-    slides = [joint.slides for joint in robot.variables]
-    change = np.where(slides, branch.q - now, wrap(branch.q - now))
+    change = np.where(robot.turns_whole, wrap(branch.q - now), branch.q - now)
     there = now + change
     kept = (there >= robot.lower - ON_LIMIT) & (there <= robot.upper + ON_LIMIT)
     dropped = COLLIDES if branch.within and collides(branch.q) else None

@@ -68,7 +68,7 @@ class Searcher:
 def searcher(robot: Robot) -> Searcher:
     """The arrays of a robot; writable, as the kernels are compiled for."""
     n = len(robot.variables)
-    turns = _turns_whole(robot)
+    turns = robot.turns_whole
     ranges = np.empty((n, 6))
     ranges[:, LOWER], ranges[:, UPPER] = robot.lower, robot.upper
     ranges[:, PERIOD] = np.where(turns, 2 * np.pi, 0.0)
@@ -78,13 +78,6 @@ def searcher(robot: Robot) -> Searcher:
     wide = ranges.copy()
     wide[turns, LOWER], wide[turns, UPPER], wide[:, HELD] = -np.pi, np.pi, 0.0
     return Searcher(packed(robot), ranges, wide, robot.reach)
-
-
-def _turns_whole(robot: Robot) -> NDArray[np.bool_]:
-    """Whether the arm stands alike when a variable changes by 2π, (n,): not where it slides or drives by a ratio."""
-    chain = robot.chain
-    whole = ~chain["slides"] & (chain["ratio"] == np.round(chain["ratio"]))
-    return np.array([bool(whole[chain["driver"] == i].all()) for i in range(len(robot.variables))])
 
 
 def strides(n: int) -> Array:

@@ -166,6 +166,12 @@ class Robot:
         return self.capsules or _between_guarded_points(self)
 
     @cached_property
+    def turns_whole(self) -> NDArray[np.bool_]:
+        """Whether the arm stands alike when a variable changes by 2π, (n,): not where it slides or drives by a ratio."""
+        whole = ~self.chain["slides"] & (self.chain["ratio"] == np.round(self.chain["ratio"]))
+        return np.array([bool(whole[self.chain["driver"] == i].all()) for i in range(len(self.variables))])
+
+    @cached_property
     def T_link_tool(self) -> Array:
         """The tool in the frame of the last link, (4, 4), m."""
         return on_link(self.T_world_tool_0, self.points[-1])

@@ -50,10 +50,7 @@ class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A joint and the URDF link that it carries; limits in degrees, or in millimetres where it slides.
-
-    Without an acceleration there is no limit of it.
-    """
+    """A joint and the URDF link that it carries; limits in degrees or, where it slides, mm; acceleration if limited."""
 
     name: str
     title: Title

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 
 from helicoide.ik.branch import Answer, tool_at, wrap
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.chain import Array, Joint, frozen
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -52,6 +53,19 @@ def backwards(robot: Robot) -> Robot:
 def puma_rows(a2: float, a3: float, d3: float, d4: float) -> Rows:
     right = np.pi / 2
     return [(0, 0, 0), (-right, 0, 0), (0, a2, d3), (-right, a3, d4), (right, 0, 0), (-right, 0, 0)]
+
+
+@cache
+def turning() -> Joint:
+    return load("puma560").joints[0]
+
+
+def wrist(lengths: tuple[float, ...], theta: Array) -> Array:
+    """Pose of frame 6 by the product of the rows of s.55."""
+    T = np.eye(4)
+    for (alpha, a, d), angle in zip(puma_rows(*lengths), theta, strict=True):
+        T = T @ dh.transform("modified", dh.DhRow(0, d, a, alpha), turning(), angle)
+    return T
 
 
 def puma(a2: float, a3: float, d3: float, d4: float) -> Robot:

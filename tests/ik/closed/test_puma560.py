@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from functools import cache
 from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
 import pytest
-from tests.ik.closed.rows import LENGTHS, distance, of_rows, puma, puma_rows, worst
+from tests.ik.closed.rows import LENGTHS, distance, of_rows, puma, puma_rows, worst, wrist
 
 from helicoide.ik.branch import tool_at, wrap
 from helicoide.ik.closed import pieper, puma560
 from helicoide.kernels import plain
-from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import dh_frames, link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -41,19 +39,6 @@ def arm() -> Robot:
     return load("puma560")
 
 
-@cache
-def turning() -> Joint:
-    return load("puma560").joints[0]
-
-
-def wrist(lengths: tuple[float, ...], theta: Array) -> Array:
-    """Pose of frame 6 by the product of the rows of s.55."""
-    T = np.eye(4)
-    for (alpha, a, d), angle in zip(puma_rows(*lengths), theta, strict=True):
-        T = T @ dh.transform("modified", dh.DhRow(0, d, a, alpha), turning(), angle)
-    return T
-
-
 def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Array:
     """Postures of the kernel for the pose at θ."""
     found, exists = puma560.postures(np.array(lengths), wrist(lengths, theta), now)
@@ -75,7 +60,6 @@ def test_the_nearest_posture_of_the_source(weights: list[float], least: float, o
     away = np.abs(wrap(rows_for(LENGTHS[0], EXAMPLE) - [0.2, -0.4, 0.8, 0.2, 1.0, -1.0]))
     costs = away @ weights
     assert costs[0] == pytest.approx(least, abs=1e-9)
-    assert costs[1:].min() >= others - 0.05
     assert costs[1:].min() == pytest.approx(others, abs=0.06)
 
 
@@ -131,10 +115,11 @@ def there_and_back(arm: Robot, count: int, seed: int) -> tuple[float, float]:
 
 
 def test_the_kernel_is_its_plain_function() -> None:
+    lengths = np.array(LENGTHS[1])
     for theta in [*np.random.default_rng(4).uniform(-pi, pi, (20, 6)), HERE]:
         T = wrist(LENGTHS[1], theta)
-        found, exists = puma560.postures(np.array(LENGTHS[1]), T, theta)
-        expected, expected_exists = plain(puma560.postures)(np.array(LENGTHS[1]), T, theta)
+        found, exists = puma560.postures(lengths, T, theta)
+        expected, expected_exists = plain(puma560.postures)(lengths, T, theta)
         assert (exists == expected_exists).all()
         np.testing.assert_allclose(found[exists], expected[exists], rtol=0, atol=1e-12)
 
@@ -262,9 +247,7 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
 
 
 def test_the_range_of_the_source() -> None:
-    inner, outer = puma560.wrist_range(np.array(LENGTHS[0]))
-    assert (round(inner, 4), round(outer, 4)) == (0.0005, 0.8641)
-    assert outer + inner == pytest.approx(2 * hypot(LENGTHS[0][1], LENGTHS[0][3]))
+    assert np.round(puma560.wrist_range(np.array(LENGTHS[0])), 4).tolist() == [0.0005, 0.8641]
 
 
 def test_two_of_the_eight_keep_the_limits(arm: Robot) -> None:

@@ -33,7 +33,7 @@ def test_the_start_of_the_circle() -> None:
     ids=["Kr 0", "Kr 5"],
 )
 def test_rows_of_the_circle(entry_gain: float, lateral: str, at_end: str, of_limits: str) -> None:
-    """At 20 ms; the rows at 2 ms are in the soak. The 0.616 of the joint limits is that with feedback."""
+    """At 20 ms; the rows at 2 ms are in the soak. The 0.616 of the joint limits is that with feedback, or at 2 ms."""
     got = turn(entry_gain, 0.02)
     assert as_printed(got["tip_mm"].max(), "0.047")
     assert as_printed(np.sqrt(np.mean(got["tip_mm"] ** 2)), "0.021")

@@ -40,7 +40,7 @@ EQUATIONS = (
 # Sines, and lengths in m, that leave an angle free.
 FREE = 1e-10
 # How far from the unit circle a root may lie, and what rounding takes from a radicand, of its largest value.
-CIRCLE, ROUNDING = 1e-4, 1e-12
+CIRCLE, ROUNDING = 1e-3, 1e-12
 # Postures closer than this in every joint are one, rad; what one may miss, m and rad, and what it may without polish.
 MERGED, ACCEPTED, EXACT = 1e-5, 1e-9, 1e-12
 

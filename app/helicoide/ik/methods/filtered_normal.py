@@ -54,8 +54,8 @@ def start(task: Task, options: Options) -> Memory:
 
 
 def normal(task: Task) -> Task:
-    """The task JᵀJ q̇ = Jᵀν."""
-    return replace(task, J=np.asarray(task.J.T @ task.J), rate=task.J.T @ task.rate)
+    """The same instant with P = JᵀJ for J: what Θ_P inverts."""
+    return replace(task, J=np.asarray(task.J.T @ task.J))
 
 
 def law(options: Options) -> filtered.Options:

@@ -51,9 +51,10 @@ def start(task: Task, options: Options) -> None:
 
 
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
-    """q̇ = J⁻¹ ν; where J is singular there is no answer, and the arm stands still instead of guessing one."""
+    """q̇ = J⁻¹ ν; where J is singular or not square there is no answer, and the arm stands still instead of guessing."""
+    r, n = task.J.shape
     sigma = np.linalg.svd(task.J, compute_uv=False)
-    is_singular = sigma[-1] <= RANK * sigma[0]
-    B = np.zeros_like(task.J) if is_singular else np.asarray(np.linalg.inv(task.J))
-    figures = {"|det J|": 0.0 if is_singular else float(np.prod(sigma))}
-    return Solution(B @ task.rate, figures, inverse=B), None
+    if r != n or sigma[-1] <= RANK * sigma[0]:
+        return Solution(np.zeros(n), {"|det J|": 0.0}, inverse=np.zeros((n, r))), None
+    B = np.asarray(np.linalg.inv(task.J))
+    return Solution(B @ task.rate, {"|det J|": float(np.prod(sigma))}, inverse=B), None

@@ -11,6 +11,7 @@ from tests.driving import Worst, at, watch
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.confinement import planes_of
 from helicoide.geometry import rotation
 from helicoide.ik.drive import Drive, step, task_of
 from helicoide.ik.method import OneOf, Promise, Quantity, Task, YesNo, changed, settings
@@ -36,7 +37,9 @@ both_tasks = pytest.mark.parametrize("with_orientation", [True, False], ids=["po
 
 @cache
 def state_of(robot_name: str) -> State:
-    return initial(library.load(robot_name))
+    """The arm at `ready`, with nothing around it."""
+    state = initial(library.load(robot_name))
+    return replace(state, problem=replace(state.problem, planes=planes_of(())))
 
 
 def answered(state: State, T: Array, with_orientation: bool, drive: Drive, dt: float = 0.01) -> tuple[Array, Drive]:
@@ -242,7 +245,7 @@ def stretched(state: State) -> Array:
 @pytest.mark.parametrize("robot_name", ["movemaster", "planar3r", "scara", "puma560", "dia10"])
 def test_under_the_guard_no_method_breaks_a_promise_and_switching_never_jumps(robot_name: str) -> None:
     """Wishes near and far, another method or setting every few ticks, another arm beside it: q moves by q̇ dt only."""
-    rng, state, worst = np.random.default_rng(8), state_of(robot_name), Worst()
+    rng, state, worst = np.random.default_rng(8), initial(library.load(robot_name)), Worst()
     for _ in range(60):
         state = gate.choose_method(str(rng.choice(names())))(state)
         state = gate.compare_with(rng.choice([None, *names()]))(state)

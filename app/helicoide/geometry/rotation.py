@@ -77,7 +77,9 @@ def skew(v: ArrayLike) -> Array:
 
     v: (..., 3); returns (..., 3, 3). Source: Coutinho 2015, eqs. A.1–A.4.
     """
-    return np.cross(np.eye(3), np.asarray(v, dtype=float)[..., None, :])
+    x, y, z = np.moveaxis(np.asarray(v, dtype=float), -1, 0)
+    zero = np.zeros_like(x)
+    return np.moveaxis(np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]]), (0, 1), (-2, -1))
 
 
 def from_rotation_vector(v: ArrayLike) -> Array:

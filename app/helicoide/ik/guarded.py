@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.confinement import distances
 from helicoide.ik import cascade, collision, qp
 from helicoide.ik.entry import FIRM, entry_rows, miss
 from helicoide.ik.rows import (
@@ -69,8 +70,9 @@ def clearances(poses: Array, arm: Arm, planes: PlaneArrays, pairs: Pairs) -> tup
     """
     points, k = carried_points(poses, arm[1], arm[2]), planes[0].shape[0]
     left, shares = np.empty(pairs[0] * k + pairs[1].shape[0]), np.empty((pairs[1].shape[0], 2))
+    near = distances(planes[0], planes[1], points[: pairs[0]])
     for r in range(pairs[0] * k):
-        left[r] = qp.dot(planes[0][r % k], points[r // k]) - planes[1][r % k] - planes[2]
+        left[r] = near[r // k, r % k] - planes[2]
     collision.gaps(points, pairs, left, shares)
     return left, shares, points
 

@@ -160,7 +160,10 @@ class Method(Protocol):
     REMEMBERS: Text | None
     PROMISES: frozenset[Promise]
     FIGURES: Mapping[str, Text]
-    Options: type
+
+    @property
+    def Options(self) -> type:
+        """The class of its settings."""
 
     def applies(self, task: Task) -> Text | None:
         """Why the method does not apply to a task of this shape; None where it does."""

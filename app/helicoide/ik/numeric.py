@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from helicoide.ik.branch import Answer, Branch, branch_of, check_pose, tool_at
 from helicoide.ik.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER

@@ -167,7 +167,7 @@ class Robot:
 
     @cached_property
     def turns_whole(self) -> NDArray[np.bool_]:
-        """Whether the arm stands alike when a variable changes by 2π, (n,): not where it slides or drives by a ratio."""
+        """Whether the arm stands alike when a variable changes by 2π, (n,): not where one slides or is geared."""
         whole = ~self.chain["slides"] & (self.chain["ratio"] == np.round(self.chain["ratio"]))
         return np.array([bool(whole[self.chain["driver"] == i].all()) for i in range(len(self.variables))])
 

@@ -6,14 +6,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from itertools import islice
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
-from helicoide.ik.method import Solution, Task
 from helicoide.ik.methods.filtered import Memory
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, Control, Inverse, Moment, followed, inverse
@@ -106,17 +103,10 @@ def run(
     return {key: np.array([row[key] for row in rows]) for key in rows[0]} | {"w_r": w_r, "w_i": w_i}
 
 
-def _variably_damped(problem: Problem, task: Task, memory: None, options: Any) -> tuple[Solution, None]:
-    """κ = α₀ (1 − w/w₀)² below w₀ = 0.1, α₀ = 0.05, and κ² in the inverse: eq. 3.44 in 3.43."""
-    w = float(np.prod(np.linalg.svd(task.J, compute_uv=False)))
-    kappa = 0.05 * max(0.0, 1 - w / 0.1) ** 2
-    B = task.J.T @ np.linalg.inv(task.J @ task.J.T + kappa**2 * np.eye(6))
-    return Solution(B @ task.rate), None
-
-
 DLS = inverse("damped", damping=0.05)
 FILTERED = inverse("filtered_modified", gain=5.0)
-VARIABLE = Inverse(SimpleNamespace(start=lambda task, options: None, step=_variably_damped, REMEMBERS=None), None)
+# κ = 0.05 (1 − w/0.1)² of eq. 3.44, squared in eq. 3.43
+VARIABLE = inverse("damped_by_manipulability", damping=0.05**2, threshold=0.1, exponent="4")
 
 
 def control(

@@ -14,7 +14,7 @@ from helicoide.kinematics.manipulability import RANK
 from helicoide.text import Text
 
 TITLE = Text(en="damped by manipulability", pt_BR="amortecida pela manipulabilidade")
-SOURCE = "Vargas 2013, eqs. 3.10–3.14; Nakamura and Hanafusa 1986 (exponent 2)"
+SOURCE = "Vargas 2013, eqs. 3.10–3.14; Nakamura and Hanafusa 1986 (exponent 2); Coutinho 2015, eq. 3.44 (4)"
 EQUATION = r"\dot q = J^T (J J^T + \delta I)^{-1} \nu, \quad \delta = \delta_0 (1 - w/w_0)^k \text{ for } w < w_0"
 REMEMBERS: Text | None = None
 PROMISES = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.STAYS_SINGULAR})
@@ -44,6 +44,7 @@ class Options:
             {
                 "1": Text(en="linear, (1 − w/w₀)", pt_BR="linear, (1 − w/w₀)"),
                 "2": Text(en="quadratic, (1 − w/w₀)²", pt_BR="quadrático, (1 − w/w₀)²"),
+                "4": Text(en="fourth power, (1 − w/w₀)⁴", pt_BR="quarta potência, (1 − w/w₀)⁴"),
             },
         ),
     ] = "1"

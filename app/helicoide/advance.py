@@ -9,11 +9,12 @@ import numpy as np
 from helicoide.ik import drive as drives
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
-from helicoide.ik.guarded import guarded_step
+from helicoide.ik.guarded import ONE_LEVEL, clearances, guarded_tick
+from helicoide.ik.rows import Indices
 from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, State, ToJoints, ToPose, points_on
+from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, State, ToJoints, ToPose
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
@@ -27,7 +28,7 @@ Task = tuple[Array, Array, Array, Array]
 
 
 def advance(state: State, dt: float) -> State:
-    """The state dt seconds later; joints, planes and speeds stay within what `guarded_step` promises."""
+    """The state dt seconds later; joints, planes and speeds stay within what `guarded_tick` promises."""
     moved = _advanced(_gripper_moved(state, dt), dt)
     return moved if state.beside is None else replace(moved, beside=_beside(state, moved, dt))
 
@@ -79,11 +80,11 @@ def _still(state: State) -> State:
     return state if not state.speeds.any() else replace(state, speeds=frozen(np.zeros(len(state.q))))
 
 
-def _stepped(state: State, task: Task, dt: float) -> State:
-    """The guarded step towards a task. (Copies keep the kernels to one type: numba tells read-only arrays apart.)"""
-    problem = state.problem
-    q, poses, multipliers, _ = guarded_step(
-        problem.arm, state.q.copy(), state.poses.copy(), task, problem.limit_arrays, problem.plane_arrays, dt
+def _stepped(state: State, task: Task, dt: float, begins: Indices = ONE_LEVEL) -> State:
+    """The guarded tick towards a task. (Copies keep the kernels to one type: numba tells read-only arrays apart.)"""
+    guard = drives.guard(state.problem, state.drive)
+    q, poses, multipliers, _ = guarded_tick(
+        guard, state.q.copy(), state.speeds.copy(), state.poses.copy(), task, begins, dt
     )
     state = replace(state, held=Held(multipliers, float(np.linalg.norm(task[2] * task[1]))))
     if np.max(np.abs(q - state.q)) < IMPERCEPTIBLE:
@@ -106,7 +107,8 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
     robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
     tool = (robot.T_link_tool, T_world_target, allowed, state.with_orientation, robot.reach)
     task = pose_task(state.poses.copy(), robot.chain, tool, ahead, dt)
-    return _stepped(state, task, dt)
+    task, begins = drives.levels(state.problem, state.q, state.poses, task, state.drive, dt)
+    return _stepped(state, task, dt, begins)
 
 
 def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
@@ -161,10 +163,10 @@ def _to_ready(state: State, dt: float) -> State:
 
 
 def _is_clear(state: State, q: Array) -> bool:
-    """Whether every guarded point keeps its distance at q: the way back from home ends there exactly."""
-    planes, robot = state.problem.planes, state.robot
-    points = points_on(robot, link_poses(robot.chain, q))
-    return bool((points @ planes.normals.T - planes.offsets > state.problem.zones.critical - 1e-9).all())
+    """Whether everything keeps its distance at q: the way back from home ends there exactly."""
+    points, _, planes, pairs, _, _ = state.problem.guard
+    left, _, _ = clearances(link_poses(state.robot.chain, q), points, planes, pairs)
+    return bool((left > -1e-9).all())
 
 
 def _parked(state: State, dt: float) -> State:

@@ -182,7 +182,9 @@ def initial(robot: Robot) -> State:
     """The arm at `ready`, holding, inside the planes of its file."""
     q = robot.poses["ready"]
     return State(
-        problem=Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes)),
+        problem=Problem(
+            robot, Limits(robot.lower, robot.upper, robot.speed, robot.acceleration), planes_of(robot.panes)
+        ),
         q=q,
         speeds=frozen(np.zeros(len(q))),
         poses=frozen(plain(link_poses)(robot.chain, q)),

@@ -103,7 +103,7 @@ def _timed(function: Callable[[State], object], state: State) -> float:
 
 def _asked(states: list[State], dt: float) -> list[tuple[Any, ...]]:
     """What `advance` asks of the kernel in these states; nothing when the arm holds."""
-    with patch("helicoide.advance.guarded_step", wraps=guarded.guarded_step) as kernel:
+    with patch("helicoide.advance.guarded_tick", wraps=guarded.guarded_tick) as kernel:
         for state in states:
             advance(state, dt)
     return [call.args for call in kernel.call_args_list]
@@ -113,7 +113,7 @@ def _asked(states: list[State], dt: float) -> list[tuple[Any, ...]]:
 def _repeated(times: int, *asked: Any) -> float:
     total = 0.0
     for _ in range(times):
-        total += guarded.guarded_step(*asked)[3]
+        total += guarded.guarded_tick(*asked)[3]
     return total
 
 
@@ -127,7 +127,7 @@ def _alone(asked: tuple[Any, ...]) -> float:
 def _corrects(asked: tuple[Any, ...]) -> bool:
     """Whether the second-order correction is made in this step."""
     with patch.object(guarded, "raise_by_loss", wraps=guarded.raise_by_loss) as made:
-        kernels.plain(guarded.guarded_step)(*asked)
+        kernels.plain(guarded.guarded_tick)(*asked)
     return bool(made.called)
 
 

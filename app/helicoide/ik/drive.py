@@ -17,11 +17,14 @@ from numpy.typing import NDArray
 
 from helicoide.ik import Problem, methods, objectives
 from helicoide.ik.clik import Aim, answered, tool_aim
+from helicoide.ik.guarded import ONE_LEVEL, indices
+from helicoide.ik.guarded import Task as Rows
 from helicoide.ik.limit_gains import clipped
 from helicoide.ik.method import Solution, Task
 from helicoide.ik.objective import Posture
+from helicoide.ik.rows import Guard, Indices
 from helicoide.ik.subspace import project
-from helicoide.ik.task import GAIN, TOOL_SPEED, TOOL_TURN, shortened
+from helicoide.ik.task import DAMPING, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, shortened
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.robot import Robot
@@ -164,3 +167,36 @@ def displacement(wished: Array) -> tuple[Array, Array, Array, Array]:
     """A joint displacement Δq (n,) as a task of the guarded step: J = I, v = Δq, equal weights, no damping."""
     n = len(wished)
     return np.eye(n), np.asarray(wished), np.ones(n), np.zeros(n)
+
+
+def guard(problem: Problem, drive: Drive) -> Guard:
+    """The problem's guard, with the gain of the dampers that is set for the guarded step."""
+    if GUARDED not in drive.changed:
+        return problem.guard
+    return (*problem.guard[:5], float(drive.options(GUARDED).gain))
+
+
+def levels(problem: Problem, q: Array, poses: Array, task: Rows, drive: Drive, dt: float) -> tuple[Rows, Indices]:
+    """A pose as the guarded step takes it: with its settings, and the secondary objective in a level of its own.
+
+    Args: q (n,), rad or m, and its poses; task: of `pose_task`. Returns the task, and the rows at which levels begin.
+    """
+    if GUARDED not in drive.changed and drive.secondary is None:
+        return task, ONE_LEVEL
+    J, v, weights, damping = task
+    options, reach = drive.options(GUARDED), problem.robot.reach
+    weights[3:] *= options.turn / ORIENTATION_LENGTH
+    damping += (options.damping**2 - DAMPING) * reach**2
+    begins = [3] if options.levels and weights[3] > 0 else []
+    second = drive.secondary
+    if second is None:
+        return (J, v, weights, damping), indices(begins)
+    rows = 6 if weights[3] > 0 else 3
+    cost = objectives.named(second.objective).cost(problem, Posture(q, poses), second.options)
+    if second.as_row:
+        more, asked, weight = cost.gradient[None] / problem.joint_units, np.array([-cost.value * dt]), reach
+    else:
+        begins.append(rows)
+        more, asked, weight = np.eye(len(q)), -second.weight * cost.gradient * problem.joint_units * dt, 1.0
+    J, v = np.vstack([J[:rows], more]), np.append(v[:rows], asked)
+    return (J, v, np.append(weights[:rows], np.full(len(asked), weight)), damping), indices(begins)

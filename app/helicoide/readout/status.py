@@ -7,7 +7,17 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.ik import AtLimit, Contact, Reason, methods
+from helicoide.ik import (
+    AtAcceleration,
+    AtLimit,
+    AtSpeed,
+    Contact,
+    ObstacleContact,
+    RcmHeld,
+    Reason,
+    SelfContact,
+    methods,
+)
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.readout.distances import distances_of
@@ -166,7 +176,12 @@ def _held_back(state: State, goal: Goal) -> Text:
                 en="Joint {n} ({title}) at its limit; {short} mm short: nearest point shown.",
                 pt_BR="Junta {n} ({title}) no limite; faltam {short} mm: o ponto mais próximo é mostrado.",
             ).format(n=joint + 1, title=state.robot.variables[joint].title, short=short)
-        case None:
+        case SelfContact() | ObstacleContact():
+            return Text(
+                en="Blocked: {what} are as near as they may be; {short} mm short.",
+                pt_BR="Bloqueado: {what} estão tão perto quanto podem; faltam {short} mm.",
+            ).format(what=_named(state, reason), short=short)
+        case None | RcmHeld() | AtSpeed() | AtAcceleration():
             return Text(
                 en="Out of reach by {short} mm: nearest point shown.",
                 pt_BR="Fora de alcance por {short} mm: o ponto mais próximo é mostrado.",
@@ -201,10 +216,22 @@ def holding(state: State) -> list[Text]:
 
 
 def _named(state: State, reason: Reason) -> Text:
+    """A reason in a few words."""
+    bodies = [body.title for body in state.robot.bodies]
     match reason:
         case Contact(plane, point):
-            return Text(en="plane {name}: {point}", pt_BR="plano {name}: {point}").format(
-                name=state.robot.panes[plane].name, point=state.robot.guarded[point].title
+            return Text(en="plane {a}: {b}", pt_BR="plano {a}: {b}").format(
+                a=state.robot.panes[plane].name, b=state.robot.guarded[point].title
             )
+        case SelfContact(first, second):
+            return Text(en="{a} and {b}", pt_BR="{a} e {b}").format(a=bodies[first], b=bodies[second])
+        case ObstacleContact(obstacle, body):
+            return Text(en="obstacle {n} and {a}", pt_BR="obstáculo {n} e {a}").format(n=obstacle + 1, a=bodies[body])
         case AtLimit(joint):
             return Text(en="limit of joint {n}", pt_BR="limite da junta {n}").format(n=joint + 1)
+        case AtSpeed(joint):
+            return Text(en="speed of joint {n}", pt_BR="velocidade da junta {n}").format(n=joint + 1)
+        case AtAcceleration(joint):
+            return Text(en="acceleration of joint {n}", pt_BR="aceleração da junta {n}").format(n=joint + 1)
+        case RcmHeld():
+            return Text(en="the entry point", pt_BR="o ponto de entrada")

@@ -12,6 +12,7 @@ from helicoide.ik import Problem, reasons
 from helicoide.ik.guarded import ONE_LEVEL, guarded_tick, indices
 from helicoide.ik.method import Promise, Quantity, Solution, Task, YesNo
 from helicoide.ik.rows import DAMPER_GAIN
+from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.text import Text
@@ -33,17 +34,18 @@ FIGURES: Mapping[str, Text] = {
 
 @dataclass(frozen=True)
 class Options:
-    """damping: λ, in units of ℓ per radian; turn: the weight of orientation, a radian against ℓ; gain: κ of the
-    velocity dampers, 1/s; levels: the position first, and the orientation in what it leaves free.
+    """damping: λ, in units of ℓ per radian; turn: the weight of orientation, a radian against ℓ.
+
+    gain: κ of the velocity dampers, 1/s; levels: the position first, and the orientation in what it leaves free.
     """
 
     damping: Annotated[
         float, Quantity(Text(en="damping λ", pt_BR="amortecimento λ"), 1e-4, 1.0, "mm/rad", lengths=1, decades=True)
-    ] = 0.02
+    ] = DAMPING**0.5
     turn: Annotated[
         float,
         Quantity(Text(en="weight of orientation", pt_BR="peso da orientação"), 1e-3, 1.0, decades=True),
-    ] = 1.0
+    ] = ORIENTATION_LENGTH
     gain: Annotated[
         float, Quantity(Text(en="gain of the dampers κ", pt_BR="ganho dos amortecedores κ"), 1.0, 50.0, "1/s")
     ] = DAMPER_GAIN
@@ -51,8 +53,13 @@ class Options:
 
 
 def applies(task: Task) -> Text | None:
-    """To every task."""
-    return None
+    """To tasks in the joints of the arm: limits are theirs."""
+    if task.J.shape[1] == len(task.q):
+        return None
+    return Text(
+        en="The guarded step works in the joints of the arm; this task has {r} unknowns of another kind.",
+        pt_BR="O passo vigiado trabalha nas juntas do braço; esta tarefa tem {r} incógnitas de outro tipo.",
+    ).format(r=task.J.shape[1])
 
 
 def start(task: Task, options: Options) -> Array:

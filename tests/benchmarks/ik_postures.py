@@ -7,8 +7,8 @@ from tests.benchmarks.children.turns import Numbers, timed
 from tests.benchmarks.ik_turns import Run, faster, in_turn, judged, line, or_left_out, taking_part, turn_of
 from tests.benchmarks.peers import Child, Peer
 
-from helicoide.ik.branch import between
 from helicoide.ik.closed.puma560 import lengths_of, postures
+from helicoide.ik.postures.branch import between
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -8,8 +8,8 @@ from tests.benchmarks.ik_turns import Run, faster, in_turn, judged, line, or_lef
 from tests.benchmarks.kinematics import urdf_of
 from tests.benchmarks.peers import Child, Peer
 
-from helicoide.ik.branch import between
-from helicoide.ik.numeric import posture
+from helicoide.ik.postures.branch import between
+from helicoide.ik.postures.numeric import posture
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -17,7 +17,7 @@ from tests.kinematics.urdfs import write
 from helicoide import __main__
 from helicoide.geometry import euler, rotation
 from helicoide.ik import methods
-from helicoide.ik.branch import tool_at
+from helicoide.ik.postures.branch import tool_at
 
 APP = Path(__file__).parents[2] / "app"
 EXAMPLE = ("--position", "0.4704294", "0.2716025", "0.3", "--quat", "0.683013", "0.5", "0.5", "-0.183013")

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from tests.ik.closed.small_arms import planar, recovered, worst
 
-from helicoide.ik.branch import Answer, tool_at
 from helicoide.ik.closed import motoman_l3, planar3r, polar
+from helicoide.ik.postures.branch import Answer, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -6,8 +6,9 @@ import pytest
 from tests.ik.test_numeric import MEASURED, failures, robot_of, same_postures
 from tests.kinematics.arms import postures
 
-from helicoide.ik import closed, numeric
-from helicoide.ik.branch import tool_at
+from helicoide.ik import closed
+from helicoide.ik.postures import numeric
+from helicoide.ik.postures.branch import tool_at
 
 pytestmark = pytest.mark.soak
 

@@ -9,8 +9,8 @@ import numpy as np
 import tyro
 
 from helicoide.geometry import euler, rotation
-from helicoide.ik.branch import Answer, Branch
-from helicoide.ik.solve import solve, solve_by, status
+from helicoide.ik.postures.branch import Answer, Branch
+from helicoide.ik.postures.solve import solve, solve_by, status
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

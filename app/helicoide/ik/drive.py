@@ -22,8 +22,8 @@ from helicoide.ik.guarded import Task as Rows
 from helicoide.ik.limit_gains import clipped
 from helicoide.ik.method import Solution, Task
 from helicoide.ik.objective import Posture
+from helicoide.ik.postures.subspace import project
 from helicoide.ik.rows import Guard, Indices
-from helicoide.ik.subspace import project
 from helicoide.ik.task import DAMPING, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, shortened
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from helicoide.ik.branch import Answer, tool_at, wrap
+from helicoide.ik.postures.branch import Answer, tool_at, wrap
 from helicoide.kinematics import dh
 from helicoide.kinematics.chain import Array, Joint, frozen
 from helicoide.kinematics.dh import DhRow, DhTable

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from helicoide.ik.branch import Answer, wrap
+from helicoide.ik.postures.branch import Answer, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from tests.ik.closed.small_arms import moved, recovered, reversed_axes, with_points, worst
 
 from helicoide.geometry import euler, rotation
-from helicoide.ik.branch import between, tool_at
 from helicoide.ik.closed import motoman_l3
+from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

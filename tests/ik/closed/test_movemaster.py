@@ -9,8 +9,8 @@ import pytest
 from tests.ik.closed.rows import distance, worst
 
 from helicoide.geometry import rotation
-from helicoide.ik.branch import between, tool_at, wrap
 from helicoide.ik.closed import motoman_l3, movemaster
+from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load

@@ -10,9 +10,9 @@ import pytest
 from tests.ik.closed.rows import LENGTHS, backwards, distance, of_rows, puma, some_pose, spherical, worst
 from tests.kinematics.test_packages import packaged_arm
 
-from helicoide.ik import pieper_arm
-from helicoide.ik.branch import tool_at, wrap
 from helicoide.ik.closed import pieper, puma560
+from helicoide.ik.families import pieper_arm
+from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import dh_frames
 from helicoide.kinematics.library import load

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from tests.ik.closed.small_arms import limited, moved, planar, recovered, reversed_axes, upright, worst
 
 from helicoide.geometry import euler
-from helicoide.ik import elbow
-from helicoide.ik.branch import between, tool_at
 from helicoide.ik.closed import planar2r
+from helicoide.ik.families import elbow
+from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.text import LANGUAGES, HelicoideError

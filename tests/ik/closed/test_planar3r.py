@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from tests.ik.closed.small_arms import moved, planar, recovered, reversed_axes, upright, with_points, worst
 
 from helicoide.geometry import euler
-from helicoide.ik import elbow
-from helicoide.ik import planar as frames
-from helicoide.ik.branch import between, tool_at
 from helicoide.ik.closed import planar3r
+from helicoide.ik.families import elbow
+from helicoide.ik.families import planar as frames
+from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from tests.ik.closed.small_arms import moved, upright, worst
 
 from helicoide.geometry import euler
-from helicoide.ik.branch import between, tool_at
 from helicoide.ik.closed import polar
+from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.text import LANGUAGES, HelicoideError

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from tests.ik.closed.rows import LENGTHS, distance, of_rows, puma, puma_rows, worst, wrist
 
-from helicoide.ik.branch import tool_at, wrap
 from helicoide.ik.closed import pieper, puma560
+from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import dh_frames, link_poses

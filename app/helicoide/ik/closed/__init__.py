@@ -1,4 +1,4 @@
-"""Closed forms, a file for each family of arms; `branch.Form` says what such a file holds."""
+"""Closed forms, a file for each family of arms; `postures.branch.Form` says what such a file holds."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pkgutil
 from functools import cache
 from typing import cast
 
-from helicoide.ik.branch import Form
+from helicoide.ik.postures.branch import Form
 from helicoide.kinematics.robot import Robot
 
 

@@ -7,10 +7,11 @@ from math import atan2, cos, pi, sin
 
 import numpy as np
 
-from helicoide.ik import elbow, subspace
-from helicoide.ik.branch import Answer, Branch, branch_of, check_pose, sentences, wrap
-from helicoide.ik.elbow_turret import ElbowTurret, elbow_turret
-from helicoide.ik.pointing import Pointing
+from helicoide.ik.families import elbow
+from helicoide.ik.families.elbow_turret import ElbowTurret, elbow_turret
+from helicoide.ik.families.pointing import Pointing
+from helicoide.ik.postures import subspace
+from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose, sentences, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

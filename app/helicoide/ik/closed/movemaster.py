@@ -14,9 +14,10 @@ from math import atan2, cos, pi, sin
 import numpy as np
 
 from helicoide.geometry import rotation
-from helicoide.ik import elbow, subspace
-from helicoide.ik.branch import Answer, Branch, branch_of, sentences, wrap
-from helicoide.ik.turret import Turret, turret
+from helicoide.ik.families import elbow
+from helicoide.ik.families.turret import Turret, turret
+from helicoide.ik.postures import subspace
+from helicoide.ik.postures.branch import Answer, Branch, branch_of, sentences, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

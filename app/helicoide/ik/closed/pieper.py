@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.geometry import rotation
-from helicoide.ik.branch import Answer, Branch, branch_of, check_pose, sentences, tool_at, wrap
-from helicoide.ik.pieper_arm import NONE, Arm, arm_of, beyond
+from helicoide.ik.families.pieper_arm import NONE, Arm, arm_of, beyond
+from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose, sentences, tool_at, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.robot import Robot

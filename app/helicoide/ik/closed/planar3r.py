@@ -6,9 +6,10 @@ from math import hypot
 
 import numpy as np
 
-from helicoide.ik import elbow, subspace
-from helicoide.ik.branch import Answer, branch_of, sentences, wrap
-from helicoide.ik.planar import planar
+from helicoide.ik.families import elbow
+from helicoide.ik.families.planar import planar
+from helicoide.ik.postures import subspace
+from helicoide.ik.postures.branch import Answer, branch_of, sentences, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

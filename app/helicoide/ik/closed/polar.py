@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from math import atan2, hypot
 
-from helicoide.ik import subspace
-from helicoide.ik.branch import Answer, branch_of, sentences
-from helicoide.ik.polar_arm import polar_arm
+from helicoide.ik.families.polar_arm import polar_arm
+from helicoide.ik.postures import subspace
+from helicoide.ik.postures.branch import Answer, branch_of, sentences
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

@@ -8,7 +8,7 @@ from math import hypot, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from helicoide.ik.branch import Answer, branch_of, check_pose, sentences
+from helicoide.ik.postures.branch import Answer, branch_of, check_pose, sentences
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot

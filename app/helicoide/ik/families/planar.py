@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from helicoide.ik.elbow import Annulus
+from helicoide.ik.families.elbow import Annulus
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

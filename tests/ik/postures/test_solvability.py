@@ -11,10 +11,11 @@ from tests.ik.closed.rows import LENGTHS, backwards, of_rows, puma, puma_rows, s
 from tests.kinematics.arms import NAMES, arm, postures
 from tests.kinematics.test_packages import ARMS, packaged_arm
 
-from helicoide.ik import closed, solvability
-from helicoide.ik.branch import tool_at, wrap
+from helicoide.ik import closed
 from helicoide.ik.closed import pieper
-from helicoide.ik.solvability import Ground
+from helicoide.ik.postures import solvability
+from helicoide.ik.postures.branch import tool_at, wrap
+from helicoide.ik.postures.solvability import Ground
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses, screw_displacements
 from helicoide.kinematics.library import load

@@ -8,7 +8,7 @@ from math import cos, hypot, sin
 
 import numpy as np
 
-from helicoide.ik.solvability import meeting_point
+from helicoide.ik.postures.solvability import meeting_point
 from helicoide.kinematics import dh
 from helicoide.kinematics.chain import Array, Joint, frozen
 from helicoide.kinematics.robot import Robot

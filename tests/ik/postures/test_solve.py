@@ -7,8 +7,8 @@ import pytest
 from tests.kinematics.arms import arm, postures
 
 from helicoide.ik import closed, methods
-from helicoide.ik.branch import Answer, between, tool_at, wrap
-from helicoide.ik.solve import EXACT, solve, solve_by, status, ways
+from helicoide.ik.postures.branch import Answer, between, tool_at, wrap
+from helicoide.ik.postures.solve import EXACT, solve, solve_by, status, ways
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

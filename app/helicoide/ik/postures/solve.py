@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.confinement import planes_of
-from helicoide.ik import Limits, Problem, closed, methods, numeric, subspace
-from helicoide.ik.branch import Answer, Form, branch_of, check_pose, sentences
+from helicoide.ik import Limits, Problem, closed, methods
 from helicoide.ik.clik import asked, to_pose
 from helicoide.ik.converge import Tolerance, by_method, converged
-from helicoide.ik.listing import nearest_first
 from helicoide.ik.method import Method
+from helicoide.ik.postures import numeric, subspace
+from helicoide.ik.postures.branch import Answer, Form, branch_of, check_pose, sentences
+from helicoide.ik.postures.listing import nearest_first
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

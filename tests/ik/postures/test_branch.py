@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.ik.closed.small_arms import limited
 
 from helicoide.geometry import euler
-from helicoide.ik.branch import branch_of, check_pose, sentences, tool_at, wrap
+from helicoide.ik.postures.branch import branch_of, check_pose, sentences, tool_at, wrap
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.text import HelicoideError, Text, same

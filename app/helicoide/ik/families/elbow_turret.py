@@ -8,8 +8,8 @@ from math import atan2, hypot
 
 import numpy as np
 
-from helicoide.ik.elbow import Annulus
-from helicoide.ik.turret import MEETING, Turret, turret
+from helicoide.ik.families.elbow import Annulus
+from helicoide.ik.families.turret import MEETING, Turret, turret
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.geometry import rotation
-from helicoide.ik import elbow
-from helicoide.ik.branch import between, check_pose, tool_at
-from helicoide.ik.nearest import nearest
-from helicoide.ik.planar import Planar, planar
-from helicoide.ik.polar_arm import polar_arm
-from helicoide.ik.turret import turret
+from helicoide.ik.families import elbow
+from helicoide.ik.families.planar import Planar, planar
+from helicoide.ik.families.polar_arm import polar_arm
+from helicoide.ik.families.turret import turret
+from helicoide.ik.postures.branch import between, check_pose, tool_at
+from helicoide.ik.postures.nearest import nearest
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

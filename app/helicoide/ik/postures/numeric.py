@@ -11,10 +11,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.ik.branch import Answer, Branch, branch_of, check_pose, tool_at
-from helicoide.ik.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER
-from helicoide.ik.listing import nearest_first
-from helicoide.ik.restarts import approach, draw, search
+from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose, tool_at
+from helicoide.ik.postures.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER
+from helicoide.ik.postures.listing import nearest_first
+from helicoide.ik.postures.restarts import approach, draw, search
 from helicoide.ik.task import ORIENTATION_LENGTH
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot

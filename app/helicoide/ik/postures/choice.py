@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.ik.branch import ON_LIMIT, Branch, wrap
+from helicoide.ik.postures.branch import ON_LIMIT, Branch, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

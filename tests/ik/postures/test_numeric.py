@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from tests.kinematics.arms import MIXED, NAMES, arm, postures
 
 from helicoide.geometry import rotation
-from helicoide.ik import closed, descent, numeric, restarts
-from helicoide.ik.branch import Answer, between, tool_at, wrap
+from helicoide.ik import closed
+from helicoide.ik.postures import descent, numeric, restarts
+from helicoide.ik.postures.branch import Answer, between, tool_at, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

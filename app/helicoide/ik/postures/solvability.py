@@ -7,7 +7,7 @@ from enum import Enum
 
 import numpy as np
 
-from helicoide.ik.branch import sentences
+from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics import dh
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from helicoide.ik.branch import Branch
-from helicoide.ik.choice import ranked
+from helicoide.ik.postures.branch import Branch
+from helicoide.ik.postures.choice import ranked
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 

@@ -10,7 +10,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from helicoide.ik.pointing import Pointing, turned_into_plane
+from helicoide.ik.families.pointing import Pointing, turned_into_plane
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik.descent import LOWER, STRIDE, UPPER, descend, held, memory_of, settle
+from helicoide.ik.postures.descent import LOWER, STRIDE, UPPER, descend, held, memory_of, settle
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 

@@ -10,7 +10,7 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
-from helicoide.ik.branch import wrap
+from helicoide.ik.postures.branch import wrap
 from helicoide.text import Text
 
 # A point nearer to an edge than this part of the outer radius lies on it: there rounding would tear θ₂ from 0 or π.

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.ik.closed.small_arms import limited, planar, upright
 
-from helicoide.ik import choice
-from helicoide.ik.branch import Branch, branch_of, tool_at
 from helicoide.ik.closed import motoman_l3, planar3r
+from helicoide.ik.postures import choice
+from helicoide.ik.postures.branch import Branch, branch_of, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from tests.ik.closed.small_arms import moved, upright
 
 from helicoide.geometry import euler, rotation
-from helicoide.ik import subspace, workspace
-from helicoide.ik.branch import between, tool_at
-from helicoide.ik.nearest import nearest
-from helicoide.ik.turret import turret
+from helicoide.ik.families.turret import turret
+from helicoide.ik.postures import subspace, workspace
+from helicoide.ik.postures.branch import between, tool_at
+from helicoide.ik.postures.nearest import nearest
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

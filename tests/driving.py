@@ -11,6 +11,7 @@ from helicoide import gate
 from helicoide.advance import advance
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
+from helicoide.ik.guarded import clearances
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -43,12 +44,19 @@ def quaternion(rng: Random) -> Array:
 
 
 def clear_posture(rng: Random, state: State, clearance: float) -> Array:
-    """Joint values within the limits whose guarded points are all that far from every plane."""
+    """Joint values within the limits, guarded points that far from every plane and bodies free of each other."""
     limits = state.problem.limits
     while True:
         q = frozen(rng.uniform(limits.lower, limits.upper))
-        if plane_distances(at(state, q)).min() >= clearance:
+        if plane_distances(at(state, q)).min() >= clearance and apart(at(state, q)) > 0:
             return q
+
+
+def apart(state: State) -> float:
+    """What is left until two bodies of the arm are too near, m."""
+    points, _, planes, pairs, _, _ = state.problem.guard
+    left, _, _ = clearances(state.poses.copy(), points, planes, pairs)
+    return float(left[state.guarded_points.shape[0] * len(planes[0]) :].min(initial=np.inf))
 
 
 def place(rng: Random) -> Array:

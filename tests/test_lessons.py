@@ -14,9 +14,9 @@ from helicoide.kinematics.library import load as load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Step
 from helicoide.state import Hold, Seat, State, Update, initial
-from helicoide.text import LANGUAGES, Language
+from helicoide.text import LANGUAGES, Language, Text
 from helicoide.view import page, panels
-from helicoide.view.rows import Button, Choice, Folder, Row, Slider, Tick, Triple, View
+from helicoide.view.rows import Button, Changing, Choice, Folder, Row, Slider, Tick, Triple, View
 from helicoide.view.window import seated
 
 TICK = 0.01
@@ -174,12 +174,14 @@ def labels(rows: Sequence[Row], view: View) -> Iterator[str]:
         match row:
             case Folder(label, inside):
                 yield label[language]
-                yield from labels(inside, view)
+                yield from labels(inside.rows(inside.key(view)) if isinstance(inside, Changing) else inside, view)
             case Choice(label, options):
                 yield from (label[language], *(shown[language] for _, shown in options))
             case Button(label):
                 yield label(view)[language]
-            case Slider(label) | Tick(label) | Triple(label):
+            case Slider(label):
+                yield (label if isinstance(label, Text) else label(view))[language]
+            case Tick(label) | Triple(label):
                 yield label[language]
 
 

@@ -72,7 +72,7 @@ def test_a_method_is_chosen_while_the_hand_holds_the_target(lab: Lab, page: Page
         page.mouse.move(*pixels(page, start + (ARROW - 0.12) * along), steps=5)
     page.mouse.up()
     until(page, lambda: lab.state.grasp is None)
-    until(page, lambda: "At the goal" in status(page) or "off" in status(page))
+    until(page, lambda: not lab.state.moving)
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - start) > 0.08
     assert lab.fastest <= 1 + 1e-9
     assert lab.nearest >= CRITICAL - 1e-9
@@ -126,9 +126,9 @@ def test_what_holds_the_arm_is_named_and_a_method_that_does_not_apply_says_why(l
     until(page, lambda: "plane +z" in " ".join(reads(page, "held by")))
     choose(page, "Method", "inverse")
     until(page, lambda: "rows" in status(page) and "joints" in status(page))
-    page.get_by_role("button", name="Listing").click()
+    page.get_by_role("button", name="About the method").click()
     until(page, lambda: "np.linalg.inv" in page.locator(".helicoide-listing").inner_text())
-    page.get_by_role("button", name="Listing").click()
+    page.get_by_role("button", name="About the method").click()
 
 
 def test_the_tab_in_portuguese(lab: Lab, page: Page) -> None:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import log10
+from math import ceil, floor, log10
 from typing import Any
 
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
 from helicoide.text import Text, same
 from helicoide.view.rows import Choice, Row, Slider, Tick, View, Wish
 
-STEPS, PER_DECADE = 100, 20
+STEPS, PER_DECADE = 50, 20
 Options = Callable[[View], Any]
 Change = Callable[[str, object], Wish]
 
@@ -43,21 +43,43 @@ def _wish(change: Change, name: str) -> Callable[[object], Wish]:
 
 
 def _quantity(setting: Quantity, length: float, value: Callable[[View], float], wish: Callable[[object], Wish]) -> Row:
-    """A slider in the unit of the screen; one through powers of ten says in its label what they stand for."""
+    """A slider in the unit of the screen, in steps of a power of ten."""
     unit = (1000 * length) ** setting.lengths
-    to, back = (log10, _power) if setting.decades else (float, float)
-    lower, upper = to(setting.lower * unit), to(setting.upper * unit)
+    if setting.decades:
+        return _decades(setting, unit, value, wish)
+    lower, upper = setting.lower * unit, setting.upper * unit
+    step = 10 ** floor(log10((upper - lower) / STEPS))
+    return Slider(
+        same("{title} {unit}").format(title=setting.title, unit=_in_brackets(setting)),
+        ceil(lower / step) * step,
+        floor(upper / step) * step,
+        step,
+        lambda view: value(view) * unit,
+        lambda shown: wish(_within(setting, shown / unit)),
+    )
+
+
+def _decades(setting: Quantity, unit: float, value: Callable[[View], float], wish: Callable[[object], Wish]) -> Row:
+    """A slider through powers of ten: it shows exponents, and its label what they stand for."""
 
     def label(view: View) -> Text:
-        said = f"{value(view) * unit:.3g}" if setting.decades else ""
-        return same("{title} {said} {unit}").format(title=setting.title, said=said, unit=setting.unit)
+        return same("{title}: {said} {unit} (10ˣ)").format(
+            title=setting.title, said=f"{value(view) * unit:.3g}", unit=setting.unit
+        )
 
-    def within(shown: float) -> Wish:
-        return wish(min(max(back(shown) / unit, setting.lower), setting.upper))
+    return Slider(
+        label,
+        ceil(log10(setting.lower * unit) * PER_DECADE) / PER_DECADE,
+        floor(log10(setting.upper * unit) * PER_DECADE) / PER_DECADE,
+        1 / PER_DECADE,
+        lambda view: log10(value(view) * unit),
+        lambda exponent: wish(_within(setting, 10.0**exponent / unit)),
+    )
 
-    step = 1 / PER_DECADE if setting.decades else (upper - lower) / STEPS
-    return Slider(label, lower, upper, step, lambda view: to(value(view) * unit), within)
+
+def _within(setting: Quantity, value: float) -> float:
+    return min(max(value, setting.lower), setting.upper)
 
 
-def _power(exponent: float) -> float:
-    return float(10.0**exponent)
+def _in_brackets(setting: Quantity) -> str:
+    return f"[{setting.unit}]" if setting.unit else ""

@@ -29,15 +29,12 @@ FIGURES: Mapping[str, Text] = {
 
 @dataclass(frozen=True)
 class Options:
-    """gain: g, in units of rad²/(ℓ² s). coupling: c. leak: α, 1/s, how fast z forgets.
+    """gain: g, in units of rad²/(ℓ² s); leak: α, how fast z forgets.
 
-    The coupling of the rows alone lets the arm leave a singular posture, unless the entries of the lost direction add
-    up to zero; G is positive definite for 0 ≤ c < 1.
+    coupling: c of the rows, which alone lets the arm leave a singular posture; G is positive definite for 0 ≤ c < 1.
     """
 
-    gain: Annotated[
-        float, Quantity(Text(en="gain g", pt_BR="ganho g"), 1.0, 1e5, "rad²/(mm² s)", lengths=-2, decades=True)
-    ] = 300.0
+    gain: Annotated[float, Quantity(Text(en="gain g", pt_BR="ganho g"), 1.0, 1e5, "1/s", decades=True)] = 300.0
     coupling: Annotated[
         float, Quantity(Text(en="coupling of the rows c", pt_BR="acoplamento das linhas c"), 0.0, 0.9)
     ] = 0.3

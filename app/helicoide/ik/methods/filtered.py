@@ -63,7 +63,7 @@ class Options:
 
     gain: Annotated[
         float,
-        Quantity(Text(en="update gain γ", pt_BR="ganho γ"), 1.0, 1e6, "rad²/(mm² s)", lengths=-2, decades=True),
+        Quantity(Text(en="update gain γ", pt_BR="ganho γ"), 1.0, 1e6, "1/s", decades=True),
     ] = 40.0
     update: Annotated[Update, UPDATES] = "composite"
     step: Annotated[Step, STEPS] = "exact"

@@ -36,7 +36,7 @@ class Options:
 
     gain: Annotated[
         float,
-        Quantity(Text(en="update gain γ", pt_BR="ganho γ"), 1.0, 1e8, "rad⁴/(mm⁴ s)", lengths=-4, decades=True),
+        Quantity(Text(en="update gain γ", pt_BR="ganho γ"), 1.0, 1e8, "1/s", decades=True),
     ] = 1000.0
     update: Annotated[Update, UPDATES] = "composite"
     step: Annotated[Step, STEPS] = "exact"

@@ -26,7 +26,7 @@ EQUATION = (
 REMEMBERS: Text | None = Text(
     en="the joint rates of the step before", pt_BR="as velocidades de junta do passo anterior"
 )
-PROMISES = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.KEEPS_LIMITS, Promise.STAYS_SINGULAR})
+PROMISES = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.KEEPS_LIMITS})
 FIGURES: Mapping[str, Text] = {
     "share": Text(en="share of the step that was taken", pt_BR="parte do passo que foi dada"),
 }

@@ -45,7 +45,7 @@ class Options:
     ] = "best"
     alpha: Annotated[
         float,
-        Quantity(Text(en="α, or its maximum", pt_BR="α, ou seu máximo"), 0.01, 30.0, "rad²/mm²", -2, decades=True),
+        Quantity(Text(en="α, or its maximum", pt_BR="α, ou seu máximo"), 0.01, 30.0, decades=True),
     ] = 10.0
 
 

@@ -40,22 +40,25 @@ def rows(robot: Robot) -> list[Row]:
             lambda view: view.state.drive.method,
             lambda name: ForArm(gate.choose_method(name)),
         ),
-        Words(_about),
+        Choice(
+            Text(en="Side by side with", pt_BR="Lado a lado com"),
+            [("", NONE), *((name, named(name).TITLE) for name in names())],
+            _beside,
+            lambda name: ForArm(gate.compare_with(name or None)),
+        ),
+        Words(_instruments),
         Folder(
             Text(en="Settings", pt_BR="Ajustes"),
             Changing(lambda view: view.state.drive.method, partial(_settings, robot)),
         ),
+        Folder(
+            Text(en="Settings of the other one", pt_BR="Ajustes do outro"),
+            Changing(_beside, partial(_settings, robot)),
+            open=False,
+        ),
         Folder(Text(en="Gains", pt_BR="Ganhos"), [*map(_gain, range(4))], open=False),
         Folder(OBJECTIVE, _objective(robot), open=False),
-        Choice(
-            Text(en="Side by side with", pt_BR="Lado a lado com"),
-            [("", NONE), *((name, named(name).TITLE) for name in names())],
-            lambda view: "" if view.state.beside is None else view.state.beside.drive.method,
-            lambda name: ForArm(gate.compare_with(name or None)),
-        ),
-        Folder(Text(en="Its settings", pt_BR="Ajustes dele"), Changing(_beside, partial(_settings, robot)), open=False),
-        Words(_instruments),
-        Folder(Text(en="Listing", pt_BR="Listagem"), [Words(_listing)], open=False),
+        Folder(Text(en="About the method", pt_BR="Sobre o método"), [Words(_about), Words(_listing)], open=False),
     ]
 
 
@@ -64,12 +67,12 @@ def _beside(view: View) -> str:
 
 
 def _about(view: View) -> str:
-    """The equation, the source, the promises and the memory of the method."""
+    """The source, the promises and the memory of the method."""
     method, language = named(view.state.drive.method), view.seat.language
     promises = "".join(f"<li>{escape(promise.value[language])}</li>" for promise in _in_order(method.PROMISES))
     remembers = f"<li>{escape(REMEMBERS.format(what=method.REMEMBERS)[language])}</li>" if method.REMEMBERS else ""
     return (
-        f"{mathml(method.EQUATION)}<div class='helicoide-note'><p>{escape(method.SOURCE)}</p>"
+        f"<div class='helicoide-note'><p>{escape(method.SOURCE)}</p>"
         f"<p>{PROMISES[language]}</p><ul>{promises}{remembers}</ul></div>"
     )
 
@@ -178,7 +181,7 @@ def _how(robot: Robot, name: str) -> list[Row]:
 
 
 def _instruments(view: View) -> str:
-    """A table of what can be read off the method, and off the one beside it."""
+    """The equation, and a table of what can be read off the method and off the one beside it."""
     arms = [state for state in (view.state, view.state.of_beside) if state is not None]
     columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
     lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
@@ -190,7 +193,7 @@ def _instruments(view: View) -> str:
         for symbol, instrument in lines.items()
     )
     held = "".join(f"<td>{_held(state, view)}</td>" for state in arms)
-    return (
+    return mathml(named(view.state.drive.method).EQUATION) + (
         f"<table class='helicoide-instruments'><tr><th></th>{head}</tr>{body}"
         f"<tr><td>{HELD[view.seat.language]}</td>{held}</tr></table>"
     )

@@ -12,7 +12,6 @@ from tests.browser.lab import Lab, grab, opened, pixels, status, tab, until
 
 from helicoide import gate
 from helicoide.ik import objectives
-from helicoide.ik.methods import named
 
 CRITICAL = 0.080
 ARROW = 0.22
@@ -50,9 +49,13 @@ def choose(page: Page, label: str, option: str) -> None:
 def by_palette(page: Page, words: str) -> None:
     """Choose a command with the keyboard alone, as one can with the pointer on a handle."""
     page.keyboard.press("Control+K")
-    page.keyboard.type(words)
-    page.wait_for_timeout(400)
+    asked = page.get_by_placeholder("Search commands...")
+    asked.wait_for()
+    asked.fill(words)
+    page.locator(".mantine-Spotlight-action").filter(has_text=words).first.wait_for()
+    page.wait_for_timeout(300)
     page.keyboard.press("Enter")
+    asked.wait_for(state="detached")
 
 
 def reads(page: Page, title: str) -> list[str]:
@@ -65,7 +68,7 @@ def test_a_method_is_chosen_while_the_hand_holds_the_target(lab: Lab, page: Page
     T = lab.state.T_world_tool
     start, along = T[:3, 3], T[:3, 0]
     grab(lab, page, start + ARROW * along, start + (ARROW - 0.06) * along)
-    for words, name in (("damped least", "damped"), ("Method: filtered inverse", "filtered")):
+    for words, name in (("Method: damped least squares", "damped"), ("Method: filtered inverse", "filtered")):
         by_palette(page, words)
         until(page, lambda name=name: lab.state.drive.method == name)  # type: ignore[misc]
         assert lab.state.grasp is not None
@@ -88,16 +91,18 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
     choose(page, "integration", "explicit Euler")
     until(page, lambda: lab.state.drive.options("filtered").step == "euler")
     choose(page, "Method", "damped least squares")
-    gain = page.locator(".mantine-NumberInput-input:visible").first
-    gain.fill(gain.input_value()[:-1] + "9")
-    gain.press("Enter")
-    until(page, lambda: lab.state.drive.options("damped").damping != named("damped").Options().damping)
+    page.get_by_text("damping λ").first.wait_for()
+    damping = page.locator(".mantine-NumberInput-input:visible").first
+    damping.fill("2")
+    damping.press("Enter")
+    until(page, lambda: abs(lab.state.drive.options("damped").damping * 1000 * lab.state.robot.reach - 100) < 1e-6)
+    page.get_by_text("damping λ: 100 mm/rad").first.wait_for()
 
 
 def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
     lab.post(gate.hold_orientation(False))
     choose(page, "Method", "pseudoinverse")
-    page.get_by_role("button", name="Secondary objective").click()
+    page.get_by_text("Secondary objective", exact=True).click()
     choose(page, "Objective", objectives.named("limit_distance").TITLE.en)
     until(page, lambda: lab.state.drive.secondary is not None)
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3], [1, 0, 0, 0]))
@@ -108,7 +113,7 @@ def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - tool) < 1e-3
     assert lab.state.drive.secondary is not None
     assert lab.state.drive.secondary.grows
-    page.get_by_role("button", name="Secondary objective").click()
+    page.get_by_text("Secondary objective", exact=True).click()
 
 
 def test_two_methods_follow_the_same_target_side_by_side(lab: Lab, page: Page) -> None:
@@ -126,9 +131,9 @@ def test_what_holds_the_arm_is_named_and_a_method_that_does_not_apply_says_why(l
     until(page, lambda: "plane +z" in " ".join(reads(page, "held by")))
     choose(page, "Method", "inverse")
     until(page, lambda: "rows" in status(page) and "joints" in status(page))
-    page.get_by_role("button", name="About the method").click()
+    page.get_by_text("About the method", exact=True).click()
     until(page, lambda: "np.linalg.inv" in page.locator(".helicoide-listing").inner_text())
-    page.get_by_role("button", name="About the method").click()
+    page.get_by_text("About the method", exact=True).click()
 
 
 def test_the_tab_in_portuguese(lab: Lab, page: Page) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
@@ -146,7 +147,7 @@ class State:
         """The joint axes where they are, (m, 3), unit, world frame."""
         return np.asarray(np.einsum("mij,mj->mi", self.poses[1:, :3, :3], self.robot.directions))
 
-    @property
+    @cached_property
     def of_beside(self) -> State | None:
         """The state in which the second arm stands in for the first."""
         other = self.beside

@@ -8,6 +8,7 @@ from contextlib import ExitStack, contextmanager
 
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+from tests.browser.lab import Lab, opened, until
 
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = (
@@ -71,3 +72,19 @@ def open_page(browser: Browser) -> Iterator[OpenPage]:
     """Open windows that live for one test."""
     with ExitStack() as windows:
         yield lambda *args, **options: windows.enter_context(window(browser, *args, **options))
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    """A running lab for the tests of a file."""
+    lab = opened()
+    yield lab
+    lab.session.close()
+
+
+@pytest.fixture(scope="module")
+def shared_page(browser: Browser, lab: Lab) -> Iterator[Page]:
+    """One window on it, in which the arm runs."""
+    with window(browser, lab.port) as page:
+        until(page, lambda: lab.session.ready, 300)
+        yield page

@@ -54,6 +54,8 @@ class Lab:
 
     def watch(self) -> None:
         """Look at every tick from now on."""
+        if self.session._tick.__name__ == "watched":
+            return
         tick = self.session._tick
 
         def watched() -> None:

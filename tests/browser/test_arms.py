@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 from tests.browser import sheet
-from tests.browser.conftest import window
-from tests.browser.lab import Lab, box, grab, opened, pixels, status, tab, until
+from tests.browser.lab import Lab, box, grab, pixels, status, tab, until
 
 from helicoide import content, gate
 from helicoide.ik.goal import goal_at_pose
@@ -28,18 +26,9 @@ NAMES = sorted(content.found("robots"))
 
 
 @pytest.fixture(scope="module")
-def lab() -> Iterator[Lab]:
-    lab = opened()
-    yield lab
-    lab.session.close()
-
-
-@pytest.fixture(scope="module")
-def page(browser: Browser, lab: Lab) -> Iterator[Page]:
-    with window(browser, lab.port) as page:
-        until(page, lambda: lab.session.ready, 300)
-        tab(page, "Robot")
-        yield page
+def page(shared_page: Page) -> Page:
+    tab(shared_page, "Robot")
+    return shared_page
 
 
 @pytest.fixture(scope="module", params=NAMES)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
-from tests.browser.lab import Lab, grab, opened, pixels, status, until
+from tests.browser.lab import Lab, grab, pixels, status, until
 
 from helicoide import gate
 from helicoide.kinematics.chain import Array
@@ -18,18 +18,11 @@ CRITICAL = 0.080
 ARROW = 0.22  # on an arrow of the target gizmo, m from its centre
 
 
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Lab]:
-    lab = opened()
-    lab.watch()
-    yield lab
-    lab.session.close()
-
-
 @pytest.fixture
 def page(browser: Browser, lab: Lab) -> Iterator[Page]:
     with window(browser, lab.port) as page:
         until(page, lambda: lab.session.ready, 300)
+        lab.watch()
         lab.reset(page)
         page.wait_for_timeout(500)
         yield page

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
-from tests.browser.conftest import window
-from tests.browser.lab import Lab, grab, opened, pixels, status, tab, until
+from playwright.sync_api import Page
+from tests.browser.lab import Lab, grab, pixels, status, tab, until
 
 from helicoide import gate
 from helicoide.ik import objectives
@@ -18,23 +15,9 @@ ARROW = 0.22
 OUTLINE_SHOWN = "() => window.__viserMutable.nodeRefFromName['/beside/gripper']?.visible"
 
 
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Lab]:
-    lab = opened()
-    yield lab
-    lab.session.close()
-
-
-@pytest.fixture(scope="module")
-def shared_page(browser: Browser, lab: Lab) -> Iterator[Page]:
-    with window(browser, lab.port) as page:
-        until(page, lambda: lab.session.ready, 300)
-        lab.watch()
-        yield page
-
-
 @pytest.fixture
 def page(shared_page: Page, lab: Lab) -> Page:
+    lab.watch()
     lab.reset(shared_page)
     tab(shared_page, "Method")
     return shared_page

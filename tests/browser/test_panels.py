@@ -7,31 +7,16 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
-from tests.browser.lab import Lab, box, opened, status, tab, until
+from tests.browser.lab import Lab, box, status, tab, until
 
 from helicoide.state import Along, Hold, ToPose
 from helicoide.text import Language
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Lab]:
-    lab = opened()
-    yield lab
-    lab.session.close()
-
-
-@pytest.fixture(scope="module")
-def shared_page(browser: Browser, lab: Lab) -> Iterator[Page]:
-    with window(browser, lab.port) as page:
-        until(page, lambda: lab.session.ready, 300)
-        yield page
 
 
 @pytest.fixture

@@ -7,14 +7,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Locator, Page
 from tests.browser.conftest import SIZES, window
-from tests.browser.lab import Lab, opened, until
-
-
-@pytest.fixture(scope="module")
-def lab() -> Iterator[Lab]:
-    lab = opened()
-    yield lab
-    lab.session.close()
+from tests.browser.lab import Lab, until
 
 
 @pytest.fixture

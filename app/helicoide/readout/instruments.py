@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -46,8 +47,12 @@ def mobility(state: State) -> Manipulability:
     return analysed(task.J)
 
 
+@lru_cache(maxsize=4)
 def instruments(state: State) -> tuple[Instrument, ...]:
-    """Everything that can be read off a method at work, in a fixed order; the method's own figures come last."""
+    """Everything that can be read off a method at work, in a fixed order; the method's own figures come last.
+
+    All windows ask the same of a state.
+    """
     here = mobility(state)
     return (
         *_errors(state),

@@ -10,6 +10,8 @@ from helicoide.ik.method import OneOf, Quantity, YesNo, settings
 from helicoide.text import Text, same
 from helicoide.view.rows import Choice, Row, Slider, Tick, View, Wish
 
+NONE = Text(en="none", pt_BR="nenhum")
+NOTHING_TO_SET = Text(en="Nothing can be set.", pt_BR="Não há o que ajustar.")
 STEPS, PER_DECADE = 50, 20
 Options = Callable[[View], Any]
 Change = Callable[[str, object], Wish]

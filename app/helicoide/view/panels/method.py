@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from functools import partial
+from functools import cache, partial
 from html import escape
 from types import FunctionType
 from typing import cast
@@ -11,24 +11,19 @@ from typing import cast
 from viser import Icon
 
 from helicoide import gate
-from helicoide.ik import objectives
-from helicoide.ik.drive import GUARDED, Secondary
-from helicoide.ik.method import Method, Promise, settings
+from helicoide.ik.drive import GUARDED
+from helicoide.ik.method import Promise, settings
 from helicoide.ik.methods import named, names
 from helicoide.kinematics.robot import Robot
-from helicoide.readout import Instrument, holding, instruments
-from helicoide.state import State
 from helicoide.text import Text
-from helicoide.view.formula import mathml
-from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, Tick, View, Words
-from helicoide.view.settings import rows_of
+from helicoide.view.instruments import instrument_table
+from helicoide.view.objective import objective_rows
+from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, View, Words
+from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
 TITLE = Text(en="Method", pt_BR="Método")
 ORDER = 3
 ICON = Icon.ROUTE
-
-NONE = Text(en="none", pt_BR="nenhum")
-NOTHING_TO_SET = Text(en="Nothing can be set.", pt_BR="Não há o que ajustar.")
 
 
 def rows(robot: Robot) -> list[Row]:
@@ -46,7 +41,7 @@ def rows(robot: Robot) -> list[Row]:
             _beside,
             lambda name: ForArm(gate.compare_with(name or None)),
         ),
-        Words(_instruments),
+        Words(instrument_table),
         Folder(
             Text(en="Settings", pt_BR="Ajustes"),
             Changing(lambda view: view.state.drive.method, partial(_settings, robot)),
@@ -57,7 +52,7 @@ def rows(robot: Robot) -> list[Row]:
             open=False,
         ),
         Folder(Text(en="Gains", pt_BR="Ganhos"), [*map(_gain, range(4))], open=False),
-        Folder(OBJECTIVE, _objective(robot), open=False),
+        Folder(Text(en="Secondary objective", pt_BR="Objetivo secundário"), objective_rows(robot), open=False),
         Folder(Text(en="About the method", pt_BR="Sobre o método"), [Words(_about), Words(_listing)], open=False),
     ]
 
@@ -117,109 +112,15 @@ def _gain(index: int) -> Slider:
     )
 
 
-OBJECTIVE = Text(en="Secondary objective", pt_BR="Objetivo secundário")
-
-
-def _objective(robot: Robot) -> list[Row]:
-    """What the joints do besides: an objective that this robot can have, its weight, its settings."""
-    known = [(name, objectives.named(name)) for name in objectives.names()]
-    options = [(name, one.TITLE) for name, one in known if one.applies(robot) is None]
-    return [
-        Choice(
-            Text(en="Objective", pt_BR="Objetivo"),
-            [("", NONE), *options],
-            _chosen,
-            lambda name: ForArm(gate.choose_objective(name or None)),
-        ),
-        Folder(Text(en="How", pt_BR="Como"), Changing(_chosen, partial(_how, robot))),
-    ]
-
-
-def _chosen(view: View) -> str:
-    second = view.state.drive.secondary
-    return "" if second is None else second.objective
-
-
-def _how(robot: Robot, name: str) -> list[Row]:
-    """Weight, way and settings of an objective; what it is told after it has been taken away is not heard."""
-    if not name:
-        return [Words(lambda view: f"<p class='helicoide-note'>{NOTHING_TO_SET[view.seat.language]}</p>")]
-    objective, default = objectives.named(name), Secondary(name, objectives.named(name).Options())
-
-    def second(view: View) -> Secondary:
-        there = view.state.drive.secondary
-        return there if there is not None and there.objective == name else default
-
-    as_row = Tick(
-        Text(en="as a row of the task", pt_BR="como linha da tarefa"),
-        lambda view: second(view).as_row,
-        lambda on: ForArm(gate.objective_as_row(on)),
-    )
-    return [
-        Words(lambda view: f"{mathml(objective.EQUATION)}<p class='helicoide-note'>{escape(objective.SOURCE)}</p>"),
-        Slider(
-            Text(en="weight k₀ [1/s]", pt_BR="peso k₀ [1/s]"),
-            0.0,
-            gate.HEAVIEST,
-            1.0,
-            lambda view: second(view).weight,
-            lambda value: ForArm(gate.weigh_objective(value)),
-        ),
-        *([as_row] if objective.AUGMENTS else []),
-        Tick(
-            Text(en="weights grow at limits (Algorithm 1)", pt_BR="pesos crescem nos limites (Algoritmo 1)"),
-            lambda view: second(view).grows,
-            lambda on: ForArm(gate.grow_weights(on)),
-        ),
-        *rows_of(
-            objective.Options,
-            robot.reach,
-            lambda view: second(view).options,
-            lambda setting, value: ForArm(gate.set_objective(setting, value)),
-        ),
-    ]
-
-
-def _instruments(view: View) -> str:
-    """The equation, and a table of what can be read off the method and off the one beside it."""
-    arms = [state for state in (view.state, view.state.of_beside) if state is not None]
-    columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
-    lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
-    head = "".join(f"<th>{escape(named(state.drive.method).TITLE[view.seat.language])}</th>" for state in arms)
-    body = "".join(
-        f"<tr><td>{mathml(symbol)}<span>{escape(instrument.title[view.seat.language])}</span></td>"
-        + "".join(f"<td>{_read(column.get(symbol))}</td>" for column in columns)
-        + "</tr>"
-        for symbol, instrument in lines.items()
-    )
-    held = "".join(f"<td>{_held(state, view)}</td>" for state in arms)
-    return mathml(named(view.state.drive.method).EQUATION) + (
-        f"<table class='helicoide-instruments'><tr><th></th>{head}</tr>{body}"
-        f"<tr><td>{HELD[view.seat.language]}</td>{held}</tr></table>"
-    )
-
-
-HELD = Text(en="held by", pt_BR="retido por")
-
-
-def _read(instrument: Instrument | None) -> str:
-    if instrument is None:
-        return "–"
-    return f"{instrument.value:.4g} {instrument.unit}".replace("-", "−").replace("inf", "∞")
-
-
-def _held(state: State, view: View) -> str:
-    return "<br>".join(escape(text[view.seat.language]) for text in holding(state)) or "–"
-
-
 def _listing(view: View) -> str:
     """The source of the method's step, as it runs."""
-    return f"<pre class='helicoide-listing'>{escape(listing(named(view.state.drive.method)))}</pre>"
+    return f"<pre class='helicoide-listing'>{escape(listing(view.state.drive.method))}</pre>"
 
 
-def listing(method: Method) -> str:
+@cache
+def listing(name: str) -> str:
     """The method's step as it runs, and before it the functions of ours that it calls by name."""
-    step = cast(FunctionType, method.step)
+    step = cast(FunctionType, named(name).step)
     called = (step.__globals__.get(name) for name in step.__code__.co_names)
     ours = [one for one in called if isinstance(one, FunctionType) and one.__module__.startswith(OURS)]
     return "\n\n".join(inspect.getsource(function) for function in (*ours, step))

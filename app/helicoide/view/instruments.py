@@ -1,0 +1,44 @@
+"""What a method reads, and what the one beside it does, as a table."""
+
+from __future__ import annotations
+
+from html import escape
+
+from helicoide.ik.methods import named
+from helicoide.readout import Instrument, holding, instruments
+from helicoide.state import State
+from helicoide.text import Text
+from helicoide.view.formula import mathml
+from helicoide.view.rows import View
+
+
+def instrument_table(view: View) -> str:
+    """The equation, and a table of what can be read off the method and off the one beside it."""
+    arms = [state for state in (view.state, view.state.of_beside) if state is not None]
+    columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
+    lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
+    head = "".join(f"<th>{escape(named(state.drive.method).TITLE[view.seat.language])}</th>" for state in arms)
+    body = "".join(
+        f"<tr><td>{mathml(symbol)}<span>{escape(instrument.title[view.seat.language])}</span></td>"
+        + "".join(f"<td>{_read(column.get(symbol))}</td>" for column in columns)
+        + "</tr>"
+        for symbol, instrument in lines.items()
+    )
+    held = "".join(f"<td>{_held(state, view)}</td>" for state in arms)
+    return mathml(named(view.state.drive.method).EQUATION) + (
+        f"<table class='helicoide-instruments'><tr><th></th>{head}</tr>{body}"
+        f"<tr><td>{HELD[view.seat.language]}</td>{held}</tr></table>"
+    )
+
+
+HELD = Text(en="held by", pt_BR="retido por")
+
+
+def _read(instrument: Instrument | None) -> str:
+    if instrument is None:
+        return "–"
+    return f"{instrument.value:.4g} {instrument.unit}".replace("-", "−").replace("inf", "∞")
+
+
+def _held(state: State, view: View) -> str:
+    return "<br>".join(escape(text[view.seat.language]) for text in holding(state)) or "–"

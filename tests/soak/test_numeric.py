@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.ik.test_numeric import MEASURED, failures, robot_of, same_postures
+from tests.ik.postures.test_numeric import MEASURED, failures, robot_of, same_postures
 from tests.kinematics.arms import postures
 
 from helicoide.ik import closed

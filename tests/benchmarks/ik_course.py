@@ -10,18 +10,20 @@ from tests.benchmarks.children.turns import following
 from tests.benchmarks.ik_arm import points_on_links, standard_rows, urdf_with_limits
 from tests.benchmarks.ik_turns import Turn
 
-from helicoide.ik.guarded import guarded_step
+from helicoide.ik.guarded import ONE_LEVEL, guarded_tick, indices
 from helicoide.ik.rows import DAMPER_GAIN, Arm, LimitArrays, PlaneArrays
 from helicoide.ik.task import rotation_vector
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.robot import Robot
 
 DT, LAP, LAPS, RADIUS = 0.01, 500, 3, 0.1
 STEPS = LAP * LAPS
 GAIN, DAMPING = 0.25, 1e-6
+NO_PAIRS, NOTHING, NOWHERE = indices([], 0, 4), frozen([]), frozen(np.zeros(3))
+NO_ENTRY = (0, NOWHERE, NOWHERE, NOWHERE)
 
 
 @kernel
@@ -49,7 +51,9 @@ def follow(
         v[a] = gain * (T_world_target[a, 3] - T[a, 3])
         v[3 + a] = gain * turned[a]
     J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), T[:, 3], chain.shape[0])
-    q_after, poses_after, _, _ = guarded_step(arm, q, poses, (J, v, weights, damping), limits, planes, dt)
+    guard = (arm, limits, planes, (arm[1].shape[0], NO_PAIRS, NOTHING), NO_ENTRY, DAMPER_GAIN)
+    task = (J, v, weights, damping)
+    q_after, poses_after, _, _ = guarded_tick(guard, q, np.zeros(q.size), poses, task, ONE_LEVEL, dt)
     return q_after, poses_after
 
 

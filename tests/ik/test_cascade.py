@@ -49,6 +49,10 @@ def test_a_null_space_is_what_the_rows_do_not_feel(seed: int, n: int, r: int, ra
     np.testing.assert_allclose(Z.T @ Z, np.eye(Z.shape[1]), atol=1e-12)
 
 
+# What is left of a bound after three levels, each in the null space of those before; the tick cuts the rest off.
+ROUNDING = 1e-7
+
+
 @settings(max_examples=100)
 @given(seed=seeds, n=st.integers(4, 8), size=st.sampled_from([0.2, 1.0, 1e3]))
 def test_a_level_takes_nothing_from_those_before_it(seed: int, n: int, size: float) -> None:
@@ -59,7 +63,7 @@ def test_a_level_takes_nothing_from_those_before_it(seed: int, n: int, size: flo
     alone, _, _ = descend(first_rows(task, 2), begins[:0], *rows)
     two, _, _ = descend(first_rows(task, 4), begins[:1], *rows)
     assert verdict == qp.SOLVED
-    assert (np.abs(x) <= size + 1e-9).all()
+    assert (np.abs(x) <= size + ROUNDING).all()
     assert abs(missed(task, slice(2), x) - missed(task, slice(2), alone)) < 1e-6
     assert abs(missed(task, slice(2, 4), x) - missed(task, slice(2, 4), two)) < 1e-6
     assert multipliers.shape == (3, n)

@@ -12,8 +12,7 @@ from tests.kinematics.arms import NAMES, arm, derivative
 
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
-from helicoide.ik.collision import apart, closest_shares, witness_row
-from helicoide.ik.guarded import clearances
+from helicoide.ik.collision import apart, clearances, closest_shares, witness_row
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.jacobian import joint_axes
@@ -48,7 +47,7 @@ def distance(ends: list[Array], shares: Array) -> float:
 def test_no_points_of_two_pieces_are_nearer(seed: int) -> None:
     """A convex problem: a search from the best of a grid finds nothing shorter."""
     ends = pieces(seed)
-    found = np.array(closest_shares(*ends))
+    found = np.array(closest_shares(*map(tuple, ends)))
     assert ((found >= 0) & (found <= 1)).all()
     grid = [np.array([s, t]) for s in np.linspace(0, 1, 7) for t in np.linspace(0, 1, 7)]
     best = min(grid, key=lambda shares: distance(ends, shares))
@@ -69,16 +68,15 @@ def test_a_row_is_the_derivative_of_the_distance_of_its_witnesses(seed: int, nam
         return poses, *clearances(poses, problem.points, problem.plane_arrays, problem.pair_arrays)[1:]
 
     poses, shares, points = here(q)
-    row = np.empty(len(q))
+    row, corners = np.empty((1, len(q))), problem.pair_arrays[1]
     there = witness_row(
-        row, points, problem.points[2], problem.pair_arrays, pair, shares[pair], poses, chain, joint_axes(poses, chain)
-    )
+        row, 0, points, problem.points[2], problem.pair_arrays, pair, *shares[pair], poses, chain,
+        joint_axes(poses, chain),
+    )  # fmt: skip
     assert there == pytest.approx(left(problem, q)[pair], abs=1e-12)
     if there + problem.pair_arrays[2][pair] > 1e-2:
-        by_differences = derivative(
-            lambda q: np.array(apart(here(q)[2], problem.pair_arrays, pair, *shares[pair], np.empty(3))), q, 1e-4
-        )
-        np.testing.assert_allclose(row, by_differences, rtol=0, atol=1e-6)
+        by_differences = derivative(lambda q: np.array(apart(here(q)[2], corners, pair, *shares[pair])[0]), q, 1e-4)
+        np.testing.assert_allclose(row[0], by_differences, rtol=0, atol=1e-6)
 
 
 def test_a_gap_is_what_is_left_between_surfaces() -> None:

@@ -24,7 +24,7 @@ from helicoide.ik import (
     reasons,
 )
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
-from helicoide.ik.guarded import ONE_LEVEL, Task, guarded_step, guarded_tick, indices
+from helicoide.ik.guarded import ONE_LEVEL, Task, guarded_tick, indices
 from helicoide.ik.method import Task as MethodTask
 from helicoide.ik.methods import guarded as method
 from helicoide.ik.task import joint_task, pose_task, rotation_vector
@@ -84,24 +84,6 @@ def test_no_promise_is_broken_in_a_walk(name: str, acceleration: float) -> None:
     assert found.too_fast > -0.1, "the walk was never fast: it shows nothing"
     assert found.shortened + found.stopped <= 0.1 * STEPS
     assert found.gave_way <= (0.1 if acceleration < np.inf else 0.0) * STEPS
-
-
-def test_the_step_alone_is_the_tick_among_planes_from_rest() -> None:
-    problem = scene("puma560", 4, obstacles=0)
-    problem = replace(problem, robot=replace(problem.robot, self_collision=()))
-    rng = np.random.default_rng(0)
-    q = problem.robot.poses["ready"].copy()
-    for _ in range(50):
-        task = joint_task(q, rng.uniform(problem.limits.lower, problem.limits.upper), -1, 0.05)
-        poses = link_poses(problem.robot.chain, q)
-        after, _, held, share = guarded_step(
-            problem.arm, q, poses, task, problem.limit_arrays, problem.plane_arrays, 0.05
-        )
-        expected, of_tick, taken = ticked(problem, q, task, dt=0.05)
-        np.testing.assert_array_equal(after, expected)
-        np.testing.assert_array_equal(held, of_tick[: len(held)])
-        assert share == taken
-        q = after
 
 
 # What gives way to what: planes and collisions, position, speed, acceleration, the entry point, the task.

@@ -9,9 +9,9 @@ Source: Nakamura, Hanafusa and Yoshikawa 1987 (null spaces); Kanoun, Lamiraux an
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from helicoide.ik import qp
+from helicoide.ik.rows import Indices, Task
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 
@@ -20,31 +20,23 @@ NEGLIGIBLE = 1e-9
 
 
 @kernel
-def normal_equations(J: Array, v: Array, weights: Array, damping: Array) -> tuple[Array, Array]:
-    """H = Jᵀ W² J + diag(d) and g = Jᵀ W² v, for J (r, n), v (r,), weights (r,), damping d (n,)."""
-    r, n = J.shape
+def normal_equations(task: Task, first: int, end: int) -> tuple[Array, Array]:
+    """H = Jᵀ W² J + diag(d) and g = Jᵀ W² v of the rows of a task from `first` to before `end`."""
+    J, v, weights, damping = task
+    n = J.shape[1]
     H, g = np.zeros((n, n)), np.zeros(n)
+    for s in range(first, end):
+        square = weights[s] * weights[s]
+        for a in range(n):
+            pull = square * J[s, a]
+            g[a] += pull * v[s]
+            for c in range(a + 1):
+                H[a, c] += pull * J[s, c]
     for a in range(n):
-        for s in range(r):
-            g[a] += weights[s] * weights[s] * J[s, a] * v[s]
-        for c in range(a + 1):
-            total = 0.0
-            for s in range(r):
-                total += weights[s] * weights[s] * J[s, a] * J[s, c]
-            H[a, c] = H[c, a] = total
         H[a, a] += damping[a]
+        for c in range(a):
+            H[c, a] = H[a, c]
     return H, g
-
-
-@kernel
-def times(A: Array, B: Array) -> Array:
-    """A B, without BLAS, for small matrices."""
-    product = np.zeros((A.shape[0], B.shape[1]))
-    for i in range(A.shape[0]):
-        for k in range(A.shape[1]):
-            for j in range(B.shape[1]):
-                product[i, j] += A[i, k] * B[k, j]
-    return product
 
 
 @kernel
@@ -53,18 +45,21 @@ def orthonormalised(rows: Array, basis: Array, count: int, smallest: float) -> i
 
     Args: rows (m, n), orthogonal to the first `count` rows of basis (n, n); they are used up. Returns the new count.
     """
-    while count < basis.shape[0]:
+    n = basis.shape[0]
+    while count < n:
         longest, square = -1, smallest * smallest
         for i in range(rows.shape[0]):
             if qp.dot(rows[i], rows[i]) > square:
                 longest, square = i, qp.dot(rows[i], rows[i])
         if longest < 0:
             break
-        basis[count] = rows[longest] / np.sqrt(square)
+        for k in range(n):
+            basis[count, k] = rows[longest, k] / np.sqrt(square)
         for i in range(rows.shape[0]):
             for _ in range(2):
-                rows[i] -= qp.dot(rows[i], basis[count]) * basis[count]
-        rows[longest] = 0.0
+                along = qp.dot(rows[i], basis[count])
+                for k in range(n):
+                    rows[i, k] = rows[i, k] - along * basis[count, k] if i != longest else 0.0
         count += 1
     return count
 
@@ -80,69 +75,105 @@ def null_space(J: Array) -> Array:
     rank = orthonormalised(rows, basis, 0, DEPENDENT * np.sqrt(largest)) if largest > 0.0 else 0
     for i in range(n):
         for k in range(rank):
-            rest[i] -= basis[k, i] * basis[k]
+            along = basis[k, i]
+            for j in range(n):
+                rest[i, j] -= along * basis[k, j]
     orthonormalised(rest, basis, rank, DEPENDENT)
-    return basis[rank:].T.copy()
+    Z = np.empty((n, n - rank))
+    for i in range(n):
+        for k in range(rank, n):
+            Z[i, k - rank] = basis[k, i]
+    return Z
 
 
 @kernel
-def reduced_rows(A: Array, Z: Array) -> Array:
-    """A Z, with rows that Z leaves nothing of set to zero: they stay as they are."""
-    reduced = times(A, Z)
+def times(A: Array, B: Array) -> Array:
+    """A B, without BLAS, for small matrices."""
+    product = np.zeros((A.shape[0], B.shape[1]))
     for i in range(A.shape[0]):
-        if qp.dot(reduced[i], reduced[i]) < NEGLIGIBLE * NEGLIGIBLE * qp.dot(A[i], A[i]):
-            reduced[i] = 0.0
-    return reduced
+        for k in range(A.shape[1]):
+            for j in range(B.shape[1]):
+                product[i, j] += A[i, k] * B[k, j]
+    return product
 
 
 @kernel
-def within_rest(H: Array, g: Array, Z: Array, x: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array]:
-    """The least ½ xᵀ H x − gᵀ x over x + Z u with lower ≤ A (x + Z u) ≤ upper; gives the new x and the multipliers.
+def narrowed(task: Task, first: int, end: int, Z: Array) -> Array:
+    """What a level leaves free of Z: Z N with W J Z N = 0."""
+    J, _, weights, _ = task
+    felt = times(J[first:end], Z)
+    for s in range(first, end):
+        for k in range(Z.shape[1]):
+            felt[s - first, k] *= weights[s]
+    return times(Z, null_space(felt))
+
+
+@kernel
+def reduced_rows(A: Array, lower: Array, upper: Array, Z: Array, x: Array) -> tuple[Array, Array, Array]:
+    """lower ≤ [I; A] (x + Z u) ≤ upper as rows of u; those that Z leaves nothing of are zero: they stay as they are."""
+    (n, free), bounds = Z.shape, lower.shape[0] - A.shape[0]
+    rows, low, high = np.zeros((lower.shape[0], free)), np.empty(lower.shape[0]), np.empty(lower.shape[0])
+    for i in range(lower.shape[0]):
+        done, square = 0.0, 0.0
+        for k in range(n):
+            entry = A[i - bounds, k] if i >= bounds else (1.0 if i == k else 0.0)
+            done, square = done + entry * x[k], square + entry * entry
+            for j in range(free):
+                rows[i, j] += entry * Z[k, j]
+        low[i], high[i] = lower[i] - done, upper[i] - done
+        if qp.dot(rows[i], rows[i]) < NEGLIGIBLE * NEGLIGIBLE * square:
+            for j in range(free):
+                rows[i, j] = 0.0
+    return rows, low, high
+
+
+@kernel
+def within_rest(
+    task: Task, first: int, end: int, Z: Array, x: Array, A: Array, lower: Array, upper: Array
+) -> tuple[Array, Array]:
+    """A level's least over x + Z u with lower ≤ [I; A] (x + Z u) ≤ upper; gives the new x and the multipliers.
 
     Where rounding leaves no room, x stays.
     """
-    n, rest = H.shape[0], Z.T.copy()
-    slope, done = g.copy(), np.empty(A.shape[0])
+    H, g = normal_equations(task, first, end)
+    HZ, (n, free) = times(H, Z), Z.shape
+    H_rest, g_rest = np.zeros((free, free)), np.zeros(free)
     for i in range(n):
-        slope[i] -= qp.dot(H[i], x)
-    for i in range(A.shape[0]):
-        done[i] = qp.dot(A[i], x)
-    H_rest = times(rest, times(H, Z))
-    g_rest = times(rest, slope.reshape(-1, 1))[:, 0].copy()
-    u, multipliers, verdict = qp.solve(H_rest, g_rest, reduced_rows(A, Z), lower - done, upper - done)
+        slope = g[i] - qp.dot(H[i], x)
+        for j in range(free):
+            g_rest[j] += Z[i, j] * slope
+            for k in range(free):
+                H_rest[j, k] += Z[i, j] * HZ[i, k]
+    rows, low, high = reduced_rows(A, lower, upper, Z, x)
+    u, multipliers, verdict = qp.solve(H_rest, g_rest, rows, low, high)
     if verdict != qp.SOLVED:
-        return x, np.zeros(A.shape[0])
-    return x + times(Z, u.reshape(-1, 1))[:, 0], multipliers
+        return x, np.zeros(lower.shape[0])
+    moved = x.copy()
+    for i in range(n):
+        moved[i] += qp.dot(Z[i], u)
+    return moved, multipliers
 
 
 @kernel
-def descend(
-    task: tuple[Array, Array, Array, Array], begins: NDArray[np.int64], A: Array, lower: Array, upper: Array
-) -> tuple[Array, Array, int]:
-    """The displacement that serves the levels in their order, within lower ≤ A x ≤ upper.
+def descend(task: Task, begins: Indices, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
+    """The displacement that serves the levels in their order, within lower ≤ [I; A] x ≤ upper.
 
     Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which another level begins, none
-    where all rows are one level; A (m, n). Returns x (n,), multipliers (levels, m) and the verdict on the first level.
+    where all rows are one level; A, lower, upper as in `qp.solve`. Returns x (n,), multipliers (levels, b + m) and the
+    verdict on the first level.
     """
-    J, v, weights, damping = task
-    count = begins.shape[0]
+    (r, n), count = task[0].shape, begins.shape[0]
+    end = begins[0] if count > 0 else r
+    H, g = normal_equations(task, 0, end)
+    x, alone, verdict = qp.solve(H, g, A, lower, upper)
     if count == 0:
-        H, g = normal_equations(J, v, weights, damping)
-        x, alone, verdict = qp.solve(H, g, A, lower, upper)
         return x, alone.reshape(1, -1), verdict
-    x, Z, first = np.zeros(J.shape[1]), np.eye(J.shape[1]), 0
-    multipliers, verdict = np.zeros((count + 1, A.shape[0])), qp.SOLVED
-    for k in range(count + 1):
-        end = begins[k] if k < count else J.shape[0]
-        H, g = normal_equations(J[first:end], v[first:end], weights[first:end], damping)
-        if k == 0:
-            x, multipliers[0], verdict = qp.solve(H, g, A, lower, upper)
-        else:
-            x, multipliers[k] = within_rest(H, g, Z, x, A, lower, upper)
-        if k == count or verdict != qp.SOLVED:
+    multipliers, Z, first = np.zeros((count + 1, lower.shape[0])), np.eye(n), 0
+    multipliers[0] = alone
+    for k in range(1, count + 1):
+        Z = narrowed(task, first, end, Z)
+        if Z.shape[1] == 0 or verdict != qp.SOLVED:
             break
-        Z = times(Z, null_space(times(weights[first:end].reshape(-1, 1) * J[first:end], Z)))
-        if Z.shape[1] == 0:
-            break
-        first = end
+        first, end = end, begins[k] if k < count else r
+        x, multipliers[k] = within_rest(task, first, end, Z, x, A, lower, upper)
     return x, multipliers, verdict

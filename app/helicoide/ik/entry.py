@@ -12,10 +12,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik.rows import Entry, add_point
+from helicoide.ik.rows import Entry, add_point, at
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
-from helicoide.kinematics.jacobian import columns
+from helicoide.kinematics.jacobian import columns, joint_axes
 
 GAIN = 12.5
 AT_ONCE = 0.2e-3
@@ -67,13 +67,13 @@ def miss(poses: Array, entry: Entry, pair: Array) -> Array:
 
 
 @kernel
-def entry_rows(poses: Array, chain: Chain, axes: Array, entry: Entry, dt: float) -> tuple[Array, Array, Array, Array]:
+def entry_rows(poses: Array, chain: Chain, entry: Entry, dt: float) -> tuple[Array, Array, Array, Array]:
     """The two rows (2, n) of the shaft, what they ask (2,), m, the directions across it (2, 3), the miss (2,), m."""
     c, d = nearest_of_shaft(poses, entry)
-    pair = across(d)
+    pair, axes = across(d), joint_axes(poses, chain)
     rows = np.zeros((2, columns(chain)))
     for i in range(2):
-        add_point(rows[i], 1.0, pair[i], poses, chain, axes, c, entry[0])
+        add_point(rows, i, at(pair, i), (c[0], c[1], c[2]), entry[0], poses, chain, axes)
     away = miss(poses, entry, pair)
     far = np.sqrt(away[0] ** 2 + away[1] ** 2)
     share = max(1.0 - np.exp(-GAIN * dt), AT_ONCE / max(far, AT_ONCE))

@@ -19,34 +19,28 @@ from typing import Any
 
 import numpy as np
 
-from helicoide.confinement import distances
 from helicoide.ik import cascade, collision, qp
 from helicoide.ik.entry import FIRM, entry_rows, miss
 from helicoide.ik.rows import (
-    DAMPER_GAIN,
-    Arm,
-    Entry,
     Guard,
     Indices,
     LimitArrays,
-    Pairs,
-    PlaneArrays,
+    Task,
+    add_point,
+    at,
     damper,
     motion_box,
-    plane_rows,
 )
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
 
 SMALLEST_SHARE = 1e-6
 # How near to the entry point the curvature of a step is settled, m; how often this is tried before the task is halved,
 # and how often it is halved.
 SETTLED, TRIES, HALVINGS = 1e-6, 5, 6
 ROUNDING = 1e-10
-
-Task = tuple[Array, Array, Array, Array]
 
 
 def indices(values: Any, *shape: int) -> Indices:
@@ -57,106 +51,98 @@ def indices(values: Any, *shape: int) -> Indices:
 
 
 ONE_LEVEL = indices([])
-NO_PAIRS = indices([], 0, 4), frozen([])
-NO_ENTRY: Entry = (0, frozen(np.zeros(3)), frozen(np.zeros(3)), frozen(np.zeros(3)))
-
-
-@kernel
-def clearances(poses: Array, arm: Arm, planes: PlaneArrays, pairs: Pairs) -> tuple[Array, Array, Array]:
-    """What is left until something is too near: guarded points to planes, point after point, then the pairs of bodies.
-
-    Args: poses (j + 1, 4, 4) of `link_poses`. Returns (g k + p,), m; the shares of the witnesses (p, 2); and the points
-    where they are (m, 3), m.
-    """
-    points, k = carried_points(poses, arm[1], arm[2]), planes[0].shape[0]
-    left, shares = np.empty(pairs[0] * k + pairs[1].shape[0]), np.empty((pairs[1].shape[0], 2))
-    near = distances(planes[0], planes[1], points[: pairs[0]])
-    for r in range(pairs[0] * k):
-        left[r] = near[r // k, r % k] - planes[2]
-    collision.gaps(points, pairs, left, shares)
-    return left, shares, points
 
 
 @kernel
 def hard_rows(
-    guard: Guard, poses: Array, axes: Array, left: Array, shares: Array, points: Array, box: Array, dt: float
+    guard: Guard, poses: Array, watched: Indices, near: Array, points: Array, box: Array, dt: float
 ) -> tuple[Array, Array, Array]:
-    """Rows lower ≤ A Δq ≤ upper: the n joints, a damper for each clearance, and p spare rows for a second witness.
+    """Rows lower ≤ [I; A] Δq ≤ upper: the n joints, dampers of the w watched clearances, p spare for second witnesses.
 
-    Args: left, shares, points of `clearances`; box of `motion_box`. Returns A (n + g k + 2 p, n), lower and upper.
+    Args: watched, near, points of `collision.watch`, p of them between bodies; box of `motion_box`. Returns
+    A (w + p, n), lower and upper (n + w + p,).
     """
     (chain, _, links), (_, _, _, acceleration), (normals, _, _), pairs, _, gain = guard
-    n, p = acceleration.shape[0], shares.shape[0]
-    rows = n + left.shape[0] + p
-    A, lower, upper = np.zeros((rows, n)), np.full(rows, -np.inf), np.full(rows, np.inf)
+    n, w, k = acceleration.shape[0], watched.shape[0], normals.shape[0]
+    rows = w + collision.between_bodies(guard, watched)
+    A, lower, upper = np.zeros((rows, n)), np.empty(n + rows), np.empty(n + rows)
     for i in range(n):
-        A[i, i], lower[i], upper[i] = 1.0, box[0, i], box[1, i]
-    plane_rows(A[n : n + left.shape[0] - p], poses, chain, axes, points, links, normals)
-    for pair in range(p):
-        row = A[n + left.shape[0] - p + pair]
-        collision.witness_row(row, points, links, pairs, pair, shares[pair], poses, chain, axes)
-    for r in range(left.shape[0]):
-        lower[n + r] = damper(left[r], A[n + r], acceleration, gain, dt)
+        lower[i], upper[i] = box[0, i], box[1, i]
+    for i in range(n, n + rows):
+        lower[i], upper[i] = -np.inf, np.inf
+    if w > 0:
+        axes = jacobian.joint_axes(poses, chain)
+        for j in range(w):
+            pair = watched[j] - pairs[0] * k
+            if pair < 0:
+                r, p = watched[j] // k, watched[j] % k
+                add_point(A, j, at(normals, p), at(points, r), links[r], poses, chain, axes)
+            else:
+                s, t = near[j, 1], near[j, 2]
+                collision.witness_row(A, j, points, links, pairs, pair, s, t, poses, chain, axes)
+            lower[n + j] = damper(near[j, 0], A, j, acceleration, gain, dt)
     return A, lower, upper
 
 
 @kernel
-def shortfall(left: Array, after: Array) -> float:
+def shortfall(near: Array, after: Array) -> float:
     """By how much the worst came closer than it may: the least distance, or where it was if that is nearer; m."""
     worst = 0.0
-    for r in range(left.shape[0]):
-        worst = max(worst, min(0.0, left[r]) - after[r])
+    for j in range(near.shape[0]):
+        worst = max(worst, min(0.0, near[j, 0]) - after[j, 0])
     return worst
 
 
 @kernel
 def raise_by_loss(
-    guard: Guard, A: Array, lower: Array, step: Array, left: Array, after: Array, points: Array, shares: Array,
-    poses: Array, axes: Array,
+    guard: Guard, A: Array, lower: Array, step: Array, watched: Indices, near: Array, after: Array, points: Array,
+    poses: Array,
 ) -> None:  # fmt: skip
     """Add to the row of what came too close what its linear prediction lost, and a tenth for the rest.
 
-    Bodies may be nearest elsewhere after the step: these witnesses, `shares` (p, 2), have a row of their own.
+    Bodies may be nearest elsewhere after the step: these witnesses have a row of their own.
     """
-    (chain, _, links), _, _, pairs, _, _ = guard
-    n, p = A.shape[1], shares.shape[0]
-    for r in range(left.shape[0]):
-        allowed, row, pair = min(0.0, left[r]), n + r, r - left.shape[0] + p
-        if after[r] >= allowed:
+    (chain, _, links), _, planes, pairs, _, _ = guard
+    n, spare = A.shape[1], collision.between_bodies(guard, watched)
+    axes = jacobian.joint_axes(poses, chain)
+    for j in range(watched.shape[0]):
+        allowed, pair = min(0.0, near[j, 0]), watched[j] - pairs[0] * planes[0].shape[0]
+        if after[j, 0] >= allowed:
             continue
         if pair < 0:
-            lower[row] += 1.1 * (left[r] + qp.dot(A[row], step) - after[r])
+            lower[n + j] += 1.1 * (near[j, 0] + qp.dot(A[j], step) - after[j, 0])
             continue
-        row += p
-        there = collision.witness_row(A[row], points, links, pairs, pair, shares[pair], poses, chain, axes)
-        lower[row] = allowed - there + 1.1 * (there + qp.dot(A[row], step) - after[r])
+        row, s, t = j + spare, after[j, 1], after[j, 2]
+        there = collision.witness_row(A, row, points, links, pairs, pair, s, t, poses, chain, axes)
+        lower[n + row] = allowed - there + 1.1 * (there + qp.dot(A[row], step) - after[j, 0])
 
 
 @kernel
-def within(q: Array, step: Array, lower: Array, upper: Array, reach: Array) -> Array:
-    """q + Δq, cut to the limits to the last bit; a joint that is outside keeps its place as its limit."""
+def within(q: Array, step: Array, share: float, limits: LimitArrays, dt: float) -> Array:
+    """q and a share of Δq, cut to the limits to the last bit; a joint that is outside keeps its place as its limit."""
+    lower, upper, speed, _ = limits
     moved = np.empty_like(q)
     for i in range(q.shape[0]):
-        value = q[i] + min(max(step[i], -reach[i]), reach[i])
+        value = q[i] + min(max(share * step[i], -speed[i] * dt), speed[i] * dt)
         moved[i] = min(max(value, min(lower[i], q[i])), max(upper[i], q[i]))
     return moved
 
 
 @kernel
 def given_way(
-    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, coast: Array
+    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float
 ) -> tuple[Array, Array, int]:
     """`cascade.descend`; where acceleration leaves no point, its bounds are first widened to the nearest that there is.
 
-    Nearest to going on as before, Δq = q̇ dt, coast (n,). Args: lower, upper (m,): opened in place; box of `motion_box`.
+    Nearest to going on as before, Δq = q̇ dt. Args: lower, upper (m,): opened in place; box of `motion_box`.
     """
     step, multipliers, verdict = cascade.descend(task, begins, A, lower, upper)
     if verdict == qp.SOLVED:
         return step, multipliers, verdict
-    n = coast.shape[0]
+    n = rates.shape[0]
     before = lower[:n].copy(), upper[:n].copy()
     lower[:n], upper[:n] = box[2], box[3]
-    nearest, _, verdict = qp.project(A, lower, upper, coast)
+    nearest, _, verdict = qp.project(A, lower, upper, rates * dt)
     if verdict != qp.SOLVED:
         return np.zeros(n), multipliers, verdict
     for i in range(n):
@@ -170,10 +156,18 @@ def given_way(
 def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[Task, Indices]:
     """The same task after a first level of two rows (2, n) that ask for a displacement (2,), m."""
     J, v, weights, damping = task
-    firm = np.full(2, FIRM)
-    levels = np.empty(begins.shape[0] + 1, dtype=np.int64)
-    levels[0], levels[1:] = 2, begins + 2
-    return (np.concatenate((rows, J)), np.concatenate((asked, v)), np.concatenate((firm, weights)), damping), levels
+    r, levels = v.shape[0], np.empty(begins.shape[0] + 1, dtype=np.int64)
+    levels[0] = 2
+    for k in range(begins.shape[0]):
+        levels[k + 1] = begins[k] + 2
+    stacked, wished, firm = np.empty((r + 2, J.shape[1])), np.empty(r + 2), np.full(r + 2, FIRM)
+    for i in range(r + 2):
+        wished[i] = asked[i] if i < 2 else v[i - 2]
+        for k in range(J.shape[1]):
+            stacked[i, k] = rows[i, k] if i < 2 else J[i - 2, k]
+        if i >= 2:
+            firm[i] = weights[i - 2]
+    return (stacked, wished, firm, damping), levels
 
 
 @kernel
@@ -194,13 +188,13 @@ def bend(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bo
 @kernel
 def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: Array) -> float:
     """How hard the first two rows hold the level after them back: ‖λ‖, J₁ᵀ W² (v₁ − J₁ x) − d x + Aᵀ μ = J₀ᵀ λ."""
-    J, v, weights, damping = task
-    end = begins[1] if begins.shape[0] > 1 else J.shape[0]
-    H, g = cascade.normal_equations(J[2:end], v[2:end], weights[2:end], damping)
+    J = task[0]
+    H, g = cascade.normal_equations(task, 2, begins[1] if begins.shape[0] > 1 else J.shape[0])
     for i in range(step.shape[0]):
         g[i] -= qp.dot(H[i], step)
+        g[i] += multipliers[1, i]
         for r in range(A.shape[0]):
-            g[i] += A[r, i] * multipliers[1, r]
+            g[i] += A[r, i] * multipliers[1, J.shape[1] + r]
     a, b, c = qp.dot(J[0], J[0]), qp.dot(J[0], J[1]), qp.dot(J[1], J[1])
     s, t = qp.dot(J[0], g), qp.dot(J[1], g)
     determinant = max(a * c - b * b, 1e-12 * a * c)
@@ -208,24 +202,24 @@ def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: 
 
 
 @kernel
-def sorted_out(multipliers: Array, through: bool, kinds: Indices, clear: int, pull: float) -> Array:
+def sorted_out(guard: Guard, multipliers: Array, kinds: Indices, watched: Indices, pull: float) -> Array:
     """The multipliers by what holds: 2 n position limits, clearances, 2 n speed limits, 2 n accelerations, the entry.
 
-    Args: multipliers (levels, n + clear + p), those of the entry's own level left out; kinds (2, n) of `motion_box`.
+    Args: multipliers (levels, n + w + p), the entry's own level first where there is one; kinds (2, n) of `motion_box`;
+    watched (w,) of `collision.watch`.
     """
-    n = kinds.shape[1]
-    held = np.zeros(6 * n + clear + 1)
-    spare = multipliers.shape[1] - n - clear
-    for k in range(1 if through else 0, multipliers.shape[0]):
+    n, w, clear = kinds.shape[1], watched.shape[0], guard[3][0] * guard[2][0].shape[0] + guard[3][1].shape[0]
+    held, spare = np.zeros(6 * n + clear + 1), multipliers.shape[1] - n - w
+    for k in range(1 if guard[4][0] > 0 else 0, multipliers.shape[0]):
         for i in range(n):
             side = 0 if multipliers[k, i] > 0.0 else 1
             kind = kinds[side, i]
             start = clear + 2 * n * kind if kind > 0 else 0
             held[start + side * n + i] += abs(multipliers[k, i])
-        for r in range(clear):
-            held[2 * n + r] += multipliers[k, n + r]
-        for r in range(spare):
-            held[2 * n + clear - spare + r] += multipliers[k, n + clear + r]
+        for j in range(w):
+            held[2 * n + watched[j]] += multipliers[k, n + j]
+        for j in range(spare):
+            held[2 * n + watched[w - spare + j]] += multipliers[k, n + w + j]
     held[-1] = pull
     return held
 
@@ -241,23 +235,21 @@ def guarded_tick(
     begin; dt, s.
     Returns q' (n,), its link poses, the multipliers of `sorted_out`, and the share of the step that was taken.
     """
-    (chain, _, _), limits, _, pairs, entry, _ = guard
-    reach, through = limits[2] * dt, entry[0] > 0
-    axes = jacobian.joint_axes(poses, chain)
-    left, shares, points = clearances(poses, guard[0], guard[2], pairs)
+    chain, limits, entry, through = guard[0][0], guard[1], guard[4], guard[4][0] > 0
+    watched, near, points = collision.watch(guard, poses, dt)
     box, kinds = motion_box(q, rates, limits, dt)
-    A, lower, upper = hard_rows(guard, poses, axes, left, shares, points, box, dt)
-    levels, asked, pair, away = begins.copy(), reach, box, reach
+    A, lower, upper = hard_rows(guard, poses, watched, near, points, box, dt)
+    levels, asked, pair, away = begins, rates, box, rates
     if through:
-        rows, asked, pair, away = entry_rows(poses, chain, axes, entry, dt)
-        task, levels = with_entry(task, levels, rows, asked)
-    step, multipliers, verdict = given_way(task, levels, A, lower, upper, box, rates * dt)
+        rows, asked, pair, away = entry_rows(poses, chain, entry, dt)
+        task, levels = with_entry(task, begins, rows, asked)
+    step, multipliers, verdict = given_way(task, levels, A, lower, upper, box, rates, dt)
     share, tries, halvings = 1.0, 0, 0
     while share > SMALLEST_SHARE:
-        q_after = within(q, share * step, limits[0], limits[1], reach)
+        q_after = within(q, step, share, limits, dt)
         poses_after = link_poses(chain, q_after)
-        after, shares_after, _ = clearances(poses_after, guard[0], guard[2], pairs)
-        clear, straight = shortfall(left, after) <= 0.0, True
+        after = collision.measured(guard, poses_after, watched)
+        clear, straight = shortfall(near, after) <= 0.0, True
         if through and share == 1.0:
             straight = bend(task, step, asked, away, miss(poses_after, entry, pair))
         if clear and not straight and tries == TRIES and halvings < HALVINGS:
@@ -266,25 +258,14 @@ def guarded_tick(
             task[1][2:] *= 0.5
         if clear and (straight or tries == TRIES):
             pull = entry_pull(task, levels, A, step, multipliers) if through else 0.0
-            return q_after, poses_after, sorted_out(multipliers, through, kinds, left.shape[0], pull), share
+            return q_after, poses_after, sorted_out(guard, multipliers, kinds, watched, pull), share
         if tries < (TRIES if through else 1):
             tries += 1
             if not clear:
-                raise_by_loss(guard, A, lower, step, left, after, points, shares_after, poses, axes)
-            again, multipliers_again, verdict = given_way(task, levels, A, lower, upper, box, rates * dt)
+                raise_by_loss(guard, A, lower, step, watched, near, after, points, poses)
+            again, multipliers_again, verdict = given_way(task, levels, A, lower, upper, box, rates, dt)
             if verdict == qp.SOLVED:
                 step, multipliers = again, multipliers_again
                 continue
         share *= 0.5
-    return q.copy(), poses, sorted_out(multipliers, through, kinds, left.shape[0], 0.0), 0.0
-
-
-@kernel
-def guarded_step(
-    arm: Arm, q: Array, poses: Array, task: Task, limits: LimitArrays, planes: PlaneArrays, dt: float
-) -> tuple[Array, Array, Array, float]:
-    """`guarded_tick` of one level from rest, among planes alone; the multipliers are those of positions and planes."""
-    n, m = q.shape[0], arm[1].shape[0]
-    guard = (arm, limits, planes, (m, NO_PAIRS[0], NO_PAIRS[1]), NO_ENTRY, DAMPER_GAIN)
-    q, poses, held, share = guarded_tick(guard, q, np.zeros(n), poses, task, ONE_LEVEL, dt)
-    return q, poses, held[: 2 * n + m * planes[0].shape[0]].copy(), share
+    return q.copy(), poses, sorted_out(guard, multipliers, kinds, watched, 0.0), 0.0

@@ -1,19 +1,22 @@
 """A small strictly convex quadratic program, solved exactly by the dual active-set method.
 
-minimise ½ ‖y − ŷ‖²  with  lower ≤ C y ≤ upper,  after the change of variables y = Lᵀx, H = L Lᵀ, that makes the Hessian
-the identity. Source: Goldfarb and Idnani 1983, A numerically stable dual method for solving strictly convex quadratic
-programs; here the active rows are kept orthonormalised (Gram-Schmidt), anew from a row that is dropped.
+minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper: bounds of the variables themselves first, then rows; a bound
+is a row of the identity that nobody writes down. With H = L Lᵀ, y = Lᵀ x the Hessian is the identity and a row a
+becomes c = L⁻¹ a. Rows are compared with x as they are; only the one that becomes active is transformed.
+
+Source: Goldfarb and Idnani 1983, A numerically stable dual method for solving strictly convex quadratic programs; here
+the active rows are kept orthonormalised (Gram-Schmidt), anew from a row that is dropped.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 
 SOLVED, INFEASIBLE = 0, 1
+ROUNDING = 1e-12
 
 
 @kernel
@@ -29,7 +32,7 @@ def dot(a: Array, b: Array) -> float:
 def cholesky(H: Array) -> Array:
     """Lower triangular L with L Lᵀ = H, for H (n, n) positive definite; on its diagonal stand 1/Lᵢᵢ."""
     n = H.shape[0]
-    L = np.zeros((n, n))
+    L = np.empty((n, n))
     for i in range(n):
         for j in range(i + 1):
             total = H[i, j]
@@ -40,175 +43,193 @@ def cholesky(H: Array) -> Array:
 
 
 @kernel
-def forward_substitution(L: Array, row: Array, solved: Array) -> None:
-    """Fill solved (n,) with L⁻¹ a, for a row a (n,) and L of `cholesky`."""
+def forward_substitution(L: Array, a: Array) -> None:
+    """Turn a (n,) into L⁻¹ a, for L of `cholesky`."""
     n = L.shape[0]
     first = 0
-    while first < n and row[first] == 0.0:
-        solved[first] = 0.0
+    while first < n and a[first] == 0.0:
         first += 1
     for i in range(first, n):
-        total = row[i]
+        total = a[i]
         for k in range(first, i):
-            total -= L[i, k] * solved[k]
-        solved[i] = total * L[i, i]
+            total -= L[i, k] * a[k]
+        a[i] = total * L[i, i]
 
 
 @kernel
-def back_substitution(L: Array, y: Array) -> Array:
-    """x with Lᵀ x = y, for y (n,) and L of `cholesky`."""
+def back_substitution(L: Array, y: Array, x: Array) -> None:
+    """Fill x with L⁻ᵀ y, for y (n,) and L of `cholesky`."""
     n = L.shape[0]
-    x = y.copy()
     for i in range(n - 1, -1, -1):
+        total = y[i]
         for k in range(i + 1, n):
-            x[i] -= L[k, i] * x[k]
-        x[i] *= L[i, i]
-    return x
+            total -= L[k, i] * x[k]
+        x[i] = total * L[i, i]
 
 
 @kernel
-def split(c: Array, side: int, Q: Array, R: Array, count: int, z: Array, r: Array, along: Array) -> None:
-    """A row as a combination of the active rows and the rest z that is orthogonal to them: side c = Σ rⱼ cⱼ + z.
+def rounding(L: Array, y: Array, x: Array) -> float:
+    """How far x = L⁻ᵀ y may be off: of the order of ε (1 + ‖x‖ + ‖y‖ / minᵢ Lᵢᵢ), with a wide margin."""
+    softest = 0.0
+    for i in range(x.shape[0]):
+        softest = max(softest, L[i, i])
+    return float(ROUNDING * (1.0 + np.sqrt(dot(x, x)) + softest * np.sqrt(dot(y, y))))
 
-    Args: c (n,); side ±1; the active rows are Cᵀ = Qᵀ R, the first `count` rows of Q orthonormal, R upper triangular.
-    Fills z (n,), r (count,), and along (count,), the components along Q.
+
+@kernel
+def most_violated(A: Array, lower: Array, upper: Array, x: Array, sides: Array, excess: float) -> tuple[int, int]:
+    """The row not yet active that is violated most, over its length and by more than `excess`, and its side, or −1.
+
+    The side is 1 where aᵢ·x is below its lower bound, −1 where it is above its upper one.
+    Args: A (m, n); lower, upper (b + m,), the first b of them of x itself; sides (b + m,), other than 0 where active.
     """
-    n = c.shape[0]
-    for k in range(n):
-        z[k] = side * c[k]
-    for j in range(count):
-        along[j] = r[j] = dot(Q[j], z)
-        for k in range(n):
-            z[k] -= along[j] * Q[j, k]
-    for j in range(count - 1, -1, -1):
-        for k in range(j + 1, count):
-            r[j] -= R[j, k] * r[k]
-        r[j] /= R[j, j]
-
-
-@kernel
-def append(Q: Array, R: Array, count: int, z: Array, along: Array) -> None:
-    """One more active row, as `split` gives it."""
-    length = np.sqrt(dot(z, z))
-    for k in range(z.shape[0]):
-        Q[count, k] = z[k] / length
-    for j in range(count):
-        R[j, count] = along[j]
-    R[count, count] = length
-
-
-@kernel
-def lengths(C: Array) -> Array:
-    """Length of each row, (m,)."""
-    long = np.empty(C.shape[0])
-    for i in range(C.shape[0]):
-        long[i] = np.sqrt(dot(C[i], C[i]))
-    return long
-
-
-@kernel
-def most_violated(
-    C: Array, long: Array, lower: Array, upper: Array, y: Array, held: NDArray[np.int64]
-) -> tuple[int, int]:
-    """The row not yet active that is violated most, over its length and beyond rounding, and its side; −1 for none.
-
-    The side is 1 where cᵢ·y is below its lower bound, −1 where it is above its upper one.
-    """
-    worst, side, worst_slack = -1, 0, -1e-13 * (1.0 + np.sqrt(dot(y, y)))
-    for i in range(C.shape[0]):
-        if held[i] != 0 or long[i] == 0.0:
+    n, bounds = x.shape[0], lower.shape[0] - A.shape[0]
+    worst, side = -1, 0
+    for i in range(lower.shape[0]):
+        value, square = 0.0, 1.0
+        if i < bounds:
+            value = x[i]
+        else:
+            for k in range(n):
+                value += A[i - bounds, k] * x[k]
+        beyond = max(lower[i] - value, value - upper[i])
+        if beyond <= 0.0 or sides[i] != 0.0:
             continue
-        value = 0.0
-        for k in range(y.shape[0]):
-            value += C[i, k] * y[k]
-        if value - lower[i] < worst_slack * long[i]:
-            worst, side, worst_slack = i, 1, (value - lower[i]) / long[i]
-        if upper[i] - value < worst_slack * long[i]:
-            worst, side, worst_slack = i, -1, (upper[i] - value) / long[i]
+        if i >= bounds:
+            square = 0.0
+            for k in range(n):
+                square += A[i - bounds, k] * A[i - bounds, k]
+        if beyond > excess * np.sqrt(square) and square > 0.0:
+            worst, side, excess = i, 1 if value < lower[i] else -1, beyond / np.sqrt(square)
     return worst, side
 
 
 @kernel
-def project(C: Array, lower: Array, upper: Array, y: Array) -> tuple[Array, Array, int]:
-    """The point nearest to y where lower ≤ C y ≤ upper.
-
-    Args: C (m, n); lower, upper (m,), infinite where there is no bound; y (n,). Returns the point (n,), the multipliers
-    (m,), positive where the lower bound holds and negative where the upper one does, and SOLVED or INFEASIBLE.
-    Rows of zeros are skipped.
-    """
-    m, n = C.shape
-    y = y.copy()
-    multipliers, held, long = np.zeros(m), np.zeros(m, dtype=np.int64), lengths(C)
-    active, count = np.empty(n, dtype=np.int64), 0
-    Q, R = np.empty((n, n)), np.empty((n, n))
-    z, r, along = np.empty(n), np.empty(n), np.empty(n)
-    for _ in range(10 * (m + n)):
-        p, side = most_violated(C, long, lower, upper, y, held)
-        if p < 0:
-            return y, multipliers * held, SOLVED
-        bound = lower[p] if side > 0 else -upper[p]
-        while True:
-            split(C[p], side, Q, R, count, z, r, along)
-            curvature = dot(z, z)
-            drop, step = -1, np.inf
-            for j in range(count):
-                if r[j] > 1e-12 and multipliers[active[j]] / r[j] < step:
-                    drop, step = j, multipliers[active[j]] / r[j]
-            full = np.inf
-            if curvature > 1e-20 * long[p] * long[p] and count < n:
-                full = (bound - side * dot(C[p], y)) / curvature
-            if step == np.inf and full == np.inf:
-                return y, multipliers * held, INFEASIBLE
-            t = min(step, full)
-            if full < np.inf:
-                for k in range(n):
-                    y[k] += t * z[k]
-            for j in range(count):
-                multipliers[active[j]] -= t * r[j]
-            multipliers[p] += t
-            if full <= step:
-                append(Q, R, count, z, along)
-                active[count] = p
-                held[p] = side
-                count += 1
-                break
-            multipliers[active[drop]] = 0.0
-            held[active[drop]] = 0
-            for j in range(drop, count - 1):
-                active[j] = active[j + 1]
-                split(C[active[j]], held[active[j]], Q, R, j, z, r, along)
-                append(Q, R, j, z, along)
-            count -= 1
-    return y, multipliers * held, INFEASIBLE
+def transform(L: Array, A: Array, row: int, side: int, c: Array) -> None:
+    """Fill c (n,) with side L⁻¹ a, for the row a of [I; A] that is counted from the first of A."""
+    n = L.shape[0]
+    for k in range(n):
+        c[k] = side * A[row, k] if row >= 0 else 0.0
+    if row < 0:
+        c[n + row] = side
+    forward_substitution(L, c)
 
 
 @kernel
-def holds(A: Array, lower: Array, upper: Array, x: Array) -> bool:
-    """Whether lower ≤ A x ≤ upper."""
-    for i in range(A.shape[0]):
-        value = 0.0
-        for k in range(x.shape[0]):
-            value += A[i, k] * x[k]
-        if value < lower[i] or value > upper[i]:
-            return False
-    return True
+def split(c: Array, Q: Array, R: Array, count: int, z: Array, r: Array) -> float:
+    """A row as a combination of the active rows and the rest z that is orthogonal to them: c = Σ rⱼ cⱼ + z; gives ‖z‖².
+
+    Args: c (n,); the active rows are Cᵀ = Qᵀ R, the first `count` rows of Q orthonormal, R upper triangular.
+    Fills z (n,), r (count,), and in R the column `count`, the components of c along Q.
+    """
+    n = c.shape[0]
+    for k in range(n):
+        z[k] = c[k]
+    for j in range(count):
+        along = 0.0
+        for k in range(n):
+            along += Q[j, k] * z[k]
+        for k in range(n):
+            z[k] -= along * Q[j, k]
+        R[j, count] = r[j] = along
+    for j in range(count - 1, -1, -1):
+        for k in range(j + 1, count):
+            r[j] -= R[j, k] * r[k]
+        r[j] /= R[j, j]
+    return dot(z, z)
+
+
+@kernel
+def append(Q: Array, R: Array, count: int, z: Array) -> None:
+    """One more active row, as `split` gives it."""
+    length = np.sqrt(dot(z, z))
+    for k in range(z.shape[0]):
+        Q[count, k] = z[k] / length
+    R[count, count] = length
+
+
+@kernel
+def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, count: int, z: Array, r: Array) -> None:
+    """Take the active row `out` from `count` of them; those after it move up, and so does the one about to enter."""
+    for j in range(out, count):
+        active[j], force[j] = active[j + 1], force[j + 1]
+        for k in range(C.shape[1]):
+            C[j, k] = C[j + 1, k]
+        if j < count - 1:
+            split(C[j], Q, R, j, z, r)
+            append(Q, R, j, z)
+
+
+@kernel
+def active_set(L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Array, multipliers: Array) -> int:
+    """Move y, x = L⁻ᵀ y to the nearest y where lower ≤ [I; A] x ≤ upper; fill the multipliers, zeros before.
+
+    While it works, the multipliers hold the sides of the active rows, and `force` how hard these hold: c = side L⁻¹ a.
+    """
+    n, bounds, count = L.shape[0], lower.shape[0] - A.shape[0], 0
+    p, side = most_violated(A, lower, upper, x, multipliers, ROUNDING)
+    if p < 0:
+        return SOLVED
+    excess = rounding(L, y, x)
+    C, Q, R = np.empty((n + 1, n)), np.empty((n, n)), np.empty((n + 1, n + 1))
+    z, r, force, active = np.empty(n), np.empty(n), np.empty(n + 1), np.empty(n + 1, dtype=np.int64)
+    for _ in range(10 * (lower.shape[0] + n)):
+        transform(L, A, p - bounds, side, C[count])
+        bound = lower[p] if side > 0 else -upper[p]
+        multipliers[p], active[count], force[count] = side, p, 0.0
+        while True:
+            c = C[count]
+            curvature = split(c, Q, R, count, z, r)
+            out, step, full = -1, np.inf, np.inf
+            for j in range(count):
+                if r[j] > 1e-12 and force[j] / r[j] < step:
+                    out, step = j, force[j] / r[j]
+            if curvature > 1e-20 * dot(c, c) and count < n:
+                full = (bound - dot(c, y)) / curvature
+            if step == np.inf and full == np.inf:
+                return INFEASIBLE
+            t = min(step, full)
+            for k in range(n):
+                y[k] += t * z[k] if full < np.inf else 0.0
+            for j in range(count):
+                force[j] -= t * r[j]
+            force[count] += t
+            if full <= step:
+                break
+            multipliers[active[out]] = 0.0
+            drop(C, Q, R, force, active, out, count, z, r)
+            count -= 1
+        append(Q, R, count, z)
+        count += 1
+        back_substitution(L, y, x)
+        excess = max(excess, rounding(L, y, x))
+        p, side = most_violated(A, lower, upper, x, multipliers, excess)
+        if p < 0:
+            for j in range(count):
+                multipliers[active[j]] *= force[j]
+            return SOLVED
+    return INFEASIBLE
+
+
+@kernel
+def project(A: Array, lower: Array, upper: Array, x: Array) -> tuple[Array, Array, int]:
+    """The point nearest to x (n,) where lower ≤ [I; A] x ≤ upper; arguments and results as in `solve`."""
+    y, nearest, multipliers = x.copy(), x.copy(), np.zeros(lower.shape[0])
+    verdict = active_set(np.eye(x.shape[0]), y, nearest, A, lower, upper, multipliers)
+    return nearest, multipliers, verdict
 
 
 @kernel
 def solve(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
-    """minimise ½ xᵀ H x − gᵀ x  with  lower ≤ A x ≤ upper.
+    """minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper.
 
-    Args: H (n, n) positive definite; g (n,); A (m, n); lower, upper (m,), infinite where there is no bound.
-    Returns x (n,), the multipliers of `project` (m,), H x − g = Aᵀ μ, and SOLVED or INFEASIBLE.
+    Args: H (n, n) positive definite; g (n,); A (m, n); lower, upper (b + m,), infinite where there is no bound: the
+    first b are bounds of x itself, b = n, or 0 where it has none. Rows of zeros are skipped.
+    Returns x (n,); the multipliers μ (b + m,), H x − g = [I; A]ᵀ μ, positive where a lower bound holds and negative
+    where an upper one does; and SOLVED or INFEASIBLE.
     """
     L = cholesky(H)
-    y = np.empty(g.shape[0])
-    forward_substitution(L, g, y)
-    x = back_substitution(L, y)
-    if holds(A, lower, upper, x):
-        return x, np.zeros(A.shape[0]), SOLVED
-    C = np.empty(A.shape)
-    for i in range(A.shape[0]):
-        forward_substitution(L, A[i], C[i])
-    y, multipliers, verdict = project(C, lower, upper, y)
-    return back_substitution(L, y), multipliers, verdict
+    y, x, multipliers = g.copy(), np.empty(g.shape[0]), np.zeros(lower.shape[0])
+    forward_substitution(L, y)
+    back_substitution(L, y, x)
+    return x, multipliers, active_set(L, y, x, A, lower, upper, multipliers)

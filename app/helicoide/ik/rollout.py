@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from helicoide.ik.guarded import ONE_LEVEL, clearances, guarded_tick
+from helicoide.ik.collision import clearances
+from helicoide.ik.guarded import ONE_LEVEL, guarded_tick
 from helicoide.ik.rows import Guard
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel

@@ -23,6 +23,9 @@ Pairs = tuple[int, Indices, Array]
 Entry = tuple[int, Array, Array, Array]
 # All of these, and the gain κ of the dampers, 1/s.
 Guard = tuple[Arm, LimitArrays, PlaneArrays, Pairs, Entry, float]
+# J (r, n), v (r,), weights (r,), damping d (n,).
+Task = tuple[Array, Array, Array, Array]
+Vector = tuple[float, float, float]
 
 DAMPER_GAIN = 10.0
 # The share of all joints' braking that a point may count on: what is left over is for the other points.
@@ -75,59 +78,81 @@ def motion_box(q: Array, rates: Array, limits: LimitArrays, dt: float) -> tuple[
 
 
 @kernel
-def add_point(
-    row: Array, factor: float, normal: Array, poses: Array, chain: Chain, axes: Array, point: Array, link: int
-) -> None:
-    """Add to a row (n,) a factor times nᵀ J_p, by which a point of a link moves along a normal.
+def at(points: Array, which: int) -> Vector:
+    """One of points (m, 3); numbers by themselves cost a kernel less than a piece of an array."""
+    return points[which, 0], points[which, 1], points[which, 2]
 
-    Args: normal, point (3,), world; poses (m + 1, 4, 4); axes (m, 3) of `jacobian.joint_axes`.
+
+@kernel
+def add_point(
+    rows: Array, which: int, normal: Vector, point: Vector, link: int, poses: Array, chain: Chain, axes: Array
+) -> None:
+    """Add nᵀ J_p, by which a point of a link moves along n, to one of rows (m, n).
+
+    Args: normal, of any length, and point, m, world; poses (m + 1, 4, 4); axes (m, 3) of `jacobian.joint_axes`.
     """
-    if factor == 0.0:
-        return
     for i in range(link):
         joint = chain[i]
         x, y, z = axes[i, 0], axes[i, 1], axes[i, 2]
         if not joint["slides"]:
             rx, ry, rz = point[0] - poses[i + 1, 0, 3], point[1] - poses[i + 1, 1, 3], point[2] - poses[i + 1, 2, 3]
             x, y, z = y * rz - z * ry, z * rx - x * rz, x * ry - y * rx
-        row[joint["driver"]] += factor * joint["ratio"] * (normal[0] * x + normal[1] * y + normal[2] * z)
+        rows[which, joint["driver"]] += joint["ratio"] * (normal[0] * x + normal[1] * y + normal[2] * z)
 
 
 @kernel
-def plane_rows(
-    rows: Array, poses: Array, chain: Chain, axes: Array, points: Array, links: Indices, normals: Array
-) -> None:
-    """Fill the rows (g k, n) by which points move along the normals of planes, point after point: `add_point` of each.
+def from_origin(poses: Array, link: int, x: float, y: float, z: float) -> float:
+    """How far a point is from the origin of a link, m; poses (m + 1, 4, 4)."""
+    x, y, z = x - poses[link, 0, 3], y - poses[link, 1, 3], z - poses[link, 2, 3]
+    return float(np.sqrt(x * x + y * y + z * z))
 
-    Args: points (m, 3), m, world, on links (m,), the first g of them; normals (k, 3).
+
+@kernel
+def unfelt(
+    chain: Chain, links: Indices, speed: Array, acceleration: Array, gain: float, poses: Array, points: Array, dt: float
+) -> Array:
+    """The room beyond which no bound on a point can hold a tick, (m,), m.
+
+    However the joints turn, a point moves by no more than s = Σ |Δqᵢ| times its distance from axis i, which is at most
+    that along the links. A bound −κ dt l holds nothing from l = s / κ dt on. What a brake allows, v dt with
+    v dt + v²/2D = l, holds nothing from l = s + s²/2D dt² on, where s ≤ Σ |rowᵢ| ωᵢ dt and D = ½ Σ |rowᵢ| aᵢ make it
+    at most s (1 + max ω / a dt). Args: poses (j + 1, 4, 4); points (m, 3), m, world.
     """
-    k = normals.shape[0]
-    for r in range(rows.shape[0] // max(k, 1)):
-        for i in range(links[r]):
-            joint = chain[i]
-            x, y, z = axes[i, 0], axes[i, 1], axes[i, 2]
-            if not joint["slides"]:
-                rx, ry = points[r, 0] - poses[i + 1, 0, 3], points[r, 1] - poses[i + 1, 1, 3]
-                rz = points[r, 2] - poses[i + 1, 2, 3]
-                x, y, z = y * rz - z * ry, z * rx - x * rz, x * ry - y * rx
-            ratio, column = joint["ratio"], joint["driver"]
-            for p in range(k):
-                rows[r * k + p, column] += ratio * (normals[p, 0] * x + normals[p, 1] * y + normals[p, 2] * z)
+    ways = np.empty((chain.shape[0] + 1, 2))
+    far, turn, way = np.empty(points.shape[0]), 0.0, 0.0
+    beyond = 1.0 / min(1.0, gain * dt)
+    for i in range(speed.shape[0]):
+        beyond = max(beyond, 1.0 + speed[i] / (2.0 * BRAKING * acceleration[i] * dt))
+    ways[0, 0] = ways[0, 1] = 0.0
+    for i in range(chain.shape[0]):
+        joint = chain[i]
+        most = abs(joint["ratio"]) * speed[joint["driver"]] * dt
+        slide = most if joint["slides"] else 0.0
+        long = from_origin(poses, i, poses[i + 1, 0, 3], poses[i + 1, 1, 3], poses[i + 1, 2, 3])
+        way += turn * (long + slide) + slide
+        turn += most - slide
+        ways[i + 1, 0], ways[i + 1, 1] = way, turn
+    for k in range(points.shape[0]):
+        link = links[k]
+        far[k] = beyond * (
+            ways[link, 0] + ways[link, 1] * from_origin(poses, link, points[k, 0], points[k, 1], points[k, 2])
+        )
+    return far
 
 
 @kernel
-def damper(room: float, row: Array, acceleration: Array, gain: float, dt: float) -> float:
+def damper(room: float, rows: Array, which: int, acceleration: Array, gain: float, dt: float) -> float:
     """The velocity damper of a row: how near it may come in a tick, −κ dt room, no faster than it can brake; m.
 
-    Args: room: distance left, m; row (n,); acceleration (n,), rad/s²; gain: κ, 1/s.
+    Args: room: distance left, m; which of rows (m, n); acceleration (n,), rad/s²; gain: κ, 1/s.
     """
     if room <= 0.0:
         return 0.0
     way = min(1.0, gain * dt) * room
     deceleration = 0.0
-    for i in range(row.shape[0]):
-        if row[i] != 0.0:
-            deceleration += BRAKING * abs(row[i]) * acceleration[i]
+    for i in range(acceleration.shape[0]):
+        if rows[which, i] != 0.0:
+            deceleration += BRAKING * abs(rows[which, i]) * acceleration[i]
         if deceleration == np.inf:
             return -way
     if deceleration > 0.0:

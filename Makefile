@@ -17,7 +17,7 @@ test: $(VENV)/ready-to-test browser
 	$(IN_VENV) -m ruff check
 	$(IN_VENV) -m ruff format --check
 	$(IN_VENV) -m mypy --strict app lessons robots
-	$(IN_VENV) -m pytest -m "not soak" -n 2 --dist loadgroup $(ARGS)
+	$(IN_VENV) -m pytest -m "not soak" -n 2 --dist loadfile $(ARGS)
 
 soak: $(VENV)/ready-to-test browser
 	$(IN_VENV) -m pytest tests/soak -m soak $(ARGS)

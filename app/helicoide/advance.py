@@ -11,6 +11,7 @@ from helicoide.ik.collision import clearances
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
 from helicoide.ik.guarded import ONE_LEVEL, guarded_tick
+from helicoide.ik.rcm.at_work import by_method
 from helicoide.ik.rows import Indices
 from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
@@ -114,11 +115,12 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
 
 def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
     """By a method that knows of no limits: the guard lets through what it may of the rates that it wishes."""
-    problem, drive = state.problem, state.drive
-    asked = drives.task_of(
-        problem, state.q, state.poses, T_world_target, state.with_orientation, ahead, drive.gains, dt
-    )
-    wished, drive = drives.step(problem, asked, state.poses, drive)
+    problem, drive, posture = state.problem, state.drive, (state.q, state.poses)
+    if problem.entry is not None:
+        wished, drive = by_method(problem, *posture, T_world_target, state.with_orientation, ahead, drive, dt)
+    else:
+        asked = drives.task_of(problem, *posture, T_world_target, state.with_orientation, ahead, drive.gains, dt)
+        wished, drive = drives.step(problem, asked, state.poses, drive)
     return _stepped(replace(state, drive=drive), drives.displacement(wished), dt)
 
 

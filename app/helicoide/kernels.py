@@ -84,20 +84,31 @@ def is_cached(name: str) -> bool:
     return any(CACHE_FOLDER.rglob(f"*.{function}-*.nbi"))
 
 
-def compiled_apart(work: Callable[..., object], *arguments: object) -> Iterator[int]:
-    """Run `work(*arguments)` in a process of its own, so that its kernels lie in the cache afterwards.
+class Compilation:
+    """Work in a process of its own, so that its kernels lie in the cache afterwards."""
 
-    Yields how many kernels are compiled, each time one more is.
-    """
-    receiver, sender = multiprocessing.Pipe(duplex=False)
-    spawn = multiprocessing.get_context("spawn")
-    child = spawn.Process(target=_work, args=(sender, work, arguments), daemon=True)
-    child.start()
-    sender.close()
-    with suppress(EOFError):
-        while True:
-            yield receiver.recv()
-    child.join()
+    def __init__(self, work: Callable[..., object], *arguments: object) -> None:
+        self._receiver, self._sender = multiprocessing.Pipe(duplex=False)
+        spawn = multiprocessing.get_context("spawn")
+        self._child = spawn.Process(target=_work, args=(self._sender, work, arguments), daemon=True)
+        self._stopped = False
+
+    def progress(self) -> Iterator[int]:
+        """Start, and yield how many kernels are compiled, each time one more is, until the work is done or stopped."""
+        self._child.start()
+        self._sender.close()
+        if self._stopped:
+            self._child.terminate()
+        with suppress(EOFError):
+            while True:
+                yield self._receiver.recv()
+        self._child.join()
+
+    def stop(self) -> None:
+        """End the work where it is; a later start ends at once."""
+        self._stopped = True
+        if self._child.pid is not None:
+            self._child.terminate()
 
 
 def _work(progress: Connection, work: Callable[..., object], arguments: tuple[object, ...]) -> None:

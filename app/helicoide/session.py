@@ -68,6 +68,7 @@ class Session:
         self.frames = 0
         self.ticks = 0
         self.ready = False
+        self._compilation = kernels.Compilation(exercise)
         self.said = COMPILING.format(done=0, total=len(kernels.KERNELS))
         self._drawn: State | None = None
         self._foreseen: State | None = None
@@ -81,8 +82,9 @@ class Session:
         return int(self.server.get_port())
 
     def close(self) -> None:
-        """Stop the loop and the server."""
+        """Stop the loop, the compilation and the server."""
         self.ready = False
+        self._compilation.stop()
         self.loop.call_soon_threadsafe(self._starting.cancel)
         self.server.stop()
 
@@ -116,7 +118,7 @@ class Session:
     def _prepare_kernels(self) -> None:
         if all(map(kernels.is_cached, kernels.KERNELS)):
             return
-        for done in kernels.compiled_apart(exercise):
+        for done in self._compilation.progress():
             words = COMPILING.format(done=done, total=len(kernels.KERNELS))
             self.loop.call_soon_threadsafe(self._say, words)
 

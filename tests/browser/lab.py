@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from time import monotonic
 
 import numpy as np
 from playwright.sync_api import Page
@@ -81,13 +82,14 @@ class Lab:
         until(page, lambda: self.session.ticks >= end)
 
 
-def until(page: Page, condition: Callable[[], bool], seconds: float = 60.0) -> None:
-    """Wait for a condition, generously: what is slow is not wrong."""
-    for _ in range(int(seconds / 0.02)):
+def until(page: Page, condition: Callable[[], bool], seconds: float = 120.0) -> None:
+    """Wait for a condition, generously: what is slow is not wrong, what never comes must end."""
+    end = monotonic() + seconds
+    while monotonic() < end:
         if condition():
             return
         page.wait_for_timeout(20)
-    raise AssertionError("it did not happen")
+    raise AssertionError(f"it did not happen within {seconds:.0f} s")
 
 
 def opened() -> Lab:

@@ -5,6 +5,7 @@ nowhere else: a browser may send anything.
 """
 
 from helicoide.gate.check import LATCH, PARKED, pose
+from helicoide.gate.entry import ENTRY, drag_entry, hold_entry, set_entry
 from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
 from helicoide.gate.method import (
     HEAVIEST,
@@ -20,39 +21,61 @@ from helicoide.gate.method import (
     set_option,
     weigh_objective,
 )
+from helicoide.gate.obstacles import (
+    LARGEST,
+    SMALLEST,
+    add_obstacle,
+    drag_obstacle,
+    obstacle_handle,
+    remove_obstacle,
+    set_obstacle,
+    set_obstacle_radius,
+)
 from helicoide.gate.path import pause, play, scrub
 from helicoide.gate.planes import drag_plane, restore_planes
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, hold_orientation, set_target
 
 __all__ = [
+    "ENTRY",
     "HEAVIEST",
+    "LARGEST",
     "LARGEST_GAIN",
     "LATCH",
     "LEAST_GAIN",
     "NO_PARKING",
     "PARKED",
+    "SMALLEST",
     "Phase",
+    "add_obstacle",
     "choose_method",
     "choose_objective",
     "compare_with",
+    "drag_entry",
+    "drag_obstacle",
     "drag_plane",
     "drag_target",
     "get_ready",
     "go_to",
     "grow_weights",
+    "hold_entry",
     "hold_orientation",
     "objective_as_row",
+    "obstacle_handle",
     "park",
     "pause",
     "play",
     "pose",
+    "remove_obstacle",
     "restore_planes",
     "scrub",
+    "set_entry",
     "set_gain",
     "set_gripper",
     "set_joint",
     "set_objective",
+    "set_obstacle",
+    "set_obstacle_radius",
     "set_option",
     "set_target",
     "stop",

@@ -16,6 +16,11 @@ NO_PARKING = Text(
     pt_BR="Este braço não tem planos dos quais sair para estacionar.",
 )
 
+IN_THE_WAY = Text(
+    en="The arm parks without watching: take the obstacles away first.",
+    pt_BR="O braço estaciona sem vigiar o caminho: tire os obstáculos antes.",
+)
+
 
 def set_joint(index: int, angle: float) -> Update:
     """One joint from its slider or number box, rad or m; ignored right after a stop, until the hand has let go."""
@@ -81,6 +86,8 @@ def park() -> Update:
     def wish(state: State) -> State:
         if not state.robot.panes:
             raise HelicoideError(NO_PARKING)
+        if state.problem.obstacles.radii.size:
+            raise HelicoideError(IN_THE_WAY)
         return commanded(replace(state, grasp=None), Park())
 
     return checked(wish)

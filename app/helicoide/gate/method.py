@@ -50,7 +50,7 @@ def set_option(method: str, name: str, value: object) -> Update:
 
     def wish(state: State) -> State:
         options = changed(state.drive.options(method), name, value)
-        return _of_both(state, lambda drive: drive.with_options(method, options))
+        return of_both(state, lambda drive: drive.with_options(method, options))
 
     return checked(wish)
 
@@ -67,7 +67,7 @@ def set_gain(index: int, value: float) -> Update:
                     pt_BR="Os ganhos de 1 a 4 aceitam de {least:g} a {largest:g} 1/s.",
                 ).format(least=LEAST_GAIN, largest=LARGEST_GAIN)
             )
-        return _of_both(state, lambda drive: replace(drive, gains=_with(drive.gains, index, float(gain))))
+        return of_both(state, lambda drive: replace(drive, gains=_with(drive.gains, index, float(gain))))
 
     return checked(wish)
 
@@ -77,11 +77,11 @@ def choose_objective(name: str | None) -> Update:
 
     def wish(state: State) -> State:
         if name is None:
-            return _of_both(state, lambda drive: replace(drive, secondary=None))
+            return of_both(state, lambda drive: replace(drive, secondary=None))
         objective = objectives.named(name)
         if (why := objective.applies(state.robot)) is not None:
             raise HelicoideError(why)
-        return _of_both(state, lambda drive: replace(drive, secondary=Secondary(name, objective.Options())))
+        return of_both(state, lambda drive: replace(drive, secondary=Secondary(name, objective.Options())))
 
     return checked(wish)
 
@@ -129,7 +129,7 @@ def _objective_changed(change: Callable[[Secondary], Secondary]) -> Update:
         if state.drive.secondary is None:
             raise HelicoideError(Text(en="Choose an objective first.", pt_BR="Escolha um objetivo primeiro."))
         second = change(state.drive.secondary)
-        return _of_both(state, lambda drive: replace(drive, secondary=second))
+        return of_both(state, lambda drive: replace(drive, secondary=second))
 
     return checked(wish)
 
@@ -139,7 +139,7 @@ def _with(gains: Gains, index: int, value: float) -> Gains:
     return x, y, z, turn
 
 
-def _of_both(state: State, change: Callable[[Drive], Drive]) -> State:
+def of_both(state: State, change: Callable[[Drive], Drive]) -> State:
     """The same change of the drive of the arm and of the one beside it."""
     beside = state.beside and replace(state.beside, drive=change(state.beside.drive))
     return replace(state, drive=change(state.drive), beside=beside)

@@ -144,7 +144,7 @@ def besides(problem: Problem, task: Task, poses: Array, drive: Drive) -> tuple[T
     if second is None:
         return task, None
     objective = objectives.named(second.objective)
-    cost = objective.cost(problem, Posture(task.q, poses), second.options)
+    cost = objective.cost(problem, Posture(task.q, poses, problem.obstacles.points), second.options)
     if second.as_row:
         return replace(task, J=np.vstack([task.J, cost.gradient]), rate=np.append(task.rate, -cost.value)), None
     weights = second.weight if second.weights is None else second.weights
@@ -192,7 +192,8 @@ def levels(problem: Problem, q: Array, poses: Array, task: Rows, drive: Drive, d
     if second is None:
         return (J, v, weights, damping), indices(begins)
     rows = 6 if weights[3] > 0 else 3
-    cost = objectives.named(second.objective).cost(problem, Posture(q, poses), second.options)
+    here = Posture(q, poses, problem.obstacles.points)
+    cost = objectives.named(second.objective).cost(problem, here, second.options)
     if second.as_row:
         more, asked, weight = cost.gradient[None] / problem.joint_units, np.array([-cost.value * dt]), reach
     else:

@@ -20,7 +20,8 @@ NOBODY = frozen(np.empty((0, 3)))
 class Posture:
     """How the arm stands, and what stands beside it.
 
-    q (n,), rad or m; poses (m + 1, 4, 4) of `forward.link_poses`; others (k, 3), m: points of a second arm.
+    q (n,), rad or m; poses (m + 1, 4, 4) of `forward.link_poses`; others (k, 3), m: points of a second arm, or of what
+    else stands there.
     """
 
     q: Array

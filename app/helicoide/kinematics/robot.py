@@ -62,6 +62,11 @@ class Capsule:
     links: tuple[int, int]
     radius: float
 
+    def at(self, poses: Array) -> Array:
+        """Where its axis is, (2, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
+        carriers = poses[list(self.links)]
+        return np.asarray(np.einsum("eij,ej->ei", carriers[:, :3, :3], self.ends) + carriers[:, :3, 3])
+
 
 @dataclass(frozen=True, eq=False)
 class Pane:

@@ -1,7 +1,7 @@
 """What a State says of itself: named multivectors, distances, and the status in words."""
 
 from helicoide.readout.distances import nearest, plane_distances, zones
-from helicoide.readout.instruments import Instrument, instruments
+from helicoide.readout.instruments import Instrument, held_by, instruments
 from helicoide.readout.multivectors import Reading, distance_product, readings
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status
 
@@ -13,6 +13,7 @@ __all__ = [
     "Status",
     "Tone",
     "distance_product",
+    "held_by",
     "holding",
     "instruments",
     "nearest",

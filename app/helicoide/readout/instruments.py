@@ -10,6 +10,9 @@ import numpy as np
 from helicoide.ik import Reason, reasons
 from helicoide.ik.drive import task_of
 from helicoide.ik.methods import named
+from helicoide.ik.rcm.at_work import passage_of
+from helicoide.ik.rcm.constrained import constrained
+from helicoide.ik.rcm.passage import refusal
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.manipulability import Manipulability, analysed
@@ -61,6 +64,7 @@ def instruments(state: State) -> tuple[Instrument, ...]:
         Instrument(Text(en="manipulability", pt_BR="manipulabilidade"), "w", here.w),
         Instrument(Text(en="joints left free", pt_BR="juntas livres"), r"n - r", _free(here)),
         Instrument(Text(en="least singular value", pt_BR="menor valor singular"), r"\sigma_{\min}", _least(here)),
+        *_entry(state),
         *_figures(state),
     )
 
@@ -100,6 +104,35 @@ def _errors(state: State) -> tuple[Instrument, ...]:
         Instrument(Text(en="to the target", pt_BR="até o alvo"), "e_p", 1000 * way, "mm"),
         Instrument(Text(en="turn to the target", pt_BR="giro até o alvo"), "e_o", float(np.degrees(turn)), "°"),
     )
+
+
+def _entry(state: State) -> tuple[Instrument, ...]:
+    """How the instrument stands in its entry point, and how well it can move there; nothing without one."""
+    problem, entry = state.problem, state.problem.entry
+    if entry is None:
+        return ()
+    passage = passage_of(problem.robot, entry)
+    at = constrained(problem, passage, state.q, entry.point)
+    place = at.place
+    return (
+        Instrument(
+            Text(en="beside the entry point", pt_BR="fora do ponto de entrada"), "e_r", _mm(place.lateral), "mm"
+        ),
+        Instrument(Text(en="shaft outside", pt_BR="haste do lado de fora"), "l_a", 1000 * place.outside, "mm"),
+        *(
+            Instrument(title, symbol, of.w)
+            for title, symbol, of in ((OF_ARM, "w_i", at.of_arm), (OF_TOOL, "w_r", at.of_tool))
+            if refusal(problem.robot, passage) is None
+        ),
+    )
+
+
+OF_ARM = Text(en="manipulability before the entry", pt_BR="manipulabilidade antes da entrada")
+OF_TOOL = Text(en="manipulability beyond it", pt_BR="manipulabilidade depois dela")
+
+
+def _mm(way: Array) -> float:
+    return 1000 * _length(way)
 
 
 def _figures(state: State) -> tuple[Instrument, ...]:

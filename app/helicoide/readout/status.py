@@ -181,7 +181,12 @@ def _held_back(state: State, goal: Goal) -> Text:
                 en="Blocked: {what} are as near as they may be; {short} mm short.",
                 pt_BR="Bloqueado: {what} estão tão perto quanto podem; faltam {short} mm.",
             ).format(what=_named(state, reason), short=short)
-        case None | RcmHeld() | AtSpeed() | AtAcceleration():
+        case RcmHeld():
+            return Text(
+                en="Held by the entry point of the instrument; {short} mm short.",
+                pt_BR="Retido pelo ponto de entrada do instrumento; faltam {short} mm.",
+            ).format(short=short)
+        case None | AtSpeed() | AtAcceleration():
             return Text(
                 en="Out of reach by {short} mm: nearest point shown.",
                 pt_BR="Fora de alcance por {short} mm: o ponto mais próximo é mostrado.",

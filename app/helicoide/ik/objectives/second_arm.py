@@ -1,4 +1,4 @@
-"""A second arm, which may move: a round hill of cost at each of its points."""
+"""A second arm, or what else stands there and may move: a round hill of cost at each of its points."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from helicoide.ik.objective import Cost, Posture
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-TITLE = Text(en="second arm", pt_BR="segundo braço")
+TITLE = Text(en="second arm, or the obstacles", pt_BR="segundo braço ou os obstáculos")
 SOURCE = "Vargas 2013, eq. 4.74 and figs. 4.43–4.44, without ∂f/∂t as there"
 EQUATION = r"f = \alpha \sum_j \sum_k e^{-\|p_j - o_k\|^2 / \rho^2}"
 AUGMENTS = True

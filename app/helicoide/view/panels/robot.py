@@ -16,6 +16,7 @@ from helicoide.state import PATH, Along, State, ToJoints, ToPose
 from helicoide.text import Text, same
 from helicoide.view import layers
 from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
+from helicoide.view.surroundings import entry_rows, obstacle_rows
 
 TITLE = Text(en="Robot", pt_BR="Robô")
 ORDER = 1
@@ -38,6 +39,8 @@ def rows(robot: Robot) -> list[Row]:
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
         *(_enclosure() if robot.panes else []),
+        obstacle_rows(robot),
+        *([entry_rows()] if "rcm" in robot.frames else []),
         Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
     ]
 

@@ -1,0 +1,173 @@
+"""Spheres in the arm's way: put there, dragged, made larger, taken away.
+
+What moves gives way: a sphere that is dragged stops at the arm, as the arm stops at the sphere.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.confinement import Obstacles, from_pieces, last_clear
+from helicoide.gate.check import FARTHEST, driven, finite
+from helicoide.gate.target import Phase
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Capsule
+from helicoide.state import Grasp, State, Update
+from helicoide.text import HelicoideError, Text
+
+MOST = 6
+# Of the arm's reach: how large a sphere is at first and can be, and how far from the tool it is put.
+RADIUS, SMALLEST, LARGEST, ASIDE = 0.06, 0.02, 0.25, 0.35
+
+
+def obstacle_handle(index: int) -> str:
+    """The name of what somebody holds who drags a sphere."""
+    return f"obstacle {index}"
+
+
+def add_obstacle() -> Update:
+    """One more sphere beside the tool, on the side where the arm and the other spheres leave most room."""
+
+    def wish(state: State) -> State:
+        obstacles, reach = state.problem.obstacles, state.robot.reach
+        if len(obstacles.radii) == MOST:
+            raise HelicoideError(
+                Text(en="There are {most} obstacles at most.", pt_BR="Há no máximo {most} obstáculos.").format(
+                    most=MOST
+                )
+            )
+        sides = np.concatenate([np.eye(3), -np.eye(3)]) * ASIDE * reach
+        places = state.T_world_tool[:3, 3] + sides
+        places[:, 2] = np.maximum(places[:, 2], state.robot.floor + RADIUS * reach)
+        others = np.concatenate([_axes(state), obstacles.ends]), np.concatenate([_kept(state), obstacles.radii])
+        place = places[(from_pieces(places, others[0]) - others[1]).min(axis=1).argmax()]
+        radius = _fitting(state, place, RADIUS * reach)
+        if radius < SMALLEST * reach:
+            raise HelicoideError(
+                Text(
+                    en="There is no room beside the tool: move the arm first.",
+                    pt_BR="Não há espaço ao lado do efetuador: mova o braço antes.",
+                )
+            )
+        return _with(state, obstacles.with_sphere(place, radius))
+
+    return driven(wish)
+
+
+def drag_obstacle(seat: str, phase: Phase, index: int, position: ArrayLike) -> Update:
+    """A sphere under the hand: it follows on the straight way, and rests where the arm would be touched."""
+
+    def wish(state: State) -> State:
+        asked = _place(state, index, position)
+        grasp = Grasp(seat, obstacle_handle(index))
+        if phase == "start":
+            state = replace(state, grasp=grasp)
+        if state.grasp != grasp:
+            return state
+        return _moved(replace(state, grasp=None) if phase == "end" else state, index, asked)
+
+    return driven(wish)
+
+
+def set_obstacle(index: int, position: ArrayLike) -> Update:
+    """A sphere by the numbers of its centre, m."""
+    return driven(lambda state: _moved(state, index, _place(state, index, position)))
+
+
+def set_obstacle_radius(index: int, radius: float) -> Update:
+    """A sphere made larger, as far as the arm leaves room for it, or smaller; m."""
+
+    def wish(state: State) -> State:
+        _check(state, index)
+        (value,), reach = finite([radius], (1,)), state.robot.reach
+        if not SMALLEST * reach <= value <= LARGEST * reach:
+            raise HelicoideError(
+                Text(
+                    en="A sphere takes a radius of {least:.0f} to {most:.0f} mm.",
+                    pt_BR="Uma esfera aceita raio de {least:.0f} a {most:.0f} mm.",
+                ).format(least=1000 * SMALLEST * reach, most=1000 * LARGEST * reach)
+            )
+        obstacles = state.problem.obstacles
+        centre, before = obstacles.ends[index, 0], obstacles.radii[index]
+        fitting = value if value <= before else max(before, _fitting(state, centre, value))
+        notice = None if fitting == value else _at_arm(state, index)
+        return replace(_with(state, obstacles.replaced(index, centre, fitting)), notice=notice)
+
+    return driven(wish)
+
+
+def remove_obstacle(index: int) -> Update:
+    """Take a sphere away."""
+
+    def wish(state: State) -> State:
+        _check(state, index)
+        return _with(replace(state, grasp=None), state.problem.obstacles.without(index))
+
+    return driven(wish)
+
+
+def _check(state: State, index: int) -> None:
+    count = len(state.problem.obstacles.radii)
+    if index not in range(count):
+        raise HelicoideError(
+            Text(en="There are obstacles 1 to {n}.", pt_BR="Há obstáculos de 1 a {n}.").format(n=count)
+            if count
+            else Text(en="There are no obstacles.", pt_BR="Não há obstáculos.")
+        )
+
+
+def _place(state: State, index: int, position: ArrayLike) -> Array:
+    _check(state, index)
+    asked, far = finite(position, (3,)), FARTHEST * state.robot.reach
+    if np.abs(asked).max() > far:
+        raise HelicoideError(
+            Text(
+                en="An obstacle must lie within {far:.1f} m of the base.",
+                pt_BR="Um obstáculo deve ficar a até {far:.1f} m da base.",
+            ).format(far=far)
+        )
+    return asked
+
+
+def _moved(state: State, index: int, asked: Array) -> State:
+    obstacles = state.problem.obstacles
+    start, radius = obstacles.ends[index, 0], float(obstacles.radii[index])
+    centre = last_clear(start, asked, _axes(state), _kept(state) + radius)
+    notice = None if np.array_equal(centre, asked) else _at_arm(state, index)
+    return replace(_with(state, obstacles.replaced(index, centre, radius)), notice=notice)
+
+
+def _axes(state: State) -> Array:
+    """The axes of the moving bodies of the arm where they are, and of the arm beside, (k, 2, 3), m."""
+    arms = [state.poses] if state.beside is None else [state.poses, state.beside.poses]
+    return np.array([body.at(poses) for poses in arms for body in _moving(state)])
+
+
+def _kept(state: State) -> Array:
+    """How far an obstacle without size stays from each of `_axes`, (k,), m."""
+    arms = 1 if state.beside is None else 2
+    return np.array([body.radius + state.problem.zones.between for body in _moving(state)] * arms)
+
+
+def _moving(state: State) -> list[Capsule]:
+    return [body for body in state.robot.bodies if max(body.links) > 0]
+
+
+def _fitting(state: State, centre: Array, radius: float) -> float:
+    """The radius, or the largest that keeps its distance from the arm."""
+    return min(radius, float((from_pieces(centre[None], _axes(state))[0] - _kept(state)).min()))
+
+
+def _at_arm(state: State, index: int) -> Text:
+    return Text(
+        en="Obstacle {n} stops at the arm: {mm:.0f} mm stay free.",
+        pt_BR="O obstáculo {n} para no braço: {mm:.0f} mm ficam livres.",
+    ).format(n=index + 1, mm=1000 * state.problem.zones.between)
+
+
+def _with(state: State, obstacles: Obstacles) -> State:
+    problem = replace(state.problem, obstacles=obstacles)
+    return replace(state, problem=problem, searched=False, rested=0.0, notice=None)

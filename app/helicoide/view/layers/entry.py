@@ -1,0 +1,38 @@
+"""The entry point of the instrument: a ball where its shaft must pass."""
+
+from __future__ import annotations
+
+import viser
+
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "entry"
+SHARED = True
+
+COLOUR = (106, 27, 154)
+RADIUS = 0.014
+
+
+def build(stage: Stage) -> Entry:
+    """The ball, hidden until an entry point is held."""
+    ball = stage.scene.add_icosphere(
+        "/entry", RADIUS * stage.size, COLOUR, opacity=0.7, cast_shadow=False, visible=False
+    )
+    return Entry(ball)
+
+
+class Entry:
+    """The ball."""
+
+    def __init__(self, ball: viser.IcosphereHandle) -> None:
+        self.ball = ball
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the entry point."""
+        entry = new.state.problem.entry
+        if old is not None and old.state.problem.entry is entry:
+            return
+        self.ball.visible = entry is not None
+        if entry is not None:
+            self.ball.position = entry.point

@@ -1,0 +1,45 @@
+"""The handle of the entry point: three arrows while one is held."""
+
+from __future__ import annotations
+
+import viser
+
+from helicoide import gate
+from helicoide.kinematics.chain import Array
+from helicoide.state import Grasp
+from helicoide.view import bind
+from helicoide.view.layers import Stage
+from helicoide.view.rows import ForArm, View
+
+NAME = "entry_handle"
+SHARED = False
+
+
+def build(stage: Stage) -> EntryHandle:
+    """The gizmo, hidden until an entry point is held."""
+    gizmo = stage.scene.add_transform_controls(
+        "/handles/entry", scale=0.16 * stage.size, line_width=3.0, disable_rotations=True, depth_test=False
+    )
+    gizmo.visible = False
+
+    def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
+        stage.act(ForArm(gate.drag_entry(stage.who, phase, position)))
+
+    bind.on_drag(gizmo, dragged)
+    return EntryHandle(stage.who, gizmo)
+
+
+class EntryHandle:
+    """The gizmo of one window; it stays under the hand that holds it."""
+
+    def __init__(self, who: str, gizmo: viser.TransformControlsHandle) -> None:
+        self.who, self.gizmo = who, gizmo
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the entry point."""
+        state, entry = new.state, new.state.problem.entry
+        if self.gizmo.visible != (entry is not None):
+            self.gizmo.visible = entry is not None
+        changed = old is None or old.state.problem.entry is not entry or old.state.grasp is not state.grasp
+        if entry is not None and changed and state.grasp != Grasp(self.who, gate.ENTRY):
+            self.gizmo.position = entry.point

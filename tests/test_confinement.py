@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.driving import after, at, clear_posture, quaternion
 
 from helicoide import gate
-from helicoide.confinement import Zone, Zones, distances, planes_of
+from helicoide.confinement import Obstacles, Zone, Zones, distances, from_pieces, last_clear, planes_of
 from helicoide.geometry import rigid
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
@@ -104,3 +104,43 @@ def test_restored_planes_stop_at_the_arm_too(robot: Robot, state: State) -> None
     high = at(state, robot.poses["example"])
     restored = gate.restore_planes()(high)
     assert plane_distances(restored).min() == pytest.approx(0.080, abs=1e-9)
+
+
+@given(seeds)
+def test_distance_from_straight_pieces_is_that_of_their_nearest_point(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    points, ends = rng.normal(size=(4, 3)), rng.normal(size=(5, 2, 3))
+    ends[0, 1] = ends[0, 0]
+    along = ends[:, :1] + np.linspace(0, 1, 2001)[:, None] * (ends[:, 1:] - ends[:, :1])
+    sampled = np.linalg.norm(points[:, None, None] - along, axis=3).min(axis=2)
+    found = from_pieces(points, ends)
+    assert (found <= sampled + 1e-12).all()
+    np.testing.assert_allclose(found, sampled, atol=2e-3)
+
+
+@given(seeds)
+def test_what_is_moved_rests_before_the_first_body_in_its_way(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    ends, apart = rng.normal(size=(3, 2, 3)), rng.uniform(0.05, 0.3, 3)
+    start, asked = rng.normal(size=(2, 3))
+    assume((from_pieces(start[None], ends)[0] > apart).all())
+    rests = last_clear(start, asked, ends, apart)
+    way = start + np.linspace(0, 1, 4001)[:, None] * (asked - start)
+    blocked = (from_pieces(way, ends) < apart - 1e-3).any(axis=1)
+    share = np.linalg.norm(rests - start) / np.linalg.norm(asked - start)
+    assert (from_pieces(rests[None], ends)[0] >= apart - 1e-9).all()
+    if not blocked.any():
+        assert share == pytest.approx(1, abs=0.1)
+    else:
+        assert share <= blocked.argmax() / 4000 + 1e-3
+
+
+def test_obstacles_are_replaced_and_taken_away() -> None:
+    three = Obstacles().with_sphere([1, 0, 0], 0.1).with_capsule([0, 1, 0], [0, 2, 0], 0.2).with_sphere([0, 0, 1], 0.3)
+    moved = three.replaced(1, [5, 5, 5], 0.4)
+    np.testing.assert_array_equal(moved.ends[1], [[5, 5, 5]] * 2)
+    np.testing.assert_array_equal(moved.radii, [0.1, 0.4, 0.3])
+    np.testing.assert_array_equal(three.without(0).radii, [0.2, 0.3])
+    assert len(three.points) == 2 + 8
+    assert three.points[1:9, 1].tolist() == pytest.approx(np.linspace(1, 2, 8).tolist())
+    assert Obstacles().points.shape == (0, 3)

@@ -29,7 +29,7 @@ def obstacle_handle(index: int) -> str:
 
 
 def add_obstacle() -> Update:
-    """One more sphere beside the tool, on the side where the arm and the other spheres leave most room."""
+    """One more sphere beside the tool."""
 
     def wish(state: State) -> State:
         obstacles, reach = state.problem.obstacles, state.robot.reach
@@ -39,11 +39,7 @@ def add_obstacle() -> Update:
                     most=MOST
                 )
             )
-        sides = np.concatenate([np.eye(3), -np.eye(3)]) * ASIDE * reach
-        places = state.T_world_tool[:3, 3] + sides
-        places[:, 2] = np.maximum(places[:, 2], state.robot.floor + RADIUS * reach)
-        others = np.concatenate([_axes(state), obstacles.ends]), np.concatenate([_kept(state), obstacles.radii])
-        place = places[(from_pieces(places, others[0]) - others[1]).min(axis=1).argmax()]
+        place = _roomy(state, RADIUS * reach)
         radius = _fitting(state, place, RADIUS * reach)
         if radius < SMALLEST * reach:
             raise HelicoideError(
@@ -107,6 +103,17 @@ def remove_obstacle(index: int) -> Update:
         return _with(replace(state, grasp=None), state.problem.obstacles.without(index))
 
     return driven(wish)
+
+
+def _roomy(state: State, radius: float) -> Array:
+    """A place beside the tool, (3,), m: the nearest to the base where a sphere has room, else the roomiest."""
+    obstacles, planes, reach = state.problem.obstacles, state.problem.planes, state.robot.reach
+    places = state.T_world_tool[:3, 3] + np.concatenate([np.eye(3), -np.eye(3)]) * ASIDE * reach
+    places[:, 2] = np.maximum(places[:, 2], state.robot.floor + radius)
+    axes, kept = np.concatenate([_axes(state), obstacles.ends]), np.concatenate([_kept(state), obstacles.radii])
+    room = np.hstack([from_pieces(places, axes) - kept, places @ planes.normals.T - planes.offsets]).min(axis=1)
+    far = np.linalg.norm(places - state.robot.points[0], axis=1)
+    return np.asarray(places[np.lexsort([far, -np.minimum(room, radius)])[0]])
 
 
 def _check(state: State, index: int) -> None:

@@ -41,6 +41,7 @@ SMALLEST_SHARE = 1e-6
 # and how often it is halved.
 SETTLED, TRIES, HALVINGS = 1e-6, 5, 6
 ROUNDING = 1e-10
+LEAST_DAMPING = 1e-9
 
 
 def indices(values: Any, *shape: int) -> Indices:
@@ -119,11 +120,15 @@ def raise_by_loss(
 
 @kernel
 def within(q: Array, step: Array, share: float, limits: LimitArrays, dt: float) -> Array:
-    """q and a share of Δq, cut to the limits to the last bit; a joint that is outside keeps its place as its limit."""
+    """q and a share of Δq, cut to the limits to the last bit; a joint that is outside keeps its place as its limit.
+
+    What is no number is no step.
+    """
     lower, upper, speed, _ = limits
     moved = np.empty_like(q)
     for i in range(q.shape[0]):
-        value = q[i] + min(max(share * step[i], -speed[i] * dt), speed[i] * dt)
+        way = share * step[i] if np.isfinite(step[i]) else 0.0
+        value = q[i] + min(max(way, -speed[i] * dt), speed[i] * dt)
         moved[i] = min(max(value, min(lower[i], q[i])), max(upper[i], q[i]))
     return moved
 
@@ -154,8 +159,12 @@ def given_way(
 
 @kernel
 def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[Task, Indices]:
-    """The same task after a first level of two rows (2, n) that ask for a displacement (2,), m."""
+    """The same task after a first level of two rows (2, n) that ask for a displacement (2,), m.
+
+    Two rows alone do not hold all joints: each is damped, if only a little.
+    """
     J, v, weights, damping = task
+    damping = np.maximum(damping, LEAST_DAMPING)
     r, levels = v.shape[0], np.empty(begins.shape[0] + 1, dtype=np.int64)
     levels[0] = 2
     for k in range(begins.shape[0]):

@@ -99,6 +99,9 @@
   button.addEventListener("click", (event) => event.detail === 0 && stop()); // by keyboard or a screen reader
   window.addEventListener("keydown", (event) => event.key === "Escape" && !event.repeat && stop(), true);
   window.addEventListener("helicoide-seat", sit);
+  for (const end of ["pointerup", "pointercancel"]) {
+    window.addEventListener(end, () => send({ released: true }), true); // what was dragged is let go, come what may
+  }
 
   document.body.append(line, button);
   draw();

@@ -31,6 +31,7 @@ TICK = 0.01
 TICKS_PER_FRAME = 2
 FRAMES_PER_TEXT = 5
 CLEARED = 0.15
+LET_GO = 0.5
 
 COMPILING = Text(
     en="Preparing the kernels: {done} of {total}. This happens once.",
@@ -63,7 +64,7 @@ class Session:
         self.shapes = shapes.load(robot)
         self.seats: dict[str, Seat] = {}
         self.windows: dict[int, Window] = {}
-        self.control = Control(lambda: self.post(gate.stop()))
+        self.control = Control(lambda: self.post(gate.stop()), self._released)
         self.inbox: deque[Update] = deque()
         self.frames = 0
         self.ticks = 0
@@ -158,8 +159,16 @@ class Session:
         window = self.windows.pop(client.client_id, None)
         if window and all(other.view.seat.token != window.view.seat.token for other in self.windows.values()):
             self.control.forget(window.view.seat.token)
-        who = str(client.client_id)
-        self.post(lambda state: _let_go(state, who))
+        grasp = self.state.grasp
+        if grasp is not None and grasp.seat == str(client.client_id):
+            self.post(gate.let_go(grasp))
+
+    def _released(self, token: str) -> None:
+        """A pointer was let go: what it held ends soon, also when the drag's own end gets lost on its way."""
+        grasp = self.state.grasp
+        whose = {str(number) for number, window in self.windows.items() if window.view.seat.token == token}
+        if grasp is not None and grasp.seat in whose:
+            self.loop.call_later(LET_GO, self.post, gate.let_go(grasp))
 
     def _reseat(self, seat: Seat) -> None:
         """A person changed something about their own window; a lesson brings its robot with it."""
@@ -293,7 +302,3 @@ def _seated_at(robot: Robot, seat: Seat) -> Seat:
     """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
     stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
     return replace(seat if stays else lesson.entered(seat, None), selected=None)
-
-
-def _let_go(state: State, who: str) -> State:
-    return replace(state, grasp=None) if state.grasp and state.grasp.seat == who else state

@@ -94,6 +94,7 @@ def test_stop_is_called_and_acknowledged(page: Connection, stops: list[str]) -> 
         '{"Stop": true}',
         '{"seat": 7}',
         '{"beat": 1}',
+        '{"released": 1}',
         b"\xff\x00",
         b"",
     ],
@@ -110,6 +111,17 @@ def test_malformed_messages_are_ignored(page: Connection, stops: list[str], mess
 def test_no_message_costs_the_page_its_stop(page: Connection, message: str | bytes) -> None:
     page.send(message)
     beat(page)
+
+
+def test_a_released_pointer_is_told_with_its_seat(server: viser.ViserServer, control: Control) -> None:
+    told: list[str] = []
+    control.on_release = told.append
+    with open_page(server) as page:
+        page.send('{"released": true}')
+        page.send('{"seat": "a"}')
+        page.send('{"released": true}')
+        beat(page)
+    assert told == ["a"]
 
 
 def test_an_oversized_message_closes_the_connection(page: Connection, stops: list[str]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import math
 import struct
 import threading
@@ -22,6 +23,7 @@ from websockets.typing import Origin, Subprotocol
 from helicoide.kinematics.robot import Robot
 from helicoide.session import Session
 from helicoide.state import Hold, State, ToJoints
+from helicoide.view.channel import PATH
 
 CAMERA = {
     "type": "ViewerCameraMessage",
@@ -164,6 +166,53 @@ def test_a_gizmo_with_no_orientation_moves_nothing(session: Session, page: Page)
 def test_an_update_without_a_grasp_moves_nothing(session: Session, page: Page) -> None:
     pose = {"wxyz": (1.0, 0.0, 0.0, 0.0), "position": (0.5, 0.2, 0.3)}
     assert not moved(session, lambda: page.drag("Move", **pose))
+
+
+def test_a_drag_whose_end_gets_lost_ends_when_the_pointer_is_let_go(session: Session, page: Page) -> None:
+    port = session.server.get_port()
+    (window,) = session.windows.values()
+    with connect(f"ws://127.0.0.1:{port}{PATH}", origin=Origin(f"http://127.0.0.1:{port}")) as control:
+        control.send(json.dumps({"seat": window.view.seat.token}))
+        page.drag("Start")
+        page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.5, 0.1, 0.3))
+        assert eventually(lambda: session.state.grasp is not None)
+        control.send('{"released": true}')
+        assert eventually(lambda: session.state.grasp is None)
+        wished = session.state.command
+        page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.4, 0.2, 0.3))
+        after_ticks(session)
+        assert session.state.command is wished
+        page.drag("Start")
+        assert eventually(lambda: session.state.grasp is not None)
+        with connect(f"ws://127.0.0.1:{port}{PATH}", origin=Origin(f"http://127.0.0.1:{port}")) as stranger:
+            stranger.send('{"released": true}')
+            stranger.send('{"beat": true}')
+            stranger.recv(5)
+        after_ticks(session, 80)
+        assert session.state.grasp is not None, "another person's pointer"
+        page.drag("End")
+        assert eventually(lambda: session.state.grasp is None)
+
+
+@pytest.mark.parametrize("position", [(math.nan, 0.0, 0.3), (math.inf, 0.0, 0.3), (1e6, 0.0, 0.3)])
+def test_an_obstacle_dragged_to_no_place_stays(session: Session, page: Page, position: tuple[object]) -> None:
+    page.give("Add a sphere", True)
+    assert eventually(lambda: len(session.state.problem.obstacles.radii) == 1)
+    before = session.state.problem.obstacles.ends
+    page.drag("Start", "/handles/obstacle 0")
+    page.drag("Move", "/handles/obstacle 0", wxyz=(1.0, 0.0, 0.0, 0.0), position=position)
+    page.drag("End", "/handles/obstacle 0")
+    page.drag("Start", "/handles/obstacle 5")
+    page.drag("Start", "/handles/entry")
+    after_ticks(session)
+    np.testing.assert_array_equal(session.state.problem.obstacles.ends, before)
+    assert eventually(lambda: "Take sphere 1 away" in page.made)
+    page.give("sphere 1: radius [mm]", 1e9)
+    after_ticks(session)
+    np.testing.assert_array_equal(session.state.problem.obstacles.ends, before)
+    page.give("Take sphere 1 away", True)
+    assert eventually(lambda: not session.state.problem.obstacles.radii.size)
+    del page.made["Take sphere 1 away"]
 
 
 def test_the_fixed_plane_and_unknown_names_move_nothing(session: Session, page: Page) -> None:

@@ -34,7 +34,7 @@ from helicoide.gate.obstacles import (
 from helicoide.gate.path import pause, play, scrub
 from helicoide.gate.planes import drag_plane, restore_planes
 from helicoide.gate.stopping import stop
-from helicoide.gate.target import Phase, drag_target, hold_orientation, set_target
+from helicoide.gate.target import Phase, drag_target, hold_orientation, let_go, set_target
 
 __all__ = [
     "ENTRY",
@@ -60,6 +60,7 @@ __all__ = [
     "grow_weights",
     "hold_entry",
     "hold_orientation",
+    "let_go",
     "objective_as_row",
     "obstacle_handle",
     "park",

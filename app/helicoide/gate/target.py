@@ -43,6 +43,19 @@ def _released(state: State, T_world_target: Array) -> State:
     return replace(state, grasp=None, command=ToPose(T), detour=detour, searched=True)
 
 
+def let_go(grasp: Grasp) -> Update:
+    """That grasp, and no later one, ends where it is."""
+
+    def update(state: State) -> State:
+        if state.grasp is not grasp:
+            return state
+        if grasp.handle == "target" and isinstance(state.command, ToPose):
+            return _released(state, state.command.T_world_target)
+        return replace(state, grasp=None)
+
+    return update
+
+
 def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
     """The target by numbers; it stays where it was put, also out of reach."""
     return driven(lambda state: commanded(state, ToPose(pose(state, position, wxyz))))

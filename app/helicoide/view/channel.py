@@ -1,4 +1,6 @@
-"""The page's own channel: Stop comes in past every queue, the words of the status line go out when they change."""
+"""The page's own channel: Stop comes in past every queue, and so does that a pointer has been let go; the words of the
+status line go out when they change.
+"""
 
 from __future__ import annotations
 
@@ -35,9 +37,13 @@ class Notice:
 
 @dataclass
 class Control:
-    """The control channels of all windows. Its methods run on the event loop of the server, and so does `on_stop`."""
+    """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
+
+    on_release: told the seat whose pointer was let go.
+    """
 
     on_stop: Callable[[], None]
+    on_release: Callable[[str], None] = lambda seat: None
     _seats: dict[ServerConnection, str] = field(default_factory=dict)
     _notices: dict[str, Notice] = field(default_factory=dict)
 
@@ -68,6 +74,10 @@ class Control:
             return ['{"heard": "stop"}']
         if message.get("beat") is True:
             return ['{"heard": "beat"}']
+        if message.get("released") is True:
+            if connection in self._seats:
+                self.on_release(self._seats[connection])
+            return []
         seat = message.get("seat")
         if not isinstance(seat, str):
             return []

@@ -35,6 +35,7 @@ class Scene:
     def __init__(self, server: viser.ViserServer, robot: Robot, shapes: list[Shape]) -> None:
         stage = Stage(server.scene, robot, shapes, lambda wish: None, "")
         server.scene.set_up_direction("+z")
+        server.scene.configure_default_lights(cast_shadow=False)  # two frames of three, without a graphics card
         side, cell = 2.4 * stage.size, 0.1 * 2 ** round(np.log2(stage.size))
         server.scene.add_grid(
             "/ground", width=side, height=side, cell_size=cell, section_size=5 * cell, position=(0, 0, robot.floor)

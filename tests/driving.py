@@ -11,7 +11,7 @@ from helicoide import gate
 from helicoide.advance import advance
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
-from helicoide.ik.collision import clearances
+from helicoide.ik.guard.collision import clearances
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 
 from helicoide.ik import drive as drives
-from helicoide.ik.collision import clearances
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import allowed_point, best_goal, goal_at_joints, goal_at_pose
-from helicoide.ik.guarded import ONE_LEVEL, guarded_tick
+from helicoide.ik.guard.collision import clearances
+from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
+from helicoide.ik.guard.rows import Indices
 from helicoide.ik.rcm.at_work import by_method
-from helicoide.ik.rows import Indices
 from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses

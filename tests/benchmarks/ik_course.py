@@ -10,8 +10,8 @@ from tests.benchmarks.children.turns import following
 from tests.benchmarks.ik_arm import points_on_links, standard_rows, urdf_with_limits
 from tests.benchmarks.ik_turns import Turn
 
-from helicoide.ik.guarded import ONE_LEVEL, guarded_tick, indices
-from helicoide.ik.rows import DAMPER_GAIN, Arm, LimitArrays, PlaneArrays
+from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick, indices
+from helicoide.ik.guard.rows import DAMPER_GAIN, Arm, LimitArrays, PlaneArrays
 from helicoide.ik.task import rotation_vector
 from helicoide.kernels import kernel
 from helicoide.kinematics import jacobian

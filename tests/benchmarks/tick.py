@@ -13,7 +13,7 @@ from tests.benchmarks.report import p50, spread, verdict
 
 from helicoide import kernels
 from helicoide.advance import advance, foreseen
-from helicoide.ik import guarded
+from helicoide.ik.guard import guarded
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.session import TICK, exercise

@@ -9,9 +9,9 @@ from tests.kinematics.arms import arm
 
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
-from helicoide.ik.collision import clearances
-from helicoide.ik.guarded import ONE_LEVEL, guarded_tick
-from helicoide.ik.rows import Guard
+from helicoide.ik.guard.collision import clearances
+from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
+from helicoide.ik.guard.rows import Guard
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.confinement import Obstacles, Planes, Zones
-from helicoide.ik.rows import DAMPER_GAIN, Arm, Entry, Guard, Indices, LimitArrays, Pairs, PlaneArrays
+from helicoide.ik.guard.rows import DAMPER_GAIN, Arm, Entry, Guard, Indices, LimitArrays, Pairs, PlaneArrays
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -61,7 +61,7 @@ def entry_point(robot: Robot, point: ArrayLike) -> EntryPoint:
             Text(
                 en="{robot} has no frame rcm, which says where its instrument is; there is: {frames}.",
                 pt_BR="{robot} não tem o referencial rcm, que diz onde está o instrumento; há: {frames}.",
-            ).format(robot=robot.name, frames=", ".join(robot.frames))
+            ).format(robot=robot.title, frames=", ".join(robot.frames))
         )
     frame = robot.frames["rcm"]
     return EntryPoint(

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from helicoide.ik import Problem, methods, objectives
 from helicoide.ik.clik import Aim, answered, tool_aim
-from helicoide.ik.guarded import ONE_LEVEL, indices
+from helicoide.ik.guard.guarded import ONE_LEVEL, indices
+from helicoide.ik.guard.rows import Guard, Indices
+from helicoide.ik.guard.rows import Task as Rows
 from helicoide.ik.limit_gains import clipped
 from helicoide.ik.method import Solution, Task
 from helicoide.ik.objective import Posture
 from helicoide.ik.postures.subspace import project
-from helicoide.ik.rows import Guard, Indices
-from helicoide.ik.rows import Task as Rows
 from helicoide.ik.task import DAMPING, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, shortened
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric

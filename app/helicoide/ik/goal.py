@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.ik import AtAcceleration, AtSpeed, Problem, Reason, reasons
-from helicoide.ik.qp import SOLVED, project
+from helicoide.ik.guard.qp import SOLVED, project
 from helicoide.ik.rollout import are_clear, settle
 from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
 from helicoide.kinematics.chain import Array, frozen

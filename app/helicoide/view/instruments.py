@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from html import escape
 
 from helicoide.ik.methods import named
@@ -19,7 +20,7 @@ def instrument_table(view: View) -> str:
     lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
     head = "".join(f"<th>{escape(named(state.drive.method).TITLE[view.seat.language])}</th>" for state in arms)
     body = "".join(
-        f"<tr><td>{mathml(symbol)}<span>{escape(instrument.title[view.seat.language])}</span></td>"
+        f"<tr><td>{mathml(_tex(symbol))}<span>{escape(instrument.title[view.seat.language])}</span></td>"
         + "".join(f"<td>{_read(column.get(symbol))}</td>" for column in columns)
         + "</tr>"
         for symbol, instrument in lines.items()
@@ -34,10 +35,16 @@ def instrument_table(view: View) -> str:
 HELD = Text(en="held by", pt_BR="retido por")
 
 
+def _tex(symbol: str) -> str:
+    """A symbol such as dt_max with its whole index below the line."""
+    return re.sub(r"_(\w{2,})", r"_{\\mathrm{\1}}", symbol)
+
+
 def _read(instrument: Instrument | None) -> str:
     if instrument is None:
         return "–"
-    return f"{instrument.value:.4g} {instrument.unit}".replace("-", "−").replace("inf", "∞")
+    value = round(instrument.value, 4) if instrument.unit in ("mm", "°") else instrument.value
+    return f"{value:.4g} {instrument.unit}".replace("-", "−").replace("inf", "∞")
 
 
 def _held(state: State, view: View) -> str:

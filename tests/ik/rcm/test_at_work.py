@@ -10,7 +10,7 @@ from tests.kinematics.arms import derivative
 from helicoide.geometry import rotation
 from helicoide.ik import EntryPoint, Problem
 from helicoide.ik.drive import Drive
-from helicoide.ik.entry import GAIN
+from helicoide.ik.guard.entry import GAIN
 from helicoide.ik.rcm.at_work import by_method, passage_of, tip_task, tool_velocity
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import command, pose_error

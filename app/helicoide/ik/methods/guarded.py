@@ -9,9 +9,9 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik import Problem, reasons
-from helicoide.ik.guarded import ONE_LEVEL, guarded_tick, indices
+from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick, indices
+from helicoide.ik.guard.rows import DAMPER_GAIN
 from helicoide.ik.method import Promise, Quantity, Solution, Task, YesNo
-from helicoide.ik.rows import DAMPER_GAIN
 from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses

@@ -14,7 +14,7 @@ import numpy as np
 from helicoide.ik import EntryPoint, Problem, methods
 from helicoide.ik.clik import Aim
 from helicoide.ik.drive import Drive, Gains, rate, step
-from helicoide.ik.entry import GAIN
+from helicoide.ik.guard.entry import GAIN
 from helicoide.ik.method import Task
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.constrained import Constrained, constrained

@@ -65,7 +65,7 @@ def through(robot: Robot, link: int, across: Array = TROCAR) -> Passage:
             Text(
                 en="{robot} has links 1 to {last}; {link} is none of them.",
                 pt_BR="{robot} tem os elos 1 a {last}; {link} não é um deles.",
-            ).format(robot=robot.name, last=len(robot.joints), link=link)
+            ).format(robot=robot.title, last=len(robot.joints), link=link)
         )
     ends = [*robot.points, robot.T_world_tool_0[:3, 3]]
     along = np.asarray(ends[link] - ends[link - 1])
@@ -76,7 +76,7 @@ def through(robot: Robot, link: int, across: Array = TROCAR) -> Passage:
                 en="Link {link} of {robot} has no length: an entry point needs a link that two distinct points span.",
                 pt_BR="O elo {link} de {robot} não tem comprimento: um ponto de entrada requer um elo entre dois pontos"
                 " distintos.",
-            ).format(link=link, robot=robot.name)
+            ).format(link=link, robot=robot.title)
         )
     T = np.eye(4)
     T[:3, :3] = _along_y(along / length)
@@ -127,7 +127,7 @@ def refusal(robot: Robot, passage: Passage) -> Text | None:
         return Text(
             en="{robot} has joints that follow others; the entry point needs joints that move alone.",
             pt_BR="{robot} tem juntas que seguem outras; o ponto de entrada requer juntas que se movem sozinhas.",
-        ).format(robot=robot.name)
+        ).format(robot=robot.title)
     if n - r < 6:
         return Text(
             en="{robot} has {n} joints and the entry point takes {r}: n − r = {left}, but a tool that moves in all six"
@@ -135,12 +135,12 @@ def refusal(robot: Robot, passage: Passage) -> Text | None:
             pt_BR="{robot} tem {n} juntas e o ponto de entrada tira {r}: n − r = {left}, mas um efetuador que se move"
             " nos seis graus de liberdade requer 6. Use um braço com pelo menos {least} juntas ou deixe livre a"
             " orientação do efetuador.",
-        ).format(robot=robot.name, n=n, r=r, left=n - r, least=6 + r)
+        ).format(robot=robot.title, n=n, r=r, left=n - r, least=6 + r)
     if i < 6 or n - i < r:
         return Text(
             en="The entry point is on link {i} of {robot}: {i} joints before it and {after} beyond. It takes at least 6"
             " before it and {r} beyond: a link from 6 to {last}.",
             pt_BR="O ponto de entrada está no elo {i} de {robot}: {i} juntas antes e {after} depois. São precisas pelo"
             " menos 6 antes e {r} depois: um elo de 6 a {last}.",
-        ).format(i=i, robot=robot.name, after=n - i, r=r, last=n - r)
+        ).format(i=i, robot=robot.title, after=n - i, r=r, last=n - r)
     return None

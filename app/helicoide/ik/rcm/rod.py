@@ -42,7 +42,7 @@ def refusal(robot: Robot, passage: Passage) -> Text | None:
     return Text(
         en="{robot} has {n} joints; the tip and the entry point need at least {rows}.",
         pt_BR="{robot} tem {n} juntas; a ponta e o ponto de entrada requerem pelo menos {rows}.",
-    ).format(robot=robot.name, n=n, rows=rows)
+    ).format(robot=robot.title, n=n, rows=rows)
 
 
 def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> Aim:

@@ -6,8 +6,8 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helicoide.ik import qp
-from helicoide.ik.cascade import descend, null_space
+from helicoide.ik.guard import qp
+from helicoide.ik.guard.cascade import descend, null_space
 from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)

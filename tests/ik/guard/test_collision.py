@@ -12,7 +12,7 @@ from tests.kinematics.arms import NAMES, arm, derivative
 
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
-from helicoide.ik.collision import apart, clearances, closest_shares, witness_row
+from helicoide.ik.guard.collision import apart, clearances, closest_shares, witness_row
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.jacobian import joint_axes

@@ -24,7 +24,7 @@ from helicoide.ik import (
     reasons,
 )
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
-from helicoide.ik.guarded import ONE_LEVEL, Task, guarded_tick, indices
+from helicoide.ik.guard.guarded import ONE_LEVEL, Task, guarded_tick, indices
 from helicoide.ik.method import Task as MethodTask
 from helicoide.ik.methods import guarded as method
 from helicoide.ik.task import joint_task, pose_task, rotation_vector
@@ -222,7 +222,7 @@ def test_the_entry_point_gives_way_to_acceleration() -> None:
 
 
 def test_an_arm_without_an_instrument_is_refused_in_words() -> None:
-    with pytest.raises(HelicoideError, match="puma560"):
+    with pytest.raises(HelicoideError, match="PUMA 560"):
         entry_point(arm("puma560"), [0, 0, 0])
 
 

@@ -19,9 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from helicoide.ik import cascade, collision, qp
-from helicoide.ik.entry import FIRM, entry_rows, miss
-from helicoide.ik.rows import (
+from helicoide.ik.guard import cascade, collision, qp
+from helicoide.ik.guard.entry import FIRM, entry_rows, miss
+from helicoide.ik.guard.rows import (
     Guard,
     Indices,
     LimitArrays,

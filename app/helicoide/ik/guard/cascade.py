@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik import qp
-from helicoide.ik.rows import Indices, Task
+from helicoide.ik.guard import qp
+from helicoide.ik.guard.rows import Indices, Task
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 

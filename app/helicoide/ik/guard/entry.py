@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik.rows import Entry, add_point, at
+from helicoide.ik.guard.rows import Entry, add_point, at
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
 from helicoide.kinematics.jacobian import columns, joint_axes

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
-from helicoide.ik import qp
+from helicoide.ik.guard import qp
 from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik.rows import Arm, Guard, Indices, Pairs, PlaneArrays, Vector, add_point, at, unfelt
+from helicoide.ik.guard.rows import Arm, Guard, Indices, Pairs, PlaneArrays, Vector, add_point, at, unfelt
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
 from helicoide.kinematics.forward import carried_points

@@ -16,6 +16,7 @@ from helicoide import content, gate, kernels, lesson
 from helicoide.advance import advance, foreseen, leads_elsewhere
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
+from helicoide.ik.postures.subspace import project
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.state import Seat, State, ToJoints, ToPose, Update, commanded, initial
@@ -53,6 +54,12 @@ def exercise(robot_name: str = "movemaster") -> State:
     asked = foreseen(advance(gate.play()(asked), TICK))
     CL031.sandwich(rigid.motor_from_pose(state.T_world_tool), rigid.point(state.T_world_tool[:3, 3]))
     return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
+
+
+def rehearse(robot: Robot) -> None:
+    """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
+    state = initial(robot)
+    project(robot, state.T_world_tool, state.q)
 
 
 class Session:
@@ -108,6 +115,7 @@ class Session:
         try:
             await asyncio.to_thread(self._prepare_kernels)
             await asyncio.to_thread(exercise)
+            await asyncio.to_thread(rehearse, self.robot)
         except Exception:
             log.exception("the kernels could not be prepared")
             self._say(FAILED)
@@ -192,6 +200,7 @@ class Session:
         try:
             robot = await asyncio.to_thread(load, robot_name)
             drawn = await asyncio.to_thread(shapes.load, robot)
+            await asyncio.to_thread(rehearse, robot)
         except Exception as error:
             log.warning("%s was not put up", robot_name, exc_info=not isinstance(error, HelicoideError))
             words = error.text if isinstance(error, HelicoideError) else FAILED

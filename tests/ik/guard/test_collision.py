@@ -13,6 +13,7 @@ from tests.kinematics.arms import NAMES, arm, derivative
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import apart, clearances, closest_shares, witness_row
+from helicoide.ik.guard.rows import DAMPER_GAIN, add_point, damper, unfelt
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.jacobian import joint_axes
@@ -120,3 +121,33 @@ def test_without_capsules_the_bodies_follow_the_guarded_points(name: str) -> Non
         assert {tuple(end) for end in body.ends} <= {tuple(point) for point in robot.guarded_points}
     sphere = Problem(robot, problem.limits, NONE, obstacles=problem.obstacles.with_sphere([0, 0, 9], 0.1))
     assert len(sphere.pairs) == sum(max(body.links) > 0 for body in robot.bodies)
+
+
+@settings(max_examples=60)
+@given(
+    seed=seeds,
+    name=st.sampled_from(ARMS),
+    acceleration=st.sampled_from([np.inf, 100.0, 20.0, 5.0, 1.0]),
+    dt=st.floats(0.001, 0.05),
+    gain=st.sampled_from([1.0, DAMPER_GAIN, 50.0]),
+)
+def test_what_is_not_watched_could_not_have_held_a_tick(
+    seed: int, name: str, acceleration: float, dt: float, gain: float
+) -> None:
+    """From the room of `unfelt` on, the fastest approach in any direction is one that the damper allows."""
+    rng, robot = np.random.default_rng(seed), arm(name)
+    chain, n = robot.chain.copy(), len(robot.variables)
+    poses = link_poses(chain, rng.uniform(robot.lower, robot.upper))
+    links = rng.integers(1, len(robot.joints) + 1, 6)
+    points = poses[links, :3, 3] + rng.normal(size=(6, 3)) * 0.2 * robot.reach
+    speed, accelerations = robot.speed.copy(), np.full(n, acceleration)
+    far = unfelt(chain, links, speed, accelerations, gain, poses, points, dt)
+    axes = joint_axes(poses, chain)
+    for k, (link, point) in enumerate(zip(links, points, strict=True)):
+        normal = rng.normal(size=3)
+        normal /= np.linalg.norm(normal)
+        row = np.zeros((1, n))
+        add_point(row, 0, tuple(normal), tuple(point), link, poses, chain, axes)
+        fastest = float(np.abs(row[0]) @ speed * dt)
+        assert -damper(far[k], row, 0, accelerations, gain, dt) >= fastest * (1 - 1e-9)
+        assert far[k] < 50 * robot.reach * max(1.0, 1.0 / (gain * dt)) * max(1.0, 10 / acceleration)

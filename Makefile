@@ -23,7 +23,7 @@ test: $(VENV)/ready-to-test browser
 	$(IN_VENV) -m pytest tests/browser $(ARGS)$(OR_NONE)
 
 soak: $(VENV)/ready-to-test browser
-	$(IN_VENV) -m pytest tests/soak -m soak $(ARGS)
+	$(IN_VENV) -m pytest tests/soak -m soak -n 2 $(ARGS)
 
 bench: $(VENV)/ready-to-test
 	$(IN_VENV) -m tests.benchmarks $(ARGS)

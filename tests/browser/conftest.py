@@ -23,6 +23,7 @@ FLAGS = (
     "--enable-unsafe-swiftshader",
 )
 SIZES = {"desk": (1280, 800), "phone": (390, 844)}
+PATIENCE_MS = 300_000  # what is slow is not wrong
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
 
 OpenPage = Callable[..., Page]
@@ -52,6 +53,7 @@ def window(
     view: ViewportSize = {"width": width, "height": height}
     touch = size == "phone"
     context = browser.new_context(viewport=view, has_touch=touch, is_mobile=touch, locale=locale)
+    context.set_default_timeout(PATIENCE_MS)
     try:
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 
 import pytest
-from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 from tests.browser.lab import Lab, opened, until
 
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome")
@@ -24,6 +24,7 @@ FLAGS = (
 )
 SIZES = {"desk": (1280, 800), "phone": (390, 844)}
 PATIENCE_MS = 300_000  # what is slow is not wrong
+expect.set_options(timeout=PATIENCE_MS)
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
 
 OpenPage = Callable[..., Page]

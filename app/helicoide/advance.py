@@ -13,10 +13,10 @@ from helicoide.ik.guard.collision import clearances
 from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
 from helicoide.ik.guard.rows import Indices
 from helicoide.ik.rcm.at_work import by_method
-from helicoide.ik.task import EVERY, joint_task, pose_task
+from helicoide.ik.task import EVERY, GAIN, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, State, ToJoints, ToPose
+from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, Replay, State, ToJoints, ToPose
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
@@ -49,6 +49,8 @@ def _advanced(state: State, dt: float) -> State:
             return _to_pose(_searched(state, T) if _resting(state) else state, T, _STILL, dt)
         case Along():
             return _along(state, state.command, dt)
+        case Replay():
+            return _replayed(state, state.command, dt)
 
 
 def _gripper_moved(state: State, dt: float) -> State:
@@ -152,6 +154,20 @@ def _along(state: State, command: Along, dt: float) -> State:
     arrived = command.arrived or bool(near) or (state.searched and not state.moving)
     s = (command.s + dt) % command.path.period if arrived else command.s
     return replace(state, command=replace(command, s=s, arrived=arrived), path_s=s)
+
+
+def _replayed(state: State, command: Replay, dt: float) -> State:
+    """Joint values over time, after the way to where they begin; what holds them back does not stop the time."""
+    here = command.at(command.s)
+    if not command.arrived:
+        state = _stepped(state, joint_task(state.q.copy(), here, EVERY, dt), dt)
+        near = np.max(np.abs(here - state.q)) < ARRIVED_JOINTS
+        arrived = bool(near) or (state.rested > RESTS and not state.moving)
+        return replace(state, command=replace(command, arrived=arrived))
+    s = command.s + dt
+    wished = command.at(s) - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)
+    state = _stepped(state, drives.displacement(wished), dt)
+    return replace(state, command=replace(command, s=s) if s < command.times[-1] else Hold())
 
 
 def _to_ready(state: State, dt: float) -> State:

@@ -54,6 +54,20 @@ class Along:
     arrived: bool = False
 
 
+@dataclass(frozen=True, eq=False)
+class Replay:
+    """Go through joint values (k, n), rad or m, at their times (k,), s, from s on, after coming to where they begin."""
+
+    times: Array
+    q: Array
+    s: float = 0.0
+    arrived: bool = False
+
+    def at(self, s: float) -> Array:
+        """The joint values at a time, (n,)."""
+        return np.array([np.interp(s, self.times, column) for column in self.q.T])
+
+
 @dataclass(frozen=True)
 class Park:
     """Go to `ready`, then with the planes off to `home`."""
@@ -64,7 +78,7 @@ class GetReady:
     """Go to `ready`; from `home` with the planes off."""
 
 
-Command = Hold | ToPose | ToJoints | Along | Park | GetReady
+Command = Hold | ToPose | ToJoints | Along | Replay | Park | GetReady
 
 
 @dataclass(frozen=True)

@@ -33,6 +33,7 @@ from helicoide.gate.obstacles import (
 )
 from helicoide.gate.path import pause, play, scrub
 from helicoide.gate.planes import drag_plane, restore_planes
+from helicoide.gate.replaying import replay
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, hold_orientation, let_go, set_target
 
@@ -68,6 +69,7 @@ __all__ = [
     "play",
     "pose",
     "remove_obstacle",
+    "replay",
     "restore_planes",
     "scrub",
     "set_entry",

@@ -10,7 +10,7 @@ from typing import cast
 from helicoide.studies.study import Study
 from helicoide.text import HelicoideError, Text
 
-_FRAME = ("study",)
+_FRAME = ("desk", "study")
 
 
 @cache

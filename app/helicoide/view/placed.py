@@ -13,12 +13,15 @@ import viser
 
 from helicoide.text import Language, Text
 from helicoide.view import bind
+from helicoide.view.plotted import Plotted
 from helicoide.view.rows import (
     Act,
+    Bar,
     Button,
     Changing,
     Choice,
     Folder,
+    Plot,
     Row,
     Slider,
     Tick,
@@ -78,6 +81,24 @@ class _Words:
         html = self.row.html(view)
         if html != self.handle.content:
             self.handle.content = html
+
+    def remove(self) -> None:
+        self.handle.remove()
+
+
+class _Bar:
+    def __init__(self, gui: viser.GuiApi, row: Bar, view: View) -> None:
+        self.row = row
+        self.handle: Any = gui.add_progress_bar(0.0, visible=False)
+        self.refresh(view)
+
+    def refresh(self, view: View) -> None:
+        share = self.row.share(view)
+        percent = 0.0 if share is None else round(100 * min(max(share, 0.0), 1.0))
+        if self.handle.visible != (share is not None):
+            self.handle.visible = share is not None
+        if self.handle.value != percent:
+            self.handle.value = percent
 
     def remove(self) -> None:
         self.handle.remove()
@@ -208,5 +229,9 @@ def _placed(gui: viser.GuiApi, row: Row, view: View, act: Act) -> Placed:
             return _choice(gui, row, view, act)
         case Triple():
             return _triple(gui, row, view, act)
+        case Bar():
+            return _Bar(gui, row, view)
+        case Plot():
+            return Plotted(gui, row, view)
         case Folder():
             return _Folder(gui, row, view, act)

@@ -14,12 +14,13 @@ from dataclasses import replace
 
 from helicoide import content, gate, kernels, lesson
 from helicoide.advance import advance, foreseen, leads_elsewhere
-from helicoide.geometry import rigid
-from helicoide.geometry.clifford import CL031
-from helicoide.ik.postures.subspace import project
+from helicoide.jobs.apart import Apart
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Seat, State, ToJoints, ToPose, Update, commanded, initial
+from helicoide.session.preparing import TICK, compiled, exercise, rehearse
+from helicoide.session.studies import Studies
+from helicoide.state import Seat, State, Update, initial
+from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
@@ -28,7 +29,6 @@ from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, remember, remembered, seated
 
-TICK = 0.01
 TICKS_PER_FRAME = 2
 FRAMES_PER_TEXT = 5
 CLEARED = 0.15
@@ -45,23 +45,6 @@ FAILED = Text(
 log = logging.getLogger("helicoide")
 
 
-def exercise(robot_name: str = "movemaster") -> State:
-    """Run everything that the loop runs once, so that every kernel is compiled or loaded, for whatever robot."""
-    state = initial(load(robot_name))
-    asked = commanded(state, ToPose(state.T_world_tool))
-    asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
-    asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
-    asked = foreseen(advance(gate.play()(asked), TICK))
-    CL031.sandwich(rigid.motor_from_pose(state.T_world_tool), rigid.point(state.T_world_tool[:3, 3]))
-    return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
-
-
-def rehearse(robot: Robot) -> None:
-    """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
-    state = initial(robot)
-    project(robot, state.T_world_tool, state.q)
-
-
 class Session:
     """One arm, the people in front of it, and the loop."""
 
@@ -72,11 +55,12 @@ class Session:
         self.seats: dict[str, Seat] = {}
         self.windows: dict[int, Window] = {}
         self.control = Control(lambda: self.post(gate.stop()), self._released)
+        self.studies = Studies(lambda: self.loop.call_soon(self._write))
         self.inbox: deque[Update] = deque()
         self.frames = 0
         self.ticks = 0
         self.ready = False
-        self._compilation = kernels.Compilation(exercise)
+        self._compilation = Apart(compiled)
         self.said = COMPILING.format(done=0, total=len(kernels.KERNELS))
         self._drawn: State | None = None
         self._foreseen: State | None = None
@@ -93,6 +77,7 @@ class Session:
         """Stop the loop, the compilation and the server."""
         self.ready = False
         self._compilation.stop()
+        self.studies.close()
         self.loop.call_soon_threadsafe(self._starting.cancel)
         self.server.stop()
 
@@ -144,7 +129,7 @@ class Session:
             token = await self._seat_of(client)
         except RuntimeError:  # the client left again
             return
-        self._furnish(client, View(self.state, self.seats[token]))
+        self._furnish(client, self._view(token))
 
     async def _seat_of(self, client: Client) -> str:
         """The token of the client's seat, kept in its browser; a new seat where there is none."""
@@ -156,17 +141,23 @@ class Session:
         return token
 
     def _furnish(self, client: Client, view: View) -> None:
-        window = Window(client, self.robot, self.shapes, view, self.control, self.post, self._reseat, self.change)
+        wishes = (self.post, self._reseat, self.change, self.studies.redesk, self.play)
+        window = Window(client, self.robot, self.shapes, view, self.control, *wishes)
         self.windows[client.client_id] = window
         window.draw(view)
         if not self.ready:
             self._say(self.said)
+
+    def _view(self, token: str) -> View:
+        """What a person sees."""
+        return View(self.state, self.seats[token], self.studies.desk(token))
 
     async def _leave(self, client: Client) -> None:
         """A window closes: what it held is let go where it is."""
         window = self.windows.pop(client.client_id, None)
         if window and all(other.view.seat.token != window.view.seat.token for other in self.windows.values()):
             self.control.forget(window.view.seat.token)
+            self.studies.forget(window.view.seat.token)
         grasp = self.state.grasp
         if grasp is not None and grasp.seat == str(client.client_id):
             self.post(gate.let_go(grasp))
@@ -190,15 +181,26 @@ class Session:
                 self.post(chosen.steps[seat.step].setup)
         self.loop.call_soon(self._write)
 
-    def change(self, robot_name: str) -> None:
-        """Put another robot in front of everybody, as soon as it is loaded. Only on the event loop."""
-        self._wanted = robot_name
-        self._changing = self.loop.create_task(self._change(robot_name))
+    def play(self, motion: Motion) -> None:
+        """Play what an arm did, on that arm. Only on the event loop."""
+        wish, (name, lengths) = gate.replay(motion.times, motion.q), (motion.robot, motion.parameters)
+        if self.robot.name == name and not lengths:
+            self.post(wish)
+        else:
+            self.change(name, lengths, wish)
 
-    async def _change(self, robot_name: str) -> None:
+    def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
+        """Put another robot in front of everybody, as soon as it is loaded, and post a wish to it.
+
+        lengths: parameters of the robot, as `load` takes them. Only on the event loop.
+        """
+        self._wanted = robot_name
+        self._changing = self.loop.create_task(self._change(robot_name, lengths, then))
+
+    async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
         """Load a robot in a thread; what is wrong with it is said, and the old one stays."""
         try:
-            robot = await asyncio.to_thread(load, robot_name)
+            robot = await asyncio.to_thread(load, robot_name, None, lengths)
             drawn = await asyncio.to_thread(shapes.load, robot)
             await asyncio.to_thread(rehearse, robot)
         except Exception as error:
@@ -209,6 +211,8 @@ class Session:
         if robot_name == self._wanted:
             await self._clear()
             self._mount(robot, drawn)
+            if then is not None:
+                self.post(then)
 
     async def _clear(self) -> None:
         """Clear the scenes, and let the browsers have that: a node put back in the same message keeps its old pose."""
@@ -226,7 +230,7 @@ class Session:
         with self.server.atomic():
             self.scene = Scene(self.server, robot, drawn)
             for window in self.windows.values():
-                window.mount(robot, drawn, View(self.state, self.seats[window.view.seat.token]))
+                window.mount(robot, drawn, self._view(window.view.seat.token))
         self._draw()
         for seat in self.seats.values():
             if seat.lesson:
@@ -298,11 +302,11 @@ class Session:
     def _draw_windows(self) -> None:
         """Bring what each window has for itself to the state."""
         for window in self.windows.values():
-            window.draw(View(self.state, self.seats[window.view.seat.token]))
+            window.draw(self._view(window.view.seat.token))
 
     def _write(self) -> None:
         for window in self.windows.values():
-            window.write(View(self.state, self.seats[window.view.seat.token]))
+            window.write(self._view(window.view.seat.token))
         if not self.ready:
             self._say(self.said)
 

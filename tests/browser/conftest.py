@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 
 import pytest
-from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
+from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 from tests.browser.lab import Lab, opened, until
 
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome")
@@ -23,6 +23,8 @@ FLAGS = (
     "--enable-unsafe-swiftshader",
 )
 SIZES = {"desk": (1280, 800), "phone": (390, 844)}
+PATIENCE_MS = 300_000  # what is slow is not wrong
+expect.set_options(timeout=PATIENCE_MS)
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
 
 OpenPage = Callable[..., Page]
@@ -52,6 +54,7 @@ def window(
     view: ViewportSize = {"width": width, "height": height}
     touch = size == "phone"
     context = browser.new_context(viewport=view, has_touch=touch, is_mobile=touch, locale=locale)
+    context.set_default_timeout(PATIENCE_MS)
     try:
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))

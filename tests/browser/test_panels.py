@@ -189,7 +189,7 @@ def test_the_lesson_by_the_page_alone_and_after_a_reload(lab: Lab, page: Page) -
     press(page, "Next step")
     until(page, lambda: page.locator(".helicoide-lesson h3").inner_text().startswith("2."))
     page.reload()
-    page.locator(".helicoide-lesson h3").wait_for(timeout=60_000)
+    page.locator(".helicoide-lesson h3").wait_for()
     assert page.locator(".helicoide-lesson h3").inner_text().startswith("2.")
     assert page.locator(".helicoide-dots .done").count() == 1
     page.get_by_role("combobox").nth(1).click()

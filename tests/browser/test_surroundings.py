@@ -73,5 +73,5 @@ def test_the_instrument_is_kept_in_its_entry_point_by_a_method_of_the_source(lab
 
 def test_an_arm_without_an_instrument_has_no_entry_point(lab: Lab, page: Page) -> None:
     change(lab, page, "movemaster")
-    assert page.get_by_text("Entry point (remote centre of motion)").count() == 0
+    until(page, lambda: page.get_by_text("Entry point (remote centre of motion)").count() == 0)
     assert page.get_by_text("Obstacles", exact=True).count() == 1

@@ -53,7 +53,7 @@ class Camera:
 
 
 def on_hand(behind: float, above: float) -> Array:
-    """T_tool_camera (4, 4), m: looking along the tool, upright when it is level; so far behind it and above its axis."""
+    """T_tool_camera (4, 4), m: along the tool from so far behind its point and above its axis, picture upright."""
     T = np.eye(4)
     T[:3, :3] = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
     T[:3, 3] = -behind, 0.0, above
@@ -85,7 +85,7 @@ class SimulatedCamera:
         if not (1 <= width <= 1280 and 1 <= height <= 720 and 0 <= self.noise <= 0.1 and 0 <= self.outliers <= 1):
             raise HelicoideError(
                 Text(
-                    en="A camera has 1 × 1 to 1280 × 720 pixels, noise of 0 to 100 mm and a share of outliers of 0 to 1.",
+                    en="A camera has 1 × 1 to 1280 × 720 pixels, noise of 0 to 100 mm and a share of outliers 0 to 1.",
                     pt_BR="Uma câmera tem de 1 × 1 a 1280 × 720 pixels, ruído de 0 a 100 mm e fração de leituras "
                     "erradas de 0 a 1.",
                 )

@@ -13,7 +13,7 @@ from helicoide.perception.formats import MOST_BYTES, MOST_POINTS, Broken
 from helicoide.text import HelicoideError, Text
 
 # What the parsers below the formats raise when a file is not what it says.
-_OF_PARSERS = (ValueError, ArithmeticError, LookupError, RuntimeError, OSError, EOFError, MemoryError, SyntaxError)
+_OF_PARSERS = (ValueError, ArithmeticError, LookupError, RuntimeError, OSError, EOFError, MemoryError)
 _OF_ARCHIVES = (zlib.error, zipfile.BadZipFile, struct.error)
 
 

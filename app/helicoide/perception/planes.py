@@ -21,6 +21,8 @@ FEWEST, LEAST_SHARE = 50, 0.05
 DRAWS = 20_000
 # Draws are judged by so many points of the cloud; the best is then fitted to all that are near it.
 JUDGES = 8000
+# A draw is given up when so many more have judged it and it is already worse than the best.
+BLOCK = 500
 REFITS = 30
 # Points spread less along a plane than so many times across it lie on a line.
 NARROW = 3.0
@@ -106,9 +108,12 @@ def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distanc
         if nx * cone[0] + ny * cone[1] + nz * cone[2] < cone[3]:
             continue
         total = 0.0
-        for j in range(judges.shape[0]):
-            offset = nx * judges[j, 0] + ny * judges[j, 1] + nz * judges[j, 2] - d
-            total += min(offset * offset, square)
+        for start in range(0, judges.shape[0], BLOCK):
+            for j in range(start, min(start + BLOCK, judges.shape[0])):
+                offset = nx * judges[j, 0] + ny * judges[j, 1] + nz * judges[j, 2] - d
+                total += min(offset * offset, square)
+            if total >= best:
+                break
         if total < best:
             best = total
             found[0], found[1], found[2], found[3] = nx, ny, nz, d
@@ -150,21 +155,20 @@ def _least_squares(points: Array, inside: Array) -> _Fit:
 
 def _judged(points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float) -> Found | Text:
     """The plane with what there is to say of it, or why it is none."""
-    share = float(on_it.mean())
-    turned = float(np.arctan2(np.linalg.norm(np.cross(fit.normal, towards)), fit.normal @ towards))
-    if turned > angle:
-        return _none(angle)
-    if share < LEAST_SHARE or on_it.sum() < FEWEST:
-        return Text(
-            en="No plane: the best has {n} points near it, {share:.1%} of all; {least:.0%} and {fewest} are needed.",
-            pt_BR="Nenhum plano: o melhor tem {n} pontos perto, {share:.1%} do total; precisa de {least:.0%} e "
-            "{fewest}.",
-        ).format(n=int(on_it.sum()), share=share, least=LEAST_SHARE, fewest=FEWEST)
     if fit.along <= NARROW * fit.across or fit.along < 1e-9:
         return Text(
             en="No plane: the points lie along a line, and through a line there are many planes.",
             pt_BR="Nenhum plano: os pontos estão ao longo de uma reta, e por uma reta passam muitos planos.",
         )
+    turned = float(np.arctan2(np.linalg.norm(np.cross(fit.normal, towards)), fit.normal @ towards))
+    if turned > angle:
+        return _none(angle)
+    share = float(on_it.mean())
+    if share < LEAST_SHARE or on_it.sum() < FEWEST:
+        return Text(
+            en="No plane: the best has {n} of {k} points near it; {least:.0f} % and {fewest} are needed.",
+            pt_BR="Nenhum plano: o melhor tem {n} de {k} pontos perto; são necessários {least:.0f} % e {fewest}.",
+        ).format(n=int(on_it.sum()), k=len(points), least=100 * LEAST_SHARE, fewest=FEWEST)
     on_it.flags.writeable = False
     plane = Plane(frozen(fit.normal), fit.offset)
     return Found(plane, on_it, share, fit.across, turned, frozen(fit.centre))
@@ -172,6 +176,6 @@ def _judged(points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, 
 
 def _none(angle: float) -> Text:
     return Text(
-        en="No plane: no three points drawn span one within {angle:.0f}° of the direction asked for.",
-        pt_BR="Nenhum plano: três pontos sorteados não formam nenhum a menos de {angle:.0f}° da direção pedida.",
+        en="No plane: none through the points is within {angle:.0f}° of the direction asked for.",
+        pt_BR="Nenhum plano: nenhum que passe pelos pontos está a menos de {angle:.0f}° da direção pedida.",
     ).format(angle=np.degrees(angle))

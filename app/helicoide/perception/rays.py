@@ -39,7 +39,7 @@ Span = tuple[Array, Array]
 def _in_ball(eye: Array, rays: Array, centre: Array, radius: float) -> Span:
     """Where a line is within a radius of a point: ‖e + t v − c‖ ≤ r."""
     start = eye - centre
-    return _between_roots(np.einsum("ka,ka->k", rays, rays), rays @ start, start @ start - radius**2)
+    return _between_roots(np.einsum("ka,ka->k", rays, rays), rays @ start, float(start @ start) - radius**2)
 
 
 def _in_side(eye: Array, rays: Array, ends: Array, radius: float) -> Span:
@@ -51,7 +51,9 @@ def _in_side(eye: Array, rays: Array, ends: Array, radius: float) -> Span:
     start, height = eye - ends[0], rays @ axis
     begun = start @ axis
     offset, across = start - begun * axis, rays - height[:, None] * axis
-    enters, leaves = _between_roots(np.einsum("ka,ka->k", across, across), across @ offset, offset @ offset - radius**2)
+    enters, leaves = _between_roots(
+        np.einsum("ka,ka->k", across, across), across @ offset, float(offset @ offset) - radius**2
+    )
     with np.errstate(divide="ignore", invalid="ignore"):
         faces = np.sort([-begun / height, (length - begun) / height], axis=0)
     level = height == 0.0

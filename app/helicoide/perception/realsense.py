@@ -33,11 +33,13 @@ class RealSense:
         Raises HelicoideError when no picture comes, as from a camera that was pulled out.
         """
         T = state.T_world_tool @ self._camera.T_tool_camera
-        points = self.points_in_view()
-        points[np.isnan(self._camera.in_reach(points[:, 2]))] = np.nan
-        return cloud_of(T[:3, 3] + points @ T[:3, :3].T)
+        self.points_in_view()  # this picture may have waited since before the arm came to rest
+        seen = self.points_in_view()
+        points = T[:3, 3] + seen @ T[:3, :3].T
+        points[np.isnan(self._camera.in_reach(seen[:, 2]))] = np.nan
+        return cloud_of(points)
 
-    def _points(self) -> Array:
+    def points_in_view(self) -> Array:
         """The points of the next picture, camera frame, (k, 3), m; zero where there is no depth."""
         try:
             depths = self._pipeline.wait_for_frames(PATIENCE_MS).get_depth_frame()
@@ -49,7 +51,7 @@ class RealSense:
                     pt_BR="A câmera RealSense não envia imagem: {error}. Verifique o cabo e conecte-a de novo.",
                 ).format(error=error)
             ) from error
-        return np.asanyarray(vertices).view(np.float32).reshape(-1, 3).astype(np.float64)
+        return np.asarray(np.asanyarray(vertices).view(np.float32).reshape(-1, 3), dtype=np.float64)
 
 
 @contextmanager

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import io
+import warnings
+from tokenize import TokenError
+from typing import Any
 
 import numpy as np
 from numpy.lib import format as npy_format
@@ -18,9 +21,7 @@ ENDINGS = (".npy",)
 def coordinates(data: bytes) -> Array:
     """Rows x, y, z (k, 3)."""
     file = io.BytesIO(data)
-    version = npy_format.read_magic(file)
-    read_header = npy_format.read_array_header_1_0 if version == (1, 0) else npy_format.read_array_header_2_0
-    shape, by_columns, kind = read_header(file)
+    shape, by_columns, kind = _header(file)
     if len(shape) < 2 or shape[-1] != 3 or kind.kind not in "fiu":
         raise Broken(
             Text(
@@ -38,3 +39,17 @@ def coordinates(data: bytes) -> Array:
         )
     numbers = np.frombuffer(rest, kind, 3 * points)
     return numbers.reshape(shape, order="F" if by_columns else "C").reshape(-1, 3).astype(np.float64)
+
+
+def _header(file: io.BytesIO) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+    """Shape of the array, whether it lies column by column, and the type of its numbers."""
+    try:
+        with warnings.catch_warnings():  # of headers by Python 2
+            warnings.simplefilter("ignore", UserWarning)
+            version = npy_format.read_magic(file)
+            read = npy_format.read_array_header_1_0 if version == (1, 0) else npy_format.read_array_header_2_0
+            return read(file)
+    except (ValueError, TypeError, SyntaxError, TokenError, RecursionError, MemoryError) as error:
+        raise Broken(
+            Text(en="its header breaks off or is none of NPY", pt_BR="o cabeçalho está incompleto ou não é de NPY")
+        ) from error

@@ -30,6 +30,8 @@ def coordinates(data: bytes) -> Array:
     if b"\0" in data:
         raise Broken(Text(en="it is no text", pt_BR="não é texto"))
     text = data.decode("utf-8-sig")
+    if (lines := text.count("\n")) > MOST_POINTS:
+        raise Broken(Text(en="it has {n} lines", pt_BR="tem {n} linhas").format(n=lines))
     first = _LINE.search(text)
     if first and _NAMES.fullmatch(_NOT_A_NUMBER.sub("", first[0])):
         text = text[first.end() :]
@@ -39,7 +41,6 @@ def coordinates(data: bytes) -> Array:
         rows = np.loadtxt(
             io.StringIO(_blanks(text, first[0] if first else "")),
             usecols=(0, 1, 2),
-            max_rows=MOST_POINTS + 1,
             ndmin=2,
             comments=_COMMENTS,
         )

@@ -72,8 +72,9 @@ def find(
         ).format(k=len(points), fewest=FEWEST)
     point, n0 = np.asarray(inside, dtype=np.float64), np.asarray(towards, dtype=np.float64)
     n0 = n0 / np.linalg.norm(n0)
+    points = np.array(points, dtype=np.float64, order="C")  # kernels compile once, for arrays that can be written
     rng = np.random.default_rng(seed)
-    triples = np.ascontiguousarray(points)[rng.integers(len(points), size=(DRAWS, 3))]
+    triples = points[rng.integers(len(points), size=(DRAWS, 3))]
     judges = points[rng.permutation(len(points))[:JUDGES]]
     drawn = best_draw(triples, judges, np.append(n0, np.cos(angle)), point, distance)
     if not drawn.any():
@@ -133,21 +134,46 @@ class _Fit:
 
 def _fitted(points: Array, drawn: Array, inside: Array, distance: float) -> tuple[_Fit, NDArray[np.bool_]]:
     """Least squares of the points near a plane, and again of those near the result, until these stay the same."""
-    on_it = np.abs(points @ drawn[:3] - drawn[3]) <= distance
+    origin = drawn[3] * drawn[:3]
+    sums, plane = np.zeros(10), drawn
     for _ in range(REFITS):
-        fit = _least_squares(points[on_it], inside)
-        near = np.abs(points @ fit.normal - fit.offset) <= distance
-        if (near == on_it).all():
+        before, sums = sums, near_sums(points, plane, origin, distance)
+        if (sums == before).all():
             break
-        on_it = near
-    return fit, on_it
+        fit = _least_squares(sums, origin, inside)
+        plane = np.append(fit.normal, fit.offset)
+    return fit, np.abs(points @ fit.normal - fit.offset) <= distance
 
 
-def _least_squares(points: Array, inside: Array) -> _Fit:
-    """The plane through the centre of points (k, 3) across which they vary least: the least eigenvector of Σ r rᵀ."""
-    centre = points.mean(axis=0)
-    offsets = points - centre
-    values, vectors = np.linalg.eigh(offsets.T @ offsets / len(points))
+@kernel
+def near_sums(points: Array, plane: Array, origin: Array, distance: float) -> Array:
+    """Of the points with |l| ≤ t: how many, Σ r, and Σ of xx, xy, xz, yy, yz, zz, with r from an origin; (10,).
+
+    Args: points (k, 3), m; plane (n_x, n_y, n_z, d); origin (3,), m, near them, which keeps their digits; distance:
+    t, m.
+    """
+    sums = np.zeros(10)
+    a, b, c, d = plane[0], plane[1], plane[2], plane[3]
+    for j in range(points.shape[0]):
+        px, py, pz = points[j, 0], points[j, 1], points[j, 2]
+        if abs(a * px + b * py + c * pz - d) <= distance:
+            x, y, z = px - origin[0], py - origin[1], pz - origin[2]
+            sums[0] += 1.0
+            sums[1], sums[2], sums[3] = sums[1] + x, sums[2] + y, sums[3] + z
+            sums[4], sums[5], sums[6] = sums[4] + x * x, sums[5] + x * y, sums[6] + x * z
+            sums[7], sums[8], sums[9] = sums[7] + y * y, sums[8] + y * z, sums[9] + z * z
+    return sums
+
+
+def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
+    """The plane through the centre of points across which they vary least: the least eigenvector of Σ r rᵀ.
+
+    Args: sums (10,) of `near_sums` from that origin; inside (3,), m: where the normal points.
+    """
+    mean = sums[1:4] / sums[0]
+    products = sums[[4, 5, 6, 5, 7, 8, 6, 8, 9]].reshape(3, 3) / sums[0]
+    values, vectors = np.linalg.eigh(products - np.outer(mean, mean))
+    centre = origin + mean
     normal = vectors[:, 0] if vectors[:, 0] @ (inside - centre) >= 0 else -vectors[:, 0]
     across, along = np.sqrt(np.maximum(values[:2], 0.0))
     return _Fit(normal, float(normal @ centre), centre, float(across), float(along))

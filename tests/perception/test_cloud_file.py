@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.perception.cloud_bytes import WRITERS, by_trimesh, npy, npz, pcd, ply, xyz
+from tests.perception.cloud_bytes import WRITERS, by_trimesh, npy, npz, packed, pcd, ply, xyz
 
 from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array
@@ -309,6 +309,17 @@ def test_pictures_of_depth_cameras_and_other_numbers_are_read() -> None:
     alone = io.BytesIO()
     np.savez(alone, SOME.astype("f4"))
     np.testing.assert_array_equal(cloud_file.read("c.npz", alone.getvalue()).points, SOME.astype("f4"))
+
+
+@pytest.mark.parametrize("kind", ["ascii", "binary", "binary_compressed"])
+def test_of_a_field_of_several_numbers_the_first_is_taken(kind: str) -> None:
+    head = f"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 2 1 1\nPOINTS 2\nDATA {kind}\n".encode()
+    rows = np.array([[1, 9, 2, 3], [4, 9, 5, 6]], dtype="<f4")
+    fields = packed(np.array([1, 9, 4, 9, 2, 5, 3, 6], dtype="<f4").tobytes())
+    lengths = np.array([len(fields), 32], dtype="<u4").tobytes()
+    text = b"1 9 2 3\n4 9 5 6\n"
+    data = {"ascii": text, "binary": rows.tobytes(), "binary_compressed": lengths + fields}[kind]
+    np.testing.assert_array_equal(cloud_file.read("c.pcd", head + data).points, [[1, 2, 3], [4, 5, 6]])
 
 
 def test_every_format_has_a_title_and_endings_of_its_own() -> None:

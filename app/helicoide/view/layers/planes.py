@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import viser
 
-from helicoide.confinement import Zone
+from helicoide.confinement import Zone, pane_axes
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.readout import zones
@@ -21,11 +21,8 @@ NORMAL_LENGTH = 0.07
 
 
 def pane_wxyz(normal: Array) -> Array:
-    """The pose of a pane: z along the inward normal, x level where it can be."""
-    z = normal / np.linalg.norm(normal)
-    x = np.cross([0.0, 0.0, 1.0] if abs(z[2]) < 0.9 else [0.0, 1.0, 0.0], z)
-    x /= np.linalg.norm(x)
-    return rotation.from_matrix(np.column_stack([x, np.cross(z, x), z]))
+    """The orientation of a pane on a plane."""
+    return rotation.from_matrix(pane_axes(normal))
 
 
 def border(size: tuple[float, float]) -> Array:

@@ -17,6 +17,7 @@ from helicoide.ik.task import EVERY, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, State, ToJoints, ToPose
+from helicoide.trajectory.path import placed
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
@@ -69,7 +70,7 @@ def _beside(state: State, moved: State, dt: float) -> Beside:
         case ToPose(T):
             other = _to_pose(other, T, _STILL, dt)
         case Along(path, s, playing, arrived):
-            ahead = frozen(path.velocity(s)) if playing and arrived else _STILL
+            ahead = frozen(path.twist(s)[:3]) if playing and arrived else _STILL
             other = _to_pose(other, frozen(path.pose(s)), ahead, dt)
         case Hold():
             other = _still(other)
@@ -139,10 +140,13 @@ def _resting(state: State) -> bool:
 
 
 def _along(state: State, command: Along, dt: float) -> State:
-    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer."""
+    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer.
+
+    At the end of a path that is open it rests.
+    """
     target = frozen(command.path.pose(command.s))
     running = command.playing and command.arrived
-    ahead = frozen(command.path.velocity(command.s)) if running else _STILL
+    ahead = frozen(command.path.twist(command.s)[:3]) if running else _STILL
     if not running and _resting(state):
         state = _searched(state, target)
     state = _to_pose(state, target, ahead, dt)
@@ -150,8 +154,9 @@ def _along(state: State, command: Along, dt: float) -> State:
         return state
     near = np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]) < ARRIVED_PATH
     arrived = command.arrived or bool(near) or (state.searched and not state.moving)
-    s = (command.s + dt) % command.path.period if arrived else command.s
-    return replace(state, command=replace(command, s=s, arrived=arrived), path_s=s)
+    s = placed(command.path, command.s + dt) if arrived else command.s
+    playing = command.path.is_closed or s < command.path.duration
+    return replace(state, command=replace(command, s=s, playing=playing, arrived=arrived), path_s=s)
 
 
 def _to_ready(state: State, dt: float) -> State:

@@ -19,7 +19,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Language, Text
-from helicoide.trajectory import EQ_33, Ellipse
+from helicoide.trajectory import EQ_33, Path
 
 
 @dataclass(frozen=True)
@@ -46,9 +46,9 @@ class ToJoints:
 
 @dataclass(frozen=True)
 class Along:
-    """Follow a path from its parameter s; the parameter waits until the arm has come to the path."""
+    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path."""
 
-    path: Ellipse
+    path: Path
     s: float
     playing: bool
     arrived: bool = False

@@ -1,4 +1,4 @@
-"""Paths and their speed."""
+"""The family of eq. 31 and its members, number by number."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from helicoide.trajectory import EQ_33, Ellipse
+from helicoide.trajectory.cerbaro import EQ_33, Ellipse
 
 lengths = st.tuples(*[st.floats(-0.6, 0.6)] * 3)
 angles = st.floats(-np.pi, np.pi)

@@ -19,6 +19,8 @@ from helicoide.trajectory.timing import Constant, Law, MinimumJerk, TimedJoints,
 Shape = Literal["trapezoid", "minimum jerk", "constant speed"]
 # The limits are kept with this share of the time to spare.
 MARGIN = 1e-3
+# What takes less time than this, s, is no motion.
+AT_REST = 1e-9
 # Ramps of a trapezoid take this share of its time or more, also where nothing limits the acceleration.
 SHORTEST_RAMP = 0.01
 # How many instants a path is looked at, at least, and between two of its knots; shares tried for a ramp at once.
@@ -50,7 +52,7 @@ def fastest(path: SmoothJointPath, shape: Shape, speed: Array, acceleration: Arr
     """
     law = _law(path, shape, speed, acceleration)
     needed = overload(TimedJoints(path, law, 1.0), speed, acceleration)
-    if not needed > 0:
+    if not needed > AT_REST:
         raise HelicoideError(
             Text(
                 en="No joint moves on this path, so it has no fastest time.",

@@ -17,7 +17,7 @@ from helicoide.trajectory.path import JointPath, lasting
 
 @dataclass(frozen=True, eq=False)
 class JointMove:
-    """All joints evenly from one posture to another: q = (1 − σ) q₀ + σ q₁, σ = s / T.
+    """All joints evenly from one posture to another: q = q₀ + σ (q₁ − q₀), σ = s / T.
 
     Args: start, end (n,), rad or m; duration T, s.
     """
@@ -41,8 +41,9 @@ class JointMove:
 
     def q(self, s: ArrayLike) -> Array:
         """Joint values (..., n), rad or m, at any array of parameters (...)."""
-        share = np.asarray(s, dtype=float)[..., None] / self.duration
-        return np.asarray((1 - share) * self.start + share * self.end)
+        share, way = np.asarray(s, dtype=float)[..., None] / self.duration, self.end - self.start
+        # from the nearer end: so both are met exactly, and an arm that stays does not tremble
+        return np.where(share < 0.5, self.start + share * way, self.end - (1 - share) * way)
 
     def rates(self, s: ArrayLike) -> Array:
         """dq/ds (..., n), rad/s or m/s: the same all the way."""

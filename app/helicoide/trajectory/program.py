@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.trajectory.chained import JointChain, joint_chain
+from helicoide.trajectory.chained import MEETS, JointChain, joint_chain
 from helicoide.trajectory.fastest import Shape, fastest
 from helicoide.trajectory.joints import JointMove, tool_at
 from helicoide.trajectory.path import JointPath, Path, SmoothJointPath
@@ -50,7 +50,7 @@ def legs(taught: Taught, q: Array, follow: Follow, shape: Shape, acceleration: A
 
 
 def _leg(robot: Robot, q: Array, to: Waypoint, follow: Follow, shape: Shape, acceleration: Array) -> Leg:
-    if np.array_equal(q, to.q):
+    if np.abs(q - to.q).max() <= MEETS:
         return Leg(to, None, None)
     tool, joints = _ways(robot, q, to, follow)
     if joints is None:

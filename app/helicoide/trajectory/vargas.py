@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import cos, pi, sin
 from types import MappingProxyType
 
@@ -56,7 +56,7 @@ class Trajectory:
     z: Along
     unit: float
     duration: float
-    R_world_target: Array = UPRIGHT
+    R_world_target: Array = field(default_factory=lambda: UPRIGHT)
 
     def __post_init__(self) -> None:
         lasting(self.duration)

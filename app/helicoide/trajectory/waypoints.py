@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import isfinite
 from types import MappingProxyType
-from typing import Literal, get_args
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -70,7 +70,7 @@ def _listed(names: tuple[str, ...]) -> Text:
 
 def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: float = 0.0) -> Waypoint:
     """A waypoint of an arm; raises HelicoideError for a name, posture, way or time that cannot be one."""
-    if way not in get_args(Way):
+    if way not in WAYS:
         raise HelicoideError(
             Text(
                 en="Waypoint {name!r} cannot be reached by {way!r}; the ways are: {ways}.",
@@ -85,7 +85,7 @@ def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: 
             ).format(name=name, most=LONGEST_DWELL, dwell=dwell)
         )
     named = _named(name)
-    return Waypoint(named, _within(robot, named, robot.check_joints(q)), way, float(dwell))
+    return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(Way, way), float(dwell))
 
 
 def _named(name: str) -> str:

@@ -17,6 +17,7 @@ from helicoide.ik.task import EVERY, GAIN, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, Replay, State, ToJoints, ToPose
+from helicoide.trajectory.path import placed
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
@@ -71,7 +72,7 @@ def _beside(state: State, moved: State, dt: float) -> Beside:
         case ToPose(T):
             other = _to_pose(other, T, _STILL, dt)
         case Along(path, s, playing, arrived):
-            ahead = frozen(path.velocity(s)) if playing and arrived else _STILL
+            ahead = frozen(path.twist(s)[:3]) if playing and arrived else _STILL
             other = _to_pose(other, frozen(path.pose(s)), ahead, dt)
         case Hold():
             other = _still(other)
@@ -141,10 +142,13 @@ def _resting(state: State) -> bool:
 
 
 def _along(state: State, command: Along, dt: float) -> State:
-    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer."""
+    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer.
+
+    At the end of a path that is open it rests.
+    """
     target = frozen(command.path.pose(command.s))
     running = command.playing and command.arrived
-    ahead = frozen(command.path.velocity(command.s)) if running else _STILL
+    ahead = frozen(command.path.twist(command.s)[:3]) if running else _STILL
     if not running and _resting(state):
         state = _searched(state, target)
     state = _to_pose(state, target, ahead, dt)
@@ -152,22 +156,24 @@ def _along(state: State, command: Along, dt: float) -> State:
         return state
     near = np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]) < ARRIVED_PATH
     arrived = command.arrived or bool(near) or (state.searched and not state.moving)
-    s = (command.s + dt) % command.path.period if arrived else command.s
-    return replace(state, command=replace(command, s=s, arrived=arrived), path_s=s)
+    s = placed(command.path, command.s + dt) if arrived else command.s
+    playing = command.path.is_closed or s < command.path.duration
+    return replace(state, command=replace(command, s=s, playing=playing, arrived=arrived), path_s=s)
 
 
 def _replayed(state: State, command: Replay, dt: float) -> State:
     """Joint values over time, after the way to where they begin; what holds them back does not stop the time."""
-    here = command.at(command.s)
+    path = command.path
+    here = path.q(command.s)
     if not command.arrived:
         state = _stepped(state, joint_task(state.q.copy(), here, EVERY, dt), dt)
         near = np.max(np.abs(here - state.q)) < ARRIVED_JOINTS
         arrived = bool(near) or (state.rested > RESTS and not state.moving)
         return replace(state, command=replace(command, arrived=arrived))
-    s = command.s + dt
-    wished = command.at(s) - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)
+    s = min(command.s + dt, path.duration)
+    wished = path.q(s) - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)
     state = _stepped(state, drives.displacement(wished), dt)
-    return replace(state, command=replace(command, s=s) if s < command.times[-1] else Hold())
+    return replace(state, command=replace(command, s=s) if command.s < path.duration else Hold())
 
 
 def _to_ready(state: State, dt: float) -> State:

@@ -19,7 +19,8 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Language, Text
-from helicoide.trajectory import EQ_33, Ellipse
+from helicoide.trajectory import EQ_33, Path
+from helicoide.trajectory.path import JointPath
 
 
 @dataclass(frozen=True)
@@ -46,9 +47,9 @@ class ToJoints:
 
 @dataclass(frozen=True)
 class Along:
-    """Follow a path from its parameter s; the parameter waits until the arm has come to the path."""
+    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path."""
 
-    path: Ellipse
+    path: Path
     s: float
     playing: bool
     arrived: bool = False
@@ -56,16 +57,12 @@ class Along:
 
 @dataclass(frozen=True, eq=False)
 class Replay:
-    """Go through joint values (k, n), rad or m, at their times (k,), s, from s on, after coming to where they begin."""
+    """Go along a path of the joints from s on, after coming to where it begins; called what it is said to be."""
 
-    times: Array
-    q: Array
+    path: JointPath
+    title: Text
     s: float = 0.0
     arrived: bool = False
-
-    def at(self, s: float) -> Array:
-        """The joint values at a time, (n,)."""
-        return np.array([np.interp(s, self.times, column) for column in self.q.T])
 
 
 @dataclass(frozen=True)

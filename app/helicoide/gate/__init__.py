@@ -33,7 +33,7 @@ from helicoide.gate.obstacles import (
 )
 from helicoide.gate.path import pause, play, scrub
 from helicoide.gate.planes import drag_plane, restore_planes
-from helicoide.gate.replaying import replay
+from helicoide.gate.replaying import replay, replay_motion
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, hold_orientation, let_go, set_target
 
@@ -70,6 +70,7 @@ __all__ = [
     "pose",
     "remove_obstacle",
     "replay",
+    "replay_motion",
     "restore_planes",
     "scrub",
     "set_entry",

@@ -1,4 +1,4 @@
-"""A recorded motion, played again on the arm."""
+"""A path of the joints that is played on the arm: one that was taught, or what an arm did in a study."""
 
 from __future__ import annotations
 
@@ -9,12 +9,24 @@ from helicoide.gate.check import driven, finite
 from helicoide.kinematics.chain import frozen
 from helicoide.state import Replay, State, Update, commanded
 from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.path import JointPath
+from helicoide.trajectory.spline import Spline
 
-MOST = 200_000
+MOST, KNOTS = 500_000, 1500
 
 
-def replay(times: ArrayLike, q: ArrayLike) -> Update:
-    """Joint values (k, n), rad or m, at times (k,) that grow, s; the guard keeps every limit on the way."""
+def replay(path: JointPath, title: Text) -> Update:
+    """A path of this arm's joints; the guard keeps every limit on the way."""
+
+    def wish(state: State) -> State:
+        finite(path.q(0.0), state.q.shape)
+        return commanded(state, Replay(path, title))
+
+    return driven(wish)
+
+
+def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
+    """Joint values (k, n), rad or m, at times (k,) that rise, s, by a spline through at most `KNOTS` of them."""
 
     def wish(state: State) -> State:
         n, count = len(state.q), len(np.atleast_1d(times))
@@ -25,11 +37,8 @@ def replay(times: ArrayLike, q: ArrayLike) -> Update:
                     pt_BR="Um movimento tem de 2 a {most} instantes, não {count}.",
                 ).format(most=MOST, count=count)
             )
-        at, values = finite(times, (count,)), finite(q, (count, n))
-        if not (np.diff(at) > 0).all():
-            raise HelicoideError(
-                Text(en="The times of a motion must grow.", pt_BR="Os tempos de um movimento devem crescer.")
-            )
-        return commanded(state, Replay(frozen(at - at[0]), values))
+        kept = np.unique(np.linspace(0, count - 1, min(count, KNOTS)).round().astype(int))
+        at, values = finite(times, (count,))[kept], finite(q, (count, n))[kept]
+        return commanded(state, Replay(Spline(frozen(at - at[0]), frozen(values)), title))
 
     return driven(wish)

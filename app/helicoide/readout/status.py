@@ -77,10 +77,10 @@ def status(state: State) -> Status:
 def _replaying(state: State, command: Replay) -> Text:
     """How far a replay is, and what holds it back."""
     if not command.arrived:
-        return Text(en="Going to where the run begins.", pt_BR="Indo para onde a execução começa.")
+        return Text(en="Going to where it begins.", pt_BR="Indo para onde começa.")
     held = holding(state)
-    where = Text(en="Playing: {s:.1f} of {end:.1f} s", pt_BR="Reproduzindo: {s:.1f} de {end:.1f} s").format(
-        s=command.s, end=command.times[-1]
+    where = Text(en="{title}: {s:.1f} of {end:.1f} s", pt_BR="{title}: {s:.1f} de {end:.1f} s").format(
+        title=command.title, s=command.s, end=command.path.duration
     )
     if not held:
         return Text(en="{where}.", pt_BR="{where}.").format(where=where)

@@ -38,6 +38,7 @@ COMPILING = Text(
     en="Preparing the kernels: {done} of {total}. This happens once.",
     pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
 )
+PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
 FAILED = Text(
     en="Something went wrong inside; see the terminal.",
     pt_BR="Algo deu errado por dentro; veja o terminal.",
@@ -183,7 +184,7 @@ class Session:
 
     def play(self, motion: Motion) -> None:
         """Play what an arm did, on that arm. Only on the event loop."""
-        wish, (name, lengths) = gate.replay(motion.times, motion.q), (motion.robot, motion.parameters)
+        wish, (name, lengths) = gate.replay_motion(motion.times, motion.q, PLAYED), (motion.robot, motion.parameters)
         if self.robot.name == name and not lengths:
             self.post(wish)
         else:

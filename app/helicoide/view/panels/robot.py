@@ -173,7 +173,7 @@ def _path() -> list[Row]:
         Slider(
             label=Text(en="time [s]", pt_BR="tempo [s]"),
             lower=0.0,
-            upper=PATH.period,
+            upper=PATH.duration,
             step=0.1,
             value=lambda view: view.state.path_s,
             wish=lambda s: ForArm(gate.scrub(s)),

@@ -190,5 +190,5 @@ def test_clouds_without_a_plane_are_answered_in_words(case: str) -> None:
 )
 def test_a_search_for_nothing_is_refused_in_words(wrong: dict[str, Any]) -> None:
     asked: dict[str, Any] = {"towards": DOWN, "inside": [0, 0, 0], **wrong}
-    with pytest.raises(HelicoideError, match="direction that is not zero, .* up to 100 mm"):
+    with pytest.raises(HelicoideError, match=r"direction that is not zero, .* up to 100 mm"):
         find(wall(np.random.default_rng(0), 100, 0.0), **asked)

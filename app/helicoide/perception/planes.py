@@ -93,8 +93,8 @@ def _check(towards: Array, inside: Array, distance: float, angle: float) -> None
             Text(
                 en="A plane is looked for along a direction that is not zero, from a point inside, among points up to "
                 "{most:.0f} mm from it and tilted by up to 90°, both more than 0.",
-                pt_BR="Procura-se um plano numa direção diferente de zero, a partir de um ponto de dentro, entre pontos "
-                "a até {most:.0f} mm dele e com inclinação de até 90°, ambos maiores que 0.",
+                pt_BR="Procura-se um plano numa direção diferente de zero, a partir de um ponto de dentro, entre "
+                "pontos a até {most:.0f} mm dele e com inclinação de até 90°, ambos maiores que 0.",
             ).format(most=1000 * MOST_DISTANCE)
         )
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Pane
+from helicoide.text import Text, same
 
 # A plane whose inward normal points down at least so steeply is a ceiling.
 DOWN = -np.sqrt(0.5)
@@ -33,12 +34,34 @@ class Plane:
         return np.asarray(point - (self.normal @ point - self.offset) * self.normal)
 
 
+PANE = (0.6, 0.6)
+
+
+def pane_on(plane: Plane, name: str, title: Text, centre: Array, size: tuple[float, float] = PANE) -> Pane:
+    """A pane that may be moved, on a plane at the foot of a point (3,), m; size, m."""
+    return Pane(name, title, plane.normal, plane.offset, frozen(plane.foot(centre)), size, movable=True)
+
+
 @dataclass(frozen=True, eq=False)
 class Planes:
-    """k planes: unit inward normals (k, 3) and a point of each, the centre of its pane, (k, 3) m, world frame."""
+    """k planes: unit inward normals (k, 3) and a point of each, the centre of its pane, (k, 3) m, world frame.
+
+    panes: what each is called and how it is shown; numbers for names where nothing is said. Their own normals and
+    centres are those that the planes began with.
+    """
 
     normals: Array
     centres: Array
+    panes: tuple[Pane, ...] = ()
+
+    def __post_init__(self) -> None:
+        if len(self.panes) != len(self.normals):
+            known = zip(self.normals, self.centres, strict=True)
+            panes = (
+                pane_on(Plane(normal, float(normal @ centre)), str(k), same(str(k)), centre)
+                for k, (normal, centre) in enumerate(known, 1)
+            )
+            object.__setattr__(self, "panes", tuple(panes))
 
     @property
     def offsets(self) -> Array:
@@ -51,12 +74,27 @@ class Planes:
         normals[index], centres[index] = normal / np.linalg.norm(normal), centre
         return replace(self, normals=frozen(normals), centres=frozen(centres))
 
+    def with_pane(self, pane: Pane) -> Planes:
+        """The same planes and one more; one of the same name is replaced."""
+        rest = self.without(self.names.index(pane.name)) if pane.name in self.names else self
+        return Planes(frozen([*rest.normals, pane.normal]), frozen([*rest.centres, pane.centre]), (*rest.panes, pane))
+
+    def without(self, index: int) -> Planes:
+        """The same planes but one."""
+        normals, centres = np.delete(self.normals, index, axis=0), np.delete(self.centres, index, axis=0)
+        return Planes(frozen(normals), frozen(centres), (*self.panes[:index], *self.panes[index + 1 :]))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What the planes are called."""
+        return tuple(pane.name for pane in self.panes)
+
 
 def planes_of(panes: tuple[Pane, ...]) -> Planes:
     """The planes that a robot's file gives; pane centres are dropped onto their planes exactly."""
     normals = np.array([pane.normal for pane in panes]).reshape(-1, 3)
     centres = np.array([pane.centre - (pane.normal @ pane.centre - pane.offset) * pane.normal for pane in panes])
-    return Planes(frozen(normals), frozen(centres.reshape(-1, 3)))
+    return Planes(frozen(normals), frozen(centres.reshape(-1, 3)), panes)
 
 
 def standing(planes: Sequence[Plane], inside: Array) -> Planes:

@@ -113,7 +113,7 @@ def depths_of(state: State, eye: Array, rays: Array) -> Array:
     Args: eye (3,), m, world; rays (k, 3), world.
     """
     planes, obstacles = state.problem.planes, state.problem.obstacles
-    panes = zip(planes.normals, planes.centres, state.robot.panes, strict=True)
+    panes = zip(planes.normals, planes.centres, planes.panes, strict=True)
     nearest = np.full(len(rays), np.inf)
     for normal, centre, pane in panes:
         nearest = np.minimum(nearest, to_pane(eye, rays, centre, pane_axes(normal), pane.size))

@@ -175,7 +175,7 @@ def _held_back(state: State, goal: Goal) -> Text:
     short = f"{1000 * goal.short:.0f}"
     match reason:
         case Contact(plane, point):
-            pane, guarded = state.robot.panes[plane], state.robot.guarded[point]
+            pane, guarded = state.problem.planes.panes[plane], state.robot.guarded[point]
             return Text(
                 en="Blocked by plane {name} ({pane}): {point} at {mm:.0f} mm; {short} mm short.",
                 pt_BR="Bloqueado pelo plano {name} ({pane}): {point} a {mm:.0f} mm; faltam {short} mm.",
@@ -241,7 +241,7 @@ def _named(state: State, reason: Reason) -> Text:
     match reason:
         case Contact(plane, point):
             return Text(en="plane {a}: {b}", pt_BR="plano {a}: {b}").format(
-                a=state.robot.panes[plane].name, b=state.robot.guarded[point].title
+                a=state.problem.planes.panes[plane].name, b=state.robot.guarded[point].title
             )
         case SelfContact(first, second):
             return Text(en="{a} and {b}", pt_BR="{a} e {b}").format(a=bodies[first], b=bodies[second])

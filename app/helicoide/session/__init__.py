@@ -18,13 +18,15 @@ from helicoide.jobs.apart import Apart
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.session.preparing import TICK, compiled, exercise, rehearse
+from helicoide.session.replaying import through
 from helicoide.session.studies import Studies
+from helicoide.session.surveying import Surveying
 from helicoide.state import Seat, State, Update, initial
 from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
-from helicoide.view.rows import View
+from helicoide.view.rows import Play, PlayTaught, ReadCloud, Tour, View, Wish
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, remember, remembered, seated
@@ -57,6 +59,7 @@ class Session:
         self.windows: dict[int, Window] = {}
         self.control = Control(lambda: self.post(gate.stop()), self._released)
         self.studies = Studies(lambda: self.loop.call_soon(self._write))
+        self.survey = Surveying(lambda: self.state, self.post)
         self.inbox: deque[Update] = deque()
         self.frames = 0
         self.ticks = 0
@@ -142,7 +145,7 @@ class Session:
         return token
 
     def _furnish(self, client: Client, view: View) -> None:
-        wishes = (self.post, self._reseat, self.change, self.studies.redesk, self.play)
+        wishes = (self.post, self._reseat, self.change, self.studies.redesk, self.ask)
         window = Window(client, self.robot, self.shapes, view, self.control, *wishes)
         self.windows[client.client_id] = window
         window.draw(view)
@@ -181,6 +184,23 @@ class Session:
             else:
                 self.post(chosen.steps[seat.step].setup)
         self.loop.call_soon(self._write)
+
+    def ask(self, wish: Wish) -> None:
+        """What needs more than the loop: motions to play, clouds to read. Only on the event loop."""
+        match wish:
+            case Play(motion):
+                self.play(motion)
+            case Tour():
+                self.survey.tour()
+            case ReadCloud(name, content, plane):
+                self.survey.read(name, content, plane)
+            case PlayTaught():
+                self._replaying = self.loop.create_task(self._play_taught())
+
+    async def _play_taught(self) -> None:
+        """Work out the way through the waypoints in a thread, then go it."""
+        state = self.state
+        self.post(await asyncio.to_thread(through, state.taught, state.q))
 
     def play(self, motion: Motion) -> None:
         """Play what an arm did, on that arm. Only on the event loop."""

@@ -57,7 +57,34 @@ class Play:
     motion: Motion
 
 
-Wish = ForArm | ForSeat | ForLab | ForDesk | Play
+@dataclass(frozen=True)
+class Tour:
+    """A wish that the arm reads every plane that it can with its camera."""
+
+
+@dataclass(frozen=True, eq=False)
+class ReadCloud:
+    """A wish to look for a plane in the cloud of a file; plane: its name."""
+
+    name: str
+    content: bytes
+    plane: str
+
+
+@dataclass(frozen=True)
+class PlayTaught:
+    """A wish to go through the waypoints that were taught."""
+
+
+@dataclass(frozen=True, eq=False)
+class Save:
+    """A wish to have a file."""
+
+    name: str
+    content: bytes
+
+
+Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | PlayTaught | Save
 Act = Callable[[Wish], None]
 
 
@@ -127,6 +154,24 @@ class Triple:
 
 
 @dataclass(frozen=True)
+class Entry:
+    """A line to type in, and a button that hands on what stands there."""
+
+    label: Text
+    shown: Callable[[View], str]
+    button: Text
+    wish: Callable[[str], Wish]
+
+
+@dataclass(frozen=True)
+class Upload:
+    """A button that takes a file from the person: its name and its content."""
+
+    label: Text
+    wish: Callable[[str, bytes], Wish]
+
+
+@dataclass(frozen=True)
 class Bar:
     """How far something is, 0 to 1; hidden while it is None."""
 
@@ -158,4 +203,4 @@ class Folder:
     open: bool = True
 
 
-Row = Words | Slider | Button | Tick | Choice | Triple | Bar | Plot | Folder
+Row = Words | Slider | Button | Tick | Choice | Triple | Entry | Upload | Bar | Plot | Folder

@@ -15,7 +15,7 @@ from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array
 from helicoide.perception.planes import ANGLE, DISTANCE, Found, best_draw, find
 from helicoide.state import State
-from helicoide.text import Text
+from helicoide.text import HelicoideError, Text
 
 DOWN = np.array([0.0, 0, -1])
 seeds = st.integers(0, 2**32 - 1)
@@ -86,6 +86,15 @@ def test_the_kernel_does_what_the_algebra_says(seed: int) -> None:
     expected = by_algebra(*asked)
     np.testing.assert_allclose(best_draw(*asked), expected, rtol=0, atol=1e-9)
     np.testing.assert_allclose(plain(best_draw)(*asked), expected, rtol=0, atol=1e-9)
+
+
+def test_a_draw_is_judged_by_all_even_if_the_first_speak_against_it() -> None:
+    rng = np.random.default_rng(0)
+    judges = np.concatenate([wall(rng, 600, 0.0, 0.5), wall(rng, 1500, 0.0, 0.6)])
+    cone = np.array([*DOWN, 0.9])
+    for triples in (judges[[0, 1, 2, 700, 701, 702]], judges[[700, 701, 702, 0, 1, 2]]):
+        found = best_draw(triples.reshape(2, 3, 3), judges, cone, np.zeros(3), DISTANCE)
+        np.testing.assert_allclose(found, [*DOWN, -0.6], rtol=0, atol=1e-12)
 
 
 def test_the_same_seed_gives_the_same_plane(state: State) -> None:
@@ -163,3 +172,23 @@ def test_clouds_without_a_plane_are_answered_in_words(case: str) -> None:
     assert isinstance(answer, Text)
     assert said in answer.en
     assert answer.pt_BR != answer.en
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"towards": [0, 0, 0]},
+        {"towards": [0, 0, np.nan]},
+        {"towards": [0, 1]},
+        {"inside": [np.inf, 0, 0]},
+        {"distance": 0.0},
+        {"distance": np.nan},
+        {"distance": 0.2},
+        {"angle": 0.0},
+        {"angle": 2.0},
+    ],
+)
+def test_a_search_for_nothing_is_refused_in_words(wrong: dict[str, Any]) -> None:
+    asked: dict[str, Any] = {"towards": DOWN, "inside": [0, 0, 0], **wrong}
+    with pytest.raises(HelicoideError, match=r"direction that is not zero, .* up to 100 mm"):
+        find(wall(np.random.default_rng(0), 100, 0.0), **asked)

@@ -11,13 +11,14 @@ from helicoide.confinement import Plane
 from helicoide.geometry import rigid
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.text import Text
+from helicoide.text import HelicoideError, Text
 
 # The source fits with 5 mm and 4°; the planes it prints tilt up to 5.5° from the axes that they are sought along.
 DISTANCE, ANGLE = 0.005, np.radians(10)
+MOST_DISTANCE = 0.1
 # Fewer points, or a smaller share of the cloud, are found on some plane in any cloud, also where there is no wall.
 FEWEST, LEAST_SHARE = 50, 0.05
-# Planes tried through three points each: where a tenth of the points is on the wall, it is missed in 10⁻⁸ of clouds.
+# Planes tried through three points each: where a tenth of the points is on the wall, fewer than 10⁻⁸ of clouds miss it.
 DRAWS = 20_000
 # Draws are judged by so many points of the cloud; the best is then fitted to all that are near it.
 JUDGES = 8000
@@ -63,6 +64,7 @@ def find(
     best is fitted by least squares to the points with |l| ≤ t until these stay the same.
     Args: points (k, 3), m; towards: the inward normal looked for, (3,), of any length; inside: a point on its side,
     (3,), m; distance: t, m; angle: the largest, rad; seed: of the draws, the same seed gives the same plane.
+    Raises HelicoideError for a direction, point, distance or angle that is none.
     Source: Cerbaro 2022, §6.1 and eqs. 20, 25–26, with a fit for the three points taken at last.
     """
     if len(points) < FEWEST:
@@ -71,6 +73,7 @@ def find(
             pt_BR="{k} pontos são poucos para um plano: são necessários {fewest}.",
         ).format(k=len(points), fewest=FEWEST)
     point, n0 = np.asarray(inside, dtype=np.float64), np.asarray(towards, dtype=np.float64)
+    _check(n0, point, distance, angle)
     n0 = n0 / np.linalg.norm(n0)
     points = np.array(points, dtype=np.float64, order="C")  # kernels compile once, for arrays that can be written
     rng = np.random.default_rng(seed)
@@ -81,6 +84,19 @@ def find(
         return _none(angle)
     fit, on_it = _fitted(points, drawn, point, distance)
     return _judged(points, fit, on_it, n0, angle)
+
+
+def _check(towards: Array, inside: Array, distance: float, angle: float) -> None:
+    vectors = towards.shape == inside.shape == (3,) and np.isfinite([*towards, *inside]).all() and towards.any()
+    if not (vectors and 0 < distance <= MOST_DISTANCE and 0 < angle <= np.pi / 2):
+        raise HelicoideError(
+            Text(
+                en="A plane is looked for along a direction that is not zero, from a point inside, among points up to "
+                "{most:.0f} mm from it and tilted by up to 90°, both more than 0.",
+                pt_BR="Procura-se um plano numa direção diferente de zero, a partir de um ponto de dentro, entre "
+                "pontos a até {most:.0f} mm dele e com inclinação de até 90°, ambos maiores que 0.",
+            ).format(most=1000 * MOST_DISTANCE)
+        )
 
 
 @kernel

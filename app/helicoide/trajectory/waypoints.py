@@ -146,7 +146,6 @@ def deleted(taught: Taught, name: str) -> Taught:
 def moved(taught: Taught, name: str, to: int) -> Taught:
     """The list with a waypoint brought to the place `to`, 0 to its length less one; the others keep their order."""
     here = taught.waypoints[taught.index(name)]
-    _place(to, len(taught.waypoints) - 1)
     return inserted(deleted(taught, name), to, here)
 
 

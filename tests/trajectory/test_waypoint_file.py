@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -47,6 +49,12 @@ def test_there_and_back_to_the_last_bit(points: list[tuple[str, tuple[float, ...
     """Any name that a person can read, and every float, −0.0 and the smallest among them."""
     here = Taught(ROBOT, tuple(waypoint(ROBOT, *point) for point in points))
     are_alike(decoded(encoded(here), ROBOT), here)
+
+
+def test_any_name_of_a_robot_can_be_written() -> None:
+    """Those of URDF files may hold anything."""
+    odd = replace(ROBOT, name='odd "\\ \n\t\x00\x7f ção')
+    are_alike(decoded(encoded(Taught(odd)), odd), Taught(odd))
 
 
 def test_a_person_can_read_it() -> None:

@@ -98,3 +98,12 @@ def test_no_way_to_another_form_of_the_arm() -> None:
     start, end = np.array([0.2, 1.0]), np.array([0.9, -1.0])
     path = Line(tool_at(robot, start), tool_at(robot, end), 1.0)
     assert joints_along(robot, path, start, end) is None
+
+
+def test_no_way_out_of_reach() -> None:
+    """The stretched arm stands still, although the tool is not where it should be."""
+    robot = arm("planar2r")
+    stretched = np.array([0.3, 0.0])
+    beyond = tool_at(robot, stretched)
+    beyond[:3, 3] *= 1.2
+    assert joints_along(robot, Line(tool_at(robot, stretched), beyond, 1.0), stretched, stretched) is None

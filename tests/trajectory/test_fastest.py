@@ -87,15 +87,15 @@ def test_the_time_does_not_depend_on_that_of_the_path(shape: Shape) -> None:
     assert times[0] == pytest.approx(times[1], rel=1e-9)
 
 
-def test_the_best_ramp_is_better_than_others() -> None:
+@pytest.mark.parametrize("sharp", [0.3, 2.0, 10.0])
+@pytest.mark.parametrize("seed", range(5))
+def test_the_best_ramp_is_better_than_others(seed: int, sharp: float) -> None:
     """No other ramp of a fine comb takes less time by more than a thousandth."""
-    for seed in range(5):
-        path, speed = through("puma560", 7, seed), arm("puma560").speed
-        found = fastest(path, "trapezoid", speed, 2 * speed).duration / (1 + MARGIN)
-        combed = [
-            overload(TimedJoints(path, Trapezoid(ramp), 1.0), speed, 2 * speed) for ramp in np.linspace(0.01, 0.5, 99)
-        ]
-        assert found <= min(combed) * 1.001
+    path, speed = through("puma560", 7, seed), arm("puma560").speed
+    limits = speed, sharp * speed
+    found = fastest(path, "trapezoid", *limits).duration / (1 + MARGIN)
+    combed = [overload(TimedJoints(path, Trapezoid(ramp), 1.0), *limits) for ramp in np.linspace(0.01, 0.5, 50)]
+    assert found <= min(combed) * 1.001
 
 
 def test_an_overload_is_the_factor_on_the_time() -> None:
@@ -108,7 +108,7 @@ def test_an_overload_is_the_factor_on_the_time() -> None:
 def test_constant_speed_is_refused_where_it_would_need_a_jump() -> None:
     move = JointMove(np.zeros(2), np.array([1.0, 0.0]), 1.0)
     speed = np.ones(2)
-    with pytest.raises(HelicoideError, match=r"joint 1 would jump into motion.*trapezoid and minimum jerk"):
+    with pytest.raises(HelicoideError, match=r"would jump into motion: 1\. A trapezoid and minimum jerk"):
         fastest(move, "constant speed", speed, np.array([5.0, 5.0]))
     free_first = np.array([np.inf, 5.0])
     assert fastest(move, "constant speed", speed, free_first).duration == pytest.approx(1 + MARGIN)

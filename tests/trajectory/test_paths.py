@@ -12,18 +12,20 @@ from hypothesis import strategies as st
 from tests.geometry.motions import axes, poses, rodrigues, vectors
 from tests.kinematics.arms import NAMES, arm, postures, twist_by_differences
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.text import HelicoideError
+from helicoide.trajectory.cerbaro import EQ_33
 from helicoide.trajectory.chained import chain, joint_chain, polyline
 from helicoide.trajectory.joints import Carried, JointMove
 from helicoide.trajectory.loop import Loop, circle
 from helicoide.trajectory.path import Path, length, placed
 from helicoide.trajectory.straight import Line, Screw
-from helicoide.trajectory.timing import MinimumJerk, TimedPath
+from helicoide.trajectory.timing import MinimumJerk, TimedJoints, TimedPath
 
 durations = st.floats(0.5, 60.0)
 shares = st.floats(0.01, 0.99)
+postures_of_3 = st.tuples(*[st.floats(-3, 3)] * 3).map(np.array)
 radii = st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0))
 rotations = poses.map(lambda T: T[:3, :3])
 loops = st.builds(Loop, poses, radii, rotations, durations)
@@ -144,6 +146,10 @@ def test_a_duration_is_positive(duration: float) -> None:
     with pytest.raises(HelicoideError, match="positive number of seconds"):
         Loop(np.eye(4), (1, 1), np.eye(3), duration)
     with pytest.raises(HelicoideError, match="positive number of seconds"):
+        TimedPath(EQ_33, MinimumJerk(), duration)
+    with pytest.raises(HelicoideError, match="positive number of seconds"):
+        TimedJoints(JointMove(np.zeros(2), np.ones(2), 1.0), MinimumJerk(), duration)
+    with pytest.raises(HelicoideError, match="positive number of seconds"):
         JointMove(np.zeros(2), np.ones(2), duration)
 
 
@@ -234,9 +240,11 @@ def test_the_tool_is_carried_by_the_joints(name: str) -> None:
         np.testing.assert_allclose(path.twist(s), expected, rtol=0, atol=1e-8 * scale)
 
 
-def test_a_joint_move_ends_exactly_where_it_was_taught() -> None:
-    start, end = frozen([0.1, 1e-17, -3.0]), frozen([np.pi, 1.0 / 3.0, 2.0])
-    path = JointMove(start, end, 0.7)
-    np.testing.assert_array_equal(path.q([0.0, 0.7]), [start, end])
-    np.testing.assert_allclose(path.rates(0.3) * 0.7, end - start)
+@given(start=postures_of_3, end=postures_of_3, duration=durations)
+def test_a_joint_move_ends_exactly_where_it_was_taught(start: Array, end: Array, duration: float) -> None:
+    path = JointMove(start, end, duration)
+    np.testing.assert_array_equal(path.q([0.0, duration]), [start, end])
+    np.testing.assert_allclose(path.q(0.25 * duration), 0.75 * start + 0.25 * end, atol=1e-15)
+    np.testing.assert_allclose(path.rates(0.3) * duration, end - start)
+    np.testing.assert_array_equal(JointMove(end, end, duration).q(0.7 * duration), end)
     np.testing.assert_array_equal(path.accelerations([0.1, 0.2]), np.zeros((2, 3)))

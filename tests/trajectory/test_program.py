@@ -133,18 +133,24 @@ def test_a_line_that_the_arm_cannot_follow_is_a_value() -> None:
 
 @pytest.mark.parametrize("end", [0, -1])
 def test_joints_that_miss_a_taught_posture_are_not_taken(end: int) -> None:
+    """A little is put right: the leg then begins and ends exactly where it should."""
     robot = arm("puma560")
-    here = Taught(robot, (waypoint(robot, "there", postures(robot, 1)[0], "line"),))
+    ready, (there,) = robot.poses["ready"], postures(robot, 1)
+    here = Taught(robot, (waypoint(robot, "there", there, "line"),))
 
-    def misses(path: Path, start: Array, stop: Array) -> Array:
-        rows = np.linspace(start, stop, 11)
-        rows[end, 2] += 2e-6
-        return rows
+    def leg(miss: float) -> Leg:
+        def follow(path: Path, start: Array, stop: Array) -> Array:
+            rows = np.linspace(start, stop, 11)
+            rows[end, 2] += miss
+            return rows
 
-    (leg,) = legs(here, robot.poses["ready"], misses, "trapezoid", robot.speed)
-    assert leg.blocked
-    (leg,) = legs(here, robot.poses["ready"], lambda path, a, b: np.linspace(a, b, 11), "trapezoid", robot.speed)
-    assert not leg.blocked
+        (only,) = legs(here, ready, follow, "trapezoid", robot.speed)
+        return only
+
+    assert leg(2e-6).blocked
+    joints = leg(5e-7).joints
+    assert joints is not None
+    np.testing.assert_array_equal(joints.q([0.0, joints.duration]), [ready, there])
 
 
 def test_what_was_taught_stays_as_it_is() -> None:

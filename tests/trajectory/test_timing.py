@@ -31,7 +31,7 @@ def test_the_derivatives_of_a_law(law: Law, place: float) -> None:
     """Between its corners."""
     for start, end in zip(law.corners, law.corners[1:], strict=False):
         u, h = start + place * (end - start), 1e-4 * place * (1 - place) * (end - start)
-        if h == 0:
+        if end - start < 1e-6:
             continue
         before, here, after = (law.at(u + way * h) for way in (-1, 0, 1))
         scale = max(1.0, abs(float(here[2])))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -47,6 +49,12 @@ def test_there_and_back_to_the_last_bit(points: list[tuple[str, tuple[float, ...
     """Any name that a person can read, and every float, −0.0 and the smallest among them."""
     here = Taught(ROBOT, tuple(waypoint(ROBOT, *point) for point in points))
     are_alike(decoded(encoded(here), ROBOT), here)
+
+
+def test_any_name_of_a_robot_can_be_written() -> None:
+    """Those of URDF files may hold anything."""
+    odd = replace(ROBOT, name='odd "\\ \n\t\x00\x7f ção')
+    are_alike(decoded(encoded(Taught(odd)), odd), Taught(odd))
 
 
 def test_a_person_can_read_it() -> None:
@@ -102,7 +110,7 @@ POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
         (GOOD[: len(GOOD) // 2], "not a file of waypoints"),
         (GOOD + "speed = 3\n", "unknown field `speed`"),
         (GOOD.replace('name = "b"', 'name = "a"'), "a waypoint 'a' already"),
-        (GOOD.replace('"line"', '"jump"'), "the ways are: joints, line, screw"),
+        (GOOD.replace('"line"', '"jump"'), "the ways are: joints (all joints evenly), line"),
         (GOOD.replace('"line"', "3"), "not a file of waypoints"),
         (GOOD.replace("dwell = 0.5", "dwell = -0.5"), "0 to 3600 s, not -0.5"),
         (GOOD.replace("dwell = 0.5", "dwell = nan"), "0 to 3600 s, not nan"),

@@ -77,7 +77,10 @@ HERE = taught("movemaster")
         (lambda: inserted(HERE, -1, waypoint(ROBOT, "d", READY)), "no place -1"),
         (lambda: moved(HERE, "a", 3), "no place 3 in the list; the places are 0 to 2"),
         (lambda: deleted(Taught(ROBOT), "a"), "there is: none yet"),
-        (lambda: waypoint(ROBOT, "x", READY, "jump"), "the ways are: joints, line, screw"),
+        (
+            lambda: waypoint(ROBOT, "x", READY, "jump"),
+            "joints (all joints evenly), line (straight line), screw (a",
+        ),
         (lambda: waypoint(ROBOT, "x", READY, "line", -1.0), "for 0 to 3600 s, not -1"),
         (lambda: waypoint(ROBOT, "x", READY, "line", float("nan")), "for 0 to 3600 s, not nan"),
         (lambda: waypoint(ROBOT, "x", READY[:4]), "takes 5 finite joint values"),

@@ -78,10 +78,10 @@ def _refuse_jumps(path: SmoothJointPath, acceleration: Array) -> None:
     if (jumps & np.isfinite(acceleration)).any():
         raise HelicoideError(
             Text(
-                en="At constant speed joint {joints} would jump into motion, and their acceleration is limited; "
-                "trapezoid and minimum jerk start and stop at rest.",
-                pt_BR="A velocidade constante, a junta {joints} entraria em movimento com um salto, e sua aceleração é "
-                "limitada; o trapézio e o jerk mínimo começam e terminam em repouso.",
+                en="At constant speed these joints, whose acceleration is limited, would jump into motion: {joints}. "
+                "A trapezoid and minimum jerk start and stop at rest.",
+                pt_BR="Com velocidade constante, estas juntas, que têm aceleração limitada, arrancariam com um salto: "
+                "{joints}. O trapézio e o jerk mínimo começam e terminam em repouso.",
             ).format(joints=", ".join(str(i + 1) for i in np.flatnonzero(jumps & np.isfinite(acceleration))))
         )
 

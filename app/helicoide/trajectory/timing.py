@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.kinematics.chain import Array
-from helicoide.trajectory.path import Path, SmoothJointPath
+from helicoide.trajectory.path import Path, SmoothJointPath, lasting
 
 # Points of the table by which the time of a share is found.
 _TABLE = np.linspace(0, 1, 2001)
@@ -89,6 +89,9 @@ class TimedPath:
     law: Law
     duration: float
 
+    def __post_init__(self) -> None:
+        lasting(self.duration)
+
     @property
     def is_closed(self) -> bool:
         """Whether the path is."""
@@ -112,6 +115,9 @@ class TimedJoints:
     path: SmoothJointPath
     law: Law
     duration: float
+
+    def __post_init__(self) -> None:
+        lasting(self.duration)
 
     @property
     def is_closed(self) -> bool:

@@ -27,7 +27,7 @@ class Wave:
 
 
 @dataclass(frozen=True)
-class Along:
+class Coordinate:
     """A coordinate by time: x = x₀ + v t + Σ a sin(ω t + φ), in the unit of its trajectory."""
 
     start: float = 0.0
@@ -51,9 +51,9 @@ class Trajectory:
     or what the source gives.
     """
 
-    x: Along
-    y: Along
-    z: Along
+    x: Coordinate
+    y: Coordinate
+    z: Coordinate
     unit: float
     duration: float
     R_world_target: Array = field(default_factory=lambda: UPRIGHT)
@@ -64,7 +64,7 @@ class Trajectory:
     @property
     def is_closed(self) -> bool:
         """Whether it is periodic: without even motion."""
-        return not any(along.speed for along in (self.x, self.y, self.z))
+        return not any(each.speed for each in (self.x, self.y, self.z))
 
     def point(self, s: float) -> Array:
         """Where the target is, (3,), m."""
@@ -81,16 +81,16 @@ class Trajectory:
         return np.append(self.unit * np.array([self.x.rate(s), self.y.rate(s), self.z.rate(s)]), np.zeros(3))
 
 
-def _sine(amplitude: float, rate: float, around: float = 0.0, phase: float = 0.0) -> Along:
-    return Along(around, waves=(Wave(amplitude, rate, phase),))
+def _sine(amplitude: float, rate: float, around: float = 0.0, phase: float = 0.0) -> Coordinate:
+    return Coordinate(around, waves=(Wave(amplitude, rate, phase),))
 
 
-def _two_sines(phase: float, around: float) -> Along:
+def _two_sines(phase: float, around: float) -> Coordinate:
     """7.5 (sin(0.1π t + φ) + sin(0.15π t + φ)) about a middle: both axes of trajectory 9."""
-    return Along(around, waves=(Wave(7.5, 0.1 * pi, phase), Wave(7.5, 0.15 * pi, phase)))
+    return Coordinate(around, waves=(Wave(7.5, 0.1 * pi, phase), Wave(7.5, 0.15 * pi, phase)))
 
 
-AT_0 = Along()
+AT_0 = Coordinate()
 _WIDE, _HIGH = _sine(0.5, 0.2, phase=pi / 2), _sine(7.5, 0.1 * pi)
 _SLOW = 2 * pi / 0.2
 _OVAL = _sine(7.0, 0.2, phase=pi / 2)
@@ -101,16 +101,16 @@ VARGAS: Mapping[int, Trajectory] = MappingProxyType(
     {
         1: Trajectory(_sine(0.5, 0.4, 2.0), _WIDE, AT_0, LENGTH, _SLOW),
         2: Trajectory(_sine(0.5, 0.2, 2.5), _WIDE, AT_0, LENGTH, _SLOW),
-        3: Trajectory(Along(2.26, -1 / 11), Along(3.23, -1 / 8), AT_0, LENGTH, 40.0),
-        4: Trajectory(AT_0, Along(4.0, -1 / 8), AT_0, LENGTH, 40.0),
-        5: Trajectory(_sine(0.5, 0.4, 2.0), Along(1.0), AT_0, LENGTH, _SLOW / 2),
+        3: Trajectory(Coordinate(2.26, -1 / 11), Coordinate(3.23, -1 / 8), AT_0, LENGTH, 40.0),
+        4: Trajectory(AT_0, Coordinate(4.0, -1 / 8), AT_0, LENGTH, 40.0),
+        5: Trajectory(_sine(0.5, 0.4, 2.0), Coordinate(1.0), AT_0, LENGTH, _SLOW / 2),
         6: Trajectory(_sine(5.0, 0.2 * pi, 45.86), _HIGH, AT_0, CM, 20.0),
         7: Trajectory(AT_0, _sine(5.0, 0.2 * pi), _sine(7.5, 0.1 * pi, 53.86), CM, 20.0),
         8: Trajectory(_sine(5.0, 0.2 * pi, 63.36), _HIGH, AT_0, CM, 20.0),
-        9: Trajectory(Along(60.0), _two_sines(0.0, 5.0), _two_sines(1.6, 0.0), CM, 40.0),
+        9: Trajectory(Coordinate(60.0), _two_sines(0.0, 5.0), _two_sines(1.6, 0.0), CM, 40.0),
         10: Trajectory(
-            _sine(14.6, 0.2, 15.5), _OVAL, Along(20.0), CM, _SLOW, frozen([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
+            _sine(14.6, 0.2, 15.5), _OVAL, Coordinate(20.0), CM, _SLOW, frozen([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
         ),
-        11: Trajectory(_sine(14.6, 0.2, 30.5), _OVAL, Along(20.0), CM, _SLOW, frozen(np.diag([-1.0, 1.0, -1.0]))),
+        11: Trajectory(_sine(14.6, 0.2, 30.5), _OVAL, Coordinate(20.0), CM, _SLOW, frozen(np.diag([-1.0, 1.0, -1.0]))),
     }
 )

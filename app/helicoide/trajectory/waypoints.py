@@ -20,7 +20,7 @@ WAYS: Mapping[Way, Text] = MappingProxyType(
     {
         "joints": Text(en="all joints evenly", pt_BR="todas as juntas por igual"),
         "line": Text(en="straight line", pt_BR="linha reta"),
-        "screw": Text(en="one screw", pt_BR="um só helicoide"),
+        "screw": Text(en="a single screw motion", pt_BR="um único movimento helicoidal"),
     }
 )
 LONGEST_NAME = 60
@@ -75,7 +75,7 @@ def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: 
             Text(
                 en="Waypoint {name!r} cannot be reached by {way!r}; the ways are: {ways}.",
                 pt_BR="Não se chega ao ponto {name!r} por {way!r}; as maneiras são: {ways}.",
-            ).format(name=name, way=way, ways=", ".join(WAYS))
+            ).format(name=name, way=way, ways=_ways())
         )
     if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
         raise HelicoideError(
@@ -86,6 +86,14 @@ def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: 
         )
     named = _named(name)
     return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(Way, way), float(dwell))
+
+
+def _ways() -> Text:
+    """The ways with what they mean."""
+    return Text(
+        en=", ".join(f"{way} ({words.en})" for way, words in WAYS.items()),
+        pt_BR=", ".join(f"{way} ({words.pt_BR})" for way, words in WAYS.items()),
+    )
 
 
 def _named(name: str) -> str:
@@ -138,7 +146,6 @@ def deleted(taught: Taught, name: str) -> Taught:
 def moved(taught: Taught, name: str, to: int) -> Taught:
     """The list with a waypoint brought to the place `to`, 0 to its length less one; the others keep their order."""
     here = taught.waypoints[taught.index(name)]
-    _place(to, len(taught.waypoints) - 1)
     return inserted(deleted(taught, name), to, here)
 
 

@@ -230,7 +230,7 @@ def _record(asked: Asked, outcome: Outcome[Result]) -> Record:
 def _bar(count: int) -> Iterator[Callable[[float], None]]:
     """A bar on the error output, which is told the share that is done."""
     form = "{percentage:3.0f}% |{bar}| {elapsed} < {remaining}"
-    with tqdm(total=1.0, bar_format=form, leave=False, file=sys.stderr) as bar:
+    with tqdm(total=1.0, bar_format=form, leave=False, mininterval=0.5, file=sys.stderr) as bar:
 
         def progress(share: float) -> None:
             bar.update(share - bar.n)

@@ -53,5 +53,5 @@ def verdict(row: Row, language: Language) -> str:
 
 def cells(row: Row, language: Language) -> tuple[str, str, str, str, str]:
     """The columns of `HEADINGS`."""
-    ours = number(row.ours, row.unit, row.tolerance)
+    ours = number(row.ours, row.unit, row.tolerance if row.relation == "=" else 0.0)
     return row.quantity[language], source(row, language), digest(row), ours, verdict(row, language)

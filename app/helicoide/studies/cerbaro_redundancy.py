@@ -14,8 +14,8 @@ from helicoide.ik.secondary import push
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.runs import Run, few, joint_lines, motion, ran
-from helicoide.studies.study import FIGURE_ONLY, Chart, Line, Progress, Result, Row
+from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_chart, motion, ran
+from helicoide.studies.study import FIGURE_ONLY, Chart, Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="Redundancy of the ORCA", pt_BR="Redundância do ORCA")
@@ -30,7 +30,6 @@ ABOUT = Text(
 )
 A, B = np.array([np.pi / 4, -np.pi / 4, 0.0]), np.array([0.0087, 0.7852, -0.7942])
 GAIN, SECONDS, DT = 225.0, 12.0, 0.004
-TIME = Text(en="time (s)", pt_BR="tempo (s)")
 
 
 @dataclass(frozen=True)
@@ -115,18 +114,4 @@ def _rows(orca: Problem, way: Run) -> tuple[Row, ...]:
 
 
 def _charts(way: Run) -> tuple[Chart, ...]:
-    tool = Text(en="distance of the tool from its point", pt_BR="distância do efetuador ao ponto")
-    return (
-        Chart(
-            Text(en="Joints from A to B", pt_BR="Juntas de A a B"),
-            TIME,
-            Text(en="joint (°)", pt_BR="junta (°)"),
-            joint_lines(way, (1, 2, 3)),
-        ),
-        Chart(
-            Text(en="What the tool feels of it", pt_BR="O que o efetuador sente"),
-            TIME,
-            Text(en="error (mm)", pt_BR="erro (mm)"),
-            (Line(tool, few(way.t), few(way.error)),),
-        ),
-    )
+    return joint_chart(way, (1, 2, 3)), error_chart((Text(en="of the tool", pt_BR="do efetuador"), way))

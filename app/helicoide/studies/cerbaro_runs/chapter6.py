@@ -186,7 +186,7 @@ def promises(runs: Runs) -> tuple[Row, ...]:
     inside = Text(en="{of}: least joint margin", pt_BR="{of}: menor folga de junta").format(of=GUARDED)
     mean = Text(en="{of}: mean deviation from the path", pt_BR="{of}: desvio médio do caminho").format(of=GUARDED)
     rows.append(_at_least(GUARDED, guard))
-    rows.append(Row(inside, float(margins(confined(), guard.q).min()), 0.0, 1e-6, "°", relation="≥"))
+    rows.append(Row(inside, float(margins(confined(), guard.q).min()), unit="°"))
     rows.append(Row(mean, guard.deviation, unit="mm"))
     return tuple(rows)
 

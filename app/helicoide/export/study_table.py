@@ -15,13 +15,13 @@ HEADINGS = (
     Text(en="verdict", pt_BR="veredito"),
 )
 NOTHING = "–"
+FINEST = 1e-6
 
 
 def number(value: float, unit: str = "", tolerance: float = 0.0) -> str:
     """Decimals as far as the tolerance lets them count, else six digits; a degree sign stands close, a unit apart."""
-    decimals = -floor(log10(tolerance)) if 1e-9 < tolerance < 1 else 0
-    close = isfinite(value) and decimals > 0 and abs(value) >= tolerance
-    shown = f"{value:.{decimals}f}" if close else f"{value + 0.0:.6g}"  # + 0.0: no minus before a zero
+    decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 1 else 0
+    shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else f"{value + 0.0:.6g}"  # + 0.0: no -0
     return f"{shown}{unit}" if unit in ("", "°") else f"{shown} {unit}"
 
 

@@ -24,7 +24,7 @@ ABOUT = Text(
     "cinco tarefas, e não sobra liberdade; o amortecimento quase não muda o número de passos. A postura alcançada fica "
     "fora do limite de J3.",
 )
-TARGET, PITCH = np.array([0.44, 0.0, 0.2]), -np.pi / 3
+TARGET, PITCH = (0.44, 0.0, 0.2), -np.pi / 3
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Damped steps to 1 mm and 0.01 rad; the short form is the whole."""
     movemaster = arms.movemaster()
-    aiming = arms.with_pitch_and_roll(movemaster, arms.standing(TARGET), PITCH)
+    aiming = arms.with_pitch_and_roll(movemaster, arms.standing(*TARGET), PITCH)
     counts = {0.3: 17, 0.5: 9, 1.0: 4}
     coming = Coming(movemaster, aiming, 17, counts, (0, 56.424, -129.943, 13.519, 0), 3)
     return result(coming, options.factor, options.damping)

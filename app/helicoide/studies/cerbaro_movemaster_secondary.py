@@ -20,12 +20,14 @@ ROBOT = "movemaster"
 ABOUT = Text(
     en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all pulls "
     "J3 back from beyond its limit, and pays for it with J4, which ends nearer to its own limit than without any pull.",
-    pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz J3 de "
-    "volta de além do limite, à custa de J4, que acaba mais perto do próprio limite do que sem atração nenhuma.",
+    pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz J3 "
+    "de volta de além do limite, à custa de J4, que acaba mais perto do próprio limite do que sem atração nenhuma.",
 )
 OTHER = Text(en="another gain than the source’s", pt_BR="ganho diferente do da fonte")
-ENDS = (Text(en="J{joint}, least, {which}", pt_BR="J{joint}, mínimo, {which}"),
-        Text(en="J{joint}, largest, {which}", pt_BR="J{joint}, máximo, {which}"))  # fmt: skip
+ENDS = (
+    Text(en="J{joint}, least, {which}", pt_BR="J{joint}, mínimo, {which}"),
+    Text(en="J{joint}, largest, {which}", pt_BR="J{joint}, máximo, {which}"),
+)
 PLAIN, PUSHED = {3: (-130.8, -98.4), 4: (12.4, 22.9)}, {3: (-129.9, -72.0), 4: (-60.4, 13.5)}
 
 

@@ -21,9 +21,9 @@ SOURCE = "Cerbaro 2022, §4.4.3, demonstration 3, eqs. 12 and 14, fig. 33"
 ROBOT = "orca"
 ABOUT = Text(
     en="The circle once more, but only the position counts: one freedom is left, and the gradient of the distance from "
-    "the joint limits moves the arm in it. The source draws its limits in a figure only, so that ours stand in for them.",
-    pt_BR="De novo o círculo, mas só a posição conta: sobra uma liberdade, e nela o gradiente da distância aos limites de "
-    "junta move o braço. A fonte só desenha os limites numa figura; aqui valem os nossos.",
+    "the joint limits moves the arm in it. The source draws its limits in a figure only; ours stand in for them.",
+    pt_BR="De novo o círculo, mas só a posição conta: sobra uma liberdade, e nela o gradiente da distância aos limites "
+    "de junta move o braço. A fonte só desenha os limites numa figura; aqui valem os nossos.",
 )
 
 

@@ -44,7 +44,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     orca = arms.orca()
     objective = objectives.named("reference_posture")
     to_b = push(orca, [(objective, objective.Options(reference=tuple(B)))], options.pull)
-    here = arms.position(orca, arms.standing(arms.tool(orca, A)))
+    here = arms.position(orca, arms.standing(*arms.tool(orca, A)))
     moments = followed(orca, *arms.inverse(0.0), here, GAIN, A, DT, to_b)
     way = ran(moments, SECONDS / 2 if short else SECONDS, progress)
     return Result(rows=_rows(orca, way), charts=_charts(way), motion=motion(ROBOT, way))
@@ -59,7 +59,7 @@ def null_space(aiming: Aiming, q: Array) -> tuple[int, float]:
 
 def _rows(orca: Problem, way: Run) -> tuple[Row, ...]:
     movemaster = arms.movemaster()
-    q, goal = movemaster.robot.poses["example"], arms.standing(np.array([0.44, 0, 0.2]))
+    q, goal = movemaster.robot.poses["example"], arms.standing(0.44, 0, 0.2)
     free, felt = null_space(arms.position(orca, goal), A)
     free_5r, felt_5r = null_space(arms.position(movemaster, goal), q)
     held_5r, _ = null_space(arms.with_pitch_and_roll(movemaster, goal, 0.0), q)

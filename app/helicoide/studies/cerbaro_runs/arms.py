@@ -50,9 +50,9 @@ def limit_distance() -> Chosen:
     return [(objective, objective.Options())]
 
 
-def standing(point: Array) -> Path:
-    """A point (3,), m, that stands still."""
-    return lambda t: (point, np.zeros(3))
+def standing(x: float, y: float, z: float = 0.0) -> Path:
+    """A point, m, that stands still."""
+    return lambda t: (np.array([x, y, z]), np.zeros(3))
 
 
 def along(ellipse: Ellipse) -> Path:
@@ -60,13 +60,15 @@ def along(ellipse: Ellipse) -> Path:
     return lambda t: (ellipse.point(t), ellipse.velocity(t))
 
 
-def position(problem: Problem, path: Path) -> Aiming:
-    """The tool's position along a path: three rows."""
+def position(problem: Problem, path: Path, rows: int = 3) -> Aiming:
+    """The tool's position along a path: three rows, or two for an arm in a plane."""
     T = np.eye(4)
 
     def aim(q: Array, t: float) -> Aim:
         T[:3, 3], velocity = path(t)
-        return tool_aim(problem, link_poses(problem.robot.chain, q), T, False, np.append(velocity, np.zeros(3)))
+        ahead = np.append(velocity, np.zeros(3))
+        whole = tool_aim(problem, link_poses(problem.robot.chain, q), T, False, ahead)
+        return Aim(whole.J[:rows], whole.error[:rows], whole.ahead[:rows])
 
     return aim
 

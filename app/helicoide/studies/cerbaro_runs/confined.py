@@ -105,7 +105,7 @@ def solver(problem: Problem, case: int, gains: Gains) -> Run:
 
 def aim_of(problem: Problem, case: int, path: Ellipse, target: Array) -> Aiming:
     """What a case aims at for a target (3,), m."""
-    point = arms.standing(target)
+    point = arms.standing(*target)
     if case == 1:
         return arms.with_pitch_and_roll(problem, point, path.pitch, path.roll)
     return arms.position(problem, point)

@@ -57,7 +57,7 @@ def free_circle(k0: float, dt: float, progress: Progress = nothing, seconds: flo
 def start_of_ellipse(pitch_deg: float = -60.0) -> Array:
     """The posture at (440, 0, 200) mm; −60° is the source's, outside the limits; −68.2° has J3 at −119.91°."""
     movemaster = arms.movemaster()
-    point = arms.standing(ELLIPSE.point(0.0))
+    point = arms.standing(*ELLIPSE.point(0.0))
     aiming = arms.with_pitch_and_roll(movemaster, point, np.radians(pitch_deg))
     return arms.start_at(movemaster, aiming, movemaster.robot.poses["ready"])
 

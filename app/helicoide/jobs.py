@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import pickle
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any, Generic, TypeVar
 
@@ -88,4 +89,13 @@ def _work(index: int, work: Callable[[Given, Progress], Value], given: Given) ->
             last = share
             _told.put((index, share))
 
-    return timed(work, given, progress)
+    outcome = timed(work, given, progress)
+    return outcome if outcome.failure is None else replace(outcome, failure=_portable(outcome.failure))
+
+
+def _portable(error: Exception) -> Exception:
+    """An error that comes through to another process: itself where it can, else its words."""
+    try:
+        return error if isinstance(pickle.loads(pickle.dumps(error)), type(error)) else RuntimeError(str(error))
+    except Exception:
+        return RuntimeError(f"{type(error).__name__}: {error}")

@@ -105,8 +105,9 @@ def test_doubt_and_assumption_are_no_difference(rows: tuple[Row, ...], differs: 
 
 
 def test_all_numbers_are_counted() -> None:
-    words = counted([record(*ROWS), record(ROWS[0])], 12.3)
-    assert words.en.startswith("Studies: 2. Numbers: 5; agrees: 2; ")
+    words = counted([record(*ROWS), record(ROWS[0], replace(ROWS[0], digest=None))], 12.3)
+    assert words.en.startswith("Studies: 2. Numbers: 6; agrees: 2; ")
+    assert "nothing to compare with: 1. " in words.en
     assert "12 s" in words.pt_BR
 
 
@@ -127,5 +128,5 @@ def test_numbers_are_written_as_far_as_they_count(value: float, unit: str, toler
 
 
 def test_a_row_without_source_or_digest_has_dashes() -> None:
-    assert cells(Row(same("q"), 1.5), "en") == ("q", "–", "–", "1.5", "agrees")
-    assert cells(replace(ROWS[3], digest=None), "pt_BR")[2:] == ("–", "2", "confere")
+    assert cells(Row(same("q"), 1.5), "en") == ("q", "–", "–", "1.5", "–")
+    assert cells(replace(ROWS[3], ours=float("nan"), digest=None), "pt_BR")[2:] == ("–", "nan", "difere")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from helicoide.export.study_table import HEADINGS, cells
+from helicoide.export.study_table import HEADINGS, alone, cells
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
 from helicoide.studies.study import Result, Row, Study, Verdict
@@ -18,6 +18,7 @@ COUNTED = Text(
     en="Studies: {studies}. Numbers: {rows}; {counts}. The full run took {seconds:.0f} s.",
     pt_BR="Estudos: {studies}. Números: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
 )
+ALONE = Text(en="nothing to compare with", pt_BR="sem termo de comparação")
 ABOUT_VERDICTS = Text(
     en="The source’s column shows what the source prints; the digest’s, what was recomputed from it, with corrections. "
     "Doubts are those that the digest numbers.",
@@ -36,6 +37,7 @@ h2 { margin-top: 3rem; border-top: 1px solid #ccd2da; padding-top: 1rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 0.9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 0.25rem 0.6rem; border-bottom: 1px solid #e3e7ec; vertical-align: top; }
+td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
 .verdict { font-weight: 600; border-left: 0.4rem solid; padding-left: 0.5rem; }
 .agrees { color: #1b6b3a; } .doubt { color: #8a5a00; } .assumed { color: #5a3fa0; } .differs { color: #b3261e; }
 figure { margin: 1.5rem 0; } figcaption { font-weight: 600; }
@@ -87,7 +89,9 @@ def page(records: Sequence[Record], seconds: float, language: Language) -> str:
 def counted(records: Sequence[Record], seconds: float) -> Text:
     """How many numbers there are of each verdict, and how long the full run took."""
     rows = [row for record in records if record.result for row in record.result.rows]
-    found = [(verdict.value, sum(row.verdict is verdict for row in rows)) for verdict in Verdict]
+    compared = [row for row in rows if not alone(row)]
+    found = [(verdict.value, sum(row.verdict is verdict for row in compared)) for verdict in Verdict]
+    found.append((ALONE, len(rows) - len(compared)))
     counts = Text(
         en="; ".join(f"{words.en}: {n}" for words, n in found if n) or "–",
         pt_BR="; ".join(f"{words.pt_BR}: {n}" for words, n in found if n) or "–",
@@ -139,5 +143,6 @@ def _body(record: Record, language: Language) -> str:
 
 def _row(row: Row, language: Language) -> str:
     *plain, verdict = (escape(cell) for cell in cells(row, language))
-    said = f'<td><span class="verdict {COLOUR[row.verdict]}">{verdict}</span></td>'
+    kind = "" if alone(row) else f' class="verdict {COLOUR[row.verdict]}"'
+    said = f"<td><span{kind}>{verdict}</span></td>"
     return "<tr>" + "".join(f"<td>{cell}</td>" for cell in plain) + said + "</tr>"

@@ -40,9 +40,16 @@ def digest(row: Row) -> str:
     return number(row.digest, row.unit, row.tolerance) + (f" ± {row.tolerance:.2g}" if row.tolerance else "")
 
 
+def alone(row: Row) -> bool:
+    """Whether our number stands alone."""
+    return row.digest is None and row.agrees
+
+
 def verdict(row: Row, language: Language) -> str:
-    """The verdict, with the doubt or the assumption that excuses it."""
+    """The verdict, with the doubt or the assumption that excuses it; none where there is nothing to compare with."""
     found = row.verdict
+    if alone(row):
+        return NOTHING
     said = found.value[language]
     if found is Verdict.DOUBT:
         return f"{said} ({row.doubt})"

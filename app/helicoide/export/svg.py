@@ -21,6 +21,7 @@ LEFT, RIGHT, TOP, BOTTOM = 76, 12, 10, 46
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 4", "12 4", "1 2")
 FEW, MOST = 4, 8
+FINEST, COARSEST = 1e-4, 1e6
 
 
 def ticks(lower: float, upper: float) -> Array:
@@ -32,10 +33,14 @@ def ticks(lower: float, upper: float) -> Array:
 
 
 def labels(values: Array) -> list[str]:
-    """Ticks with as many digits as tell them apart."""
-    step = float(values[1] - values[0]) if len(values) > 1 else 1.0
-    digits = max(1, 1 + floor(log10(max(float(np.abs(values).max()), step) / step) + 1e-9)) + 1
-    return [f"{value + 0.0:.{digits}g}" for value in np.where(np.abs(values) < step / 2, 0.0, values)]
+    """Ticks with as many decimals as tell them apart; powers of ten where they would be many."""
+    step, largest = (float(values[1] - values[0]) if len(values) > 1 else 1.0), float(np.abs(values).max())
+    values = np.where(np.abs(values) < step / 2, 0.0, values)
+    if step >= FINEST and largest < COARSEST:
+        decimals = max(0, -floor(log10(step) + 1e-9))
+        return [f"{value:.{decimals}f}" for value in values]
+    digits = 2 + floor(log10(max(largest, step) / step) + 1e-9)
+    return [f"{value:.{digits}g}" for value in values]
 
 
 def span(values: list[Array]) -> tuple[float, float]:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from helicoide import studies
+from helicoide.ik.adaptation import nearest
 from helicoide.studies import cerbaro_algorithm_1, cerbaro_confined_circle, cerbaro_movemaster_convergence
 from helicoide.studies.cerbaro_runs import arms, confined, tracking
 from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, guarded, margins
@@ -110,6 +111,18 @@ def test_algorithm_1_turns_the_margin_of_j3() -> None:
     np.testing.assert_array_equal(courses[1].gains[[0, 3, 4]], 500)
     assert min(course.least[0] for course in courses) >= 80
     assert [course.least[1] for course in courses] == pytest.approx([40.9, 35.3], abs=0.06)
+
+
+@pytest.mark.parametrize(("rule", "least"), [("planes", 80.0), ("ceiling", 80.0), ("printed", 72.0)])
+def test_the_rule_that_is_chosen_is_the_one_that_is_shown(rule: str, least: float) -> None:
+    study = studies.named("cerbaro_confined_line")
+    result = study.run(study.Options(rule=rule), True, nothing)
+    here, motion = confined.confined(), result.motion
+    assert motion is not None
+    ceiling = 1000 * min(nearest(here, q)[0] for q in motion.q)
+    assert least <= ceiling < least + 5
+    chart = next(chart for chart in result.charts if "chosen" in chart.title.en)
+    assert chart.lines[0].y.min() == pytest.approx(ceiling, abs=1e-6)
 
 
 def test_case_1_holds_its_pitch_and_roll() -> None:

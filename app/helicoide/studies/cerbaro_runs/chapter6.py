@@ -46,11 +46,22 @@ GUARDED = Text(en="cases 2 and 3, guarded step", pt_BR="casos 2 e 3, passo guard
 
 @dataclass(frozen=True)
 class Options:
-    """What the source does not give (D7), by default as the digest assumed it; case: the one that is shown."""
+    """What the source does not give (D7), by default as the digest assumed it; rule, case: of the run that is shown."""
 
     gain: Annotated[float, Quantity(Text(en="gain k₀", pt_BR="ganho k₀"), 0.0, 2000.0, "1/s")] = 500.0
     factor: Annotated[float, Quantity(Text(en="step factor κ", pt_BR="fator de passo κ"), 0.1, 1.0)] = 0.5
     tolerance: Annotated[float, Quantity(Text(en="inner tolerance", pt_BR="tolerância interna"), 0.1, 10.0, "mm")] = 1.0
+    rule: Annotated[
+        str,
+        OneOf(
+            Text(en="rule in the curves", pt_BR="regra nas curvas"),
+            {
+                "planes": Text(en="all points and planes", pt_BR="todos os pontos e planos"),
+                "ceiling": Text(en="ceiling alone, eq. 36 corrected", pt_BR="só o teto, eq. 36 corrigida"),
+                "printed": Text(en="ceiling alone, eq. 36 as printed", pt_BR="só o teto, eq. 36 como impressa"),
+            },
+        ),
+    ] = "planes"
     case: Annotated[
         str,
         OneOf(
@@ -70,6 +81,7 @@ class Options:
 
 
 DEFAULT = Options().gains
+PRINTED = Rule((CEILING,), corrected=False, level=True)
 
 
 @dataclass(frozen=True)
@@ -94,12 +106,13 @@ class Told:
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Every run of a path, those of a kind by case; guard: cases 2 and 3 by the guarded step."""
+    """Every run of a path, those of a kind by case; shown: that of the options; guard: cases 2 and 3, guarded."""
 
     untouched: Mapping[int, Course]
     ceiling: Mapping[int, Course]
     planes: Mapping[int, Course]
     guard: Course
+    shown: Course
     printed: Course | None = None
     undamped: Course | None = None
 
@@ -108,29 +121,36 @@ def study(path: Ellipse, told: Told, options: Options, short: bool, progress: Pr
     """All runs of a path and what they say; short: 121 samples, one case, a third of the guarded turn."""
     runs = _short(path, options, progress) if short else _whole(path, options, progress)
     rows = promises(runs) if short else (*table(runs, told, options), *promises(runs))
-    shown = int(options.case)
-    course = runs.planes[shown]
-    times = np.linspace(0.0, path.period, len(course.q))
-    return Result(rows, charts(runs, shown), Motion("movemaster", times, course.q))
+    times = np.linspace(0.0, path.period, len(runs.shown.q))
+    return Result(rows, charts(runs), Motion("movemaster", times, runs.shown.q))
 
 
 def _whole(path: Ellipse, options: Options, progress: Progress) -> Runs:
     every, gains = everywhere(confined().planes), options.gains
     kinds = [(NONE, case) for case in CASES] + [(source_rule(), case) for case in CASES] + [(every, c) for c in CASES]
-    kinds += [(Rule((CEILING,), corrected=False, level=True), 3), (Rule(every.watched, damps=False), 3)]
+    kinds += [(PRINTED, 3), (Rule(every.watched, damps=False), 3)]
     count = len(kinds) + 1
     runs = [by_rule(path, case, gains, rule, SAMPLES, part(progress, i, count)) for i, (rule, case) in enumerate(kinds)]
     untouched, ceiling, planes = (dict(zip(CASES, runs[i : i + 3], strict=True)) for i in (0, 3, 6))
     guard = guarded(path, gains.k0, path.period, part(progress, count - 1, count))
-    return Runs(untouched, ceiling, planes, guard, printed=runs[9], undamped=runs[10])
+    known = {"planes": planes, "ceiling": ceiling, "printed": {3: runs[9]}}[options.rule]
+    case = int(options.case)
+    shown = known[case] if case in known else by_rule(path, case, gains, PRINTED, SAMPLES, _unheard)
+    return Runs(untouched, ceiling, planes, guard, shown, printed=runs[9], undamped=runs[10])
 
 
 def _short(path: Ellipse, options: Options, progress: Progress) -> Runs:
-    every, shown = everywhere(confined().planes), int(options.case)
-    untouched = by_rule(path, shown, options.gains, NONE, SAMPLES_SHORT, part(progress, 0, 3))
-    planes = by_rule(path, shown, options.gains, every, SAMPLES_SHORT, part(progress, 1, 3))
-    guard = guarded(path, options.gain, path.period / 3, part(progress, 2, 3))
-    return Runs({shown: untouched}, {}, {shown: planes}, guard)
+    every, case, gains = everywhere(confined().planes), int(options.case), options.gains
+    untouched = by_rule(path, case, gains, NONE, SAMPLES_SHORT, part(progress, 0, 4))
+    planes = by_rule(path, case, gains, every, SAMPLES_SHORT, part(progress, 1, 4))
+    guard = guarded(path, options.gain, path.period / 3, part(progress, 2, 4))
+    other = {"ceiling": source_rule(), "printed": PRINTED}.get(options.rule)
+    shown = by_rule(path, case, gains, other, SAMPLES_SHORT, part(progress, 3, 4)) if other else planes
+    return Runs({case: untouched}, {}, {case: planes}, guard, shown)
+
+
+def _unheard(share: float) -> None:
+    """The progress of one run more than was counted on."""
 
 
 def table(runs: Runs, told: Told, options: Options) -> tuple[Row, ...]:
@@ -234,13 +254,13 @@ def _error(case: int, course: Course) -> Row:
     return Row(quantity.format(case=case), float(1000 * course.errors.max()), 10.0, 0.0, "mm", "< 10 mm", "≤")
 
 
-def charts(runs: Runs, shown: int) -> tuple[Chart, ...]:
+def charts(runs: Runs) -> tuple[Chart, ...]:
     """Paths from above and from the side, distances, joints, of the case that is shown beside others."""
-    course = runs.planes[shown]
+    course = runs.shown
     return (
         _paths(course, runs.guard, 0, same("x (mm)")),
         _paths(course, runs.guard, 2, same("z (mm)")),
-        _distances(course, Text(en="Distances by the rule for all planes", pt_BR="Distâncias pela regra de todos")),
+        _distances(course, Text(en="Distances by the chosen rule", pt_BR="Distâncias pela regra escolhida")),
         _distances(runs.guard, Text(en="Distances by the guarded step", pt_BR="Distâncias pelo passo guardado")),
         *(_joint(runs, joint) for joint in (1, 2, 3)),
     )

@@ -138,6 +138,9 @@ def test_with_the_corrected_rule_nothing_comes_nearer_than_the_critical_distance
     assert track.near.min() >= 0.080
     assert (track.moved > 0).any()
     assert track.moved.max() < adaptation.CAP
+    ahead = np.einsum("kj,pj->kp", np.diff(track.targets, axis=0), here.planes.normals)
+    if damps:  # where a plane warns, its target comes no nearer to it than the one before
+        assert (ahead[track.near[1:] < 0.110] >= -1e-9).all()
     untouched = track.moved == 0
     np.testing.assert_array_equal(track.targets[untouched], way[untouched])
     for q, target, near, error in zip(track.q, track.targets, track.near, track.errors, strict=True):

@@ -54,7 +54,8 @@ def _came(coming: Coming, factor: float, damping: float, home: Array) -> Report:
 
 def _counted(coming: Coming, factor: float, report: Report) -> Row:
     quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}").format(f=factor)
-    return Row(quantity, report.iterations, coming.source, source=str(coming.source), assumed=FACTOR)
+    other = None if coming.counts.get(factor) == coming.source else FACTOR
+    return Row(quantity, report.iterations, coming.source, source=str(coming.source), assumed=other)
 
 
 def _others(coming: Coming, factor: float, reports: dict[float, Report]) -> list[Row]:

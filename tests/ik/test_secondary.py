@@ -7,7 +7,6 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from tests.ik.cerbaro_runs import degrees, demonstration_3, movemaster, orca, with_heading
 from tests.ik.secondary_runs import PINV, PLAIN, chosen, position, problem, ran, standing, tool
 from tests.ik.vargas_runs import barrier, in_a_slab, obstacle_at_the_links, obstacle_at_the_tool, planar, two_arms, wave
 
@@ -18,6 +17,7 @@ from helicoide.ik.objective import posture
 from helicoide.ik.secondary import augmented, augmented_gains, push, total
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
+from helicoide.studies.cerbaro_runs.arms import movemaster, with_heading
 from helicoide.text import HelicoideError
 
 # In the null space.
@@ -64,19 +64,6 @@ def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose:
     assert max(np.linalg.norm(tool(here, one) - tool(here, q)) for one in way) < 1e-5
 
 
-def test_one_point_in_two_postures() -> None:
-    """Cerbaro 2022, fig. 27: A and B stand at (583.2, 173.2) mm, and the null space leads from the one to the other."""
-    here = orca()
-    a, b = np.array([np.pi / 4, -np.pi / 4, 0]), np.array([0.0087, 0.7852, -0.7942])
-    np.testing.assert_allclose(tool(here, a)[:2], [0.5832412, 0.1732412], rtol=0, atol=5.1e-8)
-    np.testing.assert_allclose(tool(here, b)[:2], [0.5832474, 0.1732228], rtol=0, atol=5.1e-8)
-    pushed = push(here, chosen("reference_posture", reference=tuple(b)), 2.0)
-    run = ran(followed(here, PINV, PLAIN, position(here, standing(*tool(here, a))), 50.0, a, 0.01, pushed), 12.0)
-    assert run.error.max() < 0.06
-    assert run.error[-1] < 1e-6
-    np.testing.assert_allclose(run.last.q, b, rtol=0, atol=2e-4)
-
-
 def test_several_objectives_are_summed() -> None:
     here = movemaster()
     at = posture(here, here.robot.poses["example"])
@@ -101,44 +88,6 @@ def test_the_push_knows_where_the_second_arm_is_now() -> None:
         expected = -2 * total(here, some, posture(here, q, others(t))).gradient
         np.testing.assert_allclose(pushed(q, t), expected, rtol=1e-14)
     assert np.abs(pushed(q, 3.0) - pushed(q, 0.0)).max() > 1e-3
-
-
-# Demonstrations 3 of Cerbaro 2022, §4.4.3–4.4.4, with steps of 10 ms; the full count is in the soak tests.
-
-
-def test_the_movemaster_without_orientation() -> None:
-    """Digest §3.6: J3 −130.8…−98.4°, J4 12.4…22.9°; J5 stands still."""
-    run = demonstration_3("movemaster", 0.0, 0.01)
-    assert degrees(run, 3) == pytest.approx((-130.8, -98.4), abs=0.06)
-    assert degrees(run, 4) == pytest.approx((12.4, 22.9), abs=0.06)
-    assert np.abs(run.q[:, 4]).max() < 1e-12
-
-
-def test_one_gain_for_all_joints_fails() -> None:
-    """k0 = 500: J3 begins beyond its limit, J4 ends nearer to its own than with k0 = 0; J1 is not touched."""
-    run = demonstration_3("movemaster", 500.0, 0.01)
-    assert degrees(run, 1) == pytest.approx((-8.85, 8.85), abs=0.006)
-    assert degrees(run, 3) == pytest.approx((-129.9, -72.0), abs=0.06)
-    assert degrees(run, 4) == pytest.approx((-60.4, 13.5), abs=0.06)
-    assert np.abs(run.q[:, 4]).max() < 1e-12
-
-
-def test_the_first_motion_in_the_null_space_is_violent() -> None:
-    """650 °/s at once, at an error of 0.007 mm (steps of 1 ms, as in the source)."""
-    run = demonstration_3("movemaster", 500.0, 1e-3, 0.3)
-    assert np.degrees(run.fastest.max()) == pytest.approx(650, abs=5)
-    assert run.error.max() == pytest.approx(0.007, abs=2e-4)
-
-
-def test_the_orca_stays_farther_from_its_limits() -> None:
-    """The limits are ours, the source has none in numbers: on the mean the objective is better by a factor of two."""
-    here = orca()
-    objective = objectives.named("limit_distance")
-    cost = [
-        np.mean([objective.cost(here, posture(here, q), None).value for q in demonstration_3("orca", k0, 0.02).q])
-        for k0 in (0.0, 250.0)
-    ]
-    assert cost[1] < cost[0] / 2
 
 
 # As a row of the task.

@@ -20,7 +20,7 @@ from helicoide import studies
 from helicoide.export.study_report import FAILED, Record, chosen, counted, page
 from helicoide.export.study_table import HEADINGS, cells
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
-from helicoide.jobs import Outcome, Progress, in_processes, timed
+from helicoide.jobs.several import Outcome, Progress, in_processes, timed
 from helicoide.studies.study import Chart, Result, Row
 from helicoide.text import HelicoideError, Language, Text, same
 

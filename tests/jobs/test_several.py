@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pytest
 
-from helicoide.jobs import Progress, in_processes, timed
+from helicoide.jobs.several import Progress, in_processes, timed
 from helicoide.text import HelicoideError, same
 
 

@@ -17,12 +17,12 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 13: out of reach, at rest", pt_BR="Simulação 13: fora do alcance, em repouso")
 SOURCE = "Vargas 2013, §4.6, sim. 13, figs. 4.29–4.33"
 ABOUT = Text(
-    en="""The path of simulation 12 by the modified law, q̇ = ΘΘᵀJᵀν, which drops what the arm cannot reach. Look at the \
-error out of reach: the elbow does not swing any more, and the effector rests on the border at the point nearest to \
-the path. With the larger γ it is back on the path within a quarter of a second.""",
-    pt_BR="""O caminho da simulação 12 pela lei modificada, q̇ = ΘΘᵀJᵀν, que descarta o que o braço não alcança. Observe \
-o erro fora do alcance: o cotovelo já não oscila e o efetuador repousa na fronteira, no ponto mais próximo do caminho. \
-Com o γ maior ele volta ao caminho em um quarto de segundo.""",
+    en="""The path of simulation 12 by the modified law, q̇ = ΘΘᵀJᵀν, which drops what the arm cannot reach. Look at \
+the error out of reach: the elbow does not swing any more, and the effector rests on the border at the point nearest \
+to the path. With the larger γ it is back on the path within a quarter of a second.""",
+    pt_BR="""O caminho da simulação 12 pela lei modificada, q̇ = ΘΘᵀJᵀν, que descarta o que o braço não alcança. \
+Observe o erro fora do alcance: o cotovelo já não oscila e o efetuador repousa na fronteira, no ponto mais próximo do \
+caminho. Com o γ maior ele volta ao caminho em um quarto de segundo.""",
 )
 ROBOT = "zebra_zero"
 BACK = {1: ("0.57", "1.15", "0.10"), 25: ("0.017", "0.013", "0.006")}
@@ -53,7 +53,9 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     runs = followers(path_8, FOLDED, ways, dt, seconds, progress)
     rows = [row for key, found in FOUND.items() for row in reach_rows(sheet, ways[key], runs[key], found)]
     large, of = runs["modified_25"], ways["modified_25"].title
-    off = Text(en="largest distance from the nearest point of the border", pt_BR="maior distância ao ponto da fronteira")
+    off = Text(
+        en="largest distance from the nearest point of the border", pt_BR="maior distância ao ponto da fronteira"
+    )
     swings = Text(en="dips behind the border", pt_BR="recuos atrás da fronteira")
     back = Text(en="largest error after coming back", pt_BR="maior erro após a volta")
     rows += [

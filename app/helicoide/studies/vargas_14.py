@@ -35,8 +35,8 @@ ABOUT = Text(
 both errors: the modified law rests where the weighted errors are least, so that the larger gain wins, and only the \
 ratio of the gains counts. A larger gain for one axis favours that axis.""",
     pt_BR="""Durante doze segundos o caminho pede um lugar e uma orientação que o braço não pode ter ao mesmo tempo. \
-Observe os dois erros: a lei modificada repousa onde os erros ponderados são mínimos, de modo que o ganho maior vence e \
-só a razão entre os ganhos conta. Um ganho maior em um eixo favorece esse eixo.""",
+Observe os dois erros: a lei modificada repousa onde os erros ponderados são mínimos, de modo que o ganho maior vence \
+e só a razão entre os ganhos conta. Um ganho maior em um eixo favorece esse eixo.""",
 )
 ROBOT = "zebra_zero"
 HALF = 7.854  # s: where trajectory 11 is farthest
@@ -74,7 +74,7 @@ class Options:
 def weighted(
     gains: Gains, gain: float, dt: float, seconds: float, progress: Progress = lambda share: None, path: Path = path_11
 ) -> Run:
-    """The effector on trajectory 11, R_d = R_y(π), by the modified law in dm. Args: gains of x, y, z and orientation."""
+    """The effector on trajectory 11, R_d = R_y(π), by the modified law, dm. Args: gains of x, y, z and orientation."""
     arm = zebra()
 
     def in_dm(t: float) -> tuple[tuple[float, float, float], tuple[float, float, float]]:

@@ -18,18 +18,27 @@ from helicoide.studies.vargas.paths import path_1
 from helicoide.studies.vargas.runs import Run, each, largest, rms
 from helicoide.studies.vargas.secondary import ASSUMED, SECONDS, chosen, filtered, follow
 from helicoide.studies.vargas.table import SECONDS as IN_SECONDS
-from helicoide.studies.vargas.table import Gain, Sheet, Step, errors_chart, is_changed, planar_motion, rates_chart, thinned
+from helicoide.studies.vargas.table import (
+    Gain,
+    Sheet,
+    Step,
+    errors_chart,
+    is_changed,
+    planar_motion,
+    rates_chart,
+    thinned,
+)
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 15: a limit of the elbow", pt_BR="Simulação 15: um limite do cotovelo")
 SOURCE = "Vargas 2013, §4.7, sim. 15, figs. 4.39–4.40"
 ABOUT = Text(
     en="""The arm has a joint to spare, and a steep barrier asks the elbow to stay within −1 ± ζ. Look at q₂: without \
-the barrier it runs out of the range; with ζ = 0.5 it stays inside and the path is kept all the same; with ζ = 0.2 there \
-is too little room, and the path pays.""",
-    pt_BR="""O braço tem uma junta de sobra, e uma barreira íngreme pede que o cotovelo fique em −1 ± ζ. Observe q₂: sem \
-a barreira ele sai da faixa; com ζ = 0,5 fica dentro dela e o caminho é mantido mesmo assim; com ζ = 0,2 o espaço é \
-pouco e o caminho paga.""",
+the barrier it runs out of the range; with ζ = 0.5 it stays inside and the path is kept all the same; with ζ = 0.2 \
+there is too little room, and the path pays.""",
+    pt_BR="""O braço tem uma junta de sobra, e uma barreira íngreme pede que o cotovelo fique em −1 ± ζ. Observe q₂: \
+sem a barreira ele sai da faixa; com ζ = 0,5 fica dentro dela e o caminho é mantido mesmo assim; com ζ = 0,2 o espaço \
+é pouco e o caminho paga.""",
 )
 ROBOT = "planar3r"
 MIDDLE = -1.0
@@ -87,12 +96,40 @@ def _rows(sheet: Sheet, key: str, run: Run) -> list[Row]:
     rows = [
         sheet.row(Text(en="least q₂", pt_BR="menor q₂"), of, float(q_2[late].min()), low, "rad", coarse=1e-3),
         sheet.row(Text(en="greatest q₂", pt_BR="maior q₂"), of, float(q_2[late].max()), high, "rad", coarse=2e-3),
-        sheet.row(Text(en="largest error after 3 s", pt_BR="maior erro após 3 s"), of, float(size.max()), error, "ℓ", within=tight, coarse=2e-4 / float(error), assumed=ASSUMED),
-        sheet.row(Text(en="rms error after 3 s", pt_BR="erro rms após 3 s"), of, rms(size), mean, "ℓ", within=tight, assumed=ASSUMED),
-        sheet.row(Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s"), of, largest(run.rates, late), fastest, "rad/s", coarse=0.03, assumed=ASSUMED),
+        sheet.row(
+            Text(en="largest error after 3 s", pt_BR="maior erro após 3 s"),
+            of,
+            float(size.max()),
+            error,
+            "ℓ",
+            within=tight,
+            coarse=2e-4 / float(error),
+            assumed=ASSUMED,
+        ),
+        sheet.row(
+            Text(en="rms error after 3 s", pt_BR="erro rms após 3 s"),
+            of,
+            rms(size),
+            mean,
+            "ℓ",
+            within=tight,
+            assumed=ASSUMED,
+        ),
+        sheet.row(
+            Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s"),
+            of,
+            largest(run.rates, late),
+            fastest,
+            "rad/s",
+            coarse=0.03,
+            assumed=ASSUMED,
+        ),
     ]
     if zeta is not None:
-        out = Text(en="greatest distance of q₂ from −1, of the whole run", pt_BR="maior distância de q₂ a −1, na simulação inteira")
+        out = Text(
+            en="greatest distance of q₂ from −1, of the whole run",
+            pt_BR="maior distância de q₂ a −1, na simulação inteira",
+        )
         rows.append(sheet.row(out, of, float(np.abs(q_2 - MIDDLE).max()), f"{zeta:g}", "rad", relation="≤", coarse=0.0))
     return rows
 

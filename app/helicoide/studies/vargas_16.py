@@ -17,7 +17,16 @@ from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
 from helicoide.studies.vargas.runs import Run, each
 from helicoide.studies.vargas.secondary import ASSUMED, SECONDS, chosen, filtered, follow, tool
-from helicoide.studies.vargas.table import Gain, Sheet, Step, errors_chart, is_changed, planar_motion, rates_chart, way_chart
+from helicoide.studies.vargas.table import (
+    Gain,
+    Sheet,
+    Step,
+    errors_chart,
+    is_changed,
+    planar_motion,
+    rates_chart,
+    way_chart,
+)
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 16: round an obstacle", pt_BR="Simulação 16: contornando um obstáculo")
@@ -43,7 +52,9 @@ CASES = {
 }
 CLOSEST = Text(en="closest to the obstacle after 2 s", pt_BR="menor distância ao obstáculo após 2 s")
 WORST = Text(en="largest error after 2 s", pt_BR="maior erro após 2 s")
-WEIGHT = Quantity(Text(en="height α of the run that the arm shows", pt_BR="altura α da simulação que o braço mostra"), 0.1, 10.0)
+WEIGHT = Quantity(
+    Text(en="height α of the run that the arm shows", pt_BR="altura α da simulação que o braço mostra"), 0.1, 10.0
+)
 
 
 @dataclass(frozen=True)
@@ -73,7 +84,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     ways: dict[Text, Array] = {Text(en="wished", pt_BR="desejado"): places(path_1, runs[wanted[0]].t)[:, :2]}
     ways |= {name: tool(one, path_1) for name, one in names.items()}
     shown = runs[options.weight]
-    charts = (way_chart(ways, "x, ℓ", "y, ℓ"), errors_chart(names, "ℓ"), rates_chart(shown, same(f"α = {options.weight:g}")))
+    charts = (
+        way_chart(ways, "x, ℓ", "y, ℓ"),
+        errors_chart(names, "ℓ"),
+        rates_chart(shown, same(f"α = {options.weight:g}")),
+    )
     return Result(tuple(rows), charts, planar_motion(shown))
 
 

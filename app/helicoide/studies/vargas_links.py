@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from typing import Annotated
 
 from helicoide.ik.method import OneOf
@@ -17,15 +16,17 @@ from helicoide.text import Text, same
 TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos elos")
 SOURCE = "Vargas 2013, §4.7, fig. 4.42"
 ABOUT = Text(
-    en="""The obstacle stands beside the arm, not beside the path. Play the run: with eight points on each link that see \
-it, the arm folds out of the way and the tool hardly leaves its path. With the ends of the links alone the obstacle \
-slips in between.""",
+    en="""The obstacle stands beside the arm, not beside the path. Play the run: with eight points on each link that \
+see it, the arm folds out of the way and the tool hardly leaves its path. With the ends of the links alone the \
+obstacle slips in between.""",
     pt_BR="""O obstáculo está ao lado do braço, não do caminho. Veja a simulação: com oito pontos em cada elo que o \
 percebem, o braço se dobra para dar passagem e o efetuador quase não sai do caminho. Só com as pontas dos elos, o \
 obstáculo passa entre elas.""",
 )
 ROBOT = "planar3r"
-ASSUMED = Text(en="lengths, start, places of the obstacle, α = 5", pt_BR="comprimentos, partida, lugares do obstáculo, α = 5")
+ASSUMED = Text(
+    en="lengths, start, places of the obstacle, α = 5", pt_BR="comprimentos, partida, lugares do obstáculo, α = 5"
+)
 # μ and how many points of a link see it; of the digest from 3 s on: least distance and largest error. The errors
 # without a term and with one point are ours.
 Key = tuple[tuple[float, float], int]
@@ -82,7 +83,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rows.append(sheet.row(distance, names[key], found, near, "ℓ", coarse=coarse[0], assumed=ASSUMED))
         rows.append(sheet.row(worst, names[key], size, error, "ℓ", within=6e-4, coarse=coarse[1], assumed=ASSUMED))
     shown = next(key for key in CASES if key[1] == 8 and f"{key[0][0]:g}, {key[0][1]:g}" == options.shown)
-    charts = (errors_chart({names[key]: found for key, found in runs.items()}, "ℓ"), rates_chart(runs[shown], names[shown]))
+    charts = (
+        errors_chart({names[key]: found for key, found in runs.items()}, "ℓ"),
+        rates_chart(runs[shown], names[shown]),
+    )
     return Result(tuple(rows), charts, planar_motion(runs[shown]))
 
 

@@ -23,13 +23,19 @@ ABOUT = Text(
     en="""The path swings between y = −0.5 and 0.5, and a barrier asks the tool to stay within |y| < 0.3. Look at y: \
 the steeper the barrier the nearer to its face the tool goes, but it never touches it, and x is followed all the \
 while.""",
-    pt_BR="""O caminho oscila entre y = −0,5 e 0,5, e uma barreira pede que o efetuador fique em |y| < 0,3. Observe y: \
-quanto mais íngreme a barreira, mais perto da face o efetuador chega, mas nunca a toca, e x é seguido o tempo todo.""",
+    pt_BR="""O caminho oscila entre y = −0,5 e 0,5, e uma barreira pede que o efetuador fique em |y| < 0,3. Observe \
+y: quanto mais íngreme a barreira, mais perto da face o efetuador chega, mas nunca a toca, e x é seguido o tempo \
+todo.""",
 )
 ROBOT = "planar3r"
 NOT_THERE = Text(en="not in the source: of the digest", pt_BR="não está na fonte: é da síntese")
 # α and k; of the digest: the largest |y| from 3 s on and of all
-CASES = {(0.0, 10): ("0.500", "0.5"), (5.0, 10): ("0.249", "0.249"), (1.0, 10): ("0.270", "0.270"), (5.0, 3): ("0.178", "0.198")}
+CASES = {
+    (0.0, 10): ("0.500", "0.5"),
+    (5.0, 10): ("0.249", "0.249"),
+    (1.0, 10): ("0.270", "0.270"),
+    (5.0, 3): ("0.178", "0.198"),
+}
 HALF = 0.3
 
 
@@ -60,14 +66,52 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         of, late = names[key], runs[key].t >= 3.0
         y = np.abs(tool(runs[key], path_1)[:, 1])
         rows += [
-            sheet.row(Text(en="largest |y| after 3 s", pt_BR="maior |y| após 3 s"), of, float(y[late].max()), later, "ℓ", within=6e-4, coarse=0.0, source=NOT_THERE, assumed=ASSUMED),
-            sheet.row(Text(en="largest |y|", pt_BR="maior |y|"), of, float(y.max()), ever, "ℓ", within=6e-4, coarse=0.0, source=NOT_THERE, assumed=ASSUMED),
+            sheet.row(
+                Text(en="largest |y| after 3 s", pt_BR="maior |y| após 3 s"),
+                of,
+                float(y[late].max()),
+                later,
+                "ℓ",
+                within=6e-4,
+                coarse=0.0,
+                source=NOT_THERE,
+                assumed=ASSUMED,
+            ),
+            sheet.row(
+                Text(en="largest |y|", pt_BR="maior |y|"),
+                of,
+                float(y.max()),
+                ever,
+                "ℓ",
+                within=6e-4,
+                coarse=0.0,
+                source=NOT_THERE,
+                assumed=ASSUMED,
+            ),
         ]
     kept = runs[5.0, 10]
     late = kept.t >= 3.0
     rows += [
-        sheet.row(Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s"), names[5.0, 10], largest(kept.rates, late), "0.111", "rad/s", coarse=0.02, source=NOT_THERE, assumed=ASSUMED),
-        sheet.row(Text(en="largest |e_x| after 3 s", pt_BR="maior |e_x| após 3 s"), names[5.0, 10], largest(kept.e[:, 0], late), "5e-4", "ℓ", relation="≤", coarse=1.0, source=NOT_THERE, assumed=ASSUMED),
+        sheet.row(
+            Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s"),
+            names[5.0, 10],
+            largest(kept.rates, late),
+            "0.111",
+            "rad/s",
+            source=NOT_THERE,
+            assumed=ASSUMED,
+        ),
+        sheet.row(
+            Text(en="largest |e_x| after 3 s", pt_BR="maior |e_x| após 3 s"),
+            names[5.0, 10],
+            largest(kept.e[:, 0], late),
+            "5e-4",
+            "ℓ",
+            relation="≤",
+            coarse=1.0,
+            source=NOT_THERE,
+            assumed=ASSUMED,
+        ),
     ]
     heights = tuple(Line(names[key], thinned(one.t), thinned(tool(one, path_1)[:, 1])) for key, one in runs.items())
     wished = Line(Text(en="wished", pt_BR="desejado"), thinned(kept.t), thinned(places(path_1, kept.t)[:, 1]))

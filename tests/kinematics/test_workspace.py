@@ -188,7 +188,7 @@ def test_a_cell_knows_its_points() -> None:
     grid = (np.array(cells.origin), np.array(cells.axes), cells.size, np.array(cells.shape))
     for number, centre in enumerate(cells.centres):
         for one in (cell_of, plain(cell_of)):
-            assert one(centre + [0.12, 7.0, -0.12], *grid) == number
+            assert one(centre + np.array([0.12, 7.0, -0.12]), *grid) == number
     for outside in ([-1.01, 0, 0.1], [0.01, 0, 0.1], [-0.5, 0, -0.01], [-0.5, 0, 2.01]):
         assert cell_of(np.array(outside), *grid) == -1
 

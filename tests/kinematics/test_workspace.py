@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.ik.closed.small_arms import planar
 from tests.kinematics.arms import MIXED, NAMES, arm, postures
 
 from helicoide.ik.postures.branch import tool_at
@@ -19,6 +18,7 @@ from helicoide.kinematics.manipulability import analysed, of_position
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.sweep import sector_of, spread_of
 from helicoide.kinematics.workspace import Kind, Map
+from helicoide.studies._campos_arms import planar
 from helicoide.text import HelicoideError
 
 

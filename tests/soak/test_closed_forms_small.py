@@ -6,13 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from tests.ik.closed.small_arms import planar, recovered, worst
+from tests.ik.closed.small_arms import recovered, worst
 
 from helicoide.ik.closed import motoman_l3, planar3r, polar
 from helicoide.ik.postures.branch import Answer, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import planar
 
 pytestmark = pytest.mark.soak
 

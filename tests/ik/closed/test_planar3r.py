@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import moved, planar, recovered, reversed_axes, upright, with_points, worst
+from tests.ik.closed.small_arms import moved, recovered, reversed_axes, with_points, worst
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import planar3r
@@ -18,6 +18,7 @@ from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import planar, upright
 from helicoide.text import LANGUAGES, HelicoideError
 
 L3 = 0.2

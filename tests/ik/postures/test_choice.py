@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import limited, planar, upright
 
 from helicoide.ik.closed import motoman_l3, planar3r
 from helicoide.ik.postures import choice
@@ -17,6 +16,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import limited, planar, upright
 from helicoide.text import HelicoideError, same
 
 L3 = 0.2

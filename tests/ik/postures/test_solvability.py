@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 import pytest
-from tests.ik.closed.rows import LENGTHS, backwards, of_rows, puma, puma_rows, some_pose, spherical
+from tests.ik.closed.rows import backwards
 from tests.kinematics.arms import NAMES, arm, postures
 from tests.kinematics.test_packages import ARMS, packaged_arm
 
@@ -20,6 +20,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses, screw_displacements
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, puma_rows, some_pose, spherical
 
 HERE = np.zeros(6)
 # by hand: axes from 1

@@ -21,7 +21,7 @@ LENGTHS = [
 Rows = Sequence[tuple[float, float, float]]
 
 
-def of_rows(rows: Rows, T_world_dh: Array, T_dh_tool: Array, shifts: Sequence[float] = (0,) * 6) -> Robot:
+def of_rows(rows: Rows, T_world_dh: Array, T_dh_tool: Array, shifts: Sequence[float] | Array = (0,) * 6) -> Robot:
     """An arm of six joints without narrow limits from modified rows (α, a, d), rad and m, and θ at q = 0."""
     puma = load("puma560")
     table = DhTable(
@@ -75,7 +75,7 @@ def spherical(draw: np.random.Generator, family: str, right_wrist: bool = True) 
         a[1] = 0
     if family == "sin α1 = 0":
         alpha[1] = draw.choice([0, np.pi])
-    rows = [tuple(map(float, row)) for row in zip(alpha, a, d, strict=True)]
+    rows = [(float(x), float(y), float(z)) for x, y, z in zip(alpha, a, d, strict=True)]
     return of_rows(rows, some_pose(draw), some_pose(draw), draw.uniform(-3, 3, 6))
 
 

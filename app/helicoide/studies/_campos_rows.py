@@ -33,7 +33,7 @@ def row(
 
 def posed(robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = ()) -> Motion:
     """An arm that takes postures one after another, two seconds each."""
-    return Motion(robot, 2.0 * np.arange(len(postures)), np.array(postures), parameters)
+    return Motion(robot, np.arange(0.0, 2.0 * len(postures), 2.0), np.array(postures), parameters)
 
 
 def millimetres(**lengths: float) -> tuple[str, ...]:

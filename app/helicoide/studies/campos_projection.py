@@ -119,7 +119,7 @@ def _planar(goals: list[Array]) -> float:
     robot, worst = planar("planar3r", 1.0, 0.7, 0.2), 0.0
     for T in goals:
         R = T[:3, :3]
-        expected = upright(*T[:2, 3], float(np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1])))
+        expected = upright(T[0, 3], T[1, 3], float(np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1])))
         worst = max(worst, float(np.abs(subspace.project(robot, T, np.zeros(3)).T_world_goal - expected).max()))
     return worst
 

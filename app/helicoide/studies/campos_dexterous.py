@@ -27,7 +27,6 @@ ABOUT = Text(
     "iguais têm um só, o primeiro eixo.",
 )
 ROBOT = "planar3r"
-__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run", "share"]
 
 L1, L2 = 1.0, 0.7
 HAND = Quantity(Text(en="length of the hand", pt_BR="comprimento da mão"), 0.05, 0.5, "m")

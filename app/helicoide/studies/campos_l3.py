@@ -29,7 +29,6 @@ ABOUT = Text(
     "trás, com o cotovelo para cima ou para baixo.",
 )
 ROBOT = "motoman_l3"
-__all__ = ["ABOUT", "ROBOT", "SOLUTIONS", "SOURCE", "TITLE", "Options", "goal", "run"]
 
 # The names of the postures for the goal, and their joints, degrees.
 SOLUTIONS = {

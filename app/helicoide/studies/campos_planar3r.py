@@ -27,7 +27,6 @@ ABOUT = Text(
     "a geometria levam aos mesmos ângulos. Qual das duas está mais perto depende de quanto pesam as juntas grandes.",
 )
 ROBOT = "planar3r"
-__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 L1, L2, L3 = 1.0, 0.7, 0.2
 # For (x, y, φ) = (1, 0.8, 0.5) of the third axis, rad.

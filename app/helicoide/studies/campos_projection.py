@@ -30,7 +30,6 @@ ABOUT = Text(
     "exatamente pelo ângulo com que ele sai do plano do braço.",
 )
 ROBOT = "motoman_l3"
-__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 FEW = 200
 

@@ -26,7 +26,6 @@ ABOUT = Text(
     "efetuador à mesma pose. Virar o punho, θ₄ + 180°, −θ₅, θ₆ + 180°, deixa o efetuador exatamente onde está.",
 )
 ROBOT = "puma560"
-__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run", "there_and_back"]
 
 # The postures, degrees, for the pose of EXAMPLE, rad.
 EXAMPLE = frozen([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])

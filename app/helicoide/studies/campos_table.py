@@ -30,7 +30,6 @@ ABOUT = Text(
     "esférico o limite é oito, e sem ele dezesseis.",
 )
 ROBOT = "puma560"
-__all__ = ["ABOUT", "ROBOT", "SIXTEEN", "SOURCE", "TITLE", "Options", "run", "sixteen"]
 
 # Zero link lengths of each row, and its bound.
 ROWS: tuple[tuple[tuple[int, ...], int], ...] = (((1, 3, 5), 4), ((3, 5), 8), ((3,), 16), ((), 16))

@@ -28,7 +28,6 @@ ABOUT = Text(
     "aleatórias encontram a mesma área da fórmula, e limitar o cotovelo a um lado muda a contagem, não a área.",
 )
 ROBOT = "planar2r"
-__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 SAMPLES, FEW = 4_000_000, 300_000
 # Relative errors of an area, measured: less than half of these.

@@ -1,4 +1,7 @@
-"""The experiments of the sources, a file each; `study.Study` says what such a file holds."""
+"""The experiments of the sources, a file each; `study.Study` says what such a file holds.
+
+What several of them share is in files whose names begin with "_"; these are no studies.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,8 @@ _FRAME = ("desk", "study")
 @cache
 def names() -> tuple[str, ...]:
     """The names of all studies: those of their files."""
-    return tuple(sorted(m.name for m in pkgutil.iter_modules(__path__) if m.name not in _FRAME and not m.ispkg))
+    modules = (m.name for m in pkgutil.iter_modules(__path__) if not m.ispkg)
+    return tuple(sorted(name for name in modules if name not in _FRAME and not name.startswith("_")))
 
 
 @cache

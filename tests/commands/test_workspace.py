@@ -26,7 +26,7 @@ SAMPLES = 3 * workspace.CHUNK + 11
 @pytest.fixture(autouse=True)
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache folder of its own; that of the kernels stays."""
-    monkeypatch.setattr(jobs, "user_cache_path", lambda name: tmp_path / "cache" / name)
+    monkeypatch.setattr(chunks, "user_cache_path", lambda name: tmp_path / "cache" / name)
     return tmp_path / "cache" / "helicoide" / "workspace"
 
 
@@ -158,7 +158,7 @@ def test_without_a_place_to_keep_it_the_map_is_there_all_the_same(
     plan: Plan, expected: Map, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "file").write_text("in the way")
-    monkeypatch.setattr(jobs, "user_cache_path", lambda name: tmp_path / "file" / name)
+    monkeypatch.setattr(chunks, "user_cache_path", lambda name: tmp_path / "file" / name)
     assert same(chunks.workspace_map(plan), expected)
 
 

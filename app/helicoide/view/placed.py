@@ -111,7 +111,7 @@ class _Entry:
 class _Upload:
     def __init__(self, gui: viser.GuiApi, row: Upload, view: View, act: Act) -> None:
         self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD)
-        bind.on_value(self.handle, lambda file: act(row.wish(file.name, file.content)))
+        bind.on_upload(self.handle, lambda name, content: act(row.wish(name, content)))
 
     def refresh(self, view: View) -> None:
         pass

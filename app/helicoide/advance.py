@@ -25,6 +25,9 @@ RESTS = 0.1
 SETTLED = 0.5
 GRIPPER_SPEED = 2.0
 IMPERCEPTIBLE = 1e-10
+# How near to its path an arm is that follows it, rad or m, and the shares of the time that are tried for that.
+ON_PATH = 2e-4
+SLOWER = (1.0, 0.5, 0.25, 0.12, 0.06, 0.03)
 
 _STILL = frozen(np.zeros(3))
 Task = tuple[Array, Array, Array, Array]
@@ -162,7 +165,11 @@ def _along(state: State, command: Along, dt: float) -> State:
 
 
 def _replayed(state: State, command: Replay, dt: float) -> State:
-    """Joint values over time, after the way to where they begin; what holds them back does not stop the time."""
+    """Along a path of the joints, after the way to where it begins.
+
+    Where the guard holds the arm back, the time slows down until the arm is on the path all the same, if it `waits`;
+    where that is in vain, or else, the arm goes on beside the path, as near as it may.
+    """
     path = command.path
     here = path.q(command.s)
     if not command.arrived:
@@ -170,10 +177,14 @@ def _replayed(state: State, command: Replay, dt: float) -> State:
         near = np.max(np.abs(here - state.q)) < ARRIVED_JOINTS
         arrived = bool(near) or (state.rested > RESTS and not state.moving)
         return replace(state, command=replace(command, arrived=arrived))
-    s = min(command.s + dt, path.duration)
-    wished = path.q(s) - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)
-    state = _stepped(state, drives.displacement(wished), dt)
-    return replace(state, command=replace(command, s=s) if command.s < path.duration else Hold())
+    for share in (*SLOWER, 1.0) if command.waits else (1.0,):
+        s = min(command.s + share * dt, path.duration)
+        there = path.q(s)
+        stepped = _stepped(state, drives.displacement(there - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)), dt)
+        if np.max(np.abs(stepped.q - there)) < ON_PATH:
+            break
+    ended = command.s >= path.duration
+    return replace(stepped, command=ToJoints(frozen(path.q(s))) if ended else replace(command, s=s))
 
 
 def _to_ready(state: State, dt: float) -> State:

@@ -59,10 +59,14 @@ class Along:
 
 @dataclass(frozen=True, eq=False)
 class Replay:
-    """Go along a path of the joints from s on, after coming to where it begins; called what it is said to be."""
+    """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
+
+    waits: whether its time slows down where the arm cannot keep up.
+    """
 
     path: JointPath
     title: Text
+    waits: bool = True
     s: float = 0.0
     arrived: bool = False
 

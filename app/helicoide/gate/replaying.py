@@ -26,7 +26,10 @@ def replay(path: JointPath, title: Text) -> Update:
 
 
 def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
-    """Joint values (k, n), rad or m, at times (k,) that rise, s, by a spline through at most `KNOTS` of them."""
+    """Joint values (k, n), rad or m, at times (k,) that rise, s, by a spline through at most `KNOTS` of them.
+
+    Where the guard holds the arm back, it lags behind: the time goes on as it did.
+    """
 
     def wish(state: State) -> State:
         n, count = len(state.q), len(np.atleast_1d(times))
@@ -39,6 +42,6 @@ def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
             )
         kept = np.unique(np.linspace(0, count - 1, min(count, KNOTS)).round().astype(int))
         at, values = finite(times, (count,))[kept], finite(q, (count, n))[kept]
-        return commanded(state, Replay(Spline(frozen(at - at[0]), frozen(values)), title))
+        return commanded(state, Replay(Spline(frozen(at - at[0]), frozen(values)), title, waits=False))
 
     return driven(wish)

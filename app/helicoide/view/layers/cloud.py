@@ -16,7 +16,7 @@ TITLE = Text(en="Clouds of points", pt_BR="Nuvens de pontos")
 SHOWN = True
 
 OFF_IT, ON_IT = (150, 150, 150), (46, 125, 50)
-SIZE, MOST = 0.004, 20_000
+SIZE, MOST = 0.0025, 20_000
 
 
 def build(stage: Stage) -> Clouds:

@@ -30,7 +30,7 @@ ABOUT = Text(
 ROBOT = "planar2r"
 
 SAMPLES, FEW = 4_000_000, 300_000
-# Relative errors of an area, measured: less than half of these.
+# Relative errors of an area; measured are 0.2 % and 1.2 % at most.
 CLOSE, COARSE = 0.006, 0.02
 # How far off an edge points are counted, m, as the slides' own check has it.
 ASIDE = 1e-6

@@ -35,7 +35,7 @@ def test_ticks_are_few_round_and_inside(range_: tuple[float, float]) -> None:
     step = np.diff(found).mean()
     np.testing.assert_allclose(np.diff(found), step, rtol=1e-6, atol=1e-9 * max(abs(lower), abs(upper)))
     first = step / 10 ** np.floor(np.log10(step * (1 + 1e-9)))
-    assert min(abs(first - digit) for digit in (1, 2, 5)) < 1e-3
+    assert min(abs(first - digit) for digit in (1, 2, 5, 10)) < 1e-3
 
 
 @given(bounds)

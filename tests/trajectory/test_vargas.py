@@ -6,9 +6,9 @@ from math import cos, pi, sin
 
 import numpy as np
 import pytest
-from tests.ik.vargas import path_1, path_2, path_3, path_4, path_6, path_7, path_8, path_10, path_11
 from tests.trajectory.test_paths import holds_twist
 
+from helicoide.studies.vargas.paths import path_1, path_2, path_3, path_4, path_6, path_7, path_8, path_10, path_11
 from helicoide.trajectory.vargas import VARGAS
 
 

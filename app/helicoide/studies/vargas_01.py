@@ -16,9 +16,9 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 1: an error that fades", pt_BR="Simulação 1: um erro que se apaga")
 SOURCE = "Vargas 2013, §2.4, sim. 1, figs. 2.6–2.7"
 ABOUT = Text(
-    en="""The arm starts away from its path, and the closed loop takes the error away. Look at the error: it halves in \
-equal times, twice as fast with λ = 2 as with λ = 1, whatever the arm does meanwhile. The price is paid in the first \
-instant, when the inverse throws the joints; the filtered inverse starts from rest and is six times gentler.""",
+    en="""The arm starts away from its path, and the closed loop takes the error away. Look at the error: it halves \
+in equal times, twice as fast with λ = 2 as with λ = 1, whatever the arm does meanwhile. The price is paid in the \
+first instant, when the inverse throws the joints; the filtered inverse starts from rest and is six times gentler.""",
     pt_BR="""O braço parte longe do caminho e a malha fechada elimina o erro. Observe o erro: ele cai à metade em \
 tempos iguais, duas vezes mais rápido com λ = 2 do que com λ = 1, não importa o que o braço faça. O preço aparece no \
 primeiro instante, quando a inversa arremessa as juntas; a inversa filtrada parte do repouso e é seis vezes mais \

@@ -24,10 +24,11 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 4: nothing in the way", pt_BR="Simulação 4: nada no caminho")
 SOURCE = "Vargas 2013, §3.5, sim. 4, figs. 3.8–3.9"
 ABOUT = Text(
-    en="""Five methods follow a path that stays away from singular postures. Look at how alike they are: the damping never \
-comes on, so that damped least squares is the pseudoinverse, and the filtered inverse has long become it.""",
-    pt_BR="""Cinco métodos seguem um caminho longe de posturas singulares. Veja como são parecidos: o amortecimento nunca \
-entra, de modo que os mínimos quadrados amortecidos são a pseudoinversa, e a inversa filtrada já se tornou igual a ela.""",
+    en="""Five methods follow a path that stays away from singular postures. Look at how alike they are: the damping \
+never comes on, so that damped least squares is the pseudoinverse, and the filtered inverse has long become it.""",
+    pt_BR="""Cinco métodos seguem um caminho longe de posturas singulares. Veja como são parecidos: o amortecimento \
+nunca entra, de modo que os mínimos quadrados amortecidos são a pseudoinversa, e a inversa filtrada já se tornou \
+igual a ela.""",
 )
 ROBOT = "planar3r"
 START = (pi / 6, pi / 6, pi / 6)

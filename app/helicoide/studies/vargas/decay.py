@@ -50,10 +50,8 @@ def decays(
     for one, most in zip((by, soft), fastest, strict=True):
         found = largest(runs[one, 2.0].rates)
         rows.append(sheet.row(FASTEST, one.title, found, most, "rad/s", coarse=0.01, assumed=ASSUMED))
-    shown = {
-        Text(en=f"{one.title.en}, λ = {rate:g}", pt_BR=f"{one.title.pt_BR}, λ = {rate:g}"): run
-        for (one, rate), run in runs.items()
-    }
+    rated = Text(en="{of}, λ = {rate:g}", pt_BR="{of}, λ = {rate:g}")
+    shown = {rated.format(of=one.title, rate=rate): run for (one, rate), run in runs.items()}
     logs = errors_chart(shown, "ℓ")
     return Result(
         tuple(rows),

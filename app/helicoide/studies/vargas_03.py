@@ -108,7 +108,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 def angles(run: Run) -> Array:
     """The angle of the error of orientation, (k,), degrees: e is sin(ϑ/2) times its axis."""
-    return np.degrees(2 * np.arcsin(np.minimum(1, sizes(run.e[:, 3:]))))
+    return np.asarray(np.degrees(2 * np.arcsin(np.minimum(1, sizes(run.e[:, 3:])))))
 
 
 def _speeds(

@@ -18,7 +18,8 @@ from helicoide.studies.vargas.planar import (
     followers,
     result,
 )
-from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.runs import largest
+from helicoide.studies.vargas.table import APART, Gain, Sheet, Step, choice, is_changed
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 4: nothing in the way", pt_BR="Simulação 4: nada no caminho")
@@ -33,11 +34,11 @@ igual a ela.""",
 ROBOT = "planar3r"
 START = (pi / 6, pi / 6, pi / 6)
 FOUND: dict[str, Found] = {
-    "pseudoinverse": ("0.0469", "1.1e-4", 0.01, None),
-    "damping": ("0.0469", "1.1e-4", 0.01, None),
-    "feedback": ("0.0469", "2.3e-4", 0.01, None),
-    "filtered": ("0.0470", "9.7e-5", 0.01, None),
-    "modified": ("0.0470", "1.1e-4", 0.01, None),
+    "pseudoinverse": ("0.0469", "1.1e-4", 0.01, 1.0),
+    "damping": ("0.0469", "1.1e-4", 0.01, 1.0),
+    "feedback": ("0.0469", "2.3e-4", 0.01, 1.0),
+    "filtered": ("0.0470", "9.7e-5", 0.01, 1.0),
+    "modified": ("0.0470", "1.1e-4", 0.01, 1.0),
 }
 SHOWN = choice({"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters([5.0])})
 
@@ -55,5 +56,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 2."""
     ways = {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters([options.gain])}
     runs = followers(path_2, START, ways, max(options.dt, 1e-2) if short else options.dt, progress)
-    rows = compared_rows(Sheet(short, is_changed(options)), ways, runs, FOUND)
+    sheet = Sheet(short, is_changed(options))
+    rows = compared_rows(sheet, ways, runs, FOUND)
+    alike = largest(runs["damping"].q - runs["pseudoinverse"].q)
+    rows += (sheet.row(APART, DAMPING.title, alike, "0", "rad", within=1e-12, coarse=0.0),)
     return result(rows, path_2, ways, runs, options.shown)

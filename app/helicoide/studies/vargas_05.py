@@ -23,10 +23,10 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 5: past a singular posture", pt_BR="Simulação 5: rente a uma postura singular")
 SOURCE = "Vargas 2013, §3.5, sim. 5, figs. 3.10–3.11"
 ABOUT = Text(
-    en="""The path passes the axis of the shoulder at a twentieth of a link, after about 26 s. Look at the joint \
+    en="""The path passes the axis of the shoulder at 0.07 of its length, after about 26 s. Look at the joint \
 rates there: the pseudoinverse stays on the path and is the fastest, all others give up some accuracy for slower \
 joints.""",
-    pt_BR="""O caminho passa rente ao eixo do ombro após cerca de 26 s. Observe ali as velocidades das juntas: a \
+    pt_BR="""O caminho passa a 0,07 do eixo do ombro após cerca de 26 s. Observe ali as velocidades das juntas: a \
 pseudoinversa não sai do caminho e é a mais rápida; todas as outras trocam um pouco de exatidão por juntas mais \
 lentas.""",
 )

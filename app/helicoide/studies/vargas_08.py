@@ -10,6 +10,7 @@ import numpy as np
 
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
+from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Line, Progress, Result
 from helicoide.studies.vargas.scalar import filtered
 from helicoide.studies.vargas.table import SECONDS, Sheet, Step, is_changed, thinned
@@ -47,7 +48,8 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Four k, 10 s each, and 60 s of the one that fades."""
     sheet, dt = Sheet(short, is_changed(options)), max(options.dt, 1e-2) if short else options.dt
-    t, rows, lines = np.arange(round(10 / dt) + 1) * dt, [], []
+    t: Array = dt * np.arange(round(10 / dt) + 1.0)
+    rows, lines = [], []
     for i, (name, (k, ends)) in enumerate(CASES.items()):
         theta = filtered(k, 1.0, options.beta, dt, 0.0, 10.0)
         lines.append(Line(same(name), thinned(t), thinned(theta)))

@@ -13,7 +13,7 @@ from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.crossing import Found, crossing_rows
 from helicoide.studies.vargas.paths import path_6
 from helicoide.studies.vargas.runs import Way, largest, way
-from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.table import APART, Gain, Sheet, Step, choice, is_changed
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 10: away from singular postures", pt_BR="Simulação 10: longe de singularidades")
@@ -58,11 +58,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows = crossing_rows(sheet, ways, runs, FOUND, max(1, round(EVERY / dt)), "< 0.2")
     filtered, damped, plain = (runs[key] for key in ("filtered", "damping", "pseudoinverse"))
     never = Text(en="largest damping δ", pt_BR="maior amortecimento δ")
-    apart = Text(en="largest difference of a joint from the pseudoinverse", pt_BR="maior diferença à pseudoinversa")
     later = filtered.t >= 5
     rows += [
         sheet.row(never, None, float(damped.figure("δ").max()), "0", "cm²", within=0.0, coarse=0.0, source="0"),
-        sheet.row(apart, DAMPING.title, largest(damped.q - plain.q), "0", "rad", within=1e-12, coarse=0.0),
+        sheet.row(APART, DAMPING.title, largest(damped.q - plain.q), "0", "rad", within=1e-12, coarse=0.0),
         sheet.row(
             Text(en="the same from 5 s on", pt_BR="o mesmo a partir de 5 s"),
             ways["filtered"].title,

@@ -60,14 +60,14 @@ def _worst(sheet: Sheet, beta: float, seconds: float) -> tuple[list[Row], Chart]
 
     dt = 5e-3
     theta = filtered(k, 1 - np.sqrt(C), beta, dt, 0.0, seconds)
-    t = np.arange(theta.size) * dt
+    t: Array = dt * np.arange(float(theta.size))
     title = Text(en="θ at {at:g} s where k fades most slowly", pt_BR="θ em {at:g} s com k no esvaimento limite")
     rows = [
         sheet.row(title.format(at=at), None, float(np.interp(at, t, theta)), digest, within=6e-3, coarse=0.0)
         for at, digest in WORST.items()
         if at <= seconds
     ]
-    S = np.array([k(float(now)) for now in t[::20]]) * theta[::20] - 1
+    S: Array = np.array([k(float(now)) for now in t[::20]]) * theta[::20] - 1
     error = Text(en="{which} S there", pt_BR="{which} S ali")
     for which, ours in ((Text(en="least", pt_BR="menor"), S.min()), (Text(en="greatest", pt_BR="maior"), S.max())):
         rows.append(sheet.row(error.format(which=which), None, float(ours), "-0.5", within=1e-4, coarse=0.0))

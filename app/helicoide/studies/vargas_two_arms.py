@@ -56,7 +56,8 @@ def second_arm(t: float, per_link: int = 4) -> Array:
     """Points of the second arm, a planar 3R on a base at (4.5, 0), (3 · per_link, 3), m."""
     robot = planar().robot
     q = np.array([np.pi - 0.5 + 0.3 * np.sin(0.3 * t), 0.6 + 0.2 * np.sin(0.4 * t), 0.4])
-    return along_links(robot, per_link).at(link_poses(robot.chain, q)) + np.array([4.5, 0, 0])
+    points: Array = along_links(robot, per_link).at(link_poses(robot.chain, q))
+    return points + np.array([4.5, 0, 0])
 
 
 def beside_it(weight: float, gain: float, dt: float, seconds: float, progress: Progress) -> Run:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -10,11 +11,11 @@ from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Progress, Result, Row
 from helicoide.studies.vargas.arms import REACH, zebra_arm
 from helicoide.studies.vargas.paths import Path, path_8, places
-from helicoide.studies.vargas.runs import IN_SPACE, Run, Way, compared, sizes, tracking, way
+from helicoide.studies.vargas.runs import IN_SPACE, Instants, Run, Way, compared, sizes, tracking, way
 from helicoide.studies.vargas.table import errors_chart, figures_chart, rates_chart, titled, w_chart, zebra_motion
 from helicoide.text import Text
 
-DAMPED = {"damping": 300.0, "threshold": 1e3}
+DAMPED: dict[str, Any] = {"damping": 300.0, "threshold": 1e3}
 DAMPING = way("damped_by_manipulability", **DAMPED)
 SQUARED = way("damped_by_manipulability", "(1 − w/w₀)²", **DAMPED, exponent="2")
 PSEUDOINVERSE = way("pseudoinverse")
@@ -53,9 +54,9 @@ def effector(run: Run) -> Array:
     return np.asarray(places(path_8, run.t) - run.e)
 
 
-def unreachable(t: Array) -> Array:
+def unreachable(t: Array) -> Instants:
     """When trajectory 8 is outside the workspace, (k,)."""
-    return sizes(places(path_8, t)) > REACH
+    return np.asarray(sizes(places(path_8, t)) > REACH)
 
 
 def dips(run: Run) -> tuple[Array, Array]:

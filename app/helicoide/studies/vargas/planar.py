@@ -27,8 +27,8 @@ from helicoide.studies.vargas.table import (
 from helicoide.text import Text
 
 SECONDS = 40.0
-DAMPED = {"damping": 0.1, "threshold": 1.0}
-FEEDBACK = {"gain": 60.0, "coupling": 0.3, "leak": 0.5}
+DAMPED: dict[str, Any] = {"damping": 0.1, "threshold": 1.0}
+FEEDBACK: dict[str, Any] = {"gain": 60.0, "coupling": 0.3, "leak": 0.5}
 PSEUDOINVERSE, DAMPING = way("pseudoinverse"), way("damped_by_manipulability", **DAMPED)
 FED_BACK = way("feedback", **FEEDBACK)
 ASSUMED = Text(

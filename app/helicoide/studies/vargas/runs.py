@@ -10,6 +10,7 @@ from math import cos, sin
 from typing import Any, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from helicoide.ik import Problem, methods
 from helicoide.ik.clik import Aim, Aiming, OrientationError, followed, tool_aim
@@ -20,6 +21,7 @@ from helicoide.studies.vargas.paths import Path
 from helicoide.text import Text
 
 Key = TypeVar("Key")
+Instants = NDArray[np.bool_]
 
 IN_PLANE, WITH_ANGLE, IN_SPACE, POSE = [0, 1], [0, 1, 5], [0, 1, 2], [0, 1, 2, 3, 4, 5]
 # how many instants of a run charts and the motion of the arm show
@@ -169,7 +171,7 @@ def turned(axis: int, angle: float) -> Array:
     return np.array([[[c, 0, s], [0, 1, 0], [-s, 0, c]], [[c, -s, 0], [s, c, 0], [0, 0, 1]]][axis - 1])
 
 
-def largest(values: Array, when: Array | slice = slice(None)) -> float:
+def largest(values: Array, when: Instants | slice = slice(None)) -> float:
     """The largest absolute entry over the chosen instants."""
     return float(np.abs(values[when]).max())
 

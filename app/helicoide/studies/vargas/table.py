@@ -25,6 +25,7 @@ FASTEST = Text(en="fastest joint", pt_BR="junta mais rápida")
 FASTEST_LATER = Text(en="fastest joint from 5 s on", pt_BR="junta mais rápida a partir de 5 s")
 ERROR_LATER = Text(en="largest error from 5 s on", pt_BR="maior erro a partir de 5 s")
 RMS_LATER = Text(en="rms error from 5 s on", pt_BR="erro rms a partir de 5 s")
+APART = Text(en="largest difference of a joint from the pseudoinverse", pt_BR="maior diferença à pseudoinversa")
 NO_LENGTHS = Text(en="link lengths 2, 1, 1", pt_BR="comprimentos dos elos 2, 1, 1")
 
 

@@ -9,12 +9,24 @@ import pytest
 from scipy.optimize import minimize
 
 from helicoide.geometry import rotation
+from helicoide.ik.clik import quaternion_error
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.studies.vargas.arms import zebra
 from helicoide.studies.vargas.paths import path_11
 from helicoide.studies.vargas.runs import sizes, turned
 from helicoide.studies.vargas_14 import HALF, weighted
+
+
+def test_the_error_of_orientation_is_that_of_the_quaternions() -> None:
+    """The vector part of Q_d * Q_e⁻¹ along the shorter turn, from matrices; also for no turn and next to none."""
+    rng = np.random.default_rng(1)
+    for size in (0.0, 1e-12, 1e-6, 0.1, 1.0, 3.0, 3.14):
+        axis = rng.normal(size=3)
+        R_tool = rotation.exponential(rng.normal(size=3))
+        R_target = rotation.exponential(size * axis / np.linalg.norm(axis)) @ R_tool
+        expected = rotation.quaternion_error(rotation.from_matrix(R_target), rotation.from_matrix(R_tool))
+        np.testing.assert_allclose(quaternion_error(R_target, R_tool), expected, rtol=0, atol=1e-12)
 
 
 def best(of_position: float, of_turn: float, q: Array) -> tuple[float, float]:

@@ -38,7 +38,7 @@ def test_the_short_form(name: str) -> None:
     study, told = named(name), list[float]()
     result = study.run(study.Options(), True, told.append)
     assert off(result) == []
-    assert sum(row.digest is not None for row in result.rows) >= 4
+    assert sum(row.digest is not None for row in result.rows) >= 2
     assert is_done(told)
     assert result.charts
     for chart in result.charts:

@@ -69,7 +69,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     out = runs["damping"].t >= 11
     out &= unreachable(runs["damping"].t)
     far = largest(runs["damping"].size, out)
-    rows.append(sheet.row(beyond, DAMPING.title, far, "1.27", "cm", relation="≥", coarse=0.0))
+    rows.append(sheet.row(beyond, DAMPING.title, far, "1.27", "cm", within=6e-3, relation="≥", coarse=0.0))
     return result(rows, ways, runs, options.shown)
 
 

@@ -17,8 +17,10 @@ from helicoide.studies.vargas.arms import limited
 from helicoide.studies.vargas.paths import path_1
 from helicoide.studies.vargas.runs import Run, each, largest, rms
 from helicoide.studies.vargas.secondary import ASSUMED, SECONDS, chosen, filtered, follow
-from helicoide.studies.vargas.table import SECONDS as IN_SECONDS
 from helicoide.studies.vargas.table import (
+    FASTEST_AFTER_3,
+    RMS_AFTER_3,
+    WORST_AFTER_3,
     Gain,
     Sheet,
     Step,
@@ -28,6 +30,7 @@ from helicoide.studies.vargas.table import (
     rates_chart,
     thinned,
 )
+from helicoide.studies.vargas.table import SECONDS as IN_SECONDS
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 15: a limit of the elbow", pt_BR="Simulação 15: um limite do cotovelo")
@@ -92,38 +95,14 @@ def _rows(sheet: Sheet, key: str, run: Run) -> list[Row]:
     of, late, q_2 = NAMES[key], run.t >= 3.0 - 1e-9, run.q[:, 1]
     size = run.size[late]
     tight = 6e-5 if float(error) < 1e-3 else 5e-4
+    slack = 2e-4 / float(error)
     # the short form may miss an error by 2e-4 and a range by 1.5e-3
     rows = [
         sheet.row(Text(en="least q₂", pt_BR="menor q₂"), of, float(q_2[late].min()), low, "rad", coarse=1e-3),
         sheet.row(Text(en="greatest q₂", pt_BR="maior q₂"), of, float(q_2[late].max()), high, "rad", coarse=2e-3),
-        sheet.row(
-            Text(en="largest error after 3 s", pt_BR="maior erro após 3 s"),
-            of,
-            float(size.max()),
-            error,
-            "ℓ",
-            within=tight,
-            coarse=2e-4 / float(error),
-            assumed=ASSUMED,
-        ),
-        sheet.row(
-            Text(en="rms error after 3 s", pt_BR="erro rms após 3 s"),
-            of,
-            rms(size),
-            mean,
-            "ℓ",
-            within=tight,
-            assumed=ASSUMED,
-        ),
-        sheet.row(
-            Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s"),
-            of,
-            largest(run.rates, late),
-            fastest,
-            "rad/s",
-            coarse=0.03,
-            assumed=ASSUMED,
-        ),
+        sheet.row(WORST_AFTER_3, of, float(size.max()), error, "ℓ", within=tight, coarse=slack, assumed=ASSUMED),
+        sheet.row(RMS_AFTER_3, of, rms(size), mean, "ℓ", within=tight, assumed=ASSUMED),
+        sheet.row(FASTEST_AFTER_3, of, largest(run.rates, late), fastest, "rad/s", coarse=0.03, assumed=ASSUMED),
     ]
     if zeta is not None:
         out = Text(

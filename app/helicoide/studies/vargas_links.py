@@ -10,7 +10,17 @@ from helicoide.ik.method import OneOf
 from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.runs import Run, each
 from helicoide.studies.vargas.secondary import SECONDS, beside_the_links
-from helicoide.studies.vargas.table import Gain, Sheet, Step, errors_chart, is_changed, planar_motion, rates_chart
+from helicoide.studies.vargas.table import (
+    NEAREST_AFTER_3,
+    WORST_AFTER_3,
+    Gain,
+    Sheet,
+    Step,
+    errors_chart,
+    is_changed,
+    planar_motion,
+    rates_chart,
+)
 from helicoide.text import Text, same
 
 TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos elos")
@@ -74,14 +84,15 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         return go
 
     runs = each({key: one(key) for key in CASES}, progress)
-    rows, distance = [], Text(en="least distance after 3 s", pt_BR="menor distância após 3 s")
-    worst = Text(en="largest error after 3 s", pt_BR="maior erro após 3 s")
+    rows = []
     names = {key: _name(key) for key in CASES}
     for key, (near, error) in CASES.items():
         found, size = distances[key], float(runs[key].size[runs[key].t >= 3.0 - 1e-9].max())
         coarse = (0.01, 3e-4 / float(error)) if key[0] == (0.6, 1.15) else (None, None)
-        rows.append(sheet.row(distance, names[key], found, near, "ℓ", coarse=coarse[0], assumed=ASSUMED))
-        rows.append(sheet.row(worst, names[key], size, error, "ℓ", within=6e-4, coarse=coarse[1], assumed=ASSUMED))
+        rows.append(sheet.row(NEAREST_AFTER_3, names[key], found, near, "ℓ", coarse=coarse[0], assumed=ASSUMED))
+        rows.append(
+            sheet.row(WORST_AFTER_3, names[key], size, error, "ℓ", within=6e-4, coarse=coarse[1], assumed=ASSUMED)
+        )
     shown = next(key for key in CASES if key[1] == 8 and f"{key[0][0]:g}, {key[0][1]:g}" == options.shown)
     charts = (
         errors_chart({names[key]: found for key, found in runs.items()}, "ℓ"),

@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from helicoide.ik.arm_points import along_links
+from helicoide.ik.arm_points import watched
 from helicoide.ik.secondary import augmented
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
@@ -16,7 +16,18 @@ from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1
 from helicoide.studies.vargas.runs import Run, each, largest
 from helicoide.studies.vargas.secondary import SECONDS, chosen, filtered, follow, nearest
-from helicoide.studies.vargas.table import Gain, Sheet, Step, errors_chart, is_changed, planar_motion, rates_chart
+from helicoide.studies.vargas.table import (
+    FASTEST_AFTER_3,
+    NEAREST_AFTER_3,
+    WORST_AFTER_3,
+    Gain,
+    Sheet,
+    Step,
+    errors_chart,
+    is_changed,
+    planar_motion,
+    rates_chart,
+)
 from helicoide.text import Text, same
 
 TITLE = Text(en="Two arms", pt_BR="Dois braços")
@@ -56,8 +67,8 @@ def second_arm(t: float, per_link: int = 4) -> Array:
     """Points of the second arm, a planar 3R on a base at (4.5, 0), (3 · per_link, 3), m."""
     robot = planar().robot
     q = np.array([np.pi - 0.5 + 0.3 * np.sin(0.3 * t), 0.6 + 0.2 * np.sin(0.4 * t), 0.4])
-    points: Array = along_links(robot, per_link).at(link_poses(robot.chain, q))
-    return points + np.array([4.5, 0, 0])
+    points: Array = watched(robot, "links", per_link).at(link_poses(robot.chain, q))
+    return np.asarray(points + np.array([4.5, 0, 0]))
 
 
 def beside_it(weight: float, gain: float, dt: float, seconds: float, progress: Progress) -> Run:
@@ -79,34 +90,9 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         distance = nearest(runs[alpha], 3.0, second_arm)
         worst, rates = float(runs[alpha].size[late].max()), largest(runs[alpha].rates, late)
         rows += [
-            sheet.row(
-                Text(en="least distance after 3 s", pt_BR="menor distância após 3 s"),
-                of,
-                distance,
-                near,
-                "ℓ",
-                within=off,
-                coarse=coarse,
-                assumed=ASSUMED,
-            ),
-            sheet.row(
-                Text(en="largest error after 3 s", pt_BR="maior erro após 3 s"),
-                of,
-                worst,
-                error,
-                "ℓ",
-                within=5e-3,
-                assumed=ASSUMED,
-            ),
-            sheet.row(
-                Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s"),
-                of,
-                rates,
-                fastest,
-                "rad/s",
-                within=0.05,
-                assumed=ASSUMED,
-            ),
+            sheet.row(NEAREST_AFTER_3, of, distance, near, "ℓ", within=off, coarse=coarse, assumed=ASSUMED),
+            sheet.row(WORST_AFTER_3, of, worst, error, "ℓ", within=5e-3, assumed=ASSUMED),
+            sheet.row(FASTEST_AFTER_3, of, rates, fastest, "rad/s", within=0.05, assumed=ASSUMED),
         ]
     names = {same(f"α = {alpha:g}"): one for alpha, one in runs.items()}
     return Result(

@@ -15,7 +15,7 @@ from helicoide.studies import named, names
 from helicoide.studies.study import Result, Row, Verdict
 
 STUDIES = [name for name in names() if name.startswith("vargas_")]
-QUICK = ["vargas_01", "vargas_02", "vargas_08", "vargas_09", "vargas_10", "vargas_11b", "vargas_13", "vargas_scalar"]
+QUICK = ["vargas_01", "vargas_02", "vargas_08", "vargas_09", "vargas_10", "vargas_13", "vargas_scalar"]
 
 
 def off(result: Result) -> list[Row]:

@@ -11,10 +11,10 @@ from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.arm import DAMPING, PSEUDOINVERSE, SQUARED, followers, result
 from helicoide.studies.vargas.arms import FOLDED
-from helicoide.studies.vargas.crossing import Found, crossing_rows
+from helicoide.studies.vargas.crossing import Found, crossing_rows, pseudoinverse_rows
 from helicoide.studies.vargas.paths import path_7
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import ERROR_LATER, FASTEST_LATER, Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 11: through singular postures", pt_BR="Simulação 11: através de singularidades")
@@ -68,17 +68,6 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rows.append(sheet.row(push, ways[key].title, largest(found, runs[key].t[1:] >= 5), most, "rad/s²"))
     rows += _of_theta(sheet, runs["filtered"], runs["damping"])
     return result(rows, ways, runs, options.shown)
-
-
-def pseudoinverse_rows(sheet: Sheet, run: Run, fastest: str, error: str) -> list[Row]:
-    """Undamped peaks at an exact singularity hang on the step: half the digest's at least, three times its error."""
-    later, of = run.t >= 5, PSEUDOINVERSE.title
-    half, twice = 0.5 * float(fastest), 2 * float(error)
-    rates, worst = largest(run.rates, later), largest(run.size, later)
-    return [
-        sheet.row(FASTEST_LATER, of, rates, fastest, "rad/s", within=half, relation="≥"),
-        sheet.row(ERROR_LATER, of, worst, error, "cm", within=twice, relation="≤"),
-    ]
 
 
 def _of_theta(sheet: Sheet, filtered: Run, damped: Run) -> list[Row]:

@@ -10,11 +10,10 @@ import numpy as np
 from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.arm import DAMPED, DAMPING, PSEUDOINVERSE, followers, result
 from helicoide.studies.vargas.arms import NEARLY_UPRIGHT
-from helicoide.studies.vargas.crossing import Found, crossing_rows
+from helicoide.studies.vargas.crossing import Found, crossing_rows, pseudoinverse_rows
 from helicoide.studies.vargas.paths import path_7
 from helicoide.studies.vargas.runs import Way, way
 from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
-from helicoide.studies.vargas_11 import pseudoinverse_rows
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 11b: an ill-conditioned start", pt_BR="Simulação 11b: partida mal condicionada")

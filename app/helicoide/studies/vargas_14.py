@@ -13,7 +13,7 @@ import numpy as np
 from helicoide.ik.method import OneOf
 from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra
-from helicoide.studies.vargas.paths import Path, path_11
+from helicoide.studies.vargas.paths import Vector, path_11
 from helicoide.studies.vargas.runs import POSE, Run, each, largest, record, sizes, tracking, turned, way
 from helicoide.studies.vargas.table import (
     FASTEST,
@@ -71,14 +71,12 @@ class Options:
     shown: Annotated[str, SHOWN] = "100, 10"
 
 
-def weighted(
-    gains: Gains, gain: float, dt: float, seconds: float, progress: Progress = lambda share: None, path: Path = path_11
-) -> Run:
+def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Progress = lambda share: None) -> Run:
     """The effector on trajectory 11, R_d = R_y(π), by the modified law, dm. Args: gains of x, y, z and orientation."""
     arm = zebra()
 
-    def in_dm(t: float) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-        (x, y, z), (a, b, c) = path(t)
+    def in_dm(t: float) -> tuple[Vector, Vector]:
+        (x, y, z), (a, b, c) = path_11(t)
         return (x / 10, y / 10, z / 10), (a / 10, b / 10, c / 10)
 
     rows = np.array([*gains[:3], *[gains[3]] * 3])

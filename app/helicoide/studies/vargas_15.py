@@ -102,7 +102,7 @@ def _rows(sheet: Sheet, key: str, run: Run) -> list[Row]:
         sheet.row(Text(en="greatest q₂", pt_BR="maior q₂"), of, float(q_2[late].max()), high, "rad", coarse=2e-3),
         sheet.row(WORST_AFTER_3, of, float(size.max()), error, "ℓ", within=tight, coarse=slack, assumed=ASSUMED),
         sheet.row(RMS_AFTER_3, of, rms(size), mean, "ℓ", within=tight, assumed=ASSUMED),
-        sheet.row(FASTEST_AFTER_3, of, largest(run.rates, late), fastest, "rad/s", coarse=0.03, assumed=ASSUMED),
+        sheet.row(FASTEST_AFTER_3, of, largest(run.rates, late), fastest, "rad/s", coarse=0.0085, assumed=ASSUMED),
     ]
     if zeta is not None:
         out = Text(

@@ -99,5 +99,5 @@ def _rows(sheet: Sheet, weight: float, run: Run) -> list[Row]:
     error = float(run.size[late].max())
     return [
         sheet.row(CLOSEST, of, near, closest, "ℓ", coarse=4e-3, assumed=ASSUMED),
-        sheet.row(WORST, of, error, worst, "ℓ", within=6e-4, coarse=0.02, assumed=ASSUMED),
+        sheet.row(WORST, of, error, worst, "ℓ", within=6e-4, coarse=0.0075, assumed=ASSUMED),
     ]

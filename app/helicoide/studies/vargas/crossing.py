@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from helicoide.studies.study import FIGURE_ONLY, Row
+from helicoide.studies.vargas.arm import PSEUDOINVERSE
 from helicoide.studies.vargas.runs import Run, Way, largest, rms
 from helicoide.studies.vargas.table import ERROR_LATER, FASTEST, FASTEST_LATER, RMS_LATER, Sheet
 from helicoide.text import Text
@@ -28,7 +29,7 @@ class Found:
 def crossing_rows(
     sheet: Sheet, ways: Mapping[str, Way], runs: Mapping[str, Run], found: Mapping[str, Found], every: int, source: str
 ) -> list[Row]:
-    """Four numbers of each method at every so-manieth step; source: what it says of the speed of the joints."""
+    """Four numbers of each method; every: which steps count, 2 for every second one; source: what it says of the speed."""
     rows = []
     for key, one in found.items():
         of, run = ways[key].title, runs[key]
@@ -43,3 +44,14 @@ def crossing_rows(
             sheet.row(RMS_LATER, of, rms(size[later]), one.mean, "cm", coarse=d),
         ]
     return rows
+
+
+def pseudoinverse_rows(sheet: Sheet, run: Run, fastest: str, error: str) -> list[Row]:
+    """Undamped peaks at an exact singularity hang on the step: half the digest's at least, three times its error."""
+    later, of = run.t >= 5, PSEUDOINVERSE.title
+    half, twice = 0.5 * float(fastest), 2 * float(error)
+    rates, worst = largest(run.rates, later), largest(run.size, later)
+    return [
+        sheet.row(FASTEST_LATER, of, rates, fastest, "rad/s", within=half, relation="≥"),
+        sheet.row(ERROR_LATER, of, worst, error, "cm", within=twice, relation="≤"),
+    ]

@@ -19,10 +19,11 @@ PUSH = Text(en="largest acceleration from 5 s on", pt_BR="maior aceleração a p
 
 @dataclass(frozen=True)
 class Found:
-    """What the digest has, from 5 s on: fastest joint, rad/s; largest and rms error within reach, cm; ‖e‖ a quarter,
+    """What the digest has, from 5 s on; None where it has nothing, or what hangs on the step.
 
-    half and a whole second after the path has come back, cm; least w, cm³; largest acceleration, rad/s². None: it has
-    none, or one that hangs on the step. coarse: the share that the short form may miss of the first three and of ‖e‖.
+    fastest: joint, rad/s; error, mean: largest and rms where the path is within reach, cm; back: ‖e‖ a quarter, half
+    and a whole second after it has come back, cm; w: the least, cm³; push: the largest acceleration, rad/s². coarse:
+    the share that the short form may miss of the first three and of the errors after the path has come back.
     """
 
     fastest: str | None

@@ -29,7 +29,7 @@ class Found:
 def crossing_rows(
     sheet: Sheet, ways: Mapping[str, Way], runs: Mapping[str, Run], found: Mapping[str, Found], every: int, source: str
 ) -> list[Row]:
-    """Four numbers of each method; every: which steps count, 2 for every second one; source: what it says of the speed."""
+    """Four numbers of each method; every: 2 where every second step counts; source: what it says of the speed."""
     rows = []
     for key, one in found.items():
         of, run = ways[key].title, runs[key]

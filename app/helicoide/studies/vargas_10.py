@@ -30,9 +30,9 @@ ROBOT = "zebra_zero"
 # What the digest has is read every 20 ms: the first peak of the filtered inverse, 0.824 rad/s, falls between.
 EVERY = 0.02
 FOUND = {
-    "filtered": Found("0.761", "0.133", None, "8.3e-4", (0.03, 0.015, None, None)),
-    "damping": Found("0.842", "0.133", None, "7.5e-4", (1e-3, 0.015, None, None)),
-    "pseudoinverse": Found("0.842", "0.133", None, "7.5e-4", (1e-3, 0.015, None, None)),
+    "filtered": Found("0.761", "0.133", None, "8.3e-4", (0.03, 0.015, None, 1.6)),
+    "damping": Found("0.842", "0.133", None, "7.5e-4", (1e-3, 0.015, None, 1.6)),
+    "pseudoinverse": Found("0.842", "0.133", None, "7.5e-4", (1e-3, 0.015, None, 1.6)),
 }
 
 

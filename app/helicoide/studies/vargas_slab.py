@@ -94,6 +94,6 @@ def _rows(sheet: Sheet, key: tuple[float, int], run: Run, of: Text) -> list[Row]
         off = largest(run.e[:, 0], late)
         rows += [
             sheet.row(FASTEST_AFTER_3, of, largest(run.rates, late), "0.111", "rad/s", **given),
-            sheet.row(along, of, off, "5e-4", "ℓ", relation="≤", coarse=1.0, **given),
+            sheet.row(along, of, off, "5e-4", "ℓ", within=6e-5, relation="≤", coarse=1.0, **given),
         ]
     return rows

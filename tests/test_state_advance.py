@@ -15,7 +15,8 @@ from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import State, initial
+from helicoide.state import Along, State, initial
+from helicoide.trajectory.straight import Line
 
 RIDES = 6
 TICKS = 5_000
@@ -108,6 +109,20 @@ def test_a_paused_path_stays_and_plays_on(state: State) -> None:
     assert paused.path_s == pytest.approx(state.path_s, abs=0.011)
     assert not paused.moving
     assert after(gate.play()(paused), 1).path_s > paused.path_s + 0.5
+
+
+def test_an_open_path_is_followed_to_its_end(state: State) -> None:
+    """There the arm rests, and is not driven on by the speed of the path."""
+    end = state.T_world_tool.copy()
+    end[:3, 3] += [-0.05, 0.08, 0.04]
+    path = Line(state.T_world_tool, end, 2.0)
+    state = replace(gate.hold_orientation(False)(state), command=Along(path, 0.0, playing=True))
+    halfway, ended = after(state, 1.0), after(state, 3.0)
+    assert 0.9 < halfway.path_s < 1.1
+    assert halfway.command.playing
+    assert np.linalg.norm(halfway.T_world_tool[:3, 3] - path.pose(halfway.path_s)[:3, 3]) < 2e-4
+    assert (ended.path_s, ended.command.playing, ended.moving) == (2.0, False, False)
+    np.testing.assert_allclose(ended.T_world_tool[:3, 3], end[:3, 3], atol=1e-4)
 
 
 def test_the_gripper_moves_at_its_own_speed(state: State) -> None:

@@ -13,10 +13,11 @@ from helicoide.ik.guard.collision import clearances
 from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
 from helicoide.ik.guard.rows import Indices
 from helicoide.ik.rcm.at_work import by_method
-from helicoide.ik.task import EVERY, joint_task, pose_task
+from helicoide.ik.task import EVERY, GAIN, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, State, ToJoints, ToPose
+from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, Replay, State, ToJoints, ToPose
+from helicoide.trajectory.path import placed
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
@@ -24,6 +25,9 @@ RESTS = 0.1
 SETTLED = 0.5
 GRIPPER_SPEED = 2.0
 IMPERCEPTIBLE = 1e-10
+# How near to its path an arm is that follows it, rad or m, and the shares of the time that are tried for that.
+ON_PATH = 2e-4
+SLOWER = (1.0, 0.5, 0.25, 0.12, 0.06, 0.03)
 
 _STILL = frozen(np.zeros(3))
 Task = tuple[Array, Array, Array, Array]
@@ -49,6 +53,8 @@ def _advanced(state: State, dt: float) -> State:
             return _to_pose(_searched(state, T) if _resting(state) else state, T, _STILL, dt)
         case Along():
             return _along(state, state.command, dt)
+        case Replay():
+            return _replayed(state, state.command, dt)
 
 
 def _gripper_moved(state: State, dt: float) -> State:
@@ -69,7 +75,7 @@ def _beside(state: State, moved: State, dt: float) -> Beside:
         case ToPose(T):
             other = _to_pose(other, T, _STILL, dt)
         case Along(path, s, playing, arrived):
-            ahead = frozen(path.velocity(s)) if playing and arrived else _STILL
+            ahead = frozen(path.twist(s)[:3]) if playing and arrived else _STILL
             other = _to_pose(other, frozen(path.pose(s)), ahead, dt)
         case Hold():
             other = _still(other)
@@ -139,10 +145,13 @@ def _resting(state: State) -> bool:
 
 
 def _along(state: State, command: Along, dt: float) -> State:
-    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer."""
+    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer.
+
+    At the end of a path that is open it rests.
+    """
     target = frozen(command.path.pose(command.s))
     running = command.playing and command.arrived
-    ahead = frozen(command.path.velocity(command.s)) if running else _STILL
+    ahead = frozen(command.path.twist(command.s)[:3]) if running else _STILL
     if not running and _resting(state):
         state = _searched(state, target)
     state = _to_pose(state, target, ahead, dt)
@@ -150,8 +159,32 @@ def _along(state: State, command: Along, dt: float) -> State:
         return state
     near = np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]) < ARRIVED_PATH
     arrived = command.arrived or bool(near) or (state.searched and not state.moving)
-    s = (command.s + dt) % command.path.period if arrived else command.s
-    return replace(state, command=replace(command, s=s, arrived=arrived), path_s=s)
+    s = placed(command.path, command.s + dt) if arrived else command.s
+    playing = command.path.is_closed or s < command.path.duration
+    return replace(state, command=replace(command, s=s, playing=playing, arrived=arrived), path_s=s)
+
+
+def _replayed(state: State, command: Replay, dt: float) -> State:
+    """Along a path of the joints, after the way to where it begins.
+
+    Where the guard holds the arm back, the time slows down until the arm is on the path all the same, if it `waits`;
+    where that is in vain, or else, the arm goes on beside the path, as near as it may.
+    """
+    path = command.path
+    here = path.q(command.s)
+    if not command.arrived:
+        state = _stepped(state, joint_task(state.q.copy(), here, EVERY, dt), dt)
+        near = np.max(np.abs(here - state.q)) < ARRIVED_JOINTS
+        arrived = bool(near) or (state.rested > RESTS and not state.moving)
+        return replace(state, command=replace(command, arrived=arrived))
+    for share in (*SLOWER, 1.0) if command.waits else (1.0,):
+        s = min(command.s + share * dt, path.duration)
+        there = path.q(s)
+        stepped = _stepped(state, drives.displacement(there - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)), dt)
+        if np.max(np.abs(stepped.q - there)) < ON_PATH:
+            break
+    ended = command.s >= path.duration
+    return replace(stepped, command=ToJoints(frozen(path.q(s))) if ended else replace(command, s=s))
 
 
 def _to_ready(state: State, dt: float) -> State:

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import atexit
 import hashlib
-import multiprocessing
 import os
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
-from multiprocessing.connection import Connection
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -84,40 +82,8 @@ def is_cached(name: str) -> bool:
     return any(CACHE_FOLDER.rglob(f"*.{function}-*.nbi"))
 
 
-class Compilation:
-    """Work in a process of its own, so that its kernels lie in the cache afterwards."""
-
-    def __init__(self, work: Callable[..., object], *arguments: object) -> None:
-        self._receiver, self._sender = multiprocessing.Pipe(duplex=False)
-        spawn = multiprocessing.get_context("spawn")
-        self._child = spawn.Process(target=_work, args=(self._sender, work, arguments), daemon=True)
-        self._stopped = False
-
-    def progress(self) -> Iterator[int]:
-        """Start, and yield how many kernels are compiled, each time one more is, until the work is done or stopped."""
-        self._child.start()
-        self._sender.close()
-        if self._stopped:
-            self._child.terminate()
-        with suppress(EOFError):
-            while True:
-                yield self._receiver.recv()
-        self._child.join()
-
-    def stop(self) -> None:
-        """End the work where it is; a later start ends at once."""
-        self._stopped = True
-        if self._child.pid is not None:
-            self._child.terminate()
-
-
-def _work(progress: Connection, work: Callable[..., object], arguments: tuple[object, ...]) -> None:
-    with _count_compilations(progress.send):
-        work(*arguments)
-
-
 @contextmanager
-def _count_compilations(report: Callable[[int], None]) -> Iterator[None]:
+def counted(report: Callable[[int], None]) -> Iterator[None]:
     """Call `report` with the number of kernels compiled so far, each time one is done."""
     done = 0
 

@@ -8,6 +8,7 @@ from functools import cached_property
 from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
@@ -19,7 +20,9 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Language, Text
-from helicoide.trajectory import EQ_33, Ellipse
+from helicoide.trajectory import EQ_33, Path
+from helicoide.trajectory.path import JointPath
+from helicoide.trajectory.waypoints import Taught, Waypoint
 
 
 @dataclass(frozen=True)
@@ -46,11 +49,25 @@ class ToJoints:
 
 @dataclass(frozen=True)
 class Along:
-    """Follow a path from its parameter s; the parameter waits until the arm has come to the path."""
+    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path."""
 
-    path: Ellipse
+    path: Path
     s: float
     playing: bool
+    arrived: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Replay:
+    """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
+
+    waits: whether its time slows down where the arm cannot keep up.
+    """
+
+    path: JointPath
+    title: Text
+    waits: bool = True
+    s: float = 0.0
     arrived: bool = False
 
 
@@ -64,7 +81,7 @@ class GetReady:
     """Go to `ready`; from `home` with the planes off."""
 
 
-Command = Hold | ToPose | ToJoints | Along | Park | GetReady
+Command = Hold | ToPose | ToJoints | Along | Replay | Park | GetReady
 
 
 @dataclass(frozen=True)
@@ -95,6 +112,15 @@ class Beside:
 
 
 @dataclass(frozen=True, eq=False)
+class Seen:
+    """A cloud of points (k, 3), m, which of them lie on the plane that was found (k,), and what was found in words."""
+
+    points: Array
+    on_it: NDArray[np.bool_]
+    words: Text
+
+
+@dataclass(frozen=True, eq=False)
 class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
@@ -102,7 +128,8 @@ class State:
     1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture
     to pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: until when
     sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate. drive: the method that
-    brings the tool to poses; held: what held it back; beside: a second arm to compare with.
+    brings the tool to poses; held: what held it back; beside: a second arm to compare with; seen: the clouds that were
+    read, by the name of the plane that was looked for; waypoints: those that were taught.
     """
 
     problem: Problem
@@ -126,11 +153,18 @@ class State:
     drive: Drive = field(default_factory=Drive)
     held: Held | None = None
     beside: Beside | None = None
+    seen: Mapping[str, Seen] = field(default_factory=lambda: MappingProxyType({}))
+    waypoints: tuple[Waypoint, ...] = ()
 
     @property
     def robot(self) -> Robot:
         """The arm."""
         return self.problem.robot
+
+    @property
+    def taught(self) -> Taught:
+        """The waypoints as a list of this arm's."""
+        return Taught(self.robot, self.waypoints)
 
     @property
     def T_world_tool(self) -> Array:

@@ -38,3 +38,6 @@ class HelicoideError(Exception):
     def __init__(self, text: Text) -> None:
         super().__init__(text.en)
         self.text = text
+
+    def __reduce__(self) -> tuple[type[HelicoideError], tuple[Text]]:
+        return type(self), (self.text,)

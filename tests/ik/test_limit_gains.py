@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.ik.cerbaro_runs import ELLIPSE, movemaster, with_pitch_and_roll
-from tests.ik.secondary_runs import DAMPED, Run, along, chosen, position, ran, standing, start_at
+from tests.ik.secondary_runs import Run, chosen
 
-from helicoide.ik import limit_gains, secondary
-from helicoide.ik.clik import followed
-from helicoide.ik.limit_gains import Memory, clipped
+from helicoide.ik import secondary
+from helicoide.ik.limit_gains import clipped
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.studies.cerbaro_runs.arms import movemaster
+from helicoide.studies.cerbaro_runs.tracking import free_ellipse, start_of_ellipse
 
 LIMITS = chosen("limit_distance")
 
@@ -34,29 +34,13 @@ def test_gains_are_the_diagonal_of_k0() -> None:
     np.testing.assert_allclose(secondary.push(here, LIMITS, k0)(q, 0.0), np.diag(k0) @ one, rtol=1e-15)
 
 
-def start(pitch_deg: float) -> Array:
-    """At (440, 0, 200) mm; −60° is the start of the source, outside the limits, −68.2° has J3 at −119.91°."""
-    here = movemaster()
-    aiming = with_pitch_and_roll(here, standing(0.44, 0, 0.2), np.radians(pitch_deg))
-    return start_at(here, aiming, here.robot.poses["ready"])
-
-
-def ellipse(q: Array, k0: float, dt: float, seconds: float, algorithm_1: bool = True) -> Run:
-    """The ellipse without orientation, Λ Δt = 1.8, λ = 0.1 mm."""
-    here = movemaster()
-    aiming, options = position(here, along(ELLIPSE)), DAMPED.Options(0.1)
-    if algorithm_1:
-        memory = Memory(np.full(5, k0))
-        moments = limit_gains.followed(here, DAMPED, options, aiming, 1.8 / dt, LIMITS, memory, q, dt)
-    else:
-        push = secondary.push(here, LIMITS, k0)
-        moments = followed(here, DAMPED, options, aiming, 1.8 / dt, q, dt, push)
-    return ran(moments, seconds)
+def ellipse(q: Array, k0: float, seconds: float, algorithm_1: bool = True) -> Run:
+    return free_ellipse(q, k0, 1e-3, algorithm_1, seconds=seconds)
 
 
 def test_from_outside_the_limits_the_gain_grows_five_times_and_the_tool_is_thrown_off_by_75_mm() -> None:
     """Cerbaro 2022, §4.5; digest §3.7: J3 500 → 525.5, then inside; the error is gone again at once."""
-    run = ellipse(start(-60), 500.0, 1e-3, 0.4)
+    run = ellipse(start_of_ellipse(-60), 500.0, 0.4)
     k0 = run.last.memory.gains
     np.testing.assert_allclose(k0, [500, 500, 500 * 1.01**5, 500, 500], rtol=1e-14)
     assert k0[2] == pytest.approx(525.5, abs=0.05)
@@ -64,23 +48,23 @@ def test_from_outside_the_limits_the_gain_grows_five_times_and_the_tool_is_throw
     assert np.degrees(run.q[1:, 2]).min() >= -120 - 1e-9
     assert run.error.max() == pytest.approx(75, abs=0.5)
     assert run.since(0.05).error.max() < 0.05
-    plain = ellipse(start(-60), 500.0, 1e-3, 0.4, algorithm_1=False)
+    plain = ellipse(start_of_ellipse(-60), 500.0, 0.4, algorithm_1=False)
     assert (np.degrees(plain.q[:10, 2]) < -120).all()
     assert plain.error.max() == pytest.approx(0.007, abs=2e-4)
 
 
 def test_from_inside_the_limits_the_error_is_unchanged() -> None:
     """With the gain of the source no clip comes: the same run. Both start at J3 = −119.91°, the limit is −120°."""
-    q = start(-68.2)
-    kept, plain = ellipse(q, 500.0, 1e-3, 1.0), ellipse(q, 500.0, 1e-3, 1.0, algorithm_1=False)
+    q = start_of_ellipse(-68.2)
+    kept, plain = ellipse(q, 500.0, 1.0), ellipse(q, 500.0, 1.0, algorithm_1=False)
     np.testing.assert_array_equal(kept.error, plain.error)
     np.testing.assert_array_equal(kept.last.memory.gains, 500)
 
 
 def test_a_gain_that_is_too_small_grows_until_the_joint_stays_inside() -> None:
     """k0 = 0.2: with one gain for all J3 passes its limit by 0.2°; each clip costs the tool some micrometres only."""
-    q = start(-68.2)
-    kept, plain = ellipse(q, 0.2, 1e-3, 3.0), ellipse(q, 0.2, 1e-3, 3.0, algorithm_1=False)
+    q = start_of_ellipse(-68.2)
+    kept, plain = ellipse(q, 0.2, 3.0), ellipse(q, 0.2, 3.0, algorithm_1=False)
     assert np.degrees(plain.q[:, 2].min()) == pytest.approx(-120.2, abs=0.02)
     assert np.degrees(kept.q[:, 2].min()) >= -120 - 1e-9
     assert kept.error.max() < 0.005

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.ik import vargas
 
-from helicoide.ik import Problem, methods
+from helicoide.ik import Problem, filtered_inverse, methods
 from helicoide.ik.method import Solution, Task
 from helicoide.kinematics.chain import Array
+from helicoide.studies.vargas.arms import planar
 
 FILTERED = ["filtered", "filtered_modified", "filtered_normal"]
 NAMES = [
@@ -23,7 +23,7 @@ NAMES = [
 
 @pytest.fixture(scope="module")
 def problem() -> Problem:
-    return vargas.planar()
+    return planar()
 
 
 def asked(r: int = 3, n: int = 4, seed: int = 0, dt: float = 0.01) -> Task:
@@ -307,3 +307,20 @@ def test_explicit_euler_beyond_its_limit_stays_finite(name: str, problem: Proble
         assert np.isfinite(solution.rates).all()
         largest = max(largest, np.abs(solution.rates).max())
     assert largest > 1e3
+
+
+@pytest.mark.parametrize("name", FILTERED)
+def test_figures_are_computed_when_they_are_read(name: str, problem: Problem, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked_for = []
+
+    def lyapunov(J: Array, Theta: Array) -> tuple[float, float]:
+        asked_for.append(J)
+        return 1.0, 2.0
+
+    monkeypatch.setattr(filtered_inverse, "lyapunov", lyapunov)
+    found = one(name, problem, asked())
+    assert asked_for == []
+    assert found.figures["V_c"] == 3
+    assert len(asked_for) == 1
+    assert list(found.figures) == list(methods.named(name).FIGURES)
+    assert len(found.figures) == 3

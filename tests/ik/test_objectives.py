@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 from latex2mathml.converter import convert
-from tests.ik.cerbaro_runs import movemaster, orca
 from tests.ik.secondary_runs import chosen, problem
 from tests.kinematics.arms import MIXED, NAMES, arm, derivative, postures
 
@@ -20,6 +19,7 @@ from helicoide.ik.objective import Cost, posture
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import of_position
+from helicoide.studies.cerbaro_runs.arms import movemaster, orca
 from helicoide.text import HelicoideError, Text
 
 ARMS = ("movemaster", "puma560", "scara", "planar3r", "dia10", MIXED)

@@ -1,4 +1,7 @@
-"""Objectives at work: in the null space (Cerbaro 2022, §4.4) and as a row of the task (Vargas 2013, §4.7)."""
+"""Objectives at work: in the null space (Cerbaro 2022, §4.4) and as a row of the task (Vargas 2013, §4.7).
+
+The simulations of Vargas 2013 are studies: tests/studies/test_vargas.py.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +10,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from tests.ik.cerbaro_runs import degrees, demonstration_3, movemaster, orca, with_heading
 from tests.ik.secondary_runs import PINV, PLAIN, chosen, position, problem, ran, standing, tool
-from tests.ik.vargas_runs import barrier, in_a_slab, obstacle_at_the_links, obstacle_at_the_tool, planar, two_arms, wave
 
 from helicoide.ik import methods, objectives
 from helicoide.ik.arm_points import watched
@@ -18,6 +19,9 @@ from helicoide.ik.objective import posture
 from helicoide.ik.secondary import augmented, augmented_gains, push, total
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
+from helicoide.studies.cerbaro_runs.arms import movemaster, with_heading
+from helicoide.studies.vargas.arms import planar
+from helicoide.studies.vargas.paths import path_1
 from helicoide.text import HelicoideError
 
 # In the null space.
@@ -64,19 +68,6 @@ def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose:
     assert max(np.linalg.norm(tool(here, one) - tool(here, q)) for one in way) < 1e-5
 
 
-def test_one_point_in_two_postures() -> None:
-    """Cerbaro 2022, fig. 27: A and B stand at (583.2, 173.2) mm, and the null space leads from the one to the other."""
-    here = orca()
-    a, b = np.array([np.pi / 4, -np.pi / 4, 0]), np.array([0.0087, 0.7852, -0.7942])
-    np.testing.assert_allclose(tool(here, a)[:2], [0.5832412, 0.1732412], rtol=0, atol=5.1e-8)
-    np.testing.assert_allclose(tool(here, b)[:2], [0.5832474, 0.1732228], rtol=0, atol=5.1e-8)
-    pushed = push(here, chosen("reference_posture", reference=tuple(b)), 2.0)
-    run = ran(followed(here, PINV, PLAIN, position(here, standing(*tool(here, a))), 50.0, a, 0.01, pushed), 12.0)
-    assert run.error.max() < 0.06
-    assert run.error[-1] < 1e-6
-    np.testing.assert_allclose(run.last.q, b, rtol=0, atol=2e-4)
-
-
 def test_several_objectives_are_summed() -> None:
     here = movemaster()
     at = posture(here, here.robot.poses["example"])
@@ -103,44 +94,6 @@ def test_the_push_knows_where_the_second_arm_is_now() -> None:
     assert np.abs(pushed(q, 3.0) - pushed(q, 0.0)).max() > 1e-3
 
 
-# Demonstrations 3 of Cerbaro 2022, §4.4.3–4.4.4, with steps of 10 ms; the full count is in the soak tests.
-
-
-def test_the_movemaster_without_orientation() -> None:
-    """Digest §3.6: J3 −130.8…−98.4°, J4 12.4…22.9°; J5 stands still."""
-    run = demonstration_3("movemaster", 0.0, 0.01)
-    assert degrees(run, 3) == pytest.approx((-130.8, -98.4), abs=0.06)
-    assert degrees(run, 4) == pytest.approx((12.4, 22.9), abs=0.06)
-    assert np.abs(run.q[:, 4]).max() < 1e-12
-
-
-def test_one_gain_for_all_joints_fails() -> None:
-    """k0 = 500: J3 begins beyond its limit, J4 ends nearer to its own than with k0 = 0; J1 is not touched."""
-    run = demonstration_3("movemaster", 500.0, 0.01)
-    assert degrees(run, 1) == pytest.approx((-8.85, 8.85), abs=0.006)
-    assert degrees(run, 3) == pytest.approx((-129.9, -72.0), abs=0.06)
-    assert degrees(run, 4) == pytest.approx((-60.4, 13.5), abs=0.06)
-    assert np.abs(run.q[:, 4]).max() < 1e-12
-
-
-def test_the_first_motion_in_the_null_space_is_violent() -> None:
-    """650 °/s at once, at an error of 0.007 mm (steps of 1 ms, as in the source)."""
-    run = demonstration_3("movemaster", 500.0, 1e-3, 0.3)
-    assert np.degrees(run.fastest.max()) == pytest.approx(650, abs=5)
-    assert run.error.max() == pytest.approx(0.007, abs=2e-4)
-
-
-def test_the_orca_stays_farther_from_its_limits() -> None:
-    """The limits are ours, the source has none in numbers: on the mean the objective is better by a factor of two."""
-    here = orca()
-    objective = objectives.named("limit_distance")
-    cost = [
-        np.mean([objective.cost(here, posture(here, q), None).value for q in demonstration_3("orca", k0, 0.02).q])
-        for k0 in (0.0, 250.0)
-    ]
-    assert cost[1] < cost[0] / 2
-
-
 # As a row of the task.
 
 
@@ -148,7 +101,7 @@ def test_the_row_asks_for_minus_f_whatever_the_gains() -> None:
     here = planar()
     some = chosen("slab", azimuth=np.pi / 2, elevation=0.0, offset=0.0, half=0.3)
     q = np.array([0.2, 0.3, 0.1])
-    plain, f = position(here, wave, 2), total(here, some, posture(here, q))
+    plain, f = position(here, path_1, 2), total(here, some, posture(here, q))
     aim = augmented(here, some, plain)(q, 1.0)
     np.testing.assert_array_equal(aim.J, np.vstack([plain(q, 1.0).J, f.gradient]))
     by_rows = np.array([3.0, 7.0])
@@ -160,7 +113,7 @@ def test_the_row_asks_for_minus_f_whatever_the_gains() -> None:
 @pytest.mark.parametrize("name", sorted(set(objectives.names()) - {"ellipsoid", "joint_barrier", "second_arm", "slab"}))
 def test_what_does_not_rest_at_zero_cannot_be_a_row(name: str) -> None:
     with pytest.raises(HelicoideError, match="null space"):
-        augmented(planar(), chosen(name), position(planar(), wave))
+        augmented(planar(), chosen(name), position(planar(), path_1))
 
 
 @pytest.mark.parametrize("name", ["pseudoinverse", "damped", "filtered_modified"])
@@ -168,7 +121,7 @@ def test_where_f_is_flat_the_law_is_the_plain_one(name: str) -> None:
     """J_f = 0, f = 0: an obstacle far away. Also with more rows than joints."""
     here, method = planar(), methods.named(name)
     far = chosen("ellipsoid", x=90.0, y=90.0, z=90.0)
-    for plain in (position(here, wave, 2), with_heading(here, wave)):
+    for plain in (position(here, path_1, 2), with_heading(here, path_1)):
         runs = [
             ran(followed(here, method, method.Options(), aiming, 5.0, np.array([0.5, -0.8, 0.9]), 0.01), 0.5)
             for aiming in (plain, augmented(here, far, plain))
@@ -190,55 +143,3 @@ def test_with_more_rows_than_joints_the_obstacle_is_traded_against_the_pose() ->
     assert clearance[0] == pytest.approx(0.05)
     assert clearance[-1] > 0.15
     assert run.error[-1] > 0.1
-
-
-# Vargas 2013, Sims. 15, 16 and figs. 4.42–4.44 with the modified law; digest §6.7, with steps of
-# 10 ms; with those of the digest in the soak tests.
-
-
-@pytest.mark.parametrize(
-    ("half", "lowest", "highest", "error", "speed"),
-    [(None, -1.623, -1.121, 2e-4, 0.097), (0.5, -1.290, -0.590, 5e-4, 0.144), (0.2, -1.156, -0.843, 0.055, 0.474)],
-)
-def test_a_joint_is_kept_in_its_range(
-    half: float | None, lowest: float, highest: float, error: float, speed: float
-) -> None:
-    run = barrier(half, 1e-2)
-    late = run.since(3.0)
-    assert (late.q[:, 1].min(), late.q[:, 1].max()) == pytest.approx((lowest, highest), abs=1.5e-3)
-    assert late.error.max() == pytest.approx(error, abs=2e-4)
-    assert late.fastest.max() == pytest.approx(speed, abs=4e-3)
-    if half is not None:
-        assert np.abs(run.q[:, 1] + 1).max() < half
-
-
-@pytest.mark.parametrize(("weight", "closest", "error"), [(1.0, 0.294, 0.046), (10.0, 0.399, 0.152)])
-def test_the_tool_goes_round_an_obstacle(weight: float, closest: float, error: float) -> None:
-    found = obstacle_at_the_tool(weight, 1e-2)
-    assert found == pytest.approx((closest, error), abs=1.2e-3)
-
-
-def test_the_links_make_way_for_an_obstacle() -> None:
-    """Eight points on a link see it, one does not."""
-    mu = (0.6, 1.15)
-    assert obstacle_at_the_links(mu, 0, 1e-2, 16)[0] == pytest.approx(0.084, abs=1e-3)
-    distance, error = obstacle_at_the_links(mu, 8, 1e-2, 16)
-    assert distance == pytest.approx(0.413, abs=2e-3)
-    assert error == pytest.approx(0.0075, abs=3e-4)
-    assert obstacle_at_the_links(mu, 1, 1e-2, 16)[0] == pytest.approx(0.084, abs=1e-3)
-
-
-def test_a_second_arm_is_given_way() -> None:
-    """Without the term they touch; with it they do not. The figures of the digest are in the soak tests."""
-    assert two_arms(0.0, 1e-2, 16)[0] < 0.02
-    assert two_arms(5.0, 5e-3, 16)[0] > 0.1
-
-
-@pytest.mark.parametrize(
-    ("weight", "steepness", "widest", "at_start"),
-    [(5.0, 10, 0.249, 0.249), (5.0, 3, 0.178, 0.198)],
-)
-def test_the_tool_stays_in_a_slab(weight: float, steepness: int, widest: float, at_start: float) -> None:
-    y, run = in_a_slab(weight, steepness, 1e-2, 17)
-    assert np.abs(y[run.t >= 3]).max() == pytest.approx(widest, abs=6e-4)
-    assert np.abs(y).max() == pytest.approx(at_start, abs=6e-4)

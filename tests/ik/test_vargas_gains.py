@@ -1,54 +1,37 @@
-"""Sims. 3 and 14 of Vargas 2013: six joints past a shoulder singularity, and priorities by gains; short forms."""
+"""Sim. 14 of Vargas 2013: what the gains weigh, against a direct search for the least weighted errors."""
 
 from __future__ import annotations
 
 from math import pi
-from typing import Any
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize
-from tests.ik.vargas import largest, path_11, sizes, turned, weighted_sim, wrist_sim, zebra
 
 from helicoide.geometry import rotation
+from helicoide.ik.clik import quaternion_error
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import tool_by_screws
-
-HALF = 7.854  # s: where trajectory 11 is farthest
-
-
-@pytest.mark.parametrize(
-    ("name", "options", "arm", "wrist"),
-    [
-        ("filtered", {"gain": 1.0}, 3.46, 3.14),
-        ("filtered_modified", {"gain": 1.0}, 3.77, 3.08),
-    ],
-)
-def test_the_passage_at_speed(name: str, options: dict[str, Any], arm: float, wrist: float) -> None:
-    """Sim. 3 at 2.5 times its speed, the singularity at 9.43 s, where the inverse turns the wrist at 35 rad/s."""
-    t, _, _, rates = wrist_sim(name, options, 2e-3, 11, 2.5)
-    assert largest(rates[:, :3], t > 3) == pytest.approx(arm, rel=0.02)
-    assert largest(rates[:, 3:], t > 3) == pytest.approx(wrist, rel=0.03)
+from helicoide.studies.vargas.arms import zebra
+from helicoide.studies.vargas.paths import path_11
+from helicoide.studies.vargas.runs import sizes, turned
+from helicoide.studies.vargas_14 import HALF, weighted
 
 
-def test_the_inverse_races_at_the_passage() -> None:
-    t, _, _, rates = wrist_sim("inverse", {}, 2e-3, 11, 2.5)
-    assert largest(rates[:, 3:], t > 3) > 25
-    assert largest(rates[:, :3], t > 3) == pytest.approx(3.89, rel=0.02)
-
-
-def test_the_passage_is_left_behind() -> None:
-    """Sim. 3, modified law, γ = 10: below 1.5 rad/s, 0.05 cm, and nothing of it is left at the end."""
-    t, _, e, rates = wrist_sim("filtered_modified", {"gain": 10.0}, 5e-3, 29.5)
-    assert largest(rates[:, :3], t > 3) == pytest.approx(1.49, rel=0.02)
-    assert largest(rates[:, 3:], t > 3) == pytest.approx(1.42, rel=0.02)
-    assert largest(sizes(e[:, :3]), t > 3) < 0.05
-    assert largest(sizes(e), t > 29) < 1e-3
+def test_the_error_of_orientation_is_that_of_the_quaternions() -> None:
+    """The vector part of Q_d * Q_e⁻¹ along the shorter turn, from matrices; also for no turn and next to none."""
+    rng = np.random.default_rng(1)
+    for size in (0.0, 1e-12, 1e-6, 0.1, 1.0, 3.0, 3.14):
+        axis = rng.normal(size=3)
+        R_tool = rotation.exponential(rng.normal(size=3))
+        R_target = rotation.exponential(size * axis / np.linalg.norm(axis)) @ R_tool
+        expected = rotation.quaternion_error(rotation.from_matrix(R_target), rotation.from_matrix(R_tool))
+        np.testing.assert_allclose(quaternion_error(R_target, R_tool), expected, rtol=0, atol=1e-12)
 
 
 def best(of_position: float, of_turn: float, q: Array) -> tuple[float, float]:
     """(‖e_p‖, dm, and ‖Δε‖) of the least ½ e_pᵀΛ_p e_p + 2 λ_o (1 − Δη) at `HALF`, found from near q."""
-    robot, R_target = zebra(0.1).robot, turned(1, pi)
+    robot, R_target = zebra().robot, turned(1, pi)
 
     def errors(q: Array) -> tuple[Array, Array]:
         T = tool_by_screws(robot, q)
@@ -65,31 +48,13 @@ def best(of_position: float, of_turn: float, q: Array) -> tuple[float, float]:
     return float(np.linalg.norm(e)), float(np.linalg.norm(quaternion[1:]))
 
 
-@pytest.mark.parametrize(
-    ("of_position", "of_turn", "at_half"),
-    [
-        (100, 10, (0.0151, 0.2402)),
-        (10, 10, (0.1310, 0.2044)),
-        (10, 100, (0.5246, 0.0734)),
-    ],
-)
-def test_gains_set_priorities(of_position: float, of_turn: float, at_half: tuple[float, float]) -> None:
-    """Out of reach the arm rests where the weighted errors are least, and the larger gain wins."""
-    _, q, e, _ = weighted_sim([of_position] * 3 + [of_turn] * 3, 4e-3, HALF)
-    now = sizes(e[-1:, :3])[0], sizes(e[-1:, 3:])[0]
-    assert now == pytest.approx(at_half, abs=6e-4)
-    assert now == pytest.approx(best(of_position, of_turn, q[-1]), abs=1e-3)
-
-
-@pytest.mark.parametrize(
-    ("axes", "x", "z"), [((100, 10, 10), 0.66, 5.06), ((10, 10, 100), 5.40, 0.53), ((10, 10, 10), 3.99, 3.40)]
-)
-def test_gains_favour_an_axis(axes: tuple[int, int, int], x: float, z: float) -> None:
-    """e_p at 7.85 s, cm, with λ_o = 100."""
-    _, _, e, _ = weighted_sim([*axes, 100, 100, 100], 4e-3, HALF)
-    assert 10 * np.abs(e[-1, [0, 2]]) == pytest.approx([x, z], abs=0.02)
+@pytest.mark.parametrize(("of_position", "of_turn"), [(100, 10), (10, 10), (10, 100)])
+def test_out_of_reach_the_weighted_errors_are_least(of_position: float, of_turn: float) -> None:
+    run = weighted((of_position, of_position, of_position, of_turn), 25.0, 4e-3, HALF)
+    now = sizes(run.e[-1:, :3])[0], sizes(run.e[-1:, 3:])[0]
+    assert now == pytest.approx(best(of_position, of_turn, run.q[-1]), abs=1e-3)
 
 
 def test_only_the_ratio_of_the_gains_counts() -> None:
-    ends = [weighted_sim([gain] * 6, 4e-3, HALF)[2][-1] for gain in (10, 100)]
+    ends = [weighted((gain, gain, gain, gain), 25.0, 4e-3, HALF).e[-1] for gain in (10, 100)]
     np.testing.assert_allclose(*ends, atol=2e-3)

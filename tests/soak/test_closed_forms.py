@@ -1,25 +1,17 @@
-"""The full counts of the closed forms: 20,000 poses of the PUMA and of the Movemaster, 3 × 1,500 arms of Pieper's."""
+"""The full counts of the closed forms: 20,000 poses of the Movemaster, 3 × 1,500 arms of Pieper's."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.ik.closed import test_movemaster, test_pieper, test_puma560
-from tests.ik.closed.rows import spherical
+from tests.ik.closed import test_movemaster, test_pieper
 
-from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import spherical
 
 pytestmark = pytest.mark.soak
 
 POSES, ARMS = 20_000, 1_500
-
-
-def test_the_puma_in_all_its_postures() -> None:
-    missed, apart = test_puma560.there_and_back(load("puma560"), POSES, seed=560)
-    print(f"missed {missed:.1e}, generating posture {apart:.1e} rad")
-    assert missed < 1e-9
-    assert apart < 1e-8
 
 
 def test_the_movemaster_in_all_its_postures(robot: Robot) -> None:

@@ -5,6 +5,19 @@ nowhere else: a browser may send anything.
 """
 
 from helicoide.gate.check import LATCH, PARKED, pose
+from helicoide.gate.enclosure import (
+    add_plane,
+    add_plane_through,
+    clear_planes,
+    confine,
+    remove_plane,
+    say,
+    see,
+    set_box,
+    set_zones,
+    take_planes,
+    take_planes_of,
+)
 from helicoide.gate.entry import ENTRY, drag_entry, hold_entry, set_entry
 from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
 from helicoide.gate.method import (
@@ -33,8 +46,10 @@ from helicoide.gate.obstacles import (
 )
 from helicoide.gate.path import pause, play, scrub
 from helicoide.gate.planes import drag_plane, restore_planes
+from helicoide.gate.replaying import replay, replay_motion
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, hold_orientation, let_go, set_target
+from helicoide.gate.teaching import delete_waypoint, move_waypoint, record, rename_waypoint, take_waypoints
 
 __all__ = [
     "ENTRY",
@@ -48,9 +63,14 @@ __all__ = [
     "SMALLEST",
     "Phase",
     "add_obstacle",
+    "add_plane",
+    "add_plane_through",
     "choose_method",
     "choose_objective",
+    "clear_planes",
     "compare_with",
+    "confine",
+    "delete_waypoint",
     "drag_entry",
     "drag_obstacle",
     "drag_plane",
@@ -61,15 +81,24 @@ __all__ = [
     "hold_entry",
     "hold_orientation",
     "let_go",
+    "move_waypoint",
     "objective_as_row",
     "obstacle_handle",
     "park",
     "pause",
     "play",
     "pose",
+    "record",
     "remove_obstacle",
+    "remove_plane",
+    "rename_waypoint",
+    "replay",
+    "replay_motion",
     "restore_planes",
+    "say",
     "scrub",
+    "see",
+    "set_box",
     "set_entry",
     "set_gain",
     "set_gripper",
@@ -79,6 +108,10 @@ __all__ = [
     "set_obstacle_radius",
     "set_option",
     "set_target",
+    "set_zones",
     "stop",
+    "take_planes",
+    "take_planes_of",
+    "take_waypoints",
     "weigh_objective",
 ]

@@ -32,10 +32,10 @@ def scrub(s: float) -> Update:
         if state.t < state.latched:
             return replace(state, latched=state.t + LATCH)
         (value,) = finite([s], (1,))
-        if not 0.0 <= value <= PATH.period:
+        if not 0.0 <= value <= PATH.duration:
             raise HelicoideError(
                 Text(en="The path takes 0 to {end:g} s.", pt_BR="A trajetória aceita de 0 a {end:g} s.").format(
-                    end=PATH.period
+                    end=PATH.duration
                 )
             )
         playing = isinstance(state.command, Along) and state.command.playing

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.confinement import stopped_at_arm
+from helicoide.confinement import planes_of, stopped_at_arm
 from helicoide.gate.check import driven, pose
 from helicoide.gate.target import Phase
 from helicoide.kinematics.chain import Array
@@ -20,7 +20,7 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
 
     def wish(state: State) -> State:
         T = pose(state, position, wxyz)
-        panes = state.robot.panes
+        panes = state.problem.planes.panes
         if index not in range(len(panes)) or not panes[index].movable:
             raise HelicoideError(Text(en="That plane is fixed.", pt_BR="Esse plano é fixo."))
         handle = f"plane {index}"
@@ -45,7 +45,7 @@ def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State
 
 
 def _stopped_plane(state: State, index: int, distances: Array) -> Text:
-    pane, point = state.robot.panes[index], state.robot.guarded[int(distances.argmin())]
+    pane, point = state.problem.planes.panes[index], state.robot.guarded[int(distances.argmin())]
     return Text(
         en="Plane {name} ({pane}) stops at {mm:.0f} mm from the arm: {point}.",
         pt_BR="O plano {name} ({pane}) para a {mm:.0f} mm do braço: {point}.",
@@ -53,10 +53,12 @@ def _stopped_plane(state: State, index: int, distances: Array) -> Text:
 
 
 def restore_planes() -> Update:
-    """Every plane back to where the robot's file has it, or as near to that as the arm allows."""
+    """The planes of the robot's file, each where it has it, or as near to that as the arm allows; no others."""
 
     def wish(state: State) -> State:
         state = replace(state, notice=None)
+        before = replace(state.problem, planes=planes_of(state.robot.panes))
+        state = replace(state, problem=before)
         for index, pane in enumerate(state.robot.panes):
             moved = _plane_moved(state, index, pane.normal, pane.centre)
             state = replace(moved, notice=moved.notice or state.notice)

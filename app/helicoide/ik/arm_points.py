@@ -52,9 +52,10 @@ class ArmPoints:
         """Where they are, p (k, 3), and their J (k, 3, n), ṗ = J q̇, both without lengths (see `method.Task`)."""
         chain, corners = problem.robot.chain, self._corners(poses)
         axes = jacobian.joint_axes(poses, chain)
-        rows = [jacobian.geometric(poses, chain, axes, c, i)[:3] for c, i in zip(corners, self.links, strict=True)]
-        J = np.tensordot(self.weights, rows, 1) * problem.joint_units
-        return self.weights @ corners / problem.length, J / problem.length
+        moving = zip(corners, self.links, strict=True)
+        rows = np.array([jacobian.geometric(poses, chain, axes, c, i)[:3] for c, i in moving])
+        J = (self.weights @ rows.reshape(len(rows), -1)).reshape(-1, *rows.shape[1:])
+        return self.weights @ corners / problem.length, J * problem.joint_units / problem.length
 
     def _corners(self, poses: Array) -> Array:
         T = poses[list(self.links)]

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from math import sin, sqrt
 from typing import Any, Literal
 
 import numpy as np
 
-from helicoide.geometry import rotation
 from helicoide.ik import Problem
 from helicoide.ik.method import Method, Solution, Task
 from helicoide.ik.task import rotation_vector
@@ -46,8 +46,9 @@ def quaternion_error(R_target: Array, R_tool: Array) -> Array:
 
     Args: rotations (3, 3). Source: Vargas 2013, eqs. 2.40–2.43; the sign is turned where Δη < 0.
     """
-    vector: Array = rotation.from_matrix(R_target @ R_tool.T)[1:]
-    return vector
+    vector = rotation_vector(R_target, R_tool)
+    half = sqrt(vector @ vector) / 2
+    return np.asarray(vector * (sin(half) / (2 * half) if half > 0 else 0.5))
 
 
 def tool_aim(
@@ -74,7 +75,9 @@ def tool_aim(
     if with_orientation:
         turned = rotation_vector if measure == "rotation vector" else quaternion_error
         error[3:] = turned(T_world_target[:3, :3].copy(), T[:3, :3].copy())
-    return Aim(J[:rows], error, (ahead / ([length] * 3 + [1.0] * 3))[:rows])
+    rate = ahead[:rows].copy()
+    rate[:3] /= length
+    return Aim(J[:rows], error, rate)
 
 
 def to_pose(problem: Problem, T_world_target: Array, with_orientation: bool = True) -> Aiming:

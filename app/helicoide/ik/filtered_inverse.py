@@ -79,12 +79,12 @@ def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update
         return _exact_by_columns(J, Theta, np.asarray(gain), dt, update)
     right, left = SIDES[update]
     U, sigma, Vt = np.linalg.svd(J)
-    rows, columns = np.zeros(len(Vt)), np.zeros(len(U))
-    rows[: sigma.size] = columns[: sigma.size] = sigma
-    x = gain * dt * (right * rows[:, None] ** 2 + left * columns**2)
-    Psi = np.exp(-x) * (Vt @ Theta @ U)
-    i = np.arange(sigma.size)
-    Psi[i, i] += (right + left) * gain * dt * sigma * _mean_decay(x[i, i])
+    (n, r), p, both = Theta.shape, len(sigma), right + left
+    rows, columns, squares = np.zeros(n), np.zeros(r), gain * dt * sigma * sigma
+    rows[:p] = columns[:p] = squares
+    Psi = np.exp(-(right * rows[:, None] + left * columns)) * (Vt @ Theta @ U)
+    d = Psi.reshape(-1)[: p * (r + 1) : r + 1]  # a view of the diagonal
+    d += both * gain * dt * sigma * _mean_decay(both * squares)
     return np.asarray(Vt.T @ Psi @ U.T)
 
 
@@ -106,9 +106,9 @@ def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: U
 
 
 def _mean_decay(x: Array) -> Array:
-    """(1 − e⁻ˣ)/x, which is 1 at x = 0."""
-    small = np.abs(x) < 1e-12
-    return np.where(small, 1.0, -np.expm1(-x) / np.where(small, 1.0, x))
+    """(1 − e⁻ˣ)/x for x ≥ 0, which is 1 at x = 0: for what is next to nothing −expm1(−x) is x to the last digit."""
+    x = np.maximum(x, 1e-300)
+    return np.asarray(-np.expm1(-x) / x)
 
 
 STEPS = {"exact": exact, "sylvester": sylvester, "euler": euler}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from enum import Enum
 from math import isfinite
@@ -28,6 +28,22 @@ class Task:
     J: Array
     rate: Array
     dt: float
+
+
+@dataclass(frozen=True, eq=False)
+class OnDemand(Mapping[str, float]):
+    """Figures that cost more than the answer: each is computed when somebody reads it."""
+
+    computed: Mapping[str, Callable[[], float]]
+
+    def __getitem__(self, symbol: str) -> float:
+        return self.computed[symbol]()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.computed)
+
+    def __len__(self) -> int:
+        return len(self.computed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -55,7 +55,7 @@ def _planes(state: State) -> list[Reading]:
             rf"\pi_{{{pane.name}}}",
             rigid.plane(planes.normals[k], planes.offsets[k]),
         )
-        for k, pane in enumerate(state.robot.panes)
+        for k, pane in enumerate(state.problem.planes.panes)
     ]
 
 

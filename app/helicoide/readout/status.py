@@ -22,7 +22,7 @@ from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.readout.distances import distances_of
 from helicoide.readout.instruments import errors, held_by
-from helicoide.state import Along, GetReady, Hold, Park, State, ToPose, points_on
+from helicoide.state import Along, GetReady, Hold, Park, Replay, State, ToPose, points_on
 from helicoide.text import Text
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]
@@ -63,6 +63,8 @@ def status(state: State) -> Status:
             ),
             "stopped",
         )
+    if isinstance(state.command, Replay):
+        return Status(_replaying(state, state.command), "ok")
     if state.parked or isinstance(state.command, Park | GetReady):
         return _parking(state)
     if isinstance(state.command, ToPose | Along) and state.drive.method != GUARDED:
@@ -70,6 +72,19 @@ def status(state: State) -> Status:
     if state.goal is not None and not isinstance(state.command, Hold):
         return _towards(state, state.goal)
     return Status(Text(en="Ready: drag the target or a slider.", pt_BR="Pronto: arraste o alvo ou um controle."), "ok")
+
+
+def _replaying(state: State, command: Replay) -> Text:
+    """How far a replay is, and what holds it back."""
+    if not command.arrived:
+        return Text(en="Going to where it begins.", pt_BR="Indo para onde começa.")
+    held = holding(state)
+    where = Text(en="{title}: {s:.1f} of {end:.1f} s", pt_BR="{title}: {s:.1f} de {end:.1f} s").format(
+        title=command.title, s=command.s, end=command.path.duration
+    )
+    if not held:
+        return Text(en="{where}.", pt_BR="{where}.").format(where=where)
+    return Text(en="{where}; held by: {what}.", pt_BR="{where}; retido por: {what}.").format(where=where, what=held[0])
 
 
 def _parking(state: State) -> Status:
@@ -160,7 +175,7 @@ def _held_back(state: State, goal: Goal) -> Text:
     short = f"{1000 * goal.short:.0f}"
     match reason:
         case Contact(plane, point):
-            pane, guarded = state.robot.panes[plane], state.robot.guarded[point]
+            pane, guarded = state.problem.planes.panes[plane], state.robot.guarded[point]
             return Text(
                 en="Blocked by plane {name} ({pane}): {point} at {mm:.0f} mm; {short} mm short.",
                 pt_BR="Bloqueado pelo plano {name} ({pane}): {point} a {mm:.0f} mm; faltam {short} mm.",
@@ -226,7 +241,7 @@ def _named(state: State, reason: Reason) -> Text:
     match reason:
         case Contact(plane, point):
             return Text(en="plane {a}: {b}", pt_BR="plano {a}: {b}").format(
-                a=state.robot.panes[plane].name, b=state.robot.guarded[point].title
+                a=state.problem.planes.panes[plane].name, b=state.robot.guarded[point].title
             )
         case SelfContact(first, second):
             return Text(en="{a} and {b}", pt_BR="{a} e {b}").format(a=bodies[first], b=bodies[second])

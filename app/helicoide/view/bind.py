@@ -38,6 +38,16 @@ def on_press(button: viser.GuiButtonHandle, act: Callable[[], None]) -> None:
     button.on_click(pressed)
 
 
+def on_upload(button: viser.GuiUploadButtonHandle, act: Callable[[str, bytes], None]) -> None:
+    """Call `act` with name and content of each file that a person gives."""
+
+    async def uploaded(event: viser.GuiEvent[Any]) -> None:
+        file = event.target.value
+        act(file.name, file.content)
+
+    button.on_upload(uploaded)
+
+
 def on_drag(gizmo: viser.TransformControlsHandle, act: Drag) -> None:
     """Call `act` with phase, position (3,) m and wxyz at every event of a gizmo."""
 

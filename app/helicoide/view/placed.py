@@ -10,19 +10,25 @@ from time import monotonic
 from typing import Any, Protocol
 
 import viser
+from viser import Icon
 
 from helicoide.text import Language, Text
 from helicoide.view import bind
+from helicoide.view.plotted import Plotted
 from helicoide.view.rows import (
     Act,
+    Bar,
     Button,
     Changing,
     Choice,
+    Entry,
     Folder,
+    Plot,
     Row,
     Slider,
     Tick,
     Triple,
+    Upload,
     View,
     Words,
 )
@@ -78,6 +84,55 @@ class _Words:
         html = self.row.html(view)
         if html != self.handle.content:
             self.handle.content = html
+
+    def remove(self) -> None:
+        self.handle.remove()
+
+
+class _Entry:
+    def __init__(self, gui: viser.GuiApi, row: Entry, view: View, act: Act) -> None:
+        self.row, language = row, view.seat.language
+        self.said = row.shown(view)
+        self.text: Any = gui.add_text(row.label[language], self.said)
+        self.button = gui.add_button(row.button[language])
+        bind.on_press(self.button, lambda: act(row.wish(self.text.value)))
+
+    def refresh(self, view: View) -> None:
+        """What is typed stays until the view says something else than before."""
+        said = self.row.shown(view)
+        if said != self.said:
+            self.said = self.text.value = said
+
+    def remove(self) -> None:
+        self.text.remove()
+        self.button.remove()
+
+
+class _Upload:
+    def __init__(self, gui: viser.GuiApi, row: Upload, view: View, act: Act) -> None:
+        self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD)
+        bind.on_upload(self.handle, lambda name, content: act(row.wish(name, content)))
+
+    def refresh(self, view: View) -> None:
+        pass
+
+    def remove(self) -> None:
+        self.handle.remove()
+
+
+class _Bar:
+    def __init__(self, gui: viser.GuiApi, row: Bar, view: View) -> None:
+        self.row = row
+        self.handle: Any = gui.add_progress_bar(0.0, visible=False)
+        self.refresh(view)
+
+    def refresh(self, view: View) -> None:
+        share = self.row.share(view)
+        percent = 0.0 if share is None else round(100 * min(max(share, 0.0), 1.0))
+        if self.handle.visible != (share is not None):
+            self.handle.visible = share is not None
+        if self.handle.value != percent:
+            self.handle.value = percent
 
     def remove(self) -> None:
         self.handle.remove()
@@ -208,5 +263,13 @@ def _placed(gui: viser.GuiApi, row: Row, view: View, act: Act) -> Placed:
             return _choice(gui, row, view, act)
         case Triple():
             return _triple(gui, row, view, act)
+        case Entry():
+            return _Entry(gui, row, view, act)
+        case Upload():
+            return _Upload(gui, row, view, act)
+        case Bar():
+            return _Bar(gui, row, view)
+        case Plot():
+            return Plotted(gui, row, view)
         case Folder():
             return _Folder(gui, row, view, act)

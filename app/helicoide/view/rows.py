@@ -8,15 +8,18 @@ from dataclasses import dataclass
 from viser import IconName
 
 from helicoide.state import Seat, SeatUpdate, State, Update
+from helicoide.studies.desk import EMPTY, Desk, DeskUpdate
+from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text
 
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What one window shows: its arm and its person."""
+    """What one window shows: its arm, its person, and what that person has of the studies."""
 
     state: State
     seat: Seat
+    desk: Desk = EMPTY
 
 
 @dataclass(frozen=True)
@@ -40,7 +43,48 @@ class ForLab:
     robot: str
 
 
-Wish = ForArm | ForSeat | ForLab
+@dataclass(frozen=True)
+class ForDesk:
+    """A wish about the studies."""
+
+    update: DeskUpdate
+
+
+@dataclass(frozen=True, eq=False)
+class Play:
+    """A wish to see what an arm did on the arm; it is put up first where another one stands there."""
+
+    motion: Motion
+
+
+@dataclass(frozen=True)
+class Tour:
+    """A wish that the arm reads every plane that it can with its camera."""
+
+
+@dataclass(frozen=True, eq=False)
+class ReadCloud:
+    """A wish to look for a plane in the cloud of a file; plane: its name."""
+
+    name: str
+    content: bytes
+    plane: str
+
+
+@dataclass(frozen=True)
+class PlayTaught:
+    """A wish to go through the waypoints that were taught."""
+
+
+@dataclass(frozen=True, eq=False)
+class Save:
+    """A wish to have a file."""
+
+    name: str
+    content: bytes
+
+
+Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | PlayTaught | Save
 Act = Callable[[Wish], None]
 
 
@@ -110,6 +154,39 @@ class Triple:
 
 
 @dataclass(frozen=True)
+class Entry:
+    """A line to type in, and a button that hands on what stands there."""
+
+    label: Text
+    shown: Callable[[View], str]
+    button: Text
+    wish: Callable[[str], Wish]
+
+
+@dataclass(frozen=True)
+class Upload:
+    """A button that takes a file from the person: its name and its content."""
+
+    label: Text
+    wish: Callable[[str, bytes], Wish]
+
+
+@dataclass(frozen=True)
+class Bar:
+    """How far something is, 0 to 1; hidden while it is None."""
+
+    share: Callable[[View], float | None]
+
+
+@dataclass(frozen=True)
+class Plot:
+    """The chart of that number among those of the view; hidden where there is none."""
+
+    charts: Callable[[View], Sequence[Chart]]
+    index: int
+
+
+@dataclass(frozen=True)
 class Changing:
     """Rows that hang on a key of the view, and are placed anew when that changes."""
 
@@ -126,4 +203,4 @@ class Folder:
     open: bool = True
 
 
-Row = Words | Slider | Button | Tick | Choice | Triple | Folder
+Row = Words | Slider | Button | Tick | Choice | Triple | Entry | Upload | Bar | Plot | Folder

@@ -17,13 +17,28 @@ from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import status
 from helicoide.state import Seat, Update
+from helicoide.studies.desk import DeskUpdate
 from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.view import bind, layers, panels
 from helicoide.view.channel import Control, Notice, introduce
 from helicoide.view.layers import Stage
 from helicoide.view.page import STOP
 from helicoide.view.placed import Placed, place
-from helicoide.view.rows import Choice, ForArm, ForLab, ForSeat, Row, View, Wish
+from helicoide.view.rows import (
+    Choice,
+    ForArm,
+    ForDesk,
+    ForLab,
+    ForSeat,
+    Play,
+    PlayTaught,
+    ReadCloud,
+    Row,
+    Save,
+    Tour,
+    View,
+    Wish,
+)
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
@@ -68,8 +83,11 @@ class Window:
         post: Callable[[Update], None],
         reseat: Callable[[Seat], None],
         change: Callable[[str], None],
+        redesk: Callable[[str, DeskUpdate], None],
+        ask: Callable[[Wish], None],
     ) -> None:
         self.client, self.control, self.post, self.reseat, self.change = client, control, post, reseat, change
+        self.redesk, self.ask = redesk, ask
         self._stage(robot, shapes, view)
         self._furnish()
         introduce(client, view.seat.token)
@@ -108,6 +126,12 @@ class Window:
                 self.reseat(update(self.view.seat))
             case ForLab(robot):
                 self.change(robot)
+            case ForDesk(update):
+                self.redesk(self.view.seat.token, update)
+            case Save(name, content):
+                self.client.send_file_download(name, content)
+            case Play() | Tour() | ReadCloud() | PlayTaught():
+                self.ask(wish)
 
     def draw(self, view: View) -> None:
         """Bring this window's layers to a view, and let the browser have it now."""

@@ -2,42 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 
 from helicoide.ik.postures.branch import Answer, tool_at, wrap
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint, frozen
-from helicoide.kinematics.dh import DhRow, DhTable
-from helicoide.kinematics.library import load
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
-
-# a2, a3, d3, d4, m: the source's own, and the three other data sets it names
-LENGTHS = [
-    (0.4318, *rest) for rest in [(0.0203, 0.1244, 0.4318), (-0.0203, 0.1501, 0.4331), (0, 0, 0.4), (-0.2, -0.1, -0.3)]
-]
-Rows = Sequence[tuple[float, float, float]]
-
-
-def of_rows(rows: Rows, T_world_dh: Array, T_dh_tool: Array, shifts: Sequence[float] = (0,) * 6) -> Robot:
-    """An arm of six joints without narrow limits from modified rows (α, a, d), rad and m, and θ at q = 0."""
-    puma = load("puma560")
-    table = DhTable(
-        "modified",
-        tuple(DhRow(shift, d, a, alpha) for shift, (alpha, a, d) in zip(shifts, rows, strict=True)),
-        frozen(T_world_dh),
-        frozen(T_dh_tool),
-    )
-    frames = dh.poses(table, puma.joints, np.zeros(6))
-    joints = tuple(
-        replace(joint, direction=frozen(T[:3, 2]), point=frozen(T[:3, 3]), lower=-np.pi, upper=np.pi)
-        for joint, T in zip(puma.joints, frames[1:], strict=True)
-    )
-    T_world_tool_0 = frames[-1] @ T_dh_tool
-    return replace(puma, joints=joints, dh=table, T_world_tool_0=frozen(T_world_tool_0))
 
 
 def backwards(robot: Robot) -> Robot:
@@ -48,53 +20,6 @@ def backwards(robot: Robot) -> Robot:
         for joint in reversed(robot.joints)
     )
     return replace(robot, joints=joints, dh=dh.recovered(joints, T), T_world_tool_0=frozen(T))
-
-
-def puma_rows(a2: float, a3: float, d3: float, d4: float) -> Rows:
-    right = np.pi / 2
-    return [(0, 0, 0), (-right, 0, 0), (0, a2, d3), (-right, a3, d4), (right, 0, 0), (-right, 0, 0)]
-
-
-@cache
-def turning() -> Joint:
-    return load("puma560").joints[0]
-
-
-def wrist(lengths: tuple[float, ...], theta: Array) -> Array:
-    """Pose of frame 6 by the product of the rows of s.55."""
-    T = np.eye(4)
-    for (alpha, a, d), angle in zip(puma_rows(*lengths), theta, strict=True):
-        T = T @ dh.transform("modified", dh.DhRow(0, d, a, alpha), turning(), angle)
-    return T
-
-
-def puma(a2: float, a3: float, d3: float, d4: float) -> Robot:
-    """A PUMA with other lengths, m, whose base and tool stand anywhere and whose joints count from anywhere."""
-    draw = np.random.default_rng(560)
-    return of_rows(puma_rows(a2, a3, d3, d4), some_pose(draw), some_pose(draw), draw.uniform(-3, 3, 6))
-
-
-def spherical(draw: np.random.Generator, family: str, right_wrist: bool = True) -> Robot:
-    """A random arm with its wrist last: "general", "a1 = 0" or "sin α1 = 0"; wrist angles ±90° or any."""
-    alpha = draw.uniform(-np.pi, np.pi, 6)
-    alpha[4:] = [np.pi / 2, -np.pi / 2] if right_wrist else draw.uniform(0.4, 2.7, 2) * draw.choice([-1, 1], 2)
-    a, d = draw.uniform(-1, 1, (2, 6))
-    a[4:], d[4:] = 0, 0
-    if family == "a1 = 0":
-        a[1] = 0
-    if family == "sin α1 = 0":
-        alpha[1] = draw.choice([0, np.pi])
-    rows = [tuple(map(float, row)) for row in zip(alpha, a, d, strict=True)]
-    return of_rows(rows, some_pose(draw), some_pose(draw), draw.uniform(-3, 3, 6))
-
-
-def some_pose(draw: np.random.Generator) -> Array:
-    """A random pose (4, 4), m."""
-    T = np.eye(4)
-    T[:3, :3] = np.linalg.qr(draw.normal(size=(3, 3)))[0]
-    T[:3, 0] *= np.linalg.det(T[:3, :3])
-    T[:3, 3] = draw.uniform(-1, 1, 3)
-    return T
 
 
 def distance(answer: Answer, q: Array) -> float:

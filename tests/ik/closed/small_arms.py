@@ -4,32 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
 
 import numpy as np
 
 from helicoide.ik.postures.branch import Answer, wrap
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-
-
-@cache
-def planar(name: str, *lengths: float) -> Robot:
-    """A planar arm of a file with other lengths, m."""
-    return load(name, settings=[f"l{i + 1}={1000 * length}" for i, length in enumerate(lengths)])
-
-
-def upright(x: float, y: float, phi: float = 0.0, z: float = 0.0) -> Array:
-    """A pose turned about the vertical."""
-    c, s = np.cos(phi), np.sin(phi)
-    return np.array([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, z], [0, 0, 0, 1]])
-
-
-def limited(robot: Robot, lower: Sequence[float], upper: Sequence[float]) -> Robot:
-    """The same arm with other limits."""
-    joints = zip(robot.joints, lower, upper, strict=True)
-    return replace(robot, joints=tuple(replace(joint, lower=low, upper=high) for joint, low, high in joints))
 
 
 def reversed_axes(robot: Robot, *numbers: int) -> Robot:

@@ -17,17 +17,11 @@ from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies.campos_l3 import ANGLE, POINTING, SOLUTIONS, goal
 from helicoide.text import LANGUAGES, HelicoideError, Text
 
 ROBOT = load("motoman_l3")
 NOW = np.zeros(5)
-# Section 3.4 of the checks: degrees, and the names of the postures.
-SOLUTIONS = {
-    "front, elbow up": (21.8014, -83.1026, 94.3012, 98.9770, 0.6431),
-    "front, elbow down": (21.8014, 24.8595, -94.3012, 179.6174, 0.6431),
-    "back, elbow down": (-158.1986, 155.1405, 94.3012, 0.3826, -179.3569),
-    "back, elbow up": (-158.1986, -96.8974, -94.3012, 81.0230, -179.3569),
-}
 angles = st.floats(-np.pi, np.pi)
 points = st.tuples(*[st.floats(-0.8, 0.8)] * 3)
 
@@ -36,11 +30,6 @@ def pose(p: tuple[float, ...] | Array, R: Array) -> Array:
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = R, p
     return T
-
-
-def goal() -> Array:
-    """p = (0.5, 0.2, 0.3), R = Rz(20°) Ry(110°) Rx(15°)."""
-    return pose((0.5, 0.2, 0.3), euler.matrix(np.radians([20, 110, 15]), "zyx"))
 
 
 @cache
@@ -77,8 +66,8 @@ def test_the_four_postures_of_the_test_goal() -> None:
 
 def test_the_projection_of_the_test_goal() -> None:
     turn = motoman_l3.pointed(ROBOT, goal(), NOW)
-    assert np.degrees(turn.angle) == pytest.approx(-16.6918, abs=5e-5)
-    np.testing.assert_allclose(turn.Z, [0.871505, 0.348602, -0.344899], atol=5e-7)
+    assert np.degrees(turn.angle) == pytest.approx(ANGLE, abs=5e-5)
+    np.testing.assert_allclose(turn.Z, POINTING, atol=5e-7)
     answer = motoman_l3.solve(ROBOT, goal(), NOW)
     np.testing.assert_allclose(answer.T_world_goal[:3, 2], turn.Z, atol=1e-12)
     assert answer.turned == pytest.approx(abs(turn.angle), abs=1e-12)

@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 import pytest
-from tests.ik.closed.rows import LENGTHS, backwards, distance, of_rows, puma, some_pose, spherical, worst
+from tests.ik.closed.rows import backwards, distance, worst
 from tests.kinematics.test_packages import packaged_arm
 
 from helicoide.ik.closed import pieper, puma560
@@ -17,6 +17,7 @@ from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import dh_frames
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, some_pose, spherical
 from helicoide.text import HelicoideError
 
 HERE = np.zeros(6)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import limited, moved, planar, recovered, reversed_axes, upright, worst
+from tests.ik.closed.small_arms import moved, recovered, reversed_axes, worst
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import planar2r
@@ -17,6 +17,7 @@ from helicoide.ik.families import elbow
 from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
+from helicoide.studies._campos_arms import limited, planar, upright
 from helicoide.text import LANGUAGES, HelicoideError
 
 ROBOT = load("planar2r")

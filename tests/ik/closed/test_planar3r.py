@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from math import hypot
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import moved, planar, recovered, reversed_axes, upright, with_points, worst
+from tests.ik.closed.small_arms import moved, recovered, reversed_axes, with_points, worst
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import planar3r
@@ -18,6 +16,9 @@ from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import planar, upright
+from helicoide.studies.campos_dexterous import SHARES, share
+from helicoide.studies.campos_planar3r import POSTURES
 from helicoide.text import LANGUAGES, HelicoideError
 
 L3 = 0.2
@@ -34,8 +35,7 @@ def of_wrist(x: float, y: float, phi: float) -> Array:
 def test_the_numbers_of_the_source() -> None:
     """Section 3.2 of the checks: (1, 0.8, 0.5)."""
     answer = planar3r.solve(ROBOT, of_wrist(1, 0.8, 0.5), np.zeros(3))
-    printed = [(0.100185, 1.463447, -1.063633), (1.249296, -1.463447, 0.714151)]
-    np.testing.assert_allclose([branch.q for branch in answer.branches], printed, atol=5e-7)
+    np.testing.assert_allclose([branch.q for branch in answer.branches], POSTURES, atol=5e-7)
     assert [branch.name.pt_BR for branch in answer.branches] == ["cotovelo para baixo", "cotovelo para cima"]
     assert worst(answer) < 1e-12
 
@@ -67,17 +67,10 @@ def test_each_step_follows_from_those_before(x: float, y: float, phi: float) -> 
         np.testing.assert_allclose(np.exp(1j * branch.q), np.exp(1j * np.array([one, two, three])), atol=1e-12)
 
 
-def feasible(r: float, turns: int = 3600) -> float:
-    """The part of all orientations with which the tool reaches a point at the distance r."""
-    links = elbow.Annulus(1, 0.7)
-    phis = 2 * np.pi * (np.arange(turns) + 0.5) / turns
-    return float(np.mean([bool(links.elbows(hypot(r - L3 * np.cos(phi), L3 * np.sin(phi)))) for phi in phis]))
-
-
-@pytest.mark.parametrize(("r", "share"), [(0.51, 1), (1.0, 1), (1.49, 1), (0.49, 0.92), (1.51, 0.89)])
-def test_share_of_orientations_around_the_dexterous_region(r: float, share: float) -> None:
+@pytest.mark.parametrize(("r", "expected"), SHARES.items())
+def test_share_of_orientations_around_the_dexterous_region(r: float, expected: float) -> None:
     """Section 1.2 of the checks: L = (1, 0.7, 0.2), limits 0.5 and 1.5."""
-    assert feasible(r) == pytest.approx(share, abs=0.005)
+    assert share(r, L3, 3600) == pytest.approx(expected, abs=0.005)
 
 
 @given(tilt=st.tuples(st.floats(-1, 1), st.floats(-1, 1)), z=st.floats(-2, 2), phi=angles)

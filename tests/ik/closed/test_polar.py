@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import moved, upright, worst
+from tests.ik.closed.small_arms import moved, worst
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
+from helicoide.studies._campos_arms import upright
 from helicoide.text import LANGUAGES, HelicoideError
 
 ROBOT = load("polar_rp")

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import limited, planar, upright
 
 from helicoide.ik.closed import motoman_l3, planar3r
 from helicoide.ik.postures import choice
@@ -17,12 +16,12 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import limited, planar, upright
+from helicoide.studies.campos_planar3r import COSTS, NOW, B
 from helicoide.text import HelicoideError, same
 
 L3 = 0.2
 ROBOT = planar("planar3r", 1.0, 0.7, L3)
-NOW = np.array([0.5, 0.2, -1.0])
-A, B = (-2.6971, 1.4202, -0.1232), (-1.5780, -1.4202, 1.5982)
 
 
 def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
@@ -32,11 +31,9 @@ def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
     return planar3r.solve(robot, T, NOW).branches
 
 
-@pytest.mark.parametrize(
-    ("weights", "chosen", "costs"), [((1, 1, 1), A, (5.183, 6.296)), ((3, 2, 1), B, (12.073, 12.576))]
-)
+@pytest.mark.parametrize(("weights", "costs", "chosen"), COSTS.values())
 def test_weights_turn_the_choice(
-    weights: tuple[float, ...], chosen: tuple[float, ...], costs: tuple[float, ...]
+    weights: tuple[float, ...], costs: tuple[float, ...], chosen: tuple[float, ...]
 ) -> None:
     rows = choice.ranked(ROBOT, example(), NOW, weights)
     assert [row.cost for row in rows] == pytest.approx(costs, abs=6e-4)

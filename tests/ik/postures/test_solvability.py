@@ -7,7 +7,7 @@ from math import pi
 
 import numpy as np
 import pytest
-from tests.ik.closed.rows import LENGTHS, backwards, of_rows, puma, puma_rows, some_pose, spherical
+from tests.ik.closed.rows import backwards
 from tests.kinematics.arms import NAMES, arm, postures
 from tests.kinematics.test_packages import ARMS, packaged_arm
 
@@ -20,6 +20,8 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses, screw_displacements
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import LENGTHS, puma, puma_rows, spherical
+from helicoide.studies.campos_table import SIXTEEN, sixteen, with_zeros
 
 HERE = np.zeros(6)
 # by hand: axes from 1
@@ -130,12 +132,9 @@ def test_the_axes_meet_in_every_posture(name: str) -> None:
 )
 def test_the_rows_of_the_table(zeros: tuple[int, ...], row: int) -> None:
     """s.22; of the PUMA, a1 = a4 = a5 = 0, there is none, and it counts as the last."""
-    draw = np.random.default_rng(1)
-    a = draw.uniform(0.1, 1, 6)
-    a[list(zeros)] = 0
-    alpha, d = draw.uniform(0.3, 2.8, 6), draw.uniform(0.1, 1, 6)
-    robot = of_rows([tuple(map(float, one)) for one in zip(alpha, a, d, strict=True)], some_pose(draw), some_pose(draw))
-    np.testing.assert_allclose(solvability.link_lengths(robot), a[1:], rtol=0, atol=1e-9)
+    robot = with_zeros(zeros)
+    lengths = solvability.link_lengths(robot)
+    assert {number for number, length in enumerate(lengths, start=1) if length < 1e-9} == set(zeros)
     assert solvability.table_row(robot) == row
     assert solvability.solution_bound(robot) == 16
 
@@ -150,34 +149,10 @@ def test_the_first_row_of_the_table_does_not_hold_for_the_puma_without_a3() -> N
     assert solvability.verdict(robot).bound == 8
 
 
-# of one pose, θ in rad, to be polished: α = 90°, a2 = 0.6, a4 = 0.7, d3 = 0.4, d4 = d5 = 0.2 m, all others zero
-SIXTEEN = [
-    (-1.3, -2.8, -0.7, -0.6, -2.9, -2.8),
-    (-1.33, -2.82, -0.65, -0.63, -2.87, -2.78),
-    (-2.74, -2.41, -2.01, -2.35, -1.12, 0.74),
-    (-2.5, -2.73, 1.57, -0.51, -1.71, -3.09),
-    (-2.36, -1.23, 2.74, 0.95, 0.07, -0.7),
-    (-2.06, -1.2, -0.71, 2.59, -2.72, 1.92),
-    (-2.06, -2.96, 3.03, -1.69, -0.38, 1.16),
-    (-0.91, -2.28, 1.35, -2.44, 0.69, 0.39),
-    (0.28, 0.14, -1.58, 0.4, -0.86, -0.32),
-    (0.45, 0.53, 0.81, 3.05, -1.47, 2.21),
-    (1.0, 0.98, 0.07, 2.62, -0.46, 1.18),
-    (1.23, -0.77, 0.53, -0.95, 0.17, -0.66),
-    (1.43, 1.01, -2.98, 1.12, -2.52, -2.64),
-    (1.98, -0.69, -2.25, -2.12, -2.92, 2.04),
-    (2.31, -0.42, 1.88, 0.02, 0.55, -0.35),
-    (2.31, -0.41, -1.82, -2.61, -3.14, 2.24),
-]
-
-
 def test_an_arm_of_the_first_row_with_sixteen_postures() -> None:
     """Without a spherical wrist only the last row holds."""
-    right = pi / 2
-    rows = [(0, 0, 0), (right, 0, 0), (right, 0.6, 0.4), (right, 0, 0.2), (right, 0.7, 0.2), (right, 0, 0)]
-    robot = of_rows(rows, np.eye(4), np.eye(4))
-    goal = tool_at(robot, np.array(SIXTEEN[0]))
-    exact = np.array([pieper.polished(robot, goal, np.array(q)) for q in SIXTEEN])
+    robot, exact = sixteen()
+    goal = tool_at(robot, SIXTEEN[0])
     assert max(float(np.abs(tool_at(robot, q) - goal).max()) for q in exact) < 1e-12
     assert np.abs(exact - SIXTEEN).max() < 0.01
     apart = [np.abs(wrap(one - other)).max() for i, one in enumerate(exact) for other in exact[:i]]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import moved, upright
+from tests.ik.closed.small_arms import moved
 
 from helicoide.geometry import euler, rotation
 from helicoide.ik.families.turret import turret
@@ -18,6 +18,7 @@ from helicoide.ik.postures.nearest import nearest
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_arms import upright
 from helicoide.text import LANGUAGES, HelicoideError
 
 SMALL = ["planar2r", "planar3r", "orca", "polar_rp", "motoman_l3", "scara", "movemaster"]

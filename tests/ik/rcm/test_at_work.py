@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.ik.rcm.runs import LINK, START, dia10, entry_on, problem_of, tool_at
 from tests.kinematics.arms import derivative
 
 from helicoide.geometry import rotation
 from helicoide.ik import EntryPoint, Problem
 from helicoide.ik.drive import Drive
 from helicoide.ik.guard.entry import GAIN
+from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.at_work import by_method, passage_of, tip_task, tool_velocity
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import command, pose_error
 from helicoide.ik.rcm.passage import insertion
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
+from helicoide.studies._coutinho_runs import LINK, START, dia10, entry_on, problem_of
 
 GAINS = (3.0, 3.0, 3.0, 5.0)
 STILL = np.zeros(3)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.ik.rcm.runs import E1_START, START, dia10, tool_at
 from tests.kinematics.arms import twist_by_differences
 
 from helicoide.geometry import rotation
+from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.chain import Array
+from helicoide.studies._coutinho_runs import E1_START, START, dia10
+from helicoide.trajectory import Path
 
 
 @pytest.mark.parametrize("name", PATHS)
@@ -74,3 +76,14 @@ def test_the_turn_is_about_the_tool_s_own_x() -> None:
     T = tool_at(dia10(), START)
     R = T[:3, :3].T @ PATHS["S3"].wished(T)(50.0).T_world_target[:3, :3]
     np.testing.assert_allclose(rotation.logarithm(R), [-np.pi / 8, 0, 0], atol=1e-12)
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_they_are_paths_of_the_target(name: str) -> None:
+    T, source = tool_at(dia10(), START), PATHS[name]
+    path: Path = source.of(T)
+    assert path.duration == source.duration
+    assert path.is_closed == (name != "E1")
+    np.testing.assert_array_equal(path.pose(0.3 * path.duration), source.wished(T)(0.3 * path.duration).T_world_target)
+    expected = twist_by_differences(lambda t: path.pose(float(t[0])), np.array([17.0]))[:, 0]
+    np.testing.assert_allclose(path.twist(17.0), expected, atol=1e-12)

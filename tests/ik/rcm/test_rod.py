@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.ik.rcm.runs import as_printed, dia10, problem_of, tool_at
-from tests.ik.rcm.turns import START, circle, rod_arm, scene, turn
 from tests.kinematics.arms import derivative
 
+from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.passage import SLIT, insertion, through
 from helicoide.ik.rcm.residuals import depth, lateral_distance
@@ -15,6 +14,8 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.manipulability import analysed
+from helicoide.studies._coutinho_circle import START, circle, rod_arm, scene
+from helicoide.studies._coutinho_runs import dia10, problem_of
 from helicoide.text import HelicoideError
 
 
@@ -25,26 +26,6 @@ def test_the_start_of_the_circle() -> None:
     np.testing.assert_allclose(T[:3, 3] - floor, [0.199762, 1.296680, 0.511625], atol=6e-7)
     np.testing.assert_allclose(d, [0.144749, 0.785870, -0.601212], atol=6e-7)
     np.testing.assert_allclose(entry - floor, [0.178049, 1.178800, 0.601807], atol=6e-7)
-
-
-@pytest.mark.parametrize(
-    ("entry_gain", "lateral", "at_end", "of_limits"),
-    [(0.0, "0.473", "0.395", "0.615"), (5.0, "0.028", "0.0065", "0.616")],
-    ids=["Kr 0", "Kr 5"],
-)
-def test_rows_of_the_circle(entry_gain: float, lateral: str, at_end: str, of_limits: str) -> None:
-    """At 20 ms; the rows at 2 ms are in the soak. The 0.616 of the joint limits is that with feedback, or at 2 ms."""
-    got = turn(entry_gain, 0.02)
-    assert as_printed(got["tip_mm"].max(), "0.047")
-    assert as_printed(np.sqrt(np.mean(got["tip_mm"] ** 2)), "0.021")
-    assert as_printed(got["lateral_mm"].max(), lateral)
-    assert as_printed(got["lateral_mm"][-1], at_end)
-    assert as_printed(got["depth"].min(), "0.1500")
-    assert as_printed(got["depth"].max(), "0.1616")
-    assert as_printed(got["rate"].max(), "0.287")
-    assert as_printed(got["of_limits"].max(), of_limits)
-    assert as_printed(got["smallest_sigma"].min(), "0.020")
-    assert as_printed(got["closure"][-1], "0.22")
 
 
 def test_rows_are_derivatives_of_tip_and_lateral_error() -> None:

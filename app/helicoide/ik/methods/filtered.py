@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Annotated
 
 import numpy as np
 
 from helicoide.ik import Problem, filtered_inverse
 from helicoide.ik.filtered_inverse import Step, Update
-from helicoide.ik.method import OneOf, Promise, Quantity, Solution, Task, YesNo
+from helicoide.ik.method import OnDemand, OneOf, Promise, Quantity, Solution, Task, YesNo
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import Text
 
@@ -111,13 +112,23 @@ def updated(task: Task, memory: Memory, options: Options) -> Memory:
     return Memory(frozen(following), J)
 
 
-def figures(task: Task, Theta: Array, options: Options) -> dict[str, float]:
+def figures(task: Task, Theta: Array, options: Options) -> OnDemand:
     """How well Θ inverts J, how large it is, and what Euler's rule would bear."""
-    return {
-        "V_c": sum(filtered_inverse.lyapunov(task.J, Theta)),
-        "‖Θ‖": float(np.linalg.norm(Theta, 2)),
-        "dt_max": filtered_inverse.step_limit(task.J, options.gain, options.update),
-    }
+    return OnDemand(
+        {
+            "V_c": partial(_inversion_error, task.J, Theta),
+            "‖Θ‖": partial(_size, Theta),
+            "dt_max": partial(filtered_inverse.step_limit, task.J, options.gain, options.update),
+        }
+    )
+
+
+def _inversion_error(J: Array, Theta: Array) -> float:
+    return sum(filtered_inverse.lyapunov(J, Theta))
+
+
+def _size(Theta: Array) -> float:
+    return float(np.linalg.norm(Theta, 2))
 
 
 def step(problem: Problem, task: Task, memory: Memory, options: Options) -> tuple[Solution, Memory]:

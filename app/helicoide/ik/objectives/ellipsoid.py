@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Annotated
 
 import numpy as np
@@ -12,7 +13,7 @@ from helicoide.ik import Problem
 from helicoide.ik.arm_points import PER_LINK, WATCHED, coordinate, watched
 from helicoide.ik.method import Quantity
 from helicoide.ik.objective import Cost, Posture
-from helicoide.kinematics.chain import Array
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
@@ -58,7 +59,8 @@ def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
     return Cost(float(hills.sum()), -2 * np.einsum("j,jb,jbn->n", hills, offsets @ M, J))
 
 
+@lru_cache(maxsize=64)
 def shape(options: Options) -> Array:
     """M_f = R_f D_f⁻¹ R_fᵀ, (3, 3), 1/ℓ²."""
     R = euler.matrix((options.yaw, options.pitch, options.roll), "zyx")
-    return np.asarray(R / np.square((options.a, options.b, options.c)) @ R.T)
+    return frozen(R / np.square((options.a, options.b, options.c)) @ R.T)

@@ -21,6 +21,8 @@ A = 0.03
 OMEGA = 2 * pi / 200
 # Seconds of one sample of the experiment, in which 5000 samples took 45 s.
 SAMPLE = 0.009
+# A path whose ends differ by less than this, m or an entry of a rotation, is closed.
+CLOSES = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +57,36 @@ class Path:
             return Wish(target, ahead, np.array(way.entry_rate[: len(self.across)]))
 
         return at
+
+    def of(self, T_world_start: Array) -> OfTool:
+        """The path of a tool that starts at T_0 (4, 4), m, without what it asks of the entry point."""
+        return OfTool(self, T_world_start)
+
+
+@dataclass(frozen=True, eq=False)
+class OfTool:
+    """A path of the source as one of `trajectory.path.Path`, of a tool that starts at T_0 (4, 4), m."""
+
+    path: Path
+    T_world_start: Array
+
+    @property
+    def duration(self) -> float:
+        """How long it takes, s."""
+        return self.path.duration
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it ends in the pose where it begins: the simulations do, the experiment stops before."""
+        return bool(np.abs(self.pose(self.duration) - self.pose(0.0)).max() < CLOSES)
+
+    def pose(self, s: float) -> Array:
+        """T_world_target (4, 4), m."""
+        return self.path.wished(self.T_world_start)(s).T_world_target
+
+    def twist(self, s: float) -> Array:
+        """(v, ω) of the target's point (6,), m/s and rad/s, world axes."""
+        return self.path.wished(self.T_world_start)(s).ahead
 
 
 def _about_x(angle: float) -> Array:

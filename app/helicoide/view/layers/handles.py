@@ -20,8 +20,8 @@ SHOWN = True
 
 
 def build(stage: Stage) -> Handles:
-    """A handle for each plane that may be moved."""
-    return Handles(stage, {k: _handle(stage, k) for k, pane in enumerate(stage.robot.panes) if pane.movable})
+    """None to begin with."""
+    return Handles(stage)
 
 
 def _handle(stage: Stage, index: int) -> viser.TransformControlsHandle:
@@ -42,19 +42,23 @@ def _handle(stage: Stage, index: int) -> viser.TransformControlsHandle:
 
 
 class Handles:
-    """The gizmos; each stays under the hand that holds it."""
+    """The gizmos, one for each plane that may be moved; each stays under the hand that holds it."""
 
-    def __init__(self, stage: Stage, gizmos: dict[int, viser.TransformControlsHandle]) -> None:
-        self.who, self.gizmos = stage.who, gizmos
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.gizmos: dict[int, viser.TransformControlsHandle] = {}
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the planes, and hide while they are off."""
-        state = new.state
+        state, planes = new.state, new.state.problem.planes
+        movable = {k for k, pane in enumerate(planes.panes) if pane.movable}
+        for k in movable - self.gizmos.keys():
+            self.gizmos[k] = _handle(self.stage, k)
         shown = new.seat.shows[NAME] and not state.parked
+        changed = old is None or old.state.problem is not state.problem or old.state.grasp is not state.grasp
         for index, gizmo in self.gizmos.items():
-            if gizmo.visible != shown:
-                gizmo.visible = shown
-            changed = old is None or old.state.problem is not state.problem or old.state.grasp is not state.grasp
-            if changed and state.grasp != Grasp(self.who, f"plane {index}"):
-                gizmo.position = state.problem.planes.centres[index]
-                gizmo.wxyz = pane_wxyz(state.problem.planes.normals[index])
+            if gizmo.visible != (shown and index in movable):
+                gizmo.visible = shown and index in movable
+            if changed and index in movable and state.grasp != Grasp(self.stage.who, f"plane {index}"):
+                gizmo.position = planes.centres[index]
+                gizmo.wxyz = pane_wxyz(planes.normals[index])

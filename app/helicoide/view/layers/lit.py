@@ -43,7 +43,7 @@ def lines_of(state: State, kind: str, index: int) -> Array:
         half = HALF * state.robot.reach
         return np.array([[centre - half * axis, centre + half * axis]])
     planes = state.problem.planes
-    edges = rotation.rotate(pane_wxyz(planes.normals[index]), border(state.robot.panes[index].size))
+    edges = rotation.rotate(pane_wxyz(planes.normals[index]), border(state.problem.planes.panes[index].size))
     return np.asarray(planes.centres[index] + edges)
 
 

@@ -21,7 +21,7 @@ PIECES = 96
 
 def build(stage: Stage) -> Path:
     """The whole curve as line pieces."""
-    points = np.array([PATH.point(s) for s in np.linspace(0, PATH.period, PIECES + 1)])
+    points = np.array([PATH.pose(s)[:3, 3] for s in np.linspace(0, PATH.duration, PIECES + 1)])
     segments = np.stack([points[:-1], points[1:]], axis=1)
     return Path(stage.scene.add_line_segments("/path", segments, COLOUR, thickness=0.002, visible=False))
 

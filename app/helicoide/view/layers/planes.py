@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import viser
 
-from helicoide.confinement import Zone
+from helicoide.confinement import Zone, pane_axes
 from helicoide.geometry import rotation
+from helicoide.kinematics import robot
 from helicoide.kinematics.chain import Array
 from helicoide.readout import zones
 from helicoide.view.layers import Stage
@@ -21,11 +22,8 @@ NORMAL_LENGTH = 0.07
 
 
 def pane_wxyz(normal: Array) -> Array:
-    """The pose of a pane: z along the inward normal, x level where it can be."""
-    z = normal / np.linalg.norm(normal)
-    x = np.cross([0.0, 0.0, 1.0] if abs(z[2]) < 0.9 else [0.0, 1.0, 0.0], z)
-    x /= np.linalg.norm(x)
-    return rotation.from_matrix(np.column_stack([x, np.cross(z, x), z]))
+    """The orientation of a pane on a plane."""
+    return rotation.from_matrix(pane_axes(normal))
 
 
 def border(size: tuple[float, float]) -> Array:
@@ -36,13 +34,13 @@ def border(size: tuple[float, float]) -> Array:
 
 
 def build(stage: Stage) -> Panes:
-    """A pane for each plane of the robot's file."""
-    return Panes([_pane(stage, index) for index in range(len(stage.robot.panes))])
+    """None to begin with."""
+    return Panes(stage)
 
 
-def _pane(stage: Stage, index: int) -> Pane:
+def _pane(stage: Stage, index: int, size: tuple[float, float]) -> Pane:
     root = f"/planes/{index}"
-    edges = border(stage.robot.panes[index].size)
+    edges = border(size)
     faces, colour = np.array([[0, 1, 2], [0, 2, 3]]), COLOURS[Zone.FREE]
     return Pane(
         stage.scene.add_frame(root, show_axes=False),
@@ -95,17 +93,30 @@ class Pane:
 
 
 class Panes:
-    """All panes."""
+    """All panes; each is made when its plane comes, made anew for another, and hidden when it has gone."""
 
-    def __init__(self, panes: list[Pane]) -> None:
-        self.panes = panes
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.panes: list[Pane] = []
+        self.shown: tuple[robot.Pane, ...] = ()
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the planes and the zone that each is in."""
         state, planes = new.state, new.state.problem.planes
         if old is None or old.state.problem.planes is not planes:
-            for pane, normal, centre in zip(self.panes, planes.normals, planes.centres, strict=True):
+            self._make(planes.panes)
+            for pane, normal, centre in zip(self.panes, planes.normals, planes.centres, strict=False):
                 pane.move(normal, centre)
         if old is None or old.state.q is not state.q or old.state.problem is not state.problem:
-            for pane, zone in zip(self.panes, zones(state), strict=True):
+            for pane, zone in zip(self.panes, zones(state), strict=False):
                 pane.paint(OFF if state.parked else COLOURS[zone])
+
+    def _make(self, panes: tuple[robot.Pane, ...]) -> None:
+        for index, pane in enumerate(panes):
+            if index >= len(self.panes):
+                self.panes.append(_pane(self.stage, index, pane.size))
+            elif index >= len(self.shown) or self.shown[index].size != pane.size:
+                self.panes[index] = _pane(self.stage, index, pane.size)
+        for index, drawn in enumerate(self.panes):
+            drawn.frame.visible = index < len(panes)
+        self.shown = panes

@@ -102,7 +102,7 @@ def _pair(view: View) -> Contact:
 def _distance(view: View) -> str:
     state: State = view.state
     pair = _pair(view)
-    pane, point = state.robot.panes[pair.plane], state.robot.guarded[pair.point]
+    pane, point = state.problem.planes.panes[pair.plane], state.robot.guarded[pair.point]
     product = readout.distance_product(state, pair.point, pair.plane)
     words = Text(
         en="{point} and plane {name} ({pane}): <b>{mm:.1f} mm</b>",

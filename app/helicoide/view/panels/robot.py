@@ -15,8 +15,10 @@ from helicoide.kinematics.robot import Robot
 from helicoide.state import PATH, Along, State, ToJoints, ToPose
 from helicoide.text import Text, same
 from helicoide.view import layers
+from helicoide.view.enclosure import plane_rows
 from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
 from helicoide.view.surroundings import entry_rows, obstacle_rows
+from helicoide.view.teaching import teaching_rows
 
 TITLE = Text(en="Robot", pt_BR="Robô")
 ORDER = 1
@@ -38,7 +40,13 @@ def rows(robot: Robot) -> list[Row]:
         Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.variables))]),
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
-        *(_enclosure() if robot.panes else []),
+        *(
+            [Folder(Text(en="Path: ellipse, eq. 33", pt_BR="Trajetória: elipse, eq. 33"), _path())]
+            if robot.panes
+            else []
+        ),
+        teaching_rows(),
+        plane_rows(robot),
         obstacle_rows(robot),
         *([entry_rows()] if "rcm" in robot.frames else []),
         Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
@@ -53,14 +61,6 @@ def _choice(robot: Robot) -> Choice:
         value=lambda view: view.state.robot.name,
         wish=ForLab,
     )
-
-
-def _enclosure() -> list[Row]:
-    """What belongs to an enclosure: the path that the source drives in it, and its planes."""
-    return [
-        Folder(Text(en="Path: ellipse, eq. 33", pt_BR="Trajetória: elipse, eq. 33"), _path()),
-        Folder(Text(en="Planes", pt_BR="Planos"), [_restore()], open=False),
-    ]
 
 
 def _driving(view: View) -> bool:
@@ -173,18 +173,13 @@ def _path() -> list[Row]:
         Slider(
             label=Text(en="time [s]", pt_BR="tempo [s]"),
             lower=0.0,
-            upper=PATH.period,
+            upper=PATH.duration,
             step=0.1,
             value=lambda view: view.state.path_s,
             wish=lambda s: ForArm(gate.scrub(s)),
             enabled=_driving,
         ),
     ]
-
-
-def _restore() -> Button:
-    label = Text(en="Planes back to the measured ones", pt_BR="Planos de volta aos medidos")
-    return Button(lambda _: label, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _driving)
 
 
 def _shows() -> list[Row]:

@@ -1,0 +1,275 @@
+"""The experiments of the sources: their numbers beside ours in a table, and their curves in a report."""
+
+from __future__ import annotations
+
+import json as json_format
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, fields
+from math import isfinite
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import tyro
+from tqdm import tqdm
+
+from helicoide import studies
+from helicoide.export.study_report import FAILED, Record, chosen, counted, page
+from helicoide.export.study_table import HEADINGS, cells
+from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
+from helicoide.jobs.several import Outcome, Progress, in_processes, timed
+from helicoide.studies.study import Chart, Result, Row
+from helicoide.text import HelicoideError, Language, Text, same
+
+WORDS = {"true": True, "yes": True, "sim": True, "false": False, "no": False, "não": False}
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A study to be run: its name, its options, and whether in its short form."""
+
+    name: str
+    options: Any
+    short: bool
+
+
+def run(
+    name: Annotated[tyro.conf.Positional[str | None], tyro.conf.arg(help="name of a study, see --list")] = None,
+    list: bool = False,
+    all: bool = False,
+    short: bool = False,
+    set: tuple[str, ...] = (),
+    report: Path | None = None,
+    json: bool = False,
+    workers: int = 2,
+    lang: Annotated[Literal["en", "pt_BR"], tyro.conf.arg(help="language of what is printed and reported")] = "en",
+) -> None:
+    """Run an experiment of the sources, or all of them, and print its numbers beside those of the source.
+
+    Ends with 1 where a number differs without a doubt of the digest or something that the source does not give.
+
+    Args:
+        list: print the names of all studies and their options.
+        all: run every study, several at a time.
+        short: a shorter form of a few seconds.
+        set: options of the study, such as gain=500.
+        report: an HTML file to write, with the curves.
+        json: print JSON (with the curves).
+        workers: how many studies run at a time with --all.
+    """
+    if list:
+        _print_list(lang)
+        return
+    asked = _asked(name, all, set, short)
+    _check(report, workers)
+    began = time.perf_counter()
+    records = _run(asked, workers)
+    seconds = time.perf_counter() - began
+    if report is not None:
+        _write(report, page(records, seconds, lang))
+    if json:
+        print(json_format.dumps([described(record) for record in records], indent=1, allow_nan=False))
+    else:
+        _print(records, seconds, lang)
+    if any(record.differs for record in records):
+        sys.exit(1)
+
+
+def described(record: Record) -> dict[str, Any]:
+    """A record as JSON: words in both languages; what is no number is null."""
+    result = record.result
+    return {
+        "name": record.name,
+        "title": _words(record.study.TITLE),
+        "source": record.study.SOURCE,
+        "robot": record.study.ROBOT,
+        "short": record.short,
+        "seconds": record.seconds,
+        "options": {field.name: getattr(record.options, field.name) for field in fields(record.options)},
+        "failure": None if record.failure is None else _words(record.failure),
+        "rows": [] if result is None else [_row(row) for row in result.rows],
+        "charts": [] if result is None else [_chart(chart) for chart in result.charts],
+        "motion": None if result is None else _motion(result),
+    }
+
+
+def _row(row: Row) -> dict[str, Any]:
+    return {
+        "quantity": _words(row.quantity),
+        "unit": row.unit,
+        "source": _words(row.source if isinstance(row.source, Text) else same(row.source)),
+        "relation": row.relation,
+        "digest": row.digest,
+        "tolerance": row.tolerance,
+        "ours": row.ours if isfinite(row.ours) else None,
+        "verdict": row.verdict.name.lower(),
+        "doubt": row.doubt,
+        "assumed": None if row.assumed is None else _words(row.assumed),
+    }
+
+
+def _chart(chart: Chart) -> dict[str, Any]:
+    return {
+        "title": _words(chart.title),
+        "across": _words(chart.across),
+        "up": _words(chart.up),
+        "lines": [{"title": _words(e.title), "x": e.x.tolist(), "y": e.y.tolist()} for e in chart.lines],
+    }
+
+
+def _motion(result: Result) -> dict[str, Any] | None:
+    motion = result.motion
+    if motion is None:
+        return None
+    return {
+        "robot": motion.robot,
+        "parameters": [*motion.parameters],
+        "times": motion.times.tolist(),
+        "q": motion.q.tolist(),
+    }
+
+
+def _words(text: Text) -> dict[str, str]:
+    return {"en": text.en, "pt_BR": text.pt_BR}
+
+
+def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tuple[Asked, ...]:
+    """What is to be run; raises HelicoideError, which lists what there is."""
+    if all and (name is not None or set):
+        raise HelicoideError(
+            Text(
+                en="--all runs every study as it is: give it neither a name nor --set, or one name without --all.",
+                pt_BR="--all executa todos os estudos como são: use sem nome e sem --set, ou um nome sem --all.",
+            )
+        )
+    if all:
+        return tuple(Asked(each, studies.named(each).Options(), short) for each in studies.names())
+    if name is None:
+        raise HelicoideError(
+            Text(
+                en="Name a study, or use --list or --all; there is: {known}.",
+                pt_BR="Diga o nome de um estudo, ou use --list ou --all; há: {known}.",
+            ).format(known=", ".join(studies.names()))
+        )
+    return (Asked(name, _with(studies.named(name).Options(), set), short),)
+
+
+def _with(options: Any, set: tuple[str, ...]) -> Any:
+    """The options with those that were set; raises HelicoideError, which lists what is valid."""
+    for pair in set:
+        name, _, text = pair.partition("=")
+        options = changed(options, name, _value(settings(type(options)).get(name), text))
+    return options
+
+
+def _value(setting: object, text: str) -> object:
+    """What was typed, as the setting takes it; a word where it is none, which is then refused."""
+    match setting:
+        case Quantity():
+            try:
+                return float(text)
+            except ValueError:
+                return text
+        case YesNo():
+            return WORDS.get(text.lower(), text)
+    return text
+
+
+def _check(report: Path | None, workers: int) -> None:
+    if not 1 <= workers <= 64:
+        raise HelicoideError(
+            Text(en="--workers takes 1 … 64, not {n}.", pt_BR="--workers aceita 1 … 64, não {n}.").format(n=workers)
+        )
+    if report is None:
+        return
+    if report.is_dir() or not os.access(report.parent, os.W_OK) or (report.exists() and not os.access(report, os.W_OK)):
+        _refuse(report)
+
+
+def _refuse(report: Path) -> None:
+    raise HelicoideError(
+        Text(
+            en="{report} cannot be written; --report takes a file, such as report.html, in a folder that is there.",
+            pt_BR="Não dá para escrever {report}; --report recebe um arquivo, como relatorio.html, em pasta existente.",
+        ).format(report=report)
+    )
+
+
+def _write(report: Path, text: str) -> None:
+    try:
+        report.write_text(text, "utf-8")
+    except OSError:
+        _refuse(report)
+
+
+def _work(asked: Asked, progress: Progress) -> Result:
+    return studies.named(asked.name).run(asked.options, asked.short, progress)
+
+
+def _run(asked: tuple[Asked, ...], workers: int) -> list[Record]:
+    with _bar(len(asked)) as progress:
+        if len(asked) == 1:
+            outcomes = [timed(_work, asked[0], progress)]
+        else:
+            outcomes = in_processes(_work, asked, workers, progress)
+    return [_record(one, outcome) for one, outcome in zip(asked, outcomes, strict=True)]
+
+
+def _record(asked: Asked, outcome: Outcome[Result]) -> Record:
+    error, failure = outcome.failure, None
+    if error is not None:
+        failure = error.text if isinstance(error, HelicoideError) else same(f"{type(error).__name__}: {error}")
+    study = studies.named(asked.name)
+    return Record(asked.name, study, asked.options, asked.short, outcome.value, failure, outcome.seconds)
+
+
+@contextmanager
+def _bar(count: int) -> Iterator[Callable[[float], None]]:
+    """A bar on the error output, which is told the share that is done."""
+    form = "{percentage:3.0f}% |{bar}| {elapsed} < {remaining}"
+    with tqdm(total=1.0, bar_format=form, leave=False, mininterval=0.5, file=sys.stderr) as bar:
+
+        def progress(share: float) -> None:
+            bar.update(share - bar.n)
+
+        yield progress
+
+
+def _print_list(language: Language) -> None:
+    for name in studies.names():
+        study = studies.named(name)
+        print(f"{name}: {study.TITLE[language]} ({study.SOURCE})")
+        for option, setting in settings(study.Options).items():
+            print(f"   {option}={_range(setting)}: {setting.title[language]}")
+
+
+def _range(setting: object) -> str:
+    match setting:
+        case Quantity(_, lower, upper, unit):
+            return f"{lower:g}…{upper:g} {unit}".strip()
+        case OneOf(_, choices):
+            return "|".join(choices)
+    return "yes|no"
+
+
+def _print(records: list[Record], seconds: float, language: Language) -> None:
+    for record in records:
+        print(f"{record.study.TITLE[language]} ({record.study.SOURCE})")
+        if options := chosen(record, language):
+            print(options)
+        if record.result is None:
+            print(FAILED.format(why=record.failure or same(""))[language] + "\n")
+            continue
+        for line in _table(record.result, language):
+            print(line)
+        print()
+    print(counted(records, seconds)[language])
+
+
+def _table(result: Result, language: Language) -> list[str]:
+    rows = [tuple(head[language] for head in HEADINGS), *(cells(row, language) for row in result.rows)]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(HEADINGS))]
+    return ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]

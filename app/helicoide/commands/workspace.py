@@ -1,0 +1,116 @@
+"""The workspace of a robot: what its tool reaches."""
+
+from __future__ import annotations
+
+import json as json_format
+import os
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import tyro
+
+from helicoide.jobs import chunks
+from helicoide.jobs.chunks import Backend
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.workspace import Kind, Map, planned
+from helicoide.text import HelicoideError, Text
+
+WIDTH = 40
+
+
+def run(
+    robot: tyro.conf.Positional[str],
+    kind: Kind = "reachable",
+    samples: int = 1_000_000,
+    workers: Annotated[int | None, tyro.conf.arg(help="processes; as many as there are processors if none")] = None,
+    backend: Backend = "loky",
+    tip: str | None = None,
+    set: tuple[str, ...] = (),
+    json: bool = False,
+    out: Path | None = None,
+) -> None:
+    """Map what the tool of a robot reaches, by random postures within its joint limits.
+
+    Args:
+        robot: name of a robot, or the path of a URDF file.
+        kind: where it reaches at all; with what share of all orientations; or with what manipulability of position.
+        samples: how many postures; the more, the finer the map.
+        backend: processes of this machine, or those of a Dask or Ray cluster: DASK_SCHEDULER_ADDRESS, RAY_ADDRESS.
+        tip: the link of a URDF where the arm ends.
+        set: parameters of a robot to change, mm, such as l1=1500.
+        json: print JSON (SI units).
+        out: write the map to this file (.npz): hits, values, shape, origin, axes and size of the cells, m.
+    """
+    arm = load(robot, tip, set)
+    _check(out)
+    plan = planned(arm, kind, samples)
+    found = chunks.workspace_map(plan, os.cpu_count() or 1 if workers is None else workers, backend, _show)
+    if out is not None:
+        chunks.write(out, arrays(found))
+    if json:
+        print(json_format.dumps(described(arm, found), indent=1))
+        return
+    for line in _lines(arm, found):
+        print(line)
+
+
+def arrays(found: Map) -> chunks.Arrays:
+    """What `--out` writes."""
+    cells = found.cells
+    grid = {"origin": cells.origin, "axes": cells.axes, "size": np.array(cells.size), "shape": np.array(cells.shape)}
+    return {"hits": found.hits, "values": found.values, **grid}
+
+
+def described(robot: Robot, found: Map) -> dict[str, Any]:
+    """A map in numbers: m, and m² or m³; best: the cell with the largest value, and where its middle is."""
+    best = int(np.argmax(found.values))
+    return {
+        "robot": robot.name,
+        "kind": found.kind,
+        "samples": found.samples,
+        "dimensions": len(found.cells.shape),
+        "cell": found.cells.size,
+        "shape": list(found.cells.shape),
+        "reached": int(found.reached.sum()),
+        "measure": found.measure,
+        "best": {"value": float(found.values[best]), "position": found.cells.centres[best].tolist()},
+        "mean": float(found.values[found.reached].mean()),
+    }
+
+
+def _lines(robot: Robot, found: Map) -> list[str]:
+    """The numbers as people read them."""
+    said = described(robot, found)
+    what, power = ("area", "²") if said["dimensions"] == 2 else ("volume", "³")
+    position = ", ".join(f"{x + 0.0:.3f}" for x in said["best"]["position"])
+    value, mean = said["best"]["value"], said["mean"]
+    lines = [
+        f"{robot.name}: {what} {said['measure']:.4g} m{power} reached, by {found.samples} postures",
+        f"   {said['reached']} of {found.cells.count} cells of {1000 * found.cells.size:.1f} mm",
+    ]
+    if found.kind == "dexterous":
+        lines.append(f"   at best {value:.1%} of all orientations, at {position} m; mean {mean:.1%}")
+    if found.kind == "manipulability":
+        lines.append(f"   at best w = {value:.4g}, at {position} m; mean {mean:.4g}")
+    return lines
+
+
+def _show(share: float) -> None:
+    """A bar on the terminal, where there is one."""
+    if sys.stderr.isatty():
+        bar = "█" * round(WIDTH * share)
+        print(f"\r{bar:·<{WIDTH}} {share:4.0%}", end="\n" if share >= 1 else "", file=sys.stderr, flush=True)
+
+
+def _check(out: Path | None) -> None:
+    """Refuse a place that cannot be written to before the work begins, not after it."""
+    if out is not None and not os.access(out.absolute().parent, os.W_OK):
+        raise HelicoideError(
+            Text(
+                en="{out} cannot be written: give a file in a folder that is there and can be written to.",
+                pt_BR="Não dá para gravar {out}: indique um arquivo numa pasta que existe e aceita gravação.",
+            ).format(out=out)
+        )

@@ -1,0 +1,131 @@
+"""Planes in a small text file that people can read and edit: names, normals, and a point of each, in metres."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import tomllib
+from collections.abc import Sequence
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from helicoide.confinement.given import FARTHEST
+from helicoide.confinement.planes import Planes
+from helicoide.kinematics.chain import frozen
+from helicoide.text import HelicoideError, Text
+
+# More planes are no enclosure, and a longer file is none of planes.
+MOST, MOST_BYTES = 32, 100_000
+# Normals of this length, to so much, are taken as they are, so that what was saved comes back bit by bit.
+UNIT = 1e-12
+_HEAD = """\
+# Planes n·r = d that confine an arm. normal: towards the inside, of any length; centre_m: a point of the plane, where
+# its pane is shown, in metres, in the frame of the arm's base.
+"""
+_VALID = Text(
+    en="{path} is not a file of planes: {reason}. Valid is TOML with 1 to {most} tables [[planes]], each with a name "
+    'of its own, a normal that is not zero and a point within {far:g} m: name = "+z", normal = [0, 0, -1], '
+    "centre_m = [0.5, 0, 0.6].",
+    pt_BR="{path} não é um arquivo de planos: {reason}. Vale TOML com 1 a {most} tabelas [[planes]], cada uma com nome "
+    'próprio, normal diferente de zero e um ponto a até {far:g} m: name = "+z", normal = [0, 0, -1], '
+    "centre_m = [0.5, 0, 0.6].",
+)
+
+
+class PlaneEntry(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One plane of the file."""
+
+    name: str
+    normal: tuple[float, float, float]
+    centre_m: tuple[float, float, float]
+
+
+class PlanesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The whole file."""
+
+    planes: tuple[PlaneEntry, ...]
+
+
+def written(names: Sequence[str], planes: Planes) -> str:
+    """The text of the file; `parsed` gives the same names and the very same numbers back."""
+    entries = [
+        f"\n[[planes]]\nname = {_quoted(name)}\nnormal = {normal.tolist()}\ncentre_m = {centre.tolist()}\n"
+        for name, normal, centre in zip(names, planes.normals, planes.centres, strict=True)
+    ]
+    return "".join([_HEAD, *entries])
+
+
+def parsed(text: str, path: str) -> tuple[tuple[str, ...], Planes]:
+    """The names and planes of a text called `path`; raises HelicoideError: what is wrong with it, and what is valid."""
+    try:
+        file = msgspec.convert(tomllib.loads(text), PlanesFile)
+    except (tomllib.TOMLDecodeError, msgspec.ValidationError, ValueError, OverflowError, RecursionError) as error:
+        raise _refusal(path, str(error)) from error
+    names = tuple(entry.name for entry in file.planes)
+    _check(file, path)
+    normals = np.array([_unit(entry.normal) for entry in file.planes])
+    return names, Planes(frozen(normals), frozen([entry.centre_m for entry in file.planes]))
+
+
+def save(path: Path, names: Sequence[str], planes: Planes) -> None:
+    """Write the file as a whole, so that a crash leaves the old one; raises HelicoideError where that is impossible."""
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_text(written(names, planes), encoding="utf-8")
+        os.replace(part, path)
+    except OSError as error:
+        raise HelicoideError(
+            Text(en="{path} cannot be written: {error}.", pt_BR="Não dá para gravar {path}: {error}.").format(
+                path=path, error=error.strerror
+            )
+        ) from error
+
+
+def load(path: Path) -> tuple[tuple[str, ...], Planes]:
+    """The names and planes of a file. Raises HelicoideError: what is wrong with it, and what is valid."""
+    try:
+        with path.open("rb") as file:
+            text = file.read(MOST_BYTES + 1)
+        if len(text) > MOST_BYTES:
+            raise _refusal(str(path), Text(en="it is too long", pt_BR="é longo demais"))
+        return parsed(text.decode("utf-8"), str(path))
+    except (OSError, UnicodeDecodeError) as error:
+        raise _refusal(str(path), str(error)) from error
+
+
+def _check(file: PlanesFile, path: str) -> None:
+    """What types alone cannot say."""
+    names = [entry.name for entry in file.planes]
+    if not 1 <= len(names) <= MOST:
+        raise _refusal(path, Text(en="it has {n} planes", pt_BR="tem {n} planos").format(n=len(names)))
+    if doubled := [name for name in names if names.count(name) > 1]:
+        raise _refusal(path, Text(en="two are named {name!r}", pt_BR="dois se chamam {name!r}").format(name=doubled[0]))
+    for entry in file.planes:
+        numbers = (*entry.normal, *entry.centre_m)
+        if not all(math.isfinite(value) for value in numbers) or max(map(abs, entry.centre_m)) > FARTHEST:
+            reason = Text(en="plane {name!r} is nowhere", pt_BR="o plano {name!r} não fica em lugar nenhum")
+            raise _refusal(path, reason.format(name=entry.name))
+        if not any(entry.normal):
+            reason = Text(en="the normal of {name!r} is zero", pt_BR="a normal de {name!r} é zero")
+            raise _refusal(path, reason.format(name=entry.name))
+
+
+def _unit(normal: tuple[float, float, float]) -> tuple[float, ...]:
+    length = math.hypot(*normal)
+    if abs(length - 1.0) <= UNIT:
+        return normal
+    scale = max(map(abs, normal))  # first, since the length of very long or short ones is not a number
+    scaled = [value / scale for value in normal]
+    return tuple(value / math.hypot(*scaled) for value in scaled)
+
+
+def _quoted(name: str) -> str:
+    """A TOML string: that of JSON, where DEL is escaped too."""
+    return json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _refusal(path: str, reason: str | Text) -> HelicoideError:
+    return HelicoideError(_VALID.format(path=path, reason=reason, most=MOST, far=FARTHEST))

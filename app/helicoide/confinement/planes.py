@@ -1,0 +1,147 @@
+"""Planes that confine the arm: what they are, distances from them, and how far a plane may be moved.
+
+A plane is n·r = d with a unit normal that points to the allowed side; the distance of a point is l = n·r − d.
+The points watched are the joint centres and the tool; links are straight, so no other point of the chain comes closer
+to a plane than these. Source: Cerbaro 2022, §6.1; normals and signs as in the digest of eq. 36 (corrected).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Pane
+from helicoide.text import Text, same
+
+# A plane whose inward normal points down at least so steeply is a ceiling.
+DOWN = -np.sqrt(0.5)
+
+
+@dataclass(frozen=True, eq=False)
+class Plane:
+    """One plane n·r = d: unit inward normal (3,) and offset, m, world frame."""
+
+    normal: Array
+    offset: float
+
+    def foot(self, point: Array) -> Array:
+        """The point of the plane nearest to a point (3,), m: r − (n·r − d) n."""
+        return np.asarray(point - (self.normal @ point - self.offset) * self.normal)
+
+
+PANE = (0.6, 0.6)
+
+
+def pane_on(plane: Plane, name: str, title: Text, centre: Array, size: tuple[float, float] = PANE) -> Pane:
+    """A pane that may be moved, on a plane at the foot of a point (3,), m; size, m."""
+    return Pane(name, title, plane.normal, plane.offset, frozen(plane.foot(centre)), size, movable=True)
+
+
+@dataclass(frozen=True, eq=False)
+class Planes:
+    """k planes: unit inward normals (k, 3) and a point of each, the centre of its pane, (k, 3) m, world frame.
+
+    panes: what each is called and how it is shown; numbers for names where nothing is said. Their own normals and
+    centres are those that the planes began with.
+    """
+
+    normals: Array
+    centres: Array
+    panes: tuple[Pane, ...] = ()
+
+    def __post_init__(self) -> None:
+        if len(self.panes) != len(self.normals):
+            known = zip(self.normals, self.centres, strict=True)
+            panes = (
+                pane_on(Plane(normal, float(normal @ centre)), str(k), same(str(k)), centre)
+                for k, (normal, centre) in enumerate(known, 1)
+            )
+            object.__setattr__(self, "panes", tuple(panes))
+
+    @property
+    def offsets(self) -> Array:
+        """d = n·r of each plane, (k,), m."""
+        return np.asarray(np.einsum("ij,ij->i", self.normals, self.centres))
+
+    def moved(self, index: int, normal: Array, centre: Array) -> Planes:
+        """The same planes with one replaced; the normal is made a unit vector."""
+        normals, centres = self.normals.copy(), self.centres.copy()
+        normals[index], centres[index] = normal / np.linalg.norm(normal), centre
+        return replace(self, normals=frozen(normals), centres=frozen(centres))
+
+    def with_pane(self, pane: Pane) -> Planes:
+        """The same planes and one more; one of the same name is replaced."""
+        rest = self.without(self.names.index(pane.name)) if pane.name in self.names else self
+        return Planes(frozen([*rest.normals, pane.normal]), frozen([*rest.centres, pane.centre]), (*rest.panes, pane))
+
+    def without(self, index: int) -> Planes:
+        """The same planes but one."""
+        normals, centres = np.delete(self.normals, index, axis=0), np.delete(self.centres, index, axis=0)
+        return Planes(frozen(normals), frozen(centres), (*self.panes[:index], *self.panes[index + 1 :]))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What the planes are called."""
+        return tuple(pane.name for pane in self.panes)
+
+
+def planes_of(panes: tuple[Pane, ...]) -> Planes:
+    """The planes that a robot's file gives; pane centres are dropped onto their planes exactly."""
+    normals = np.array([pane.normal for pane in panes]).reshape(-1, 3)
+    centres = np.array([pane.centre - (pane.normal @ pane.centre - pane.offset) * pane.normal for pane in panes])
+    return Planes(frozen(normals), frozen(centres.reshape(-1, 3)), panes)
+
+
+def standing(planes: Sequence[Plane], inside: Array) -> Planes:
+    """Planes with the centres of their panes at the feet of a point (3,), m, that lies inside them all."""
+    normals = np.array([plane.normal for plane in planes]).reshape(-1, 3)
+    centres = np.array([plane.foot(inside) for plane in planes]).reshape(-1, 3)
+    return Planes(frozen(normals), frozen(centres))
+
+
+def pane_axes(normal: Array) -> Array:
+    """The axes of a pane, R_world_pane (3, 3): z along its normal (3,), x level where it can be, else along x."""
+    z = normal / np.linalg.norm(normal)
+    x = np.cross([0.0, 0.0, 1.0] if abs(z[2]) < 0.9 else [0.0, 1.0, 0.0], z)
+    x /= np.linalg.norm(x)
+    return np.column_stack([x, np.cross(z, x), z])
+
+
+def stopped_at_arm(normal: Array, centre: Array, points: Array, critical: float) -> Array:
+    """Where the centre of a plane that is moved comes to rest: c − max(0, δ − minⱼ n·(pⱼ − c)) n.
+
+    Args: normal (3,), unit; centre (3,), m, as asked; points (m, 3), m, of the arm; critical: δ, m. Returns (3,), m.
+    """
+    nearest = float(np.min((points - centre) @ normal))
+    return centre - max(0.0, critical - nearest) * normal
+
+
+@kernel
+def distances(normals: Array, offsets: Array, points: Array) -> Array:
+    """Signed distances l = n·r − d of every point to every plane.
+
+    Args: normals (k, 3); offsets (k,), m; points (m, 3), m. Returns (m, k), m. Source: Cerbaro 2022, eq. 20.
+    """
+    table = np.empty((points.shape[0], normals.shape[0]))
+    for j in range(points.shape[0]):
+        for k in range(normals.shape[0]):
+            table[j, k] = (
+                normals[k, 0] * points[j, 0] + normals[k, 1] * points[j, 1] + normals[k, 2] * points[j, 2] - offsets[k]
+            )
+    return table
+
+
+def watched_by_source(normals: Array, points: int) -> NDArray[np.bool_]:
+    """What the source looks at to save work: every point against the ceiling, against other planes the tool alone.
+
+    Its reason, that only the tool can come near a wall, fails where the arm folds back, so nothing here is guarded by
+    it: it is there to be compared with `distances`, which knows every point and every plane.
+    Args: normals (k, 3); points: how many, the tool last. Returns (points, k). Source: Cerbaro 2022, §6.1.
+    """
+    is_tool = np.arange(points) == points - 1
+    return np.asarray((normals[:, 2] < DOWN) | is_tool[:, None])

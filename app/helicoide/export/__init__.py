@@ -1,0 +1,1 @@
+"""What leaves the lab as a file, a file each."""

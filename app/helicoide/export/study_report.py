@@ -1,0 +1,148 @@
+"""The report of studies: one HTML page that holds everything in itself, to read, to print, to hand in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+from helicoide.export.study_table import HEADINGS, alone, cells
+from helicoide.export.svg import figure
+from helicoide.ik.method import OneOf, Quantity, settings
+from helicoide.studies.study import Result, Row, Study, Verdict
+from helicoide.text import Language, Text
+
+TITLE = Text(en="Studies of Helicoide", pt_BR="Estudos do Helicoide")
+COUNTED = Text(
+    en="Studies: {studies}. Numbers: {rows}; {counts}. The full run took {seconds:.0f} s.",
+    pt_BR="Estudos: {studies}. Números: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
+)
+ALONE = Text(en="nothing to compare with", pt_BR="sem termo de comparação")
+ABOUT_VERDICTS = Text(
+    en="The source’s column shows what the source prints; the digest’s, what was recomputed from it, with corrections. "
+    "Doubts are those that the digest numbers.",
+    pt_BR="A coluna da fonte mostra o que a fonte imprime; a da síntese, o que dela foi recalculado, com correções. As "
+    "dúvidas são as que a síntese numera.",
+)
+SHORT = Text(en="short form", pt_BR="forma curta")
+FAILED = Text(en="did not run to its end: {why}", pt_BR="não chegou ao fim: {why}")
+TOOK = Text(en="{robot} · took {seconds:.1f} s", pt_BR="{robot} · levou {seconds:.1f} s")
+COLOUR = {Verdict.AGREES: "agrees", Verdict.DOUBT: "doubt", Verdict.ASSUMED: "assumed", Verdict.DIFFERS: "differs"}
+STYLE = """
+:root { color-scheme: light; font: 16px/1.5 system-ui, sans-serif; color: #1c2430; background: #fff; }
+body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+h2 { margin-top: 3rem; border-top: 1px solid #ccd2da; padding-top: 1rem; }
+.source, .took, figure ul { color: #55606e; font-size: 0.9rem; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; width: 100%; font-size: 0.9rem; font-variant-numeric: tabular-nums; }
+th, td { text-align: left; padding: 0.25rem 0.6rem; border-bottom: 1px solid #e3e7ec; vertical-align: top; }
+td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
+.verdict { font-weight: 600; border-left: 0.4rem solid; padding-left: 0.5rem; }
+.agrees { color: #1b6b3a; } .doubt { color: #8a5a00; } .assumed { color: #5a3fa0; } .differs { color: #b3261e; }
+figure { margin: 1.5rem 0; } figcaption { font-weight: 600; }
+figure ul { list-style: none; margin: 0; padding: 0 0 0 1rem; display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; }
+svg { width: 100%; height: auto; font-size: 12px; fill: #1c2430; } svg.swatch { width: 28px; height: 8px; }
+.frame { fill: none; stroke: #8a94a0; } .grid { stroke: #e3e7ec; fill: none; }
+.line { fill: none; stroke-width: 1.6; stroke-linejoin: round; }
+@media print { body { max-width: none; margin: 0; font-size: 10pt; } h2, figcaption { break-after: avoid; }
+  table, figure, tr { break-inside: avoid; } * { print-color-adjust: exact; } }
+""".strip()
+
+
+@dataclass(frozen=True, eq=False)
+class Record:
+    """A study that was run: with which options, what it came to, or why it did not; seconds: how long it took."""
+
+    name: str
+    study: Study
+    options: Any
+    short: bool
+    result: Result | None
+    failure: Text | None
+    seconds: float
+
+    @property
+    def differs(self) -> bool:
+        """Whether it failed, or a row differs without a doubt or an assumption."""
+        return self.result is None or any(row.verdict is Verdict.DIFFERS for row in self.result.rows)
+
+
+def page(records: Sequence[Record], seconds: float, language: Language) -> str:
+    """The report as an HTML document. Args: seconds: of the full run."""
+    title = escape(TITLE[language])
+    contents = "".join(f'<li><a href="#{r.name}">{escape(r.study.TITLE[language])}</a></li>' for r in records)
+    return "\n".join(
+        [
+            "<!doctype html>",
+            f'<html lang="{"pt-BR" if language == "pt_BR" else "en"}"><head><meta charset="utf-8">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"<title>{title}</title>\n<style>\n{STYLE}\n</style></head><body>",
+            f"<h1>{title}</h1>\n<p>{escape(counted(records, seconds)[language])}</p>",
+            f"<p>{escape(ABOUT_VERDICTS[language])}</p>\n<ol>{contents}</ol>",
+            *(_section(record, language) for record in records),
+            "</body></html>\n",
+        ]
+    )
+
+
+def counted(records: Sequence[Record], seconds: float) -> Text:
+    """How many numbers there are of each verdict, and how long the full run took."""
+    rows = [row for record in records if record.result for row in record.result.rows]
+    compared = [row for row in rows if not alone(row)]
+    found = [(verdict.value, sum(row.verdict is verdict for row in compared)) for verdict in Verdict]
+    found.append((ALONE, len(rows) - len(compared)))
+    counts = Text(
+        en="; ".join(f"{words.en}: {n}" for words, n in found if n) or "–",
+        pt_BR="; ".join(f"{words.pt_BR}: {n}" for words, n in found if n) or "–",
+    )
+    return COUNTED.format(studies=len(records), rows=len(rows), counts=counts, seconds=seconds)
+
+
+def chosen(record: Record, language: Language) -> str:
+    """The options of a study with their values, as a line."""
+    return "; ".join(
+        f"{setting.title[language]}: {_value(setting, getattr(record.options, name), language)}"
+        for name, setting in settings(type(record.options)).items()
+    )
+
+
+def _value(setting: object, value: Any, language: Language) -> str:
+    match setting:
+        case Quantity(_, _, _, unit):
+            return f"{value:g} {unit}".strip()
+        case OneOf(_, choices):
+            return choices[value][language]
+    return str({True: Text(en="yes", pt_BR="sim"), False: Text(en="no", pt_BR="não")}[value][language])
+
+
+def _section(record: Record, language: Language) -> str:
+    study, short = record.study, f" ({SHORT[language]})" if record.short else ""
+    took = TOOK.format(robot=study.ROBOT, seconds=record.seconds)[language]
+    options = chosen(record, language)
+    return "\n".join(
+        [
+            f'<section id="{record.name}"><h2>{escape(study.TITLE[language] + short)}</h2>',
+            f'<p class="source">{escape(study.SOURCE)}</p>\n<p>{escape(study.ABOUT[language])}</p>',
+            *([f'<p class="source">{escape(options)}</p>'] if options else []),
+            _body(record, language),
+            f'<p class="took">{escape(took)}</p></section>',
+        ]
+    )
+
+
+def _body(record: Record, language: Language) -> str:
+    if record.result is None:
+        why = record.failure[language] if record.failure else ""
+        return f'<p class="verdict differs">{escape(FAILED.format(why=why)[language])}</p>'
+    heads = "".join(f"<th>{escape(head[language])}</th>" for head in HEADINGS)
+    rows = "\n".join(_row(row, language) for row in record.result.rows)
+    charts = "\n".join(figure(chart, language) for chart in record.result.charts)
+    return f'<div class="wide"><table><thead><tr>{heads}</tr></thead><tbody>\n{rows}\n</tbody></table></div>\n{charts}'
+
+
+def _row(row: Row, language: Language) -> str:
+    *plain, verdict = (escape(cell) for cell in cells(row, language))
+    kind = "" if alone(row) else f' class="verdict {COLOUR[row.verdict]}"'
+    said = f"<td><span{kind}>{verdict}</span></td>"
+    return "<tr>" + "".join(f"<td>{cell}</td>" for cell in plain) + said + "</tr>"

@@ -1,0 +1,185 @@
+"""Planes that people give, find or take away, and the zones in front of them.
+
+A plane that would come too near to the arm stops at the critical distance from it, as one that is dragged does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.confinement import Plane, Planes, box, from_coefficients, pane_on, stopped_at_arm, through_points
+from helicoide.confinement.plane_file import parsed
+from helicoide.gate.check import driven, finite
+from helicoide.kinematics.chain import frozen
+from helicoide.kinematics.robot import Pane
+from helicoide.state import Seen, State, Update
+from helicoide.text import HelicoideError, Text, same
+
+MOST = 12
+AHEAD = 0.45  # of the reach: how far in front of the base a pane is shown
+GIVEN = Text(en="plane {name}", pt_BR="plano {name}")
+BOX_TITLES = {
+    "+z": Text(en="ceiling", pt_BR="teto"),
+    "+y": Text(en="left wall", pt_BR="parede esquerda"),
+    "-y": Text(en="right wall", pt_BR="parede direita"),
+    "-z": Text(en="bench", pt_BR="bancada"),
+}
+
+
+def add_plane(coefficients: ArrayLike) -> Update:
+    """One more plane a x + b y + c z = d, d in m where (a, b, c) has length one; the arm's tool is inside."""
+    return _adding(lambda state: from_coefficients(finite(coefficients, (4,)), state.T_world_tool[:3, 3]))
+
+
+def add_plane_through(points: ArrayLike) -> Update:
+    """One more plane through three points (3, 3), m; the arm's tool is inside. Source: Cerbaro 2022, eqs. 25–26."""
+    return _adding(lambda state: through_points(finite(points, (3, 3)), state.T_world_tool[:3, 3]))
+
+
+def set_box(lower: ArrayLike, upper: ArrayLike) -> Update:
+    """Ceiling, walls and bench of a box between two corners (3,), m, in place of the planes that may be moved."""
+
+    def wish(state: State) -> State:
+        inside = box(finite(lower, (3,)), finite(upper, (3,)))
+        spans = np.asarray(upper) - np.asarray(lower)
+        sizes = [(spans[1], spans[0]), (spans[0], spans[2]), (spans[0], spans[2]), (spans[1], spans[0])]
+        panes = [
+            Pane(name, title, inside.normals[k], float(inside.offsets[k]), inside.centres[k], sizes[k], True)
+            for k, (name, title) in enumerate(BOX_TITLES.items())
+        ]
+        return confined(_without_movable(state), panes)
+
+    return driven(wish)
+
+
+def take_planes(names: Sequence[str], planes: Planes) -> Update:
+    """The planes of a file in place of those that may be moved."""
+
+    def wish(state: State) -> State:
+        panes = [
+            pane_on(Plane(normal, float(offset)), name, GIVEN.format(name=name), centre)
+            for name, normal, offset, centre in zip(names, planes.normals, planes.offsets, planes.centres, strict=True)
+        ]
+        return confined(_without_movable(state), panes)
+
+    return driven(wish)
+
+
+def confine(panes: Sequence[Pane]) -> Update:
+    """Planes that were found, each in place of the one of the same name."""
+    return driven(lambda state: confined(state, panes))
+
+
+def see(name: str, seen: Seen, pane: Pane | None) -> Update:
+    """A cloud that was read for a plane of that name, and the plane, which confines the arm at once."""
+
+    def wish(state: State) -> State:
+        state = replace(state, seen=MappingProxyType({**state.seen, name: seen}), notice=None)
+        return replace(state, notice=seen.words) if pane is None else confined(state, [pane])
+
+    return driven(wish)
+
+
+def clear_planes() -> Update:
+    """Take away all planes that may be moved, and what was read of others."""
+    return driven(lambda state: replace(_without_movable(state), seen=MappingProxyType({})))
+
+
+def take_planes_of(content: bytes, name: str) -> Update:
+    """The planes of a file of that name; what is wrong with it is said."""
+
+    def wish(state: State) -> State:
+        try:
+            names, planes = parsed(content.decode("utf-8"), name)
+        except UnicodeDecodeError as error:
+            raise HelicoideError(
+                Text(en="{name} is not a text file.", pt_BR="{name} não é um arquivo de texto.").format(name=name)
+            ) from error
+        return take_planes(names, planes)(state)
+
+    return driven(wish)
+
+
+def say(words: Text) -> Update:
+    """A sentence in the status line."""
+    return lambda state: replace(state, notice=words)
+
+
+def remove_plane(index: int) -> Update:
+    """Take away a plane that may be moved."""
+
+    def wish(state: State) -> State:
+        panes = state.problem.planes.panes
+        if index not in range(len(panes)) or not panes[index].movable:
+            raise HelicoideError(
+                Text(
+                    en="That plane stays; to be taken away: {names}.", pt_BR="Esse plano fica; podem sair: {names}."
+                ).format(names=", ".join(pane.name for pane in panes if pane.movable) or "–")
+            )
+        return _with(replace(state, grasp=None), state.problem.planes.without(index))
+
+    return driven(wish)
+
+
+def set_zones(critical: float, warning: float) -> Update:
+    """The critical and the warning distance, m, within their safe bounds."""
+
+    def wish(state: State) -> State:
+        near, far = finite([critical, warning], (2,))
+        problem = replace(state.problem, zones=state.problem.zones.adjusted(float(near), float(far)))
+        return replace(state, problem=problem, searched=False, rested=0.0, notice=None)
+
+    return driven(wish)
+
+
+def confined(state: State, panes: Sequence[Pane]) -> State:
+    """The state with more planes, each as near as the arm lets it come; the notice says which were stopped."""
+    planes, stopped = state.problem.planes, []
+    for pane in panes:
+        if any(one.name == pane.name and not one.movable for one in planes.panes):
+            continue  # what is fixed stays as it is
+        if len(planes.panes) >= MOST and pane.name not in planes.names:
+            raise HelicoideError(
+                Text(en="There are {most} planes at most.", pt_BR="Há no máximo {most} planos.").format(most=MOST)
+            )
+        centre = stopped_at_arm(pane.normal, pane.centre, state.guarded_points, state.problem.zones.critical)
+        if not np.array_equal(centre, pane.centre):
+            stopped.append(pane.name)
+            pane = replace(pane, centre=frozen(centre), offset=float(pane.normal @ centre))
+        planes = planes.with_pane(pane)
+    notice = None if not stopped else STOPPED.format(names=", ".join(stopped), mm=1000 * state.problem.zones.critical)
+    return replace(_with(state, planes), notice=notice)
+
+
+STOPPED = Text(
+    en="Moved back to {mm:.0f} mm from the arm: {names}.", pt_BR="Recuados até {mm:.0f} mm do braço: {names}."
+)
+
+
+def _adding(plane_of: Callable[[State], Plane]) -> Update:
+    def wish(state: State) -> State:
+        plane = plane_of(state)
+        name = next(name for k in range(1, MOST + 2) if (name := f"p{k}") not in state.problem.planes.names)
+        reach = state.robot.reach
+        ahead = state.robot.points[0] + np.array([AHEAD * reach, 0.0, 0.3 * reach])
+        return confined(state, [pane_on(plane, name, same(name), ahead, (0.7 * reach, 0.7 * reach))])
+
+    return driven(wish)
+
+
+def _without_movable(state: State) -> State:
+    planes = state.problem.planes
+    for index in reversed(range(len(planes.panes))):
+        if planes.panes[index].movable:
+            planes = planes.without(index)
+    return _with(replace(state, grasp=None), planes)
+
+
+def _with(state: State, planes: Planes) -> State:
+    problem = replace(state.problem, planes=planes)
+    return replace(state, problem=problem, searched=False, rested=0.0, detour=None, notice=None)

@@ -1,0 +1,47 @@
+"""A path of the joints that is played on the arm: one that was taught, or what an arm did in a study."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.gate.check import driven, finite
+from helicoide.kinematics.chain import frozen
+from helicoide.state import Replay, State, Update, commanded
+from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.path import JointPath
+from helicoide.trajectory.spline import Spline
+
+MOST, KNOTS = 500_000, 1500
+
+
+def replay(path: JointPath, title: Text) -> Update:
+    """A path of this arm's joints; the guard keeps every limit on the way."""
+
+    def wish(state: State) -> State:
+        finite(path.q(0.0), state.q.shape)
+        return commanded(state, Replay(path, title))
+
+    return driven(wish)
+
+
+def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
+    """Joint values (k, n), rad or m, at times (k,) that rise, s, by a spline through at most `KNOTS` of them.
+
+    Where the guard holds the arm back, it lags behind: the time goes on as it did.
+    """
+
+    def wish(state: State) -> State:
+        n, count = len(state.q), len(np.atleast_1d(times))
+        if not 2 <= count <= MOST:
+            raise HelicoideError(
+                Text(
+                    en="A motion has 2 to {most} instants, not {count}.",
+                    pt_BR="Um movimento tem de 2 a {most} instantes, não {count}.",
+                ).format(most=MOST, count=count)
+            )
+        kept = np.unique(np.linspace(0, count - 1, min(count, KNOTS)).round().astype(int))
+        at, values = finite(times, (count,))[kept], finite(q, (count, n))[kept]
+        return commanded(state, Replay(Spline(frozen(at - at[0]), frozen(values)), title, waits=False))
+
+    return driven(wish)

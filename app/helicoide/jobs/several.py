@@ -1,0 +1,101 @@
+"""Long work in processes of its own, several at a time, with how far each has come."""
+
+from __future__ import annotations
+
+import pickle
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from dataclasses import dataclass, replace
+from multiprocessing import get_context
+from typing import Any, Generic, TypeVar
+
+Given = TypeVar("Given")
+Value = TypeVar("Value")
+Progress = Callable[[float], None]
+
+TOLD_EVERY = 0.1
+NOTICEABLE = 0.005
+
+_told: Any = None
+
+
+@dataclass(frozen=True)
+class Outcome(Generic[Value]):
+    """How one piece of work ended: its value, or the failure in its place; seconds: how long it took."""
+
+    value: Value | None
+    failure: Exception | None
+    seconds: float
+
+
+def timed(work: Callable[[Given, Progress], Value], given: Given, progress: Progress) -> Outcome[Value]:
+    """Do a piece of work here, and take whatever goes wrong in it as its outcome."""
+    began = time.perf_counter()
+    value, failure = None, None
+    try:
+        value = work(given, progress)
+    except Exception as error:
+        failure = error
+    return Outcome(value, failure, time.perf_counter() - began)
+
+
+def in_processes(
+    work: Callable[[Given, Progress], Value], givens: Sequence[Given], workers: int, progress: Progress
+) -> list[Outcome[Value]]:
+    """Do the same work on each of several things, `workers` at a time, in their order.
+
+    work and what it is given and gives must be picklable; progress: told the share of the whole that is done, 0 to 1.
+    """
+    context = get_context("spawn")
+    reports = context.SimpleQueue()
+    shares = [0.0] * len(givens)
+    pool = ProcessPoolExecutor(workers, context, initializer=_begin, initargs=(reports,))
+    try:
+        futures = [pool.submit(_work, i, work, given) for i, given in enumerate(givens)]
+        waiting = set(futures)
+        while waiting:
+            _, waiting = wait(waiting, TOLD_EVERY, FIRST_COMPLETED)
+            while not reports.empty():
+                i, share = reports.get()
+                shares[i] = share
+            progress(sum(1.0 if f.done() else s for f, s in zip(futures, shares, strict=True)) / max(1, len(futures)))
+        return [_ended(future) for future in futures]
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _ended(future: Future[Outcome[Value]]) -> Outcome[Value]:
+    """The outcome of a piece of work, also where its process died."""
+    error = future.exception()
+    if error is None:
+        return future.result()
+    if not isinstance(error, Exception):
+        raise error
+    return Outcome(None, error, 0.0)
+
+
+def _begin(reports: Any) -> None:
+    global _told
+    _told = reports
+
+
+def _work(index: int, work: Callable[[Given, Progress], Value], given: Given) -> Outcome[Value]:
+    last = 0.0
+
+    def progress(share: float) -> None:
+        nonlocal last
+        if share - last >= NOTICEABLE:
+            last = share
+            _told.put((index, share))
+
+    outcome = timed(work, given, progress)
+    return outcome if outcome.failure is None else replace(outcome, failure=_portable(outcome.failure))
+
+
+def _portable(error: Exception) -> Exception:
+    """An error that comes through to another process: itself where it can, else its words."""
+    try:
+        return error if isinstance(pickle.loads(pickle.dumps(error)), type(error)) else RuntimeError(str(error))
+    except Exception:
+        return RuntimeError(f"{type(error).__name__}: {error}")

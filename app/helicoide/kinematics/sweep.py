@@ -1,0 +1,97 @@
+"""What many postures do to the cells of a workspace: the kernels that its maps are counted with."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.kernels import kernel
+from helicoide.kinematics.cells import Counts, cell_of
+from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.jacobian import geometric, joint_axes
+
+Flags = NDArray[np.uint8]
+# Orientations are told apart by turns about the normal, in a plane, or by bands of equal area around the vertical,
+# headings in a band, and rolls about the pointing axis: all of them equally likely of a random orientation.
+TURNS, BANDS, HEADINGS, ROLLS = 64, 4, 8, 4
+
+
+@kernel
+def share_of_turn(y: float, x: float, parts: int) -> int:
+    """In which of equal parts of a turn the angle Atan2(y, x) lies."""
+    part = int(np.floor((np.arctan2(y, x) / (2 * np.pi) + 0.5) * parts))
+    return min(part, parts - 1)
+
+
+@kernel
+def sector_of(R: Array, axes: Array) -> int:
+    """In which of the kinds of orientation a rotation lies. Args: R (3, 3); axes (d, 3) of the cells.
+
+    In a plane with the normal n by the turn φ = Atan2(n·vee(R − Rᵀ), tr R − nᵀ R n); in space by the band and heading
+    of its z axis and the roll of its x axis from the horizontal. Source for φ: Campos 1998, s.29.
+    """
+    if axes.shape[0] == 2:
+        n = np.cross(axes[0], axes[1])
+        sine = n[0] * (R[2, 1] - R[1, 2]) + n[1] * (R[0, 2] - R[2, 0]) + n[2] * (R[1, 0] - R[0, 1])
+        cosine = R[0, 0] + R[1, 1] + R[2, 2] - n @ (R @ n)
+        return share_of_turn(sine, cosine, TURNS)
+    x, y, z = R[0, 2], R[1, 2], R[2, 2]
+    band = min(int((z + 1) / 2 * BANDS), BANDS - 1)
+    heading = share_of_turn(y, x, HEADINGS)
+    # along (−y, x, 0), which is level, and along (−x z, −y z, x² + y²), its product with the z axis, of equal length
+    level, upward = R[1, 0] * x - R[0, 0] * y, R[2, 0] * (x * x + y * y) - z * (R[0, 0] * x + R[1, 0] * y)
+    return (band * HEADINGS + heading) * ROLLS + share_of_turn(upward, level, ROLLS)
+
+
+@kernel
+def spread_of(J: Array) -> float:
+    """Manipulability w = √det(J Jᵀ), or √det(Jᵀ J) where that is the smaller: the volume that the rows span.
+
+    By taking from each row what lies along those before. Args: J (d, n). Source: Yoshikawa 1985; Coutinho 2015, eq.
+    3.36.
+    """
+    rows = J.copy() if J.shape[0] <= J.shape[1] else J.T.copy()
+    w = 1.0
+    for i in range(rows.shape[0]):
+        size = np.sqrt(np.sum(rows[i] ** 2))
+        w *= size
+        if size == 0.0:
+            return 0.0
+        for j in range(i + 1, rows.shape[0]):
+            rows[j] -= rows[i] * (np.sum(rows[i] * rows[j]) / (size * size))
+    return w
+
+
+@kernel
+def swept(
+    chain: Chain,
+    T_link_tool: Array,
+    postures: Array,
+    origin: Array,
+    axes: Array,
+    size: float,
+    shape: Counts,
+    hits: Counts,
+    sectors: Flags,
+    best: Array,
+) -> None:
+    """Count postures into the cells that hold their tool points: hits, and the sectors or the best w where asked.
+
+    Args: postures (k, n), rad or m; the grid as in `Cells`; hits (count,); sectors (count, kinds of orientation) and
+    best (count,), each empty where it is not asked for. The last three are changed. The orientation counted is that of
+    the last link, from which that of the tool differs by a turn of its own.
+    """
+    for k in range(postures.shape[0]):
+        poses = link_poses(chain, postures[k])
+        T = poses[-1] @ T_link_tool
+        point = T[:3, 3].copy()
+        cell = cell_of(point, origin, axes, size, shape)
+        if cell < 0:
+            continue
+        hits[cell] += 1
+        if sectors.shape[0] > 0:
+            sectors[cell, sector_of(poses[-1, :3, :3].copy(), axes)] = 1
+        if best.shape[0] > 0:
+            J = geometric(poses, chain, joint_axes(poses, chain), point, chain.shape[0])
+            best[cell] = max(best[cell], spread_of(axes @ J[:3].copy()))

@@ -1,0 +1,218 @@
+"""Maps of what an arm reaches, by many random postures: where, with how many orientations, and how nimbly.
+
+A map is counted in chunks, each with a seed of its own, and putting them together does not depend on their order: it is
+the same whoever counts them. What is found is reached; a cell that no posture hits may still be.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from helicoide.kernels import CACHE_FOLDER
+from helicoide.kinematics.cells import Cells, Counts, Mask
+from helicoide.kinematics.chain import Array, Chain, frozen
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.sweep import BANDS, HEADINGS, ROLLS, TURNS, Flags, swept
+from helicoide.text import HelicoideError, Text
+
+Kind = Literal["reachable", "dexterous", "manipulability"]
+KINDS: tuple[Kind, ...] = get_args(Kind)
+# Postures of a chunk; postures for each cell, or each kind of orientation in it; and the least and the most cells
+# across, in a plane and in space.
+CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
+PARALLEL = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """What a map is counted from: arrays alone, so that any machine can do its part."""
+
+    kind: Kind
+    samples: int
+    seed: int
+    cells: Cells
+    chain: Chain
+    T_link_tool: Array
+    lower: Array
+    upper: Array
+
+    @property
+    def chunks(self) -> int:
+        """How many chunks there are to be counted."""
+        return -(-self.samples // CHUNK)
+
+    @property
+    def sectors(self) -> int:
+        """How many kinds of orientation are told apart."""
+        return TURNS if len(self.cells.shape) == 2 else BANDS * HEADINGS * ROLLS
+
+    @property
+    def key(self) -> str:
+        """A digest of the arm, the settings and the code: equal keys have equal maps."""
+        joints = [self.chain[field] for field in self.chain.dtype.names or ()]
+        grid = (self.cells.origin, self.cells.axes, self.cells.size, self.cells.shape)
+        digest = hashlib.sha256(f"{CACHE_FOLDER.name} {self.kind} {self.samples} {self.seed}".encode())
+        for part in (*joints, self.T_link_tool, self.lower, self.upper, *grid):
+            digest.update(np.ascontiguousarray(part).tobytes() + b"|")
+        return digest.hexdigest()
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """What one chunk, or several together, came to: hits (count,), sectors (count, k) and best (count,), or empty."""
+
+    hits: Counts
+    sectors: Flags
+    best: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Map:
+    """The finished map: hits (count,) and values (count,).
+
+    values: 1 where a cell is reached; the share of all orientations with which it is; or the largest manipulability
+    of position in it, m^d or as slides make it; 0 where nothing was found.
+    """
+
+    kind: Kind
+    samples: int
+    cells: Cells
+    hits: Counts
+    values: Array
+
+    @property
+    def reached(self) -> Mask:
+        """Which cells (count,) were reached."""
+        return self.hits > 0
+
+    @property
+    def measure(self) -> float:
+        """Area, m², of an arm in a plane, or volume, m³, of what is reached."""
+        return self.cells.measure(self.reached)
+
+
+def normal_of(robot: Robot) -> Array | None:
+    """The normal of the plane in which the tool point of a planar arm stays, (3,); None for other arms."""
+    turning = [joint.direction for joint in robot.joints if not joint.slides]
+    if not turning:
+        return None
+    z = turning[0]
+    apart = max(float(np.linalg.norm(np.cross(z, direction))) for direction in turning)
+    along = max((abs(float(z @ joint.direction)) for joint in robot.joints if joint.slides), default=0.0)
+    return z if max(apart, along) < PARALLEL else None
+
+
+def extent(robot: Robot) -> tuple[Array, float]:
+    """A point (3,), m, from which the tool is never farther than the second value, m: the arm stretched."""
+    ways = np.diff([*robot.points, robot.T_world_tool_0[:3, 3]], axis=0)
+    z = robot.directions[0]
+    up = (ways[0] @ z) * z
+    ways[0] -= up
+    joints = robot.chain[robot.chain["slides"]]
+    ends = (
+        np.outer([1, 1], joints["shift"]) + joints["ratio"] * np.array([robot.lower, robot.upper])[:, joints["driver"]]
+    )
+    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + np.abs(ends).max(axis=0).sum())
+
+
+def planned(robot: Robot, kind: Kind, samples: int, seed: int = 0) -> Plan:
+    """The plan of a map with so many random postures within the joint limits, as fine as these allow.
+
+    Raises HelicoideError unless there is at least one posture, and for another kind.
+    """
+    if kind not in KINDS:
+        raise HelicoideError(
+            Text(
+                en="There is no map of kind {kind!r}; there is: {known}.",
+                pt_BR="Não há mapa do tipo {kind!r}; há: {known}.",
+            ).format(kind=kind, known=", ".join(KINDS))
+        )
+    if samples < 1:
+        raise HelicoideError(
+            Text(
+                en="A map takes at least one posture, not {samples}.",
+                pt_BR="Um mapa requer ao menos uma postura, não {samples}.",
+            ).format(samples=samples)
+        )
+    return Plan(
+        kind, samples, seed, _cells(robot, kind, samples), robot.chain, robot.T_link_tool, robot.lower, robot.upper
+    )
+
+
+def _cells(robot: Robot, kind: Kind, samples: int) -> Cells:
+    normal = normal_of(robot)
+    axes = np.eye(3) if normal is None else _across(normal)
+    d = len(axes)
+    each = PER_CELL if kind != "dexterous" else PER_SECTOR * (TURNS if d == 2 else BANDS * HEADINGS * ROLLS)
+    least, most = ACROSS[d]
+    # an even number, so that the first axis, in the middle, runs between cells
+    across = 2 * (min(max(int((samples / each) ** (1 / d)), least), most) // 2)
+    centre, reach = extent(robot)
+    half = reach * (1 + 1e-9)
+    if normal is not None:
+        centre = centre + ((robot.T_world_tool_0[:3, 3] - centre) @ normal) * normal
+    return Cells(frozen(centre - half * axes.sum(axis=0)), frozen(axes), 2 * half / across, (across,) * d)
+
+
+def _across(normal: Array) -> Array:
+    """Two directions of the plane, (2, 3), as near to the axes of the base as may be."""
+    x = np.eye(3)[np.argmin(np.abs(normal))]
+    x = x - (x @ normal) * normal
+    x /= np.linalg.norm(x)
+    return np.array([x, np.cross(normal, x)])
+
+
+def counted(plan: Plan, chunk: int) -> Part:
+    """What a chunk of the plan, from 0, comes to: its own random postures, whoever counts them."""
+    part = nothing(plan)
+    size = min(CHUNK, plan.samples - chunk * CHUNK)
+    postures = np.random.default_rng([plan.seed, chunk]).uniform(plan.lower, plan.upper, (size, len(plan.lower)))
+    cells, shape = plan.cells, np.array(plan.cells.shape, dtype=np.int64)
+    swept(
+        np.array(plan.chain), np.array(plan.T_link_tool), postures, np.array(cells.origin), np.array(cells.axes),
+        cells.size, shape, part.hits, part.sectors, part.best,
+    )  # fmt: skip
+    return part
+
+
+def nothing(plan: Plan) -> Part:
+    """What no posture comes to."""
+    count = plan.cells.count
+    turned, moved = (count if plan.kind == kind else 0 for kind in ("dexterous", "manipulability"))
+    return Part(np.zeros(count, np.int64), np.zeros((turned, plan.sectors), np.uint8), np.zeros(moved))
+
+
+def together(one: Part, other: Part) -> Part:
+    """Two parts as one, in whichever order."""
+    return Part(one.hits + other.hits, one.sectors | other.sectors, np.maximum(one.best, other.best))
+
+
+def finished(plan: Plan, part: Part) -> Map:
+    """The map of all parts together."""
+    match plan.kind:
+        case "reachable":
+            values = (part.hits > 0).astype(np.float64)
+        case "dexterous":
+            values = part.sectors.mean(axis=1)
+        case "manipulability":
+            values = part.best
+    return Map(plan.kind, plan.samples, plan.cells, part.hits, frozen(values))
+
+
+def parts(plan: Plan) -> Iterator[Part]:
+    """All parts of a plan, one after another."""
+    return (counted(plan, chunk) for chunk in range(plan.chunks))
+
+
+def gathered(plan: Plan, found: Iterator[Part], progress: Callable[[float], None]) -> Map:
+    """The map from its parts as they come; progress is told the share that is there, 0 to 1."""
+    whole = nothing(plan)
+    for done, part in enumerate(found, start=1):
+        whole = together(whole, part)
+        progress(done / plan.chunks)
+    return finished(plan, whole)

@@ -1,0 +1,122 @@
+"""A depth camera on the arm: what it is, where it sits, and what it would see of the scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import radians, tan
+from typing import Protocol
+
+import numpy as np
+
+from helicoide.confinement import pane_axes
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.perception.cloud import Cloud, cloud_of
+from helicoide.perception.rays import to_capsule, to_pane
+from helicoide.state import State
+from helicoide.text import HelicoideError, Text
+
+
+class DepthCamera(Protocol):
+    """What gives a cloud of what is in front of the arm: a simulated camera, or a real one."""
+
+    def cloud(self, state: State) -> Cloud:
+        """The points seen from where the arm is, base frame."""
+
+
+@dataclass(frozen=True, eq=False)
+class Camera:
+    """A camera by its frame and its field of view; x to the right of the picture, y down, z along the view.
+
+    T_tool_camera (4, 4), m; view: full angles across and down, rad; depths (along z) from nearest to farthest, m, can
+    be measured; what is deeper than clip is cut off.
+    """
+
+    T_tool_camera: Array
+    view: tuple[float, float]
+    nearest: float
+    farthest: float
+    clip: float
+
+    def directions(self, resolution: tuple[int, int]) -> Array:
+        """Rays through the middles of the pixels, rows from above, (w h, 3), camera frame, each with z = 1."""
+        across, down = (
+            tan(full / 2) * (np.arange(count) + 0.5 - count / 2) * 2 / count
+            for full, count in zip(self.view, resolution, strict=True)
+        )
+        x, y = np.meshgrid(across, down)
+        return np.stack([x.ravel(), y.ravel(), np.ones(x.size)], axis=1)
+
+    def in_reach(self, depths: Array) -> Array:
+        """The depths (k,), m, or nan where they are too near, too far, or clipped."""
+        seen = (depths >= self.nearest) & (depths <= min(self.farthest, self.clip))
+        return np.where(seen, depths, np.nan)
+
+
+def on_hand(behind: float, above: float) -> Array:
+    """T_tool_camera (4, 4), m: along the tool from so far behind its point and above its axis, picture upright."""
+    T = np.eye(4)
+    T[:3, :3] = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
+    T[:3, 3] = -behind, 0.0, above
+    return frozen(T)
+
+
+# The field of view and the range are those of the D435, the clip that of the source (Cerbaro 2022, §2.3 of the digest).
+# Where the camera sat the source does not say: on a bracket behind the gripper, above the wrist, is assumed.
+D435 = Camera(on_hand(behind=0.200, above=0.070), (radians(87), radians(58)), nearest=0.3, farthest=3.0, clip=0.7)
+
+
+@dataclass(frozen=True, eq=False)
+class SimulatedCamera:
+    """Sees the panes and obstacles of a state, exactly but for what is asked for; the arm itself it does not see.
+
+    resolution: pixels across and down; noise: σ of the depth, m; outliers: the share of readings that are anywhere
+    within the reach of the camera instead; seed: of both, the same seed gives the same cloud.
+    """
+
+    camera: Camera = field(default_factory=lambda: D435)
+    resolution: tuple[int, int] = (212, 120)
+    noise: float = 0.0
+    outliers: float = 0.0
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Refuse what no camera has."""
+        width, height = self.resolution
+        if not (1 <= width <= 1280 and 1 <= height <= 720 and 0 <= self.noise <= 0.1 and 0 <= self.outliers <= 1):
+            raise HelicoideError(
+                Text(
+                    en="A camera has 1 × 1 to 1280 × 720 pixels, noise of 0 to 100 mm and a share of outliers 0 to 1.",
+                    pt_BR="Uma câmera tem de 1 × 1 a 1280 × 720 pixels, ruído de 0 a 100 mm e fração de leituras "
+                    "erradas de 0 a 1.",
+                )
+            )
+
+    def cloud(self, state: State) -> Cloud:
+        """The points seen from where the arm is, base frame; pixels that see nothing are counted as dropped."""
+        T = state.T_world_tool @ self.camera.T_tool_camera
+        rays = self.camera.directions(self.resolution) @ T[:3, :3].T
+        depths = self._measured(self.camera.in_reach(depths_of(state, T[:3, 3], rays)))
+        return cloud_of(T[:3, 3] + depths[:, None] * rays)
+
+    def _measured(self, depths: Array) -> Array:
+        """Depths as read: with noise, and some of them anywhere."""
+        rng, camera = np.random.default_rng(self.seed), self.camera
+        noisy = depths + self.noise * rng.normal(size=len(depths))
+        anywhere = rng.uniform(camera.nearest, min(camera.farthest, camera.clip), len(depths))
+        wrong = (rng.random(len(depths)) < self.outliers) & np.isfinite(depths)
+        return np.where(wrong, anywhere, noisy)
+
+
+def depths_of(state: State, eye: Array, rays: Array) -> Array:
+    """How far along each ray, in its length, the first pane or obstacle is, (k,); inf where there is none.
+
+    Args: eye (3,), m, world; rays (k, 3), world.
+    """
+    planes, obstacles = state.problem.planes, state.problem.obstacles
+    panes = zip(planes.normals, planes.centres, planes.panes, strict=True)
+    nearest = np.full(len(rays), np.inf)
+    for normal, centre, pane in panes:
+        nearest = np.minimum(nearest, to_pane(eye, rays, centre, pane_axes(normal), pane.size))
+    for ends, radius in zip(obstacles.ends, obstacles.radii, strict=True):
+        nearest = np.minimum(nearest, to_capsule(eye, rays, ends, float(radius)))
+    return nearest

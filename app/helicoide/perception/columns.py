@@ -1,0 +1,101 @@
+"""Rows of points with x, y and z among other columns, as text or as bytes, whose layout a header told."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.perception.formats import Broken
+from helicoide.text import Text
+
+AXES = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its name, the numpy type of its numbers, and how many there are of them in one row."""
+
+    name: str
+    type: str
+    count: int = 1
+
+    @property
+    def size(self) -> int:
+        """Bytes in a row."""
+        return np.dtype(self.type).itemsize * self.count
+
+
+def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
+    """Rows that follow each other as bytes: x, y, z of each, (k, 3)."""
+    begins = np.cumsum([0, *(column.size for column in columns)])
+    places = [place(columns, axis) for axis in AXES]
+    row = np.dtype(
+        {
+            "names": list(AXES),
+            "formats": [columns[place].type for place in places],
+            "offsets": [int(begins[place]) for place in places],
+            "itemsize": int(begins[-1]),
+        }
+    )
+    check_rows(len(data) // row.itemsize, points)
+    rows = np.frombuffer(data, row, points)
+    return np.column_stack([rows[axis].astype(np.float64) for axis in AXES])
+
+
+def from_text(columns: Sequence[Column], points: int, data: bytes, skipped: int = 0) -> Array:
+    """Rows that are lines of text, after some that are skipped: x, y, z of each, (k, 3)."""
+    begins = np.cumsum([0, *(column.count for column in columns)])
+    places = [int(begins[place(columns, axis)]) for axis in AXES]
+    with warnings.catch_warnings():  # of rows that are missing: they are counted here
+        warnings.simplefilter("ignore", UserWarning)
+        rows = np.loadtxt(
+            io.BytesIO(data),
+            usecols=places,
+            skiprows=skipped,
+            max_rows=points,
+            ndmin=2,
+            comments=None,
+            encoding="ascii",
+        )
+    check_rows(len(rows), points)
+    return np.asarray(rows, dtype=np.float64)
+
+
+def from_fields(columns: Sequence[Column], points: int, data: bytes) -> Array:
+    """Columns that follow each other as bytes, each whole: x, y, z of each point, (k, 3)."""
+    begins = np.cumsum([0, *(column.size * points for column in columns)])
+    check_rows(len(data) * points // max(int(begins[-1]), 1), points)
+    numbers = [_field(columns[i], points, data, int(begins[i])) for i in (place(columns, axis) for axis in AXES)]
+    return np.column_stack(numbers)
+
+
+def _field(column: Column, points: int, data: bytes, begin: int) -> Array:
+    return np.frombuffer(data, column.type, points * column.count, begin)[:: column.count].astype(np.float64)
+
+
+def check_rows(there: int, promised: int) -> None:
+    """Raise Broken where a file ends too early."""
+    if there < promised:
+        raise Broken(
+            Text(
+                en="it ends after {there} of {promised} points", pt_BR="termina após {there} de {promised} pontos"
+            ).format(there=there, promised=promised)
+        )
+
+
+def place(columns: Sequence[Column], axis: str) -> int:
+    """The number of the column of that name; raises Broken where there is none."""
+    names = [column.name for column in columns]
+    if axis not in names:
+        raise Broken(
+            Text(
+                en="its points have no column {axis}, only {names}",
+                pt_BR="seus pontos não têm coluna {axis}, só {names}",
+            ).format(axis=axis, names=", ".join(names) or "—")
+        )
+    return names.index(axis)

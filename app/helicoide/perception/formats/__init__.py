@@ -1,0 +1,55 @@
+"""The formats of point clouds, a file each.
+
+A module has TITLE, the format in words, ENDINGS of file names, and `coordinates(data)`: the rows x, y, z (k, 3) of a
+file's bytes, as they are, with what is not finite. It raises `Broken`, or what the parser below it raises.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from functools import cache
+from typing import Protocol, cast
+
+from helicoide.kinematics.chain import Array
+from helicoide.text import HelicoideError, Text
+
+# More takes longer to read than a person waits, and memory that others on the machine need.
+MOST_POINTS = 5_000_000
+MOST_BYTES = 200_000_000
+
+
+class Format(Protocol):
+    """What a module of this folder holds."""
+
+    TITLE: Text
+    ENDINGS: tuple[str, ...]
+
+    def coordinates(self, data: bytes) -> Array:
+        """Rows x, y, z (k, 3) of the bytes of a file."""
+
+
+class Broken(HelicoideError):
+    """What is wrong with a file, as the part of a sentence."""
+
+
+@cache
+def found() -> tuple[Format, ...]:
+    """Every format there is."""
+    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
+    return tuple(cast(Format, importlib.import_module(f"{__name__}.{name}")) for name in names)
+
+
+@cache
+def endings() -> dict[str, Format]:
+    """The formats by the endings of file names, such as .ply."""
+    return {ending: module for module in found() for ending in module.ENDINGS}
+
+
+def check_count(points: int) -> int:
+    """The number of points; raises Broken where there are none, or too many."""
+    if points < 1:
+        raise Broken(Text(en="there are no points in it", pt_BR="não há pontos nele"))
+    if points > MOST_POINTS:
+        raise Broken(Text(en="it has {n} points", pt_BR="tem {n} pontos").format(n=points))
+    return points

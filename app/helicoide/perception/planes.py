@@ -1,0 +1,223 @@
+"""The plane that most points of a cloud lie on, of those that face a given way."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helicoide.confinement import Plane
+from helicoide.geometry import rigid
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.text import HelicoideError, Text
+
+# The source fits with 5 mm and 4°; the planes it prints tilt up to 5.5° from the axes that they are sought along.
+DISTANCE, ANGLE = 0.005, np.radians(10)
+MOST_DISTANCE = 0.1
+# Fewer points, or a smaller share of the cloud, are found on some plane in any cloud, also where there is no wall.
+FEWEST, LEAST_SHARE = 50, 0.05
+# Planes tried through three points each: where a tenth of the points is on the wall, fewer than 10⁻⁸ of clouds miss it.
+DRAWS = 20_000
+# Draws are judged by so many points of the cloud; the best is then fitted to all that are near it.
+JUDGES = 8000
+# A draw is given up when so many more have judged it and it is already worse than the best.
+BLOCK = 500
+REFITS = 30
+# Points spread less along a plane than so many times across it lie on a line.
+NARROW = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class Found:
+    """A plane in a cloud of k points.
+
+    on_it (k,): which points lie within the distance asked for; share of them; rms of their distances, m; angle of the
+    normal to the one asked for, rad; centre of the points on it, (3,), m.
+    """
+
+    plane: Plane
+    on_it: NDArray[np.bool_]
+    share: float
+    rms: float
+    angle: float
+    centre: Array
+
+    @property
+    def multivector(self) -> Array:
+        """π = n_x e1 + n_y e2 + n_z e3 + d e, (16,). Source: Cerbaro 2022, eq. 18."""
+        return rigid.plane(self.plane.normal, self.plane.offset)
+
+
+def find(
+    points: Array,
+    towards: ArrayLike,
+    inside: ArrayLike,
+    distance: float = DISTANCE,
+    angle: float = ANGLE,
+    seed: int = 0,
+) -> Found | Text:
+    """The plane with the most points near it whose inward normal is within an angle of a given one; else why not.
+
+    Planes through three random points (π = ⋆σ/‖⋆σ‖) with l > 0 at the point inside are judged by Σ min(l², t²); the
+    best is fitted by least squares to the points with |l| ≤ t until these stay the same.
+    Args: points (k, 3), m; towards: the inward normal looked for, (3,), of any length; inside: a point on its side,
+    (3,), m; distance: t, m; angle: the largest, rad; seed: of the draws, the same seed gives the same plane.
+    Raises HelicoideError for a direction, point, distance or angle that is none.
+    Source: Cerbaro 2022, §6.1 and eqs. 20, 25–26, with a fit for the three points taken at last.
+    """
+    if len(points) < FEWEST:
+        return Text(
+            en="{k} points are too few for a plane: {fewest} are needed.",
+            pt_BR="{k} pontos são poucos para um plano: são necessários {fewest}.",
+        ).format(k=len(points), fewest=FEWEST)
+    point, n0 = np.asarray(inside, dtype=np.float64), np.asarray(towards, dtype=np.float64)
+    _check(n0, point, distance, angle)
+    n0 = n0 / np.linalg.norm(n0)
+    points = np.array(points, dtype=np.float64, order="C")  # kernels compile once, for arrays that can be written
+    rng = np.random.default_rng(seed)
+    triples = points[rng.integers(len(points), size=(DRAWS, 3))]
+    judges = points[rng.permutation(len(points))[:JUDGES]]
+    drawn = best_draw(triples, judges, np.append(n0, np.cos(angle)), point, distance)
+    if not drawn.any():
+        return _none(angle)
+    fit, on_it = _fitted(points, drawn, point, distance)
+    return _judged(points, fit, on_it, n0, angle)
+
+
+def _check(towards: Array, inside: Array, distance: float, angle: float) -> None:
+    vectors = towards.shape == inside.shape == (3,) and np.isfinite([*towards, *inside]).all() and towards.any()
+    if not (vectors and 0 < distance <= MOST_DISTANCE and 0 < angle <= np.pi / 2):
+        raise HelicoideError(
+            Text(
+                en="A plane is looked for along a direction that is not zero, from a point inside, among points up to "
+                "{most:.0f} mm from it and tilted by up to 90°, both more than 0.",
+                pt_BR="Procura-se um plano numa direção diferente de zero, a partir de um ponto de dentro, entre "
+                "pontos a até {most:.0f} mm dele e com inclinação de até 90°, ambos maiores que 0.",
+            ).format(most=1000 * MOST_DISTANCE)
+        )
+
+
+@kernel
+def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distance: float) -> Array:
+    """The plane through one of many triples with the least Σ min(l², t²), (n_x, n_y, n_z, d); zero if none is allowed.
+
+    n = ∓(p2 − p1)×(p3 − p1)/‖·‖, l = n·r − d. Triples on a line have no plane, nor do count those that face elsewhere.
+    Args: triples (k, 3, 3), m; judges (m, 3), m; cone (4,): the normal looked for and the least cosine with it;
+    inside (3,), m; distance: t, m. Source: Cerbaro 2022, eqs. 20, 25–26; the measure: Torr & Zisserman 2000.
+    """
+    best, found = np.inf, np.zeros(4)
+    square = distance * distance
+    for t in range(triples.shape[0]):
+        ax, ay, az = triples[t, 0, 0], triples[t, 0, 1], triples[t, 0, 2]
+        ux, uy, uz = triples[t, 1, 0] - ax, triples[t, 1, 1] - ay, triples[t, 1, 2] - az
+        vx, vy, vz = triples[t, 2, 0] - ax, triples[t, 2, 1] - ay, triples[t, 2, 2] - az
+        nx, ny, nz = uz * vy - uy * vz, ux * vz - uz * vx, uy * vx - ux * vy
+        length = np.sqrt(nx * nx + ny * ny + nz * nz)
+        longest = max(ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz)
+        if length <= 1e-9 * longest:
+            continue
+        nx, ny, nz = nx / length, ny / length, nz / length
+        d = nx * ax + ny * ay + nz * az
+        if nx * inside[0] + ny * inside[1] + nz * inside[2] < d:
+            nx, ny, nz, d = -nx, -ny, -nz, -d
+        if nx * cone[0] + ny * cone[1] + nz * cone[2] < cone[3]:
+            continue
+        total = 0.0
+        for start in range(0, judges.shape[0], BLOCK):
+            for j in range(start, min(start + BLOCK, judges.shape[0])):
+                offset = nx * judges[j, 0] + ny * judges[j, 1] + nz * judges[j, 2] - d
+                total += min(offset * offset, square)
+            if total >= best:
+                break
+        if total < best:
+            best = total
+            found[0], found[1], found[2], found[3] = nx, ny, nz, d
+    return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Fit:
+    """A plane (n, d) of the points near it, their centre, and their rms across it and along it where narrowest."""
+
+    normal: Array
+    offset: float
+    centre: Array
+    across: float
+    along: float
+
+
+def _fitted(points: Array, drawn: Array, inside: Array, distance: float) -> tuple[_Fit, NDArray[np.bool_]]:
+    """Least squares of the points near a plane, and again of those near the result, until these stay the same."""
+    origin = drawn[3] * drawn[:3]
+    sums, plane = np.zeros(10), drawn
+    for _ in range(REFITS):
+        before, sums = sums, near_sums(points, plane, origin, distance)
+        if (sums == before).all():
+            break
+        fit = _least_squares(sums, origin, inside)
+        plane = np.append(fit.normal, fit.offset)
+    return fit, np.abs(points @ fit.normal - fit.offset) <= distance
+
+
+@kernel
+def near_sums(points: Array, plane: Array, origin: Array, distance: float) -> Array:
+    """Of the points with |l| ≤ t: how many, Σ r, and Σ of xx, xy, xz, yy, yz, zz, with r from an origin; (10,).
+
+    Args: points (k, 3), m; plane (n_x, n_y, n_z, d); origin (3,), m, near them, which keeps their digits; distance:
+    t, m.
+    """
+    sums = np.zeros(10)
+    a, b, c, d = plane[0], plane[1], plane[2], plane[3]
+    for j in range(points.shape[0]):
+        px, py, pz = points[j, 0], points[j, 1], points[j, 2]
+        if abs(a * px + b * py + c * pz - d) <= distance:
+            x, y, z = px - origin[0], py - origin[1], pz - origin[2]
+            sums[0] += 1.0
+            sums[1], sums[2], sums[3] = sums[1] + x, sums[2] + y, sums[3] + z
+            sums[4], sums[5], sums[6] = sums[4] + x * x, sums[5] + x * y, sums[6] + x * z
+            sums[7], sums[8], sums[9] = sums[7] + y * y, sums[8] + y * z, sums[9] + z * z
+    return sums
+
+
+def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
+    """The plane through the centre of points across which they vary least: the least eigenvector of Σ r rᵀ.
+
+    Args: sums (10,) of `near_sums` from that origin; inside (3,), m: where the normal points.
+    """
+    mean = sums[1:4] / sums[0]
+    products = sums[[4, 5, 6, 5, 7, 8, 6, 8, 9]].reshape(3, 3) / sums[0]
+    values, vectors = np.linalg.eigh(products - np.outer(mean, mean))
+    centre = origin + mean
+    normal = vectors[:, 0] if vectors[:, 0] @ (inside - centre) >= 0 else -vectors[:, 0]
+    across, along = np.sqrt(np.maximum(values[:2], 0.0))
+    return _Fit(normal, float(normal @ centre), centre, float(across), float(along))
+
+
+def _judged(points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float) -> Found | Text:
+    """The plane with what there is to say of it, or why it is none."""
+    if fit.along <= NARROW * fit.across or fit.along < 1e-9:
+        return Text(
+            en="No plane: the points lie along a line, and through a line there are many planes.",
+            pt_BR="Nenhum plano: os pontos estão ao longo de uma reta, e por uma reta passam muitos planos.",
+        )
+    turned = float(np.arctan2(np.linalg.norm(np.cross(fit.normal, towards)), fit.normal @ towards))
+    if turned > angle:
+        return _none(angle)
+    share = float(on_it.mean())
+    if share < LEAST_SHARE or on_it.sum() < FEWEST:
+        return Text(
+            en="No plane: the best has {n} of {k} points near it; {least:.0f} % and {fewest} are needed.",
+            pt_BR="Nenhum plano: o melhor tem {n} de {k} pontos perto; são necessários {least:.0f} % e {fewest}.",
+        ).format(n=int(on_it.sum()), k=len(points), least=100 * LEAST_SHARE, fewest=FEWEST)
+    on_it.flags.writeable = False
+    plane = Plane(frozen(fit.normal), fit.offset)
+    return Found(plane, on_it, share, fit.across, turned, frozen(fit.centre))
+
+
+def _none(angle: float) -> Text:
+    return Text(
+        en="No plane: none through the points is within {angle:.0f}° of the direction asked for.",
+        pt_BR="Nenhum plano: nenhum que passe pelos pontos está a menos de {angle:.0f}° da direção pedida.",
+    ).format(angle=np.degrees(angle))

@@ -1,0 +1,98 @@
+"""A RealSense depth camera on the arm, through the package pyrealsense2 where it is installed."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.perception.camera import D435, Camera
+from helicoide.perception.cloud import Cloud, cloud_of
+from helicoide.state import State
+from helicoide.text import HelicoideError, Text
+
+PACKAGE = "pyrealsense2"
+# Until the exposure has settled, depths are missing or wrong.
+SETTLING = 30
+PATIENCE_MS = 5000
+
+
+class RealSense:
+    """An open camera; `cloud` is that of `camera.DepthCamera`."""
+
+    def __init__(self, package: Any, pipeline: Any, camera: Camera) -> None:
+        self._package, self._pipeline, self._camera = package, pipeline, camera
+
+    def cloud(self, state: State) -> Cloud:
+        """The points of the next picture, base frame; pixels without a depth in reach are counted as dropped.
+
+        Raises HelicoideError when no picture comes, as from a camera that was pulled out.
+        """
+        T = state.T_world_tool @ self._camera.T_tool_camera
+        self.points_in_view()  # this picture may have waited since before the arm came to rest
+        seen = self.points_in_view()
+        points = T[:3, 3] + seen @ T[:3, :3].T
+        points[np.isnan(self._camera.in_reach(seen[:, 2]))] = np.nan
+        return cloud_of(points)
+
+    def points_in_view(self) -> Array:
+        """The points of the next picture, camera frame, (k, 3), m; zero where there is no depth."""
+        try:
+            depths = self._pipeline.wait_for_frames(PATIENCE_MS).get_depth_frame()
+            vertices = self._package.pointcloud().calculate(depths).get_vertices()
+        except RuntimeError as error:
+            raise HelicoideError(
+                Text(
+                    en="The RealSense camera sends no picture: {error}. Check its cable, then connect it again.",
+                    pt_BR="A câmera RealSense não envia imagem: {error}. Verifique o cabo e conecte-a de novo.",
+                ).format(error=error)
+            ) from error
+        return np.asarray(np.asanyarray(vertices).view(np.float32).reshape(-1, 3), dtype=np.float64)
+
+
+@contextmanager
+def connected(camera: Camera = D435, resolution: tuple[int, int] = (848, 480), rate: int = 30) -> Iterator[RealSense]:
+    """The first RealSense camera that is plugged in, sending depths until the block ends.
+
+    camera: where it sits and what to cut off; resolution: pixels; rate: pictures a second. Raises HelicoideError where
+    the package or the camera is missing, or the camera has no such resolution.
+    """
+    package = _package()
+    pipeline, wished = package.pipeline(), package.config()
+    wished.enable_stream(package.stream.depth, *resolution, package.format.z16, rate)
+    try:
+        pipeline.start(wished)
+    except RuntimeError as error:
+        raise HelicoideError(
+            Text(
+                en="No RealSense camera answers with {w} × {h} pixels at {rate} Hz: {error}. Plug it into a USB 3 "
+                "port, close other programs that use it, or ask for 848 × 480 or 640 × 480 at 30 Hz.",
+                pt_BR="Nenhuma câmera RealSense responde com {w} × {h} pixels a {rate} Hz: {error}. Ligue-a a uma "
+                "porta USB 3, feche outros programas que a usam, ou peça 848 × 480 ou 640 × 480 a 30 Hz.",
+            ).format(w=resolution[0], h=resolution[1], rate=rate, error=error)
+        ) from error
+    try:
+        sensor = RealSense(package, pipeline, camera)
+        for _ in range(SETTLING):
+            sensor.points_in_view()
+        yield sensor
+    finally:
+        pipeline.stop()
+
+
+def _package() -> Any:
+    try:
+        return importlib.import_module(PACKAGE)
+    except ImportError as error:
+        raise HelicoideError(
+            Text(
+                en="A RealSense camera needs the package {package}, which cannot be loaded ({error}): install it with "
+                "`pip install {package}`. Without a camera, use the simulated one or a file of points.",
+                pt_BR="Uma câmera RealSense precisa do pacote {package}, que não pôde ser carregado ({error}): "
+                "instale-o com `pip install {package}`. Sem câmera, use a simulada ou um arquivo de pontos.",
+            ).format(package=PACKAGE, error=error)
+        ) from error

@@ -1,0 +1,80 @@
+"""The source's way to measure an enclosure: from three poses the camera on the wrist reads one plane each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from helicoide.confinement import pane_on, planes_of
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.robot import Pane, Robot
+from helicoide.perception.camera import DepthCamera, SimulatedCamera
+from helicoide.perception.cloud import Cloud
+from helicoide.perception.planes import Found, find
+from helicoide.state import Seen, State
+from helicoide.text import Text
+
+# What a simulated reading suffers from: as a depth camera at half a metre, σ in m and the share of wrong readings.
+NOISE, OUTLIERS = 0.002, 0.1
+FOUND = Text(
+    en="{title}: {share:.0f} % of {k} points on it, rms {rms:.1f} mm, {angle:.1f}° from the axis",
+    pt_BR="{title}: {share:.0f} % de {k} pontos nele, erro rms {rms:.1f} mm, a {angle:.1f}° do eixo",
+)
+NOT_FOUND = Text(en="{title}: {why}", pt_BR="{title}: {why}")
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """A plane to be read: its name and title, from which posture, and the inward normal that is looked for, (3,)."""
+
+    pose: str
+    name: str
+    title: Text
+    towards: Array
+
+
+READINGS = (
+    Reading("reading_ceiling", "+z", Text(en="ceiling", pt_BR="teto"), frozen([0, 0, -1])),
+    Reading("reading_left", "+y", Text(en="left wall", pt_BR="parede esquerda"), frozen([0, -1, 0])),
+    Reading("reading_right", "-y", Text(en="right wall", pt_BR="parede direita"), frozen([0, 1, 0])),
+)
+
+
+def readings(robot: Robot) -> tuple[Reading, ...]:
+    """The planes that an arm can read: those for which it has a posture. Source: Cerbaro 2022, §6.1."""
+    return tuple(reading for reading in READINGS if reading.pose in robot.poses)
+
+
+def seen_by(camera: DepthCamera, state: State) -> Cloud:
+    """What a camera sees from where the arm is; a simulated one sees the enclosure of the robot's file."""
+    if isinstance(camera, SimulatedCamera):
+        enclosure = replace(state.problem, planes=planes_of(state.robot.panes))
+        state = replace(state, problem=enclosure)
+    return camera.cloud(state)
+
+
+def found_in(cloud: Cloud, reading: Reading, inside: Array, seed: int = 0) -> tuple[Seen, Pane | None]:
+    """The plane of a reading in a cloud: what is to be shown of it, and its pane, None where there is no plane.
+
+    inside (3,), m: a point on the side of the arm.
+    """
+    found = find(cloud.points, reading.towards, inside, seed=seed)
+    if isinstance(found, Text):
+        none = np.zeros(len(cloud.points), dtype=bool)
+        return Seen(cloud.points, none, NOT_FOUND.format(title=reading.title, why=found)), None
+    words = FOUND.format(
+        title=reading.title,
+        share=100 * found.share,
+        k=len(cloud.points),
+        rms=1000 * found.rms,
+        angle=np.degrees(found.angle),
+    )
+    return Seen(cloud.points, found.on_it, words), _pane(found, cloud, reading)
+
+
+def _pane(found: Found, cloud: Cloud, reading: Reading) -> Pane:
+    """A pane as large as what was seen of the plane."""
+    spread = np.sort(np.ptp(cloud.points[found.on_it], axis=0))[1:]
+    size = (float(max(spread[1], 0.3)), float(max(spread[0], 0.3)))
+    return pane_on(found.plane, reading.name, reading.title, found.centre, size)

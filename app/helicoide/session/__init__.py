@@ -1,0 +1,338 @@
+"""The one mutable object: the inbox, the loop, the windows.
+
+Everything here runs on the event loop of the server, so nothing is locked: callbacks post, the loop drains, a tick
+advances, a frame is drawn. Long work is done in threads and processes that post their result.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import secrets
+from collections import deque
+from dataclasses import replace
+
+from helicoide import content, gate, kernels, lesson
+from helicoide.advance import advance, foreseen, leads_elsewhere
+from helicoide.jobs.apart import Apart
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.session.preparing import TICK, compiled, exercise, rehearse
+from helicoide.session.replaying import through
+from helicoide.session.studies import Studies
+from helicoide.session.surveying import Surveying
+from helicoide.state import Seat, State, Update, initial
+from helicoide.studies.study import Motion
+from helicoide.text import HelicoideError, Language, Text
+from helicoide.view import shapes
+from helicoide.view.channel import PATH, Control, Notice
+from helicoide.view.rows import Play, PlayTaught, ReadCloud, Tour, View, Wish
+from helicoide.view.scene import NOBODY, Scene
+from helicoide.view.serve import serve
+from helicoide.view.window import Client, Window, remember, remembered, seated
+
+TICKS_PER_FRAME = 2
+FRAMES_PER_TEXT = 5
+CLEARED = 0.15
+LET_GO = 0.5
+
+COMPILING = Text(
+    en="Preparing the kernels: {done} of {total}. This happens once.",
+    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
+)
+PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
+FAILED = Text(
+    en="Something went wrong inside; see the terminal.",
+    pt_BR="Algo deu errado por dentro; veja o terminal.",
+)
+log = logging.getLogger("helicoide")
+
+
+class Session:
+    """One arm, the people in front of it, and the loop."""
+
+    def __init__(self, robot: Robot, language: Language, lesson_name: str | None) -> None:
+        self.robot, self.language, self.lesson_name = robot, language, lesson_name
+        self.state = initial(robot)
+        self.shapes = shapes.load(robot)
+        self.seats: dict[str, Seat] = {}
+        self.windows: dict[int, Window] = {}
+        self.control = Control(lambda: self.post(gate.stop()), self._released)
+        self.studies = Studies(lambda: self.loop.call_soon(self._write))
+        self.survey = Surveying(lambda: self.state, self.post)
+        self.inbox: deque[Update] = deque()
+        self.frames = 0
+        self.ticks = 0
+        self.ready = False
+        self._compilation = Apart(compiled)
+        self.said = COMPILING.format(done=0, total=len(kernels.KERNELS))
+        self._drawn: State | None = None
+        self._foreseen: State | None = None
+        self._woken = False
+
+    def open(self, host: str, port: int) -> int:
+        """Serve the page; returns the port. Raises HelicoideError when it cannot be had."""
+        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve})
+        self.loop = self.server.get_event_loop()
+        self.loop.call_soon_threadsafe(self._begin)
+        return int(self.server.get_port())
+
+    def close(self) -> None:
+        """Stop the loop, the compilation and the server."""
+        self.ready = False
+        self._compilation.stop()
+        self.studies.close()
+        self.loop.call_soon_threadsafe(self._starting.cancel)
+        self.server.stop()
+
+    def post(self, update: Update) -> None:
+        """Put a wish into the inbox and wake the loop. Only on the event loop."""
+        self.inbox.append(update)
+        if self.ready and not self._woken:
+            self._woken = True
+            self.loop.call_soon(self._drain)
+
+    def _begin(self) -> None:
+        self.scene = Scene(self.server, self.robot, self.shapes)
+        self._draw()
+        self.server.on_client_connect(self._enter)
+        self.server.on_client_disconnect(self._leave)
+        self._starting = self.loop.create_task(self._start())
+
+    async def _start(self) -> None:
+        """Compile in another process while the page is up, load in a thread, then let the arm run."""
+        try:
+            await asyncio.to_thread(self._prepare_kernels)
+            await asyncio.to_thread(exercise)
+            await asyncio.to_thread(rehearse, self.robot)
+        except Exception:
+            log.exception("the kernels could not be prepared")
+            self._say(FAILED)
+            return
+        self.ready = True
+        self.next_tick = self.loop.time()
+        self._tick()
+
+    def _prepare_kernels(self) -> None:
+        if all(map(kernels.is_cached, kernels.KERNELS)):
+            return
+        for done in self._compilation.progress():
+            words = COMPILING.format(done=done, total=len(kernels.KERNELS))
+            self.loop.call_soon_threadsafe(self._say, words)
+
+    def _say(self, text: Text) -> None:
+        """Show a sentence in every window, also in those that open later, while the arm does not run yet."""
+        self.said = text
+        for window in self.windows.values():
+            seat = window.view.seat
+            self.control.push(seat.token, Notice(seat.language, text, "warn"))
+
+    async def _enter(self, client: Client) -> None:
+        """A window opens: with its old seat when its browser still has the token of one."""
+        try:
+            token = await self._seat_of(client)
+        except RuntimeError:  # the client left again
+            return
+        self._furnish(client, self._view(token))
+
+    async def _seat_of(self, client: Client) -> str:
+        """The token of the client's seat, kept in its browser; a new seat where there is none."""
+        token = await remembered(client)
+        if token is None or token not in self.seats:
+            token = secrets.token_urlsafe(12)
+            self.seats[token] = seated(token, self.language, self.lesson_name)
+            remember(client, token)
+        return token
+
+    def _furnish(self, client: Client, view: View) -> None:
+        wishes = (self.post, self._reseat, self.change, self.studies.redesk, self.ask)
+        window = Window(client, self.robot, self.shapes, view, self.control, *wishes)
+        self.windows[client.client_id] = window
+        window.draw(view)
+        if not self.ready:
+            self._say(self.said)
+
+    def _view(self, token: str) -> View:
+        """What a person sees."""
+        return View(self.state, self.seats[token], self.studies.desk(token))
+
+    async def _leave(self, client: Client) -> None:
+        """A window closes: what it held is let go where it is."""
+        window = self.windows.pop(client.client_id, None)
+        if window and all(other.view.seat.token != window.view.seat.token for other in self.windows.values()):
+            self.control.forget(window.view.seat.token)
+            self.studies.forget(window.view.seat.token)
+        grasp = self.state.grasp
+        if grasp is not None and grasp.seat == str(client.client_id):
+            self.post(gate.let_go(grasp))
+
+    def _released(self, token: str) -> None:
+        """A pointer was let go: what it held ends soon, also when the drag's own end gets lost on its way."""
+        grasp = self.state.grasp
+        whose = {str(number) for number, window in self.windows.items() if window.view.seat.token == token}
+        if grasp is not None and grasp.seat in whose:
+            self.loop.call_later(LET_GO, self.post, gate.let_go(grasp))
+
+    def _reseat(self, seat: Seat) -> None:
+        """A person changed something about their own window; a lesson brings its robot with it."""
+        before = self.seats.get(seat.token)
+        self.seats[seat.token] = seat
+        if before and seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
+            chosen = lesson.load(seat.lesson)
+            if chosen.robot != self.robot.name:
+                self.change(chosen.robot)
+            else:
+                self.post(chosen.steps[seat.step].setup)
+        self.loop.call_soon(self._write)
+
+    def ask(self, wish: Wish) -> None:
+        """What needs more than the loop: motions to play, clouds to read. Only on the event loop."""
+        match wish:
+            case Play(motion):
+                self.play(motion)
+            case Tour():
+                self.survey.tour()
+            case ReadCloud(name, content, plane):
+                self.survey.read(name, content, plane)
+            case PlayTaught():
+                self._replaying = self.loop.create_task(self._play_taught())
+
+    async def _play_taught(self) -> None:
+        """Work out the way through the waypoints in a thread, then go it."""
+        state = self.state
+        self.post(await asyncio.to_thread(through, state.taught, state.q))
+
+    def play(self, motion: Motion) -> None:
+        """Play what an arm did, on that arm. Only on the event loop."""
+        wish, (name, lengths) = gate.replay_motion(motion.times, motion.q, PLAYED), (motion.robot, motion.parameters)
+        if self.robot.name == name and not lengths:
+            self.post(wish)
+        else:
+            self.change(name, lengths, wish)
+
+    def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
+        """Put another robot in front of everybody, as soon as it is loaded, and post a wish to it.
+
+        lengths: parameters of the robot, as `load` takes them. Only on the event loop.
+        """
+        self._wanted = robot_name
+        self._changing = self.loop.create_task(self._change(robot_name, lengths, then))
+
+    async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
+        """Load a robot in a thread; what is wrong with it is said, and the old one stays."""
+        try:
+            robot = await asyncio.to_thread(load, robot_name, None, lengths)
+            drawn = await asyncio.to_thread(shapes.load, robot)
+            await asyncio.to_thread(rehearse, robot)
+        except Exception as error:
+            log.warning("%s was not put up", robot_name, exc_info=not isinstance(error, HelicoideError))
+            words = error.text if isinstance(error, HelicoideError) else FAILED
+            self.post(lambda state: replace(state, notice=words))
+            return
+        if robot_name == self._wanted:
+            await self._clear()
+            self._mount(robot, drawn)
+            if then is not None:
+                self.post(then)
+
+    async def _clear(self) -> None:
+        """Clear the scenes, and let the browsers have that: a node put back in the same message keeps its old pose."""
+        self.scene.clear(self.server)
+        for window in self.windows.values():
+            window.clear()
+        self.server.flush()
+        await asyncio.sleep(CLEARED)
+
+    def _mount(self, robot: Robot, drawn: list[shapes.Shape]) -> None:
+        """The new robot at `ready`; lessons about another robot are left."""
+        self.robot, self.shapes, self.state = robot, drawn, initial(robot)
+        self.inbox.clear()
+        self.seats = {token: _seated_at(robot, seat) for token, seat in self.seats.items()}
+        with self.server.atomic():
+            self.scene = Scene(self.server, robot, drawn)
+            for window in self.windows.values():
+                window.mount(robot, drawn, self._view(window.view.seat.token))
+        self._draw()
+        for seat in self.seats.values():
+            if seat.lesson:
+                self.post(lesson.load(seat.lesson).steps[seat.step].setup)
+
+    def _drain(self) -> None:
+        """Apply every wish in the inbox and show at once what they changed; the arm itself moves in ticks."""
+        self._woken = False
+        self._apply()
+        if self._drawn is None or self._drawn.problem is not self.state.problem:
+            self._draw()
+        else:
+            self._draw_windows()
+
+    def _apply(self) -> None:
+        while self.inbox:
+            self.state = self._tried(self.inbox.popleft(), lambda state: state)
+
+    def _tried(self, update: Update, otherwise: Update) -> State:
+        """What an update makes of the state; when it fails, another one and a notice, with the reason in the log."""
+        try:
+            return update(self.state)
+        except Exception:
+            log.exception("an update failed and was skipped")
+            return replace(otherwise(self.state), notice=FAILED)
+
+    def _tick(self) -> None:
+        """One hundredth of a second of the arm; no catching up after a delay."""
+        if not self.ready:
+            return
+        self.next_tick = max(self.next_tick + TICK, self.loop.time())
+        self.loop.call_at(self.next_tick, self._tick)
+        self._apply()
+        self.state = self._tried(lambda state: advance(state, TICK), otherwise=gate.stop())
+        self.ticks += 1
+        if self.ticks % TICKS_PER_FRAME == 0:
+            self._frame()
+
+    def _frame(self) -> None:
+        """Foresee the goal where something changed, draw; check lessons and write words at a fifth of the rate."""
+        if not self.windows:
+            return
+        if leads_elsewhere(self._foreseen, self.state):
+            self.state = foreseen(self.state)
+            self._foreseen = self.state
+        self._draw()
+        self.frames += 1
+        if self.frames % FRAMES_PER_TEXT == 0:
+            self._check_lessons()
+            self._write()
+
+    def _check_lessons(self) -> None:
+        for token, seat in self.seats.items():
+            if seat.lesson:
+                try:
+                    self.seats[token] = lesson.progressed(lesson.load(seat.lesson), self.state, seat)
+                except Exception:
+                    log.exception("the goal of lesson %s failed", seat.lesson)
+                    self.seats[token] = replace(seat, lesson=None)
+
+    def _draw(self) -> None:
+        """Bring scene and windows to the state, as one message to each browser."""
+        with self.server.atomic():
+            self.scene.update(View(self.state, NOBODY))
+            self._drawn = self.state
+            self._draw_windows()
+        self.server.flush()
+
+    def _draw_windows(self) -> None:
+        """Bring what each window has for itself to the state."""
+        for window in self.windows.values():
+            window.draw(self._view(window.view.seat.token))
+
+    def _write(self) -> None:
+        for window in self.windows.values():
+            window.write(self._view(window.view.seat.token))
+        if not self.ready:
+            self._say(self.said)
+
+
+def _seated_at(robot: Robot, seat: Seat) -> Seat:
+    """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
+    stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
+    return replace(seat if stays else lesson.entered(seat, None), selected=None)

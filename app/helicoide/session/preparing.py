@@ -1,0 +1,39 @@
+"""What is run before the arm does, so that nothing is compiled in the middle of a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from helicoide import gate, kernels
+from helicoide.advance import advance, foreseen
+from helicoide.geometry import rigid
+from helicoide.geometry.clifford import CL031
+from helicoide.ik.postures.subspace import project
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.state import State, ToJoints, ToPose, commanded, initial
+
+TICK = 0.01
+
+
+def exercise(robot_name: str = "movemaster") -> State:
+    """Run everything that the loop runs once, so that every kernel is compiled or loaded, for whatever robot."""
+    state = initial(load(robot_name))
+    asked = commanded(state, ToPose(state.T_world_tool))
+    asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
+    asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
+    asked = foreseen(advance(gate.play()(asked), TICK))
+    CL031.sandwich(rigid.motor_from_pose(state.T_world_tool), rigid.point(state.T_world_tool[:3, 3]))
+    return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
+
+
+def compiled(report: Callable[[int], None]) -> None:
+    """Compile every kernel that the loop needs, and report how many are done."""
+    with kernels.counted(report):
+        exercise()
+
+
+def rehearse(robot: Robot) -> None:
+    """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
+    state = initial(robot)
+    project(robot, state.T_world_tool, state.q)

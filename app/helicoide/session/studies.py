@@ -1,0 +1,100 @@
+"""The studies that people run: a process for each run, its progress and its result posted to the desk of the person."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+from typing import Any
+
+from helicoide import studies
+from helicoide.jobs.apart import Apart, Failed, Report
+from helicoide.studies import desk as desks
+from helicoide.studies.desk import EMPTY, Desk, DeskUpdate, Run
+from helicoide.text import HelicoideError, Text
+
+BUSY = Text(
+    en="{n} studies run already: wait until one of them has ended.",
+    pt_BR="Já há {n} estudos em execução: espere um deles terminar.",
+)
+FAILED = Text(en="The study failed; see the terminal.", pt_BR="O estudo falhou; veja o terminal.")
+MOST = 2
+log = logging.getLogger("helicoide")
+
+
+def study(report: Report, name: str, options: Any, short: bool) -> object:
+    """Run a study in a process of its own."""
+    return studies.named(name).run(options, short, report)
+
+
+class Studies:
+    """What each person has before them of the studies, and what runs. Only on the event loop."""
+
+    def __init__(self, write: Callable[[], object]) -> None:
+        self.write = write
+        self._desks: dict[str, Desk] = {}
+        self._running: dict[str, Apart] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    def desk(self, token: str) -> Desk:
+        """What a person has before them."""
+        return self._desks.get(token, EMPTY)
+
+    def redesk(self, token: str, update: DeskUpdate) -> None:
+        """A person wishes something: a run may begin or end by it."""
+        before = self.desk(token)
+        try:
+            after = update(before)
+        except HelicoideError as refusal:
+            after = desks.failed(refusal.text)(before)
+        begins = after.progress is not None and before.progress is None
+        if begins and len(self._running) >= MOST:
+            after = desks.failed(BUSY.format(n=len(self._running)))(after)
+        elif begins:
+            self._begin(token, after)
+        elif after.progress is None and token in self._running:
+            self._running.pop(token).stop()
+        self._put(token, after)
+
+    def forget(self, token: str) -> None:
+        """End what a person runs whose last window is gone; the results stay for when they come back."""
+        if token in self._running:
+            self.redesk(token, desks.end)
+
+    def close(self) -> None:
+        """End everything."""
+        for job in self._running.values():
+            job.stop()
+
+    def _put(self, token: str, desk: Desk) -> None:
+        self._desks[token] = desk
+        self.write()
+
+    def _begin(self, token: str, desk: Desk) -> None:
+        self._running[token] = job = Apart(study, desk.study, desk.chosen(), desk.short)
+        task = asyncio.get_running_loop().create_task(self._follow(token, job, desk))
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    async def _follow(self, token: str, job: Apart, desk: Desk) -> None:
+        """Tell the desk what a run reports, and what it came to, unless it was ended."""
+        loop = asyncio.get_running_loop()
+
+        def tell(update: DeskUpdate) -> None:
+            if self._running.get(token) is job:
+                self._put(token, update(self.desk(token)))
+
+        def listen() -> None:
+            for share in job.progress():
+                loop.call_soon_threadsafe(tell, desks.told(share))
+
+        try:
+            await asyncio.to_thread(listen)
+            run = None if job.result is None else Run(desk.study, desk.chosen(), desk.short, job.result)
+            ended = desks.failed(FAILED) if run is None else desks.done(run)
+        except Failed as failure:
+            log.error("the study %s failed:\n%s", desk.study, failure)
+            ended = desks.failed(FAILED)
+        tell(ended)
+        if self._running.get(token) is job:
+            del self._running[token]

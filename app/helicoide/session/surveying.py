@@ -1,0 +1,98 @@
+"""Clouds of points, from the camera on the arm or from a file, and the planes in them: read in threads."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable, Coroutine
+from typing import Any
+
+import numpy as np
+
+from helicoide import gate
+from helicoide.kinematics.chain import Array
+from helicoide.perception import cloud_file
+from helicoide.perception.camera import DepthCamera, SimulatedCamera
+from helicoide.perception.cloud import Cloud
+from helicoide.perception.tour import NOISE, OUTLIERS, READINGS, Reading, found_in, readings, seen_by
+from helicoide.state import State, ToJoints, Update
+from helicoide.text import HelicoideError, Text
+
+LOOK, STILL, ROOM = 0.05, 1e-3, 20.0
+NOTHING_TO_READ = Text(
+    en="This arm has no postures from which it could read planes.",
+    pt_BR="Este braço não tem posturas das quais possa ler planos.",
+)
+log = logging.getLogger("helicoide")
+
+
+class Surveying:
+    """What measures the room; `state` tells where the arm is, `post` hands on a wish. Only on the event loop."""
+
+    def __init__(self, state: Callable[[], State], post: Callable[[Update], None]) -> None:
+        self.state, self.post = state, post
+        self._task: asyncio.Task[None] | None = None
+
+    def tour(self) -> None:
+        """Go to every posture from which the arm can read a plane, and read it; a wish of anybody's ends the tour."""
+        camera = SimulatedCamera(noise=NOISE, outliers=OUTLIERS, resolution=(160, 90))
+        if not readings(self.state().robot):
+            self.post(gate.say(NOTHING_TO_READ))
+        else:
+            self._begin(self._tour(camera))
+
+    def read(self, name: str, content: bytes, plane: str) -> None:
+        """Look for a plane, by its name, in the cloud of a file."""
+        self._begin(self._from_file(name, content, next(one for one in READINGS if one.name == plane)))
+
+    def _begin(self, work: Coroutine[Any, Any, None]) -> None:
+        if self._task is not None:
+            self._task.cancel()
+        self._task = asyncio.get_running_loop().create_task(self._guarded(work))
+
+    async def _guarded(self, work: Coroutine[Any, Any, None]) -> None:
+        try:
+            await work
+        except HelicoideError as refusal:
+            self.post(gate.say(refusal.text))
+        except Exception:
+            log.exception("a reading failed")
+            self.post(gate.say(FAILED))
+
+    async def _tour(self, camera: DepthCamera) -> None:
+        self.post(gate.clear_planes())
+        for seed, reading in enumerate(readings(self.state().robot)):
+            self.post(gate.go_to(reading.pose))
+            await asyncio.sleep(LOOK)
+            if not await self._arrived(reading.pose):
+                return
+            state = self.state()
+            cloud = await asyncio.to_thread(seen_by, camera, state)
+            await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
+        self.post(gate.get_ready())
+
+    async def _arrived(self, pose: str) -> bool:
+        """Wait until the arm is at a posture; false as soon as it was sent elsewhere, or can come no nearer."""
+        command = self.state().command
+        while self.state().command is command and isinstance(command, ToJoints):
+            state = self.state()
+            if abs(state.q - state.robot.poses[pose]).max() < STILL:
+                return True
+            if state.rested > 1.0 and not state.moving:
+                return False
+            await asyncio.sleep(LOOK)
+        return False
+
+    async def _from_file(self, name: str, content: bytes, reading: Reading) -> None:
+        """Numbers that would be farther than any room, were they metres, are millimetres."""
+        cloud = await asyncio.to_thread(cloud_file.read, name, content)
+        if np.median(np.abs(cloud.points).max(axis=1)) > ROOM:
+            cloud = await asyncio.to_thread(cloud_file.read, name, content, "mm")
+        await self._find(cloud, reading, self.state().T_world_tool[:3, 3], 0)
+
+    async def _find(self, cloud: Cloud, reading: Reading, inside: Array, seed: int) -> None:
+        seen, pane = await asyncio.to_thread(found_in, cloud, reading, inside, seed)
+        self.post(gate.see(reading.name, seen, pane))
+
+
+FAILED = Text(en="The reading failed; see the terminal.", pt_BR="A leitura falhou; veja o terminal.")

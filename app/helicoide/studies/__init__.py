@@ -1,0 +1,35 @@
+"""The experiments of the sources, a file each; `study.Study` says what such a file holds.
+
+What several of them share is in files whose names begin with "_"; these are no studies.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from functools import cache
+from typing import cast
+
+from helicoide.studies.study import Study
+from helicoide.text import HelicoideError, Text
+
+_FRAME = ("desk", "study")
+
+
+@cache
+def names() -> tuple[str, ...]:
+    """The names of all studies: those of their files."""
+    modules = (m.name for m in pkgutil.iter_modules(__path__) if not m.ispkg)
+    return tuple(sorted(name for name in modules if name not in _FRAME and not name.startswith("_")))
+
+
+@cache
+def named(name: str) -> Study:
+    """A study by its name; raises HelicoideError, which lists the names."""
+    if name not in names():
+        raise HelicoideError(
+            Text(
+                en="There is no study {name!r}; there is: {known}.", pt_BR="Não há estudo {name!r}; há: {known}."
+            ).format(name=name, known=", ".join(names()))
+        )
+    return cast(Study, importlib.import_module(f"{__name__}.{name}"))

@@ -1,0 +1,130 @@
+"""Coutinho's simulations and his experiment as they run, step by step, and what their steps come to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+from itertools import islice
+
+import numpy as np
+
+from helicoide.confinement import planes_of
+from helicoide.ik import Limits, Problem
+from helicoide.ik.methods.filtered import Memory
+from helicoide.ik.postures.branch import tool_at
+from helicoide.ik.rcm.constrained import constrained
+from helicoide.ik.rcm.follow import PSEUDOINVERSE, Control, Inverse, Moment, followed, inverse
+from helicoide.ik.rcm.passage import Passage, through
+from helicoide.ik.rcm.paths import PATHS
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.studies.study import Progress
+
+ROBOT = "dia10"
+LINK, DEPTH = 6, 0.15
+# Chosen, since the source gives none: with them the tool stands where table 4.2 has it.
+START = frozen([0.731912, -0.229593, -1.110216, -1.636104, 0.676517, 1.117805, -0.616407, 1.5708])
+E1_START = frozen([*START[:6], np.pi / 4, -np.pi / 2])
+STRIDE = 0.5  # of the figures that are taken less often, s
+
+DLS = inverse("damped", damping=0.05)
+FILTERED = inverse("filtered_modified", gain=5.0)
+# κ = 0.05 (1 − w/0.1)² of eq. 3.44, squared in eq. 3.43
+VARIABLE = inverse("damped_by_manipulability", damping=0.05**2, threshold=0.1, exponent="4")
+
+Run = Mapping[str, Array]
+
+
+def problem_of(robot: Robot, scale: float = 1.0) -> Problem:
+    """An arm without planes; ℓ = 1 m leaves the source's metres as they are."""
+    return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes), scale=scale)
+
+
+@cache
+def dia10() -> Robot:
+    """The source's arm: the torso and the right arm of the Motoman DIA10."""
+    return load(ROBOT)
+
+
+def entry_on(robot: Robot, q: Array, outside: float, link: int = LINK) -> Array:
+    """A point on the shaft of a link at a depth l_a, m: (3,), m."""
+    T = link_poses(robot.chain, q)[link] @ through(robot, link).T_link_shaft
+    return np.asarray(T[:3, 3] + outside * T[:3, 1])
+
+
+def angle_deg(error: Array) -> float:
+    """The angle of an error (e_p, ε̃), degrees."""
+    return float(np.degrees(2 * np.arcsin(np.linalg.norm(error[3:]))))
+
+
+def control(
+    entry: float = 0.0,
+    of_tool: Inverse = PSEUDOINVERSE,
+    of_arm: Inverse = PSEUDOINVERSE,
+    position: float = 5.0,
+    orientation: float = 10.0,
+) -> Control:
+    """The source's basis and gains, with drift feedback Kr = entry, 1/s."""
+    return Control(of_tool, of_arm, position, orientation, entry, "source")
+
+
+def _figures(moment: Moment) -> dict[str, float]:
+    place = moment.at.place
+    return {
+        "t": moment.t,
+        "tip_mm": 1e3 * float(np.linalg.norm(moment.error[:3])),
+        "angle_deg": angle_deg(moment.error),
+        "lateral_mm": 1e3 * float(np.linalg.norm(place.lateral)),
+        "slip_mm_s": 1e3 * float(np.abs(moment.entry_slip).max()),
+        "q7": float(moment.q[6]),
+        "outside": place.outside,
+        "inside": place.inside,
+        "rate": float(np.abs(moment.rates).max()),
+    }
+
+
+def measured(moments: Iterator[Moment], steps: int, dt: float, progress: Progress) -> Run:
+    """The figures of so many steps, a column each; q (k, n), w_r and w_i every half second, at the times t_w, s."""
+    rows, seldom, stride = [], [], round(STRIDE / dt)
+    for step, moment in enumerate(islice(moments, steps)):
+        rows.append(_figures(moment))
+        if step % stride == 0:
+            seldom.append((moment.t, moment.q, moment.at.of_tool.w, moment.at.of_arm.w))
+            progress((step + 1) / steps)
+    t_w, q, w_r, w_i = (np.array(column) for column in zip(*seldom, strict=True))
+    columns = {key: np.array([row[key] for row in rows]) for key in rows[0]}
+    return {**columns, "t_w": t_w, "q": q, "w_r": w_r, "w_i": w_i}
+
+
+def moments(name: str, control: Control, dt: float, start: Array = START) -> Iterator[Moment]:
+    """The steps along a path of the source, from l_a = 0.15 m. dt, s."""
+    robot, path = dia10(), PATHS[name]
+    problem, passage = problem_of(robot), through(robot, LINK, path.across)
+    entry = entry_on(robot, start, DEPTH)
+    memory = first_memory(problem, passage, control, start, entry)
+    return followed(problem, passage, control, path.wished(tool_at(robot, start)), start, entry, dt, memory)
+
+
+def first_memory(
+    problem: Problem, passage: Passage, control: Control, start: Array, entry: Array
+) -> tuple[Memory | None, None]:
+    """What the two inverses begin with: a filtered one with Θ = J^r†. Args: start (n,), rad; entry (3,), m."""
+    if control.of_tool.method.REMEMBERS is None:
+        return None, None
+    J = constrained(problem, passage, start, entry, control.basis).J
+    return Memory(np.asarray(np.linalg.pinv(J), dtype=np.float64)), None
+
+
+def run(
+    name: str,
+    control: Control,
+    dt: float,
+    start: Array = START,
+    seconds: float | None = None,
+    progress: Progress = lambda share: None,
+) -> Run:
+    """What the steps of a run along a path of the source measured: for so many seconds, or all of it."""
+    steps = round((seconds or PATHS[name].duration) / dt) + 1
+    return measured(moments(name, control, dt, start), steps, dt, progress)

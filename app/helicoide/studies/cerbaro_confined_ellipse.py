@@ -1,0 +1,38 @@
+"""The first path of chapter 6: an ellipse that starts nearest the base."""
+
+from __future__ import annotations
+
+from helicoide.studies.cerbaro_runs import chapter6
+from helicoide.studies.cerbaro_runs.chapter6 import Options, Told
+from helicoide.studies.cerbaro_runs.confined import ELLIPSE
+from helicoide.studies.study import Progress, Result
+from helicoide.text import Text
+
+TITLE = Text(en="Confined: the ellipse", pt_BR="Confinado: a elipse")
+SOURCE = "Cerbaro 2022, §6.1–6.2.2, eqs. 31, 33, 36, 37, figs. 47–52"
+ROBOT = "movemaster"
+ABOUT = Text(
+    en="The tool is to run round an ellipse that leads past walls, ceiling and bench of a foam enclosure. Targets give "
+    "way wherever a joint or the tool comes near a plane: by the source’s rules, read in several ways, and by the "
+    "guarded step of this lab, which keeps nearer to the path.",
+    pt_BR="O efetuador deve percorrer uma elipse que passa perto de paredes, teto e bancada de um recinto de espuma. O "
+    "alvo cede onde uma junta ou o efetuador se aproxima de um plano: pelas regras da fonte, lidas de várias maneiras, "
+    "e pelo passo guardado deste laboratório, que se afasta menos do caminho.",
+)
+TOLD = Told(
+    untouched=(17.4, 27.5, 30.0),
+    ceiling=((83.1, 125.2), (85.7, 119.1), (85.9, 118.6)),
+    planes={2: (85.7, 118.9, 109.9, 110.0), 3: (85.9, 118.5, 109.9, 110.0)},
+    deviation={2: 113.0, 3: 112.0},
+    turned_down=317,
+    undamped=63.0,
+    ceiling_deviation=107.0,
+)
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """Three cases by the source's rules, read in several ways, and the guarded step beside them."""
+    return chapter6.study(ELLIPSE, TOLD, options, short, progress)
+
+
+__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]

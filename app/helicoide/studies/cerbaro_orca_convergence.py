@@ -1,0 +1,39 @@
+"""The ORCA from home to its target, a constant share of the error a step."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from helicoide.ik.method import Quantity
+from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs.convergence import Coming, result
+from helicoide.studies.study import Progress, Result
+from helicoide.text import Text
+
+TITLE = Text(en="Convergence of the ORCA", pt_BR="Convergência do ORCA")
+SOURCE = "Cerbaro 2022, §4.4.3, demonstration 1, fig. 30"
+ROBOT = "orca"
+ABOUT = Text(
+    en="From home the arm is to come to (260, 180) mm with its gripper level. Each step goes a constant share of the "
+    "way that the Jacobian shows; the larger the share, the fewer the steps, as long as the arm bends little.",
+    pt_BR="Da origem o braço deve chegar a (260, 180) mm com a garra nivelada. Cada passo percorre uma fração "
+    "constante do caminho que o jacobiano indica; quanto maior a fração, menos passos, enquanto o braço se dobra pouco "
+    "no trajeto.",
+)
+TARGET = (0.26, 0.18)
+
+
+@dataclass(frozen=True)
+class Options:
+    """factor: κ, which the source does not give; 0.55 to 0.57 come to its count."""
+
+    factor: Annotated[float, Quantity(Text(en="step factor κ", pt_BR="fator de passo κ"), 0.1, 1.0)] = 0.55
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """Newton's steps (λ = 0) to 1 mm and 0.01 rad; the short form is the whole."""
+    orca = arms.orca()
+    aiming = arms.with_heading(orca, arms.standing(*TARGET))
+    counts = {0.5: 8, 0.55: 7, 0.57: 7, 1.0: 3}
+    return result(Coming(orca, aiming, 7, counts, (-0.7608, 130.9822, -130.2214), 4), options.factor, 0.0)

@@ -1,0 +1,110 @@
+"""The two arms of Cerbaro 2022 and what they aim at: rows in mm, so that λ and K are those of the source."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from helicoide.confinement import planes_of
+from helicoide.ik import Limits, Problem, methods, objectives
+from helicoide.ik.clik import Aim, Aiming, tool_aim
+from helicoide.ik.converge import Tolerance, by_method, converged, still
+from helicoide.ik.method import Method
+from helicoide.ik.secondary import Chosen
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.library import load
+from helicoide.trajectory import Ellipse
+
+MM = 1e-3
+WAIST = np.radians(100)
+
+Path = Callable[[float], tuple[Array, Array]]
+
+
+def orca() -> Problem:
+    """The ORCA without planes; its limits are ours (digest D1)."""
+    robot = load("orca")
+    return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()), scale=MM)
+
+
+def movemaster() -> Problem:
+    """The Movemaster without planes and with the limits of table 3, ±100° at the waist (digest D8)."""
+    robot = load("movemaster")
+    lower, upper = robot.lower.copy(), robot.upper.copy()
+    lower[0], upper[0] = -WAIST, WAIST
+    return Problem(robot, Limits(lower, upper, robot.speed), planes_of(()), scale=MM)
+
+
+def inverse(damping: float) -> tuple[Method, Any]:
+    """Damped least squares with λ in mm/rad, or the pseudoinverse where that is 0, each with its options."""
+    method = methods.named("damped" if damping > 0 else "pseudoinverse")
+    return method, method.Options(damping) if damping > 0 else method.Options()
+
+
+def limit_distance() -> Chosen:
+    """The joints away from their limits (Cerbaro 2022, eqs. 12 and 14)."""
+    objective = objectives.named("limit_distance")
+    return [(objective, objective.Options())]
+
+
+def standing(x: float, y: float, z: float = 0.0) -> Path:
+    """A point, m, that stands still."""
+    return lambda t: (np.array([x, y, z]), np.zeros(3))
+
+
+def along(ellipse: Ellipse) -> Path:
+    """A point that runs along an ellipse."""
+    return lambda t: (ellipse.point(t), ellipse.velocity(t))
+
+
+def position(problem: Problem, path: Path, rows: int = 3) -> Aiming:
+    """The tool's position along a path: three rows, or two for an arm in a plane."""
+    T = np.eye(4)
+
+    def aim(q: Array, t: float) -> Aim:
+        T[:3, 3], velocity = path(t)
+        ahead = np.append(velocity, np.zeros(3))
+        whole = tool_aim(problem, link_poses(problem.robot.chain, q), T, False, ahead)
+        return Aim(whole.J[:rows], whole.error[:rows], whole.ahead[:rows])
+
+    return aim
+
+
+def with_heading(problem: Problem, path: Path, phi: float = 0.0) -> Aiming:
+    """The position of an arm in a plane and its φ = q₁ + q₂ + q₃, rad; the third row is zero."""
+    plain = position(problem, path)
+
+    def aim(q: Array, t: float) -> Aim:
+        three = plain(q, t)
+        return Aim(np.vstack([three.J, [1, 1, 1]]), np.append(three.error, phi - q.sum()), np.append(three.ahead, 0))
+
+    return aim
+
+
+def with_pitch_and_roll(problem: Problem, path: Path, pitch: float, roll: float = 0.0) -> Aiming:
+    """Position, pitch q₂ + q₃ + q₄ and roll q₅ of the Movemaster, rad; source: digest §1.2 and §3.3."""
+    plain = position(problem, path)
+
+    def aim(q: Array, t: float) -> Aim:
+        three = plain(q, t)
+        J = np.vstack([three.J, [0, 1, 1, 1, 0], [0, 0, 0, 0, 1]])
+        error = np.append(three.error, [pitch - q[1:4].sum(), roll - q[4]])
+        return Aim(J, error, np.append(three.ahead, [0, 0]))
+
+    return aim
+
+
+def start_at(problem: Problem, aiming: Aiming, q: Array) -> Array:
+    """The posture of an aim to rounding, by Newton's steps from q (n,)."""
+    newton = by_method(problem, *inverse(0.0), 1.0)
+    report = converged(problem, newton, still(aiming, 0.0), q, Tolerance(1e-12, 1e-12))
+    assert report.reached
+    return report.q
+
+
+def tool(problem: Problem, q: Array) -> Array:
+    """Where the tool is at q (n,): (3,), m."""
+    return np.asarray((link_poses(problem.robot.chain, q)[-1] @ problem.robot.T_link_tool)[:3, 3])

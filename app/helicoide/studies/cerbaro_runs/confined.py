@@ -1,0 +1,165 @@
+"""Chapter 6 of Cerbaro 2022: three paths in a foam enclosure, each in three cases, by the source's rules or guarded.
+
+Case 1 holds the orientation (five tasks, no freedom left); case 2 leaves it free and keeps off the joint limits by one
+gain; case 3 by the gains of Algorithm 1, which grow.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from helicoide.advance import advance
+from helicoide.confinement import planes_of
+from helicoide.ik import Limits, Problem, limit_gains, objectives
+from helicoide.ik.adaptation import Rule, Track, adapted, nearest, trimmed
+from helicoide.ik.clik import Aiming
+from helicoide.ik.converge import Run, Tolerance, by_method, converged
+from helicoide.ik.drive import Drive, Secondary
+from helicoide.ik.limit_gains import Memory
+from helicoide.ik.secondary import push
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.library import load
+from helicoide.state import Along, State, commanded, initial
+from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.study import Progress
+from helicoide.trajectory import EQ_33, Ellipse
+
+ELLIPSE = EQ_33
+# Eq. 34 prints 500 mm for the last radius, which its own end points contradict (E14).
+LINE = Ellipse(centre=(0.55, 0.0, 0.23), radii=(0.0, 0.25, 0.05), pitch=0.0, roll=np.pi / 2)
+CIRCLE = Ellipse(centre=(0.48, 0.1, 0.2), radii=(0.22, 0.22, 0.0), pitch=-1.2217, roll=0.5236)
+
+CEILING, WALLS_AND_BENCH = 0, (1, 2, 3)
+SAMPLES, SAMPLES_SHORT = 601, 121
+TICK, LONGEST = 0.01, 90.0
+DT = 1e-3
+
+
+@dataclass(frozen=True)
+class Gains:
+    """What the source does not give (D7): k₀; κ, the step factor; tolerance, m; λ, mm/rad."""
+
+    k0: float
+    factor: float
+    tolerance: float
+    damping: float = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A run along a path: desired points (k, 3), m, and what came of them; q, tool, near as in `Track`."""
+
+    desired: Array
+    trimmed: Array
+    q: Array
+    tool: Array
+    near: Array
+    errors: Array
+    moved: Array
+    gains: Array
+
+    @property
+    def least(self) -> Array:
+        """Least distance to each plane, mm."""
+        return np.asarray(1000 * self.near.min(axis=0))
+
+    @property
+    def deviation(self) -> float:
+        """Mean distance of the tool from the desired path's point, mm."""
+        return float(1000 * np.linalg.norm(self.tool - self.desired, axis=1).mean())
+
+
+def confined() -> Problem:
+    """The Movemaster in the measured enclosure, ±90° at the waist, rows in mm."""
+    robot = load("movemaster")
+    return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes), scale=arms.MM)
+
+
+def source_rule() -> Rule:
+    """As in the source but for eq. 36: the ceiling alone is watched, and a warning forbids to rise."""
+    return Rule((CEILING,), level=True)
+
+
+def margins(problem: Problem, q: Array) -> Array:
+    """How far each joint stays from its nearer limit at worst, degrees, (n,); negative beyond it."""
+    lower, upper = problem.limits.lower, problem.limits.upper
+    return np.asarray(np.degrees(np.minimum(q - lower, upper - q).min(axis=0)))
+
+
+def solver(problem: Problem, case: int, gains: Gains) -> Run:
+    """The inverse kinematics of a case: damped least squares, the objective and Algorithm 1 where the case has them."""
+    method, options = arms.inverse(gains.damping)
+    if case == 1:
+        return by_method(problem, method, options, gains.factor)
+    chosen = arms.limit_distance()
+    if case == 2:
+        return by_method(problem, method, options, gains.factor, push(problem, chosen, gains.k0), DT)
+    first = Memory(np.full(len(problem.limits.lower), gains.k0))
+    return lambda aiming, q, memory: limit_gains.followed(
+        problem, method, options, aiming, gains.factor / DT, chosen, memory or first, q, DT
+    )
+
+
+def aim_of(problem: Problem, case: int, path: Ellipse, target: Array) -> Aiming:
+    """What a case aims at for a target (3,), m."""
+    point = arms.standing(*target)
+    if case == 1:
+        return arms.with_pitch_and_roll(problem, point, path.pitch, path.roll)
+    return arms.position(problem, point)
+
+
+def desired(path: Ellipse, samples: int) -> Array:
+    """Points of one turn, both ends among them, (k, 3), m."""
+    return np.array([path.point(s) for s in np.linspace(0, path.period, samples)])
+
+
+def by_rule(path: Ellipse, case: int, gains: Gains, rule: Rule, samples: int, progress: Progress) -> Course:
+    """The source's experiment: from home to the first point, then along the path, which gives way to planes."""
+    problem = confined()
+    run, aimed = solver(problem, case, gains), partial(aim_of, problem, case, path)
+    points = desired(path, samples)
+    targets = trimmed(points, problem.planes, WALLS_AND_BENCH, problem.zones.warning)
+    tolerance = Tolerance(gains.tolerance)
+    begin = converged(problem, run, aimed(targets[0]), problem.robot.poses["home"], tolerance)
+    track = adapted(problem, run, aimed, targets, begin.q, rule, tolerance, memory=begin.memory, progress=progress)
+    return _course(problem, points, targets, track, gains)
+
+
+def _course(problem: Problem, points: Array, targets: Array, track: Track, gains: Gains) -> Course:
+    tool = np.array([arms.tool(problem, q) for q in track.q])
+    grown = track.memory.gains if isinstance(track.memory, Memory) else np.full(track.q.shape[1], gains.k0)
+    return Course(points, targets, track.q, tool, track.near, track.errors, track.moved, grown)
+
+
+def guarded(path: Ellipse, k0: float, seconds: float, progress: Progress) -> Course:
+    """The same path as the page drives it: the guarded step, with the objective in a level below the task.
+
+    Joint limits are hard rows there. No joint is ever beyond one, Algorithm 1 has nothing to clip, and cases 2 and 3
+    are one. Args: k0, 1/s; seconds: along the path, from its start on.
+    """
+    state, turn = _on_the_path(path, k0), round(seconds / TICK)
+    points, q, near = [], [], []
+    for step in range(turn):
+        state = advance(state, TICK)
+        points.append(path.point(state.path_s))
+        q.append(state.q)
+        near.append(nearest(state.problem, state.q.copy()))
+        progress((step + 1) / turn)
+    wished, tool = np.array(points), np.array([arms.tool(state.problem, one) for one in q])
+    errors = np.linalg.norm(tool - wished, axis=1)
+    return Course(wished, wished, np.array(q), tool, np.array(near), errors, np.zeros(turn), np.full(5, k0))
+
+
+def _on_the_path(path: Ellipse, k0: float) -> State:
+    """The page's state with the arm where the path begins, or as near to it as the planes let it come."""
+    state = initial(load("movemaster"))
+    drive = Drive(secondary=Secondary("limit_distance", objectives.named("limit_distance").Options(), k0))
+    state = commanded(replace(state, drive=drive, with_orientation=False), Along(path, 0.0, playing=True))
+    for _ in range(round(LONGEST / TICK)):
+        if isinstance(state.command, Along) and state.command.arrived:
+            break
+        state = advance(state, TICK)
+    return state

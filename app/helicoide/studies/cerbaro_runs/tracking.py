@@ -1,0 +1,77 @@
+"""Demonstrations 2 and 3 of Cerbaro 2022, §4.4.3–4.4.4: one turn round a closed path in 60 s, in steps of 1 ms.
+
+In short form the steps are ten times as long, with the same Λ Δt: errors of Euler's rule then grow a hundredfold.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.ik import limit_gains
+from helicoide.ik.clik import followed
+from helicoide.ik.limit_gains import Memory
+from helicoide.ik.secondary import push
+from helicoide.kinematics.chain import Array
+from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs.runs import Run, ran
+from helicoide.studies.study import Progress
+from helicoide.trajectory import Ellipse
+
+DT, DT_SHORT, TURN = 1e-3, 1e-2, 60.0
+CIRCLE = Ellipse(centre=(0.36, 0.18, 0), radii=(0.1, 0.1, 0), pitch=0, roll=0, period=TURN)
+ELLIPSE = Ellipse(centre=(0.52, 0, 0.2), radii=(0.08, 0.08, 0.05), pitch=-np.pi / 3, roll=0, period=TURN)
+DAMPING = 0.1
+
+
+def nothing(share: float) -> None:
+    """A progress that nobody hears."""
+
+
+def circle(dt: float, place: float, turn: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
+    """The ORCA round its circle with its heading held. Args: place, turn: Λ of position and of heading, times Δt."""
+    orca = arms.orca()
+    aiming = arms.with_heading(orca, arms.along(CIRCLE))
+    q = arms.start_at(orca, aiming, orca.robot.poses["home"])
+    gains = np.array([place, place, place, turn]) / dt
+    return ran(followed(orca, *arms.inverse(0.0), aiming, gains, q, dt), seconds, progress)
+
+
+def ellipse(dt: float, place: float, turn: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
+    """The Movemaster round its ellipse with pitch and roll held. Args as in `circle`."""
+    movemaster = arms.movemaster()
+    aiming = arms.with_pitch_and_roll(movemaster, arms.along(ELLIPSE), ELLIPSE.pitch)
+    q = arms.start_at(movemaster, aiming, movemaster.robot.poses["home"])
+    gains = np.array([place] * 3 + [turn] * 2) / dt
+    return ran(followed(movemaster, *arms.inverse(DAMPING), aiming, gains, q, dt), seconds, progress)
+
+
+def free_circle(k0: float, dt: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
+    """The ORCA round its circle, its heading free, the joints off their limits by k₀, 1/s."""
+    orca = arms.orca()
+    q = arms.start_at(orca, arms.with_heading(orca, arms.along(CIRCLE)), orca.robot.poses["home"])
+    pushed = push(orca, arms.limit_distance(), k0)
+    aiming = arms.position(orca, arms.along(CIRCLE))
+    return ran(followed(orca, *arms.inverse(0.0), aiming, 0.8 / dt, q, dt, pushed), seconds, progress)
+
+
+def start_of_ellipse(pitch_deg: float = -60.0) -> Array:
+    """The posture at (440, 0, 200) mm; −60° is the source's, outside the limits; −68.2° has J3 at −119.91°."""
+    movemaster = arms.movemaster()
+    point = arms.standing(*ELLIPSE.point(0.0))
+    aiming = arms.with_pitch_and_roll(movemaster, point, np.radians(pitch_deg))
+    return arms.start_at(movemaster, aiming, movemaster.robot.poses["ready"])
+
+
+def free_ellipse(
+    q: Array, k0: float, dt: float, grows: bool, progress: Progress = nothing, seconds: float = TURN
+) -> Run:
+    """The Movemaster round its ellipse from q (5,), orientation free, by one k₀, 1/s, or by Algorithm 1 (grows)."""
+    movemaster, chosen = arms.movemaster(), arms.limit_distance()
+    aiming, gain = arms.position(movemaster, arms.along(ELLIPSE)), 1.8 / dt
+    method, options = arms.inverse(DAMPING)
+    if not grows:
+        pushed = push(movemaster, chosen, k0)
+        return ran(followed(movemaster, method, options, aiming, gain, q, dt, pushed), seconds, progress)
+    memory = Memory(np.full(5, k0))
+    moments = limit_gains.followed(movemaster, method, options, aiming, gain, chosen, memory, q, dt)
+    return ran(moments, seconds, progress)

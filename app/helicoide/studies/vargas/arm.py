@@ -1,0 +1,88 @@
+"""Sims. 10 to 13 of Vargas 2013: the position of the Zebra-ZERO by three joints, in cm, λ = 2, from Θ = 0."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.studies.study import Chart, Progress, Result, Row
+from helicoide.studies.vargas.arms import REACH, zebra_arm
+from helicoide.studies.vargas.paths import Path, path_8, places
+from helicoide.studies.vargas.runs import IN_SPACE, Instants, Run, Way, compared, sizes, tracking, way
+from helicoide.studies.vargas.table import errors_chart, figures_chart, rates_chart, titled, w_chart, zebra_motion
+from helicoide.text import Text
+
+DAMPED: dict[str, Any] = {"damping": 300.0, "threshold": 1e3}
+DAMPING = way("damped_by_manipulability", **DAMPED)
+SQUARED = way("damped_by_manipulability", "(1 − w/w₀)²", **DAMPED, exponent="2")
+PSEUDOINVERSE = way("pseudoinverse")
+
+
+def followers(
+    path: Path, start: Array, ways: Mapping[str, Way], dt: float, seconds: float, progress: Progress
+) -> dict[str, Run]:
+    """A run of each method along a trajectory."""
+    arm = zebra_arm()
+    return compared(arm, ways, tracking(arm, path, IN_SPACE), 2.0, start, dt, seconds, progress)
+
+
+def result(
+    rows: list[Row], ways: Mapping[str, Way], runs: Mapping[str, Run], shown: str, more: tuple[Chart, ...] = ()
+) -> Result:
+    """Rows; charts of errors, joint rates, w, V_c of the filtered inverses, δ of the damped ones; the motion of one."""
+    filtered = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("filtered")}
+    damped = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("damped")}
+    charts = [
+        errors_chart(titled(ways, runs), "cm"),
+        *(rates_chart(run, ways[key].title) for key, run in runs.items() if key in (shown, "damping")),
+        w_chart(titled(ways, runs), "cm³"),
+        figures_chart(Text(en="inversion error of Θ", pt_BR="erro de inversão de Θ"), "V_c", filtered),
+    ]
+    if damped:
+        charts.append(figures_chart(Text(en="damping", pt_BR="amortecimento"), "δ", damped, "cm²"))
+    return Result(tuple(rows), (*charts, *more), zebra_motion(runs[shown]))
+
+
+# Sims. 12 and 13: trajectory 8 leaves the workspace.
+
+
+def effector(run: Run) -> Array:
+    """Where the effector is on trajectory 8, (k, 3), cm: p = p_d − e."""
+    return np.asarray(places(path_8, run.t) - run.e)
+
+
+def unreachable(t: Array) -> Instants:
+    """When trajectory 8 is outside the workspace, (k,)."""
+    return np.asarray(sizes(places(path_8, t)) > REACH)
+
+
+def dips(run: Run) -> tuple[Array, Array]:
+    """When, and how far, cm, the effector draws back from the border of the workspace while trajectory 8 is beyond it.
+
+    Dips of less than 1e-3 cm do not count.
+    """
+    outside = (run.t > 11.41) & (run.t < 13.2)
+    depth = REACH - sizes(effector(run)[outside])
+    inner = np.flatnonzero((depth[1:-1] > depth[:-2]) & (depth[1:-1] >= depth[2:]) & (depth[1:-1] > 1e-3)) + 1
+    return run.t[outside][inner], depth[inner]
+
+
+def hertz(run: Run) -> float:
+    """How often a second the elbow swings there: it passes the stretched arm twice in a period."""
+    return float(0.5 / np.diff(dips(run)[0][:4]).mean())
+
+
+def off_the_border(run: Run) -> float:
+    """The largest distance, cm, from the point of the border that is nearest to trajectory 8, while that is beyond."""
+    outside = (run.t > 11.6) & (run.t < 13.6)
+    wished = places(path_8, run.t[outside])
+    return float(sizes(effector(run)[outside] - REACH * wished / sizes(wished)[:, None]).max())
+
+
+def re_entry(run: Run) -> tuple[float, float, float]:
+    """‖e‖, cm, a quarter, half and a whole second after trajectory 8 has come back at 13.73 s."""
+    quarter, half, whole = (float(np.interp(13.73 + after, run.t, run.size)) for after in (0.25, 0.5, 1.0))
+    return quarter, half, whole

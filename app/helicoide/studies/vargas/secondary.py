@@ -1,0 +1,75 @@
+"""Vargas 2013, §4.7: the planar arm by the modified law with one row more, Λ = 5 I, and what is measured there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from helicoide.ik import objectives
+from helicoide.ik.arm_points import along_links
+from helicoide.ik.clik import Aiming
+from helicoide.ik.secondary import Chosen, augmented
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
+from helicoide.studies.study import Progress
+from helicoide.studies.vargas.arms import planar
+from helicoide.studies.vargas.paths import Path, path_5, places
+from helicoide.studies.vargas.runs import IN_PLANE, Run, record, tracking, way
+from helicoide.text import Text
+
+SECONDS = 32.0
+MODIFIED = "filtered_modified"
+ASSUMED = Text(en="link lengths 2, 1, 1; start", pt_BR="comprimentos dos elos 2, 1, 1; partida")
+
+
+def silent(share: float) -> None:
+    """Progress that nobody follows."""
+
+
+def chosen(name: str, **options: Any) -> Chosen:
+    """One objective with some of its options."""
+    objective = objectives.named(name)
+    return [(objective, replace(objective.Options(), **options))]
+
+
+def follow(path: Path) -> Aiming:
+    """The planar arm's tool on a trajectory, its angle free."""
+    return tracking(planar(), path, IN_PLANE)
+
+
+def filtered(aiming: Aiming, start: Sequence[float], gain: float, dt: float, progress: Progress, seconds: float) -> Run:
+    """A run of the modified law with its γ."""
+    return record(planar(), way(MODIFIED, gain=gain), aiming, 5.0, start, dt, seconds, progress)
+
+
+def tool(run: Run, path: Path) -> Array:
+    """Where the tool is, (k, 2), m: p = p_d − e."""
+    return np.asarray(places(path, run.t)[:, :2] - run.e[:, :2])
+
+
+def nearest(run: Run, since: float, points: Callable[[float], Array], every: float = 0.05) -> float:
+    """The least distance, m, of forty points on each link from other points at a time, (k, 3), m; seen every 50 ms."""
+    arm, step = planar().robot, max(1, round(every / (run.t[1] - run.t[0])))
+    fine, first = along_links(arm, 40), int(np.argmax(run.t >= since - 1e-9))
+    return min(
+        float(np.linalg.norm(fine.at(link_poses(arm.chain, q))[:, None] - points(t), axis=2).min())
+        for q, t in zip(run.q[first::step], run.t[first::step], strict=True)
+    )
+
+
+def beside_the_links(
+    mu: tuple[float, float], per_link: int, gain: float, dt: float, seconds: float, progress: Progress = silent
+) -> tuple[Run, float]:
+    """Fig. 4.42: trajectory 5 with an obstacle at μ that so many points of each link see; α = 5, 0 points: no term.
+
+    Returns the run, and the least distance of the arm from μ from 3 s on.
+    """
+    aiming = follow(path_5)
+    if per_link:
+        hill = chosen("ellipsoid", x=mu[0], y=mu[1], z=0.0, a=0.2, b=0.2, c=0.2, where="links", per_link=per_link)
+        aiming = augmented(planar(), hill, aiming)
+    run = filtered(aiming, (0.9, -1.2, -0.6), gain, dt, progress, seconds)
+    return run, nearest(run, 3.0, lambda t: np.array([[*mu, 0.0]]))

@@ -1,0 +1,40 @@
+"""Sim. 2 of Vargas 2013: position alone, by the pseudoinverse of a planar arm that has a joint to spare."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from helicoide.studies.study import Progress, Result
+from helicoide.studies.vargas.arms import planar
+from helicoide.studies.vargas.decay import decays
+from helicoide.studies.vargas.paths import path_1
+from helicoide.studies.vargas.runs import IN_PLANE, tracking, way
+from helicoide.studies.vargas.table import Gain, Sheet, Step, is_changed
+from helicoide.text import Text
+
+TITLE = Text(en="Simulation 2: a joint to spare", pt_BR="Simulação 2: uma junta de sobra")
+SOURCE = "Vargas 2013, §2.4, sim. 2, figs. 2.9–2.10"
+ABOUT = Text(
+    en="""The same path as in simulation 1, but the angle of the tool is free: three joints for two coordinates. The \
+error fades as before, and of all motions that do it the pseudoinverse takes the smallest. Compare its fastest joint \
+with that of simulation 1, which is three times faster.""",
+    pt_BR="""O mesmo caminho da simulação 1, mas o ângulo do efetuador está livre: três juntas para duas coordenadas. \
+O erro se apaga como antes e, de todos os movimentos que o fazem, a pseudoinversa escolhe o menor. Compare a junta \
+mais rápida com a da simulação 1, três vezes mais veloz.""",
+)
+ROBOT = "planar3r"
+
+
+@dataclass(frozen=True)
+class Options:
+    """gain: γ of the filtered inverse beside the pseudoinverse; dt, s."""
+
+    gain: Gain = 5.0
+    dt: Step = 1e-3
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """The pseudoinverse with λ = 1 and 2, and the filtered inverse."""
+    aiming = tracking(planar(), path_1, IN_PLANE)
+    dt, sheet = max(options.dt, 2e-3) if short else options.dt, Sheet(short, is_changed(options))
+    return decays(aiming, way("pseudoinverse"), ("2.86", "1.69"), options.gain, dt, sheet, progress)

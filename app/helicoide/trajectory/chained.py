@@ -1,0 +1,152 @@
+"""Paths one after another, and the polyline through taught poses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from helicoide.geometry import rotation
+from helicoide.kinematics.chain import Array
+from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.path import JointPath, Path
+from helicoide.trajectory.straight import Line, Screw
+
+# Where one path ends and the next begins may differ by this much, m, rad, or an entry of a pose.
+MEETS = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Paths of the target one after another; `chain` makes one of paths that meet."""
+
+    paths: tuple[Path, ...]
+
+    @cached_property
+    def starts(self) -> Array:
+        """When each path begins, and the last ends, (k + 1,), s."""
+        return _starts(self.paths)
+
+    @property
+    def duration(self) -> float:
+        """All of them together, s."""
+        return float(self.starts[-1])
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the last ends where the first begins."""
+        return bool(np.abs(self.pose(self.duration) - self.pose(0.0)).max() <= MEETS)
+
+    def pose(self, s: float) -> Array:
+        """T_world_target (4, 4), m."""
+        i = _running(self.starts, s)
+        return self.paths[i].pose(s - self.starts[i])
+
+    def twist(self, s: float) -> Array:
+        """(v, ω) of the target's point (6,), m/s and rad/s, world axes; at a corner that of what follows."""
+        i = _running(self.starts, s)
+        return self.paths[i].twist(s - self.starts[i])
+
+
+@dataclass(frozen=True, eq=False)
+class JointChain:
+    """Paths of the joints one after another; `joint_chain` makes one of paths that meet."""
+
+    paths: tuple[JointPath, ...]
+
+    @cached_property
+    def starts(self) -> Array:
+        """When each path begins, and the last ends, (k + 1,), s."""
+        return _starts(self.paths)
+
+    @property
+    def duration(self) -> float:
+        """All of them together, s."""
+        return float(self.starts[-1])
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the last ends where the first begins."""
+        return bool(np.abs(self.q(self.duration) - self.q(0.0)).max() <= MEETS)
+
+    def q(self, s: float) -> Array:
+        """Joint values (n,), rad or m."""
+        i = _running(self.starts, s)
+        return self.paths[i].q(s - self.starts[i])
+
+    def rates(self, s: float) -> Array:
+        """dq/ds (n,), rad/s or m/s; at a corner that of what follows."""
+        i = _running(self.starts, s)
+        return self.paths[i].rates(s - self.starts[i])
+
+
+def _starts(paths: Sequence[Path | JointPath]) -> Array:
+    return np.cumsum([0.0, *(path.duration for path in paths)])
+
+
+def _running(starts: Array, s: float) -> int:
+    """The number of the path that runs at s."""
+    return min(max(int(np.searchsorted(starts, s, side="right")) - 1, 0), len(starts) - 2)
+
+
+def chain(paths: Sequence[Path]) -> Chain:
+    """Paths of the target that meet, one after another; raises HelicoideError where two do not, or without any."""
+    _check([(path.pose(0.0), path.pose(path.duration)) for path in paths])
+    return Chain(tuple(paths))
+
+
+def joint_chain(paths: Sequence[JointPath]) -> JointChain:
+    """Paths of the joints that meet, one after another; raises HelicoideError where two do not, or without any."""
+    _check([(path.q(0.0), path.q(path.duration)) for path in paths])
+    return JointChain(tuple(paths))
+
+
+def _check(ends: list[tuple[Array, Array]]) -> None:
+    if not ends:
+        raise HelicoideError(
+            Text(en="A chain needs at least one path.", pt_BR="Uma cadeia precisa de ao menos uma trajetória.")
+        )
+    for i, ((_, end), (start, _)) in enumerate(pairwise(ends)):
+        gap = float(np.abs(start - end).max())
+        if gap > MEETS:
+            raise HelicoideError(
+                Text(
+                    en="Path {n} must begin where path {before} ends; they are {gap:.3g} apart.",
+                    pt_BR="A trajetória {n} deve começar onde a trajetória {before} termina; estão a {gap:.3g} uma da "
+                    "outra.",
+                ).format(n=i + 2, before=i + 1, gap=gap)
+            )
+
+
+def polyline(poses: Sequence[Array], speed: float, turn_speed: float, kind: type[Line] | type[Screw] = Line) -> Chain:
+    """The way through poses, straight or screw by screw: each piece as fast as the speeds of the tool allow.
+
+    Args: poses T_world_target (4, 4), m, at least two; speed, m/s, of the target's point from pose to pose as the crow
+    flies; turn_speed, rad/s. Poses that repeat the one before add nothing. Raises HelicoideError for fewer than two
+    different poses, or speeds that are not positive.
+    """
+    if not (speed > 0 and turn_speed > 0):
+        raise HelicoideError(
+            Text(
+                en="The speeds of a polyline are positive, not {v:g} m/s and {w:g} rad/s.",
+                pt_BR="As velocidades de uma poligonal são positivas, não {v:g} m/s e {w:g} rad/s.",
+            ).format(v=speed, w=turn_speed)
+        )
+    durations = [max(_apart(a, b) / speed, _turned(a, b) / turn_speed) for a, b in pairwise(poses)]
+    pieces = [kind(a, b, d) for (a, b), d in zip(pairwise(poses), durations, strict=True) if d > 0]
+    if not pieces:
+        raise HelicoideError(
+            Text(en="A polyline needs two different poses.", pt_BR="Uma poligonal precisa de duas poses diferentes.")
+        )
+    return Chain(tuple(pieces))
+
+
+def _apart(a: Array, b: Array) -> float:
+    return float(np.linalg.norm(b[:3, 3] - a[:3, 3]))
+
+
+def _turned(a: Array, b: Array) -> float:
+    return float(np.linalg.norm(rotation.logarithm(a[:3, :3].T @ b[:3, :3])))

@@ -1,0 +1,96 @@
+"""What a path is: the pose of a target, or all joint values, by a parameter in seconds, with exact derivatives."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.kinematics.chain import Array
+from helicoide.text import HelicoideError, Text
+
+# Nodes and weights of Gauss and Legendre on [−1, 1].
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+class Path(Protocol):
+    """A path of the target: its parameter s runs from 0 to `duration`, s."""
+
+    @property
+    def duration(self) -> float:
+        """How long it takes, s."""
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it ends in the pose where it begins."""
+
+    def pose(self, s: float) -> Array:
+        """T_world_target (4, 4), m."""
+
+    def twist(self, s: float) -> Array:
+        """(v, ω) of the target's point, (6,), m/s and rad/s, world axes; at a corner that of what follows."""
+
+
+class JointPath(Protocol):
+    """A path of all joints: its parameter s runs from 0 to `duration`, s."""
+
+    @property
+    def duration(self) -> float:
+        """How long it takes, s."""
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether it ends in the joint values where it begins."""
+
+    def q(self, s: float) -> Array:
+        """Joint values (n,), rad or m."""
+
+    def rates(self, s: float) -> Array:
+        """dq/ds (n,), rad/s or m/s; at a corner that of what follows."""
+
+
+class SmoothJointPath(JointPath, Protocol):
+    """A path of all joints without corners; every function takes any array of parameters (...) and gives (..., n)."""
+
+    @property
+    def knots(self) -> Array:
+        """Where its second derivative may have a kink or a step, ends included, rising, (k,), s."""
+
+    def q(self, s: ArrayLike) -> Array:
+        """Joint values (..., n), rad or m."""
+
+    def rates(self, s: ArrayLike) -> Array:
+        """dq/ds (..., n), rad/s or m/s."""
+
+    def accelerations(self, s: ArrayLike) -> Array:
+        """d²q/ds² (..., n), rad/s² or m/s²."""
+
+
+def placed(path: Path | JointPath, s: float) -> float:
+    """A parameter within the path, s: a closed path is gone round again, an open one is left at its ends."""
+    return s % path.duration if path.is_closed else min(max(s, 0.0), path.duration)
+
+
+def length(path: Path, pieces: int = 64) -> float:
+    """Length of the way of the target's point, m: ∫ ‖v‖ ds, by eight points of Gauss and Legendre in each piece.
+
+    It is exact to rounding where no corner lies inside a piece.
+    """
+    half = path.duration / pieces / 2
+    middles = half * (2 * np.arange(pieces) + 1)
+    speeds = [[np.linalg.norm(path.twist(float(s))[:3]) for s in middle + half * _NODES] for middle in middles]
+    return float(half * np.sum(np.array(speeds) @ _WEIGHTS))
+
+
+def lasting(duration: float) -> float:
+    """The duration, s; raises HelicoideError unless it is a positive number."""
+    if not (isfinite(duration) and duration > 0):
+        raise HelicoideError(
+            Text(
+                en="A path takes a positive number of seconds, not {duration:g}.",
+                pt_BR="Uma trajetória dura um número positivo de segundos, não {duration:g}.",
+            ).format(duration=duration)
+        )
+    return duration

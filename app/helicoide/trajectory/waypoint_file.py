@@ -1,0 +1,107 @@
+"""The file of taught waypoints: TOML that a person can read, and that keeps every number to its last bit."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from typing import Any
+
+import msgspec
+
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.waypoints import Taught, inserted, waypoint
+
+FORMAT = "helicoide waypoints 1"
+HEAD = """\
+# Waypoints taught to a robot arm, in the order in which it visits them.
+# q: joint values, rad, or m where a joint slides; way: joints, line or screw; dwell: how long it stays, s.
+"""
+
+
+class WaypointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """One waypoint."""
+
+    name: str
+    q: tuple[float, ...]
+    way: str = "joints"
+    dwell: float = 0.0
+
+
+class TaughtFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+    """The whole file: whose waypoints they are, by the names of the robot and of its joints."""
+
+    format: str
+    robot: str
+    joints: tuple[str, ...]
+    waypoint: tuple[WaypointFile, ...] = ()
+
+
+def encoded(taught: Taught) -> bytes:
+    """The file of a list of waypoints."""
+    lines = [
+        f"format = {_quoted(FORMAT)}",
+        f"robot = {_quoted(taught.robot.name)}",
+        f"joints = [{', '.join(map(_quoted, _joints(taught.robot)))}]",
+    ]
+    for each in taught.waypoints:
+        lines += [
+            "",
+            "[[waypoint]]",
+            f"name = {_quoted(each.name)}",
+            f"q = [{', '.join(repr(float(value)) for value in each.q)}]",
+            f"way = {_quoted(each.way)}",
+            f"dwell = {float(each.dwell)!r}",
+        ]
+    return (HEAD + "\n".join(lines) + "\n").encode()
+
+
+def _quoted(words: str) -> str:
+    """A basic string of TOML, which quotes as JSON does, and the one control character that JSON leaves."""
+    return json.dumps(words, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _joints(robot: Robot) -> tuple[str, ...]:
+    return tuple(joint.name for joint in robot.variables)
+
+
+def decoded(content: bytes, robot: Robot) -> Taught:
+    """The list of waypoints in a file for an arm; raises HelicoideError for a broken file or that of another robot."""
+    file = _read(content)
+    if file.robot != robot.name:
+        raise HelicoideError(
+            Text(
+                en="These waypoints were taught to {other}, and this robot is {robot}.",
+                pt_BR="Estes pontos foram ensinados ao robô {other}, e este é o {robot}.",
+            ).format(other=file.robot, robot=robot.name)
+        )
+    if file.joints != _joints(robot):
+        raise HelicoideError(
+            Text(
+                en="These waypoints were taught to a {robot} with the joints {theirs}; this one has {ours}.",
+                pt_BR="Estes pontos foram ensinados a um {robot} com as juntas {theirs}; este tem {ours}.",
+            ).format(robot=robot.name, theirs=", ".join(file.joints), ours=", ".join(_joints(robot)))
+        )
+    taught = Taught(robot)
+    for each in file.waypoint:
+        new = waypoint(robot, each.name, each.q, each.way, each.dwell)
+        taught = inserted(taught, len(taught.waypoints), new)
+    return taught
+
+
+def _read(content: bytes) -> TaughtFile:
+    try:
+        table: dict[str, Any] = tomllib.loads(content.decode())
+        found = table.get("format")
+        if found != FORMAT:
+            raise ValueError(f"format must be {FORMAT!r}, not {found!r}")
+        return msgspec.convert(table, TaughtFile)
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError, msgspec.ValidationError, ValueError, RecursionError) as error:
+        raise HelicoideError(
+            Text(
+                en="This is not a file of waypoints, which begins with format, robot and joints and has a "
+                "[[waypoint]] with name and q for each: {error}",
+                pt_BR="Este não é um arquivo de pontos, que começa com format, robot e joints e tem um [[waypoint]] "
+                "com name e q para cada um: {error}",
+            ).format(error=error)
+        ) from error

@@ -1,0 +1,179 @@
+"""Taught waypoints: postures with a name, how to come there and how long to stay; lists of them are never changed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import isfinite
+from types import MappingProxyType
+from typing import Literal, cast
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+
+Way = Literal["joints", "line", "screw"]
+WAYS: Mapping[Way, Text] = MappingProxyType(
+    {
+        "joints": Text(en="all joints evenly", pt_BR="todas as juntas por igual"),
+        "line": Text(en="straight line", pt_BR="linha reta"),
+        "screw": Text(en="a single screw motion", pt_BR="um único movimento helicoidal"),
+    }
+)
+LONGEST_NAME = 60
+LONGEST_DWELL = 3600.0
+# A posture may stand so far outside the limits and the named postures of its arm, rad or m.
+OUTSIDE = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Waypoint:
+    """A taught posture: q (n,), rad or m; way: how to come there from the one before; dwell: how long to stay, s."""
+
+    name: str
+    q: Array
+    way: Way = "joints"
+    dwell: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Taught:
+    """The waypoints of one arm, each name once, in the order in which they are visited."""
+
+    robot: Robot
+    waypoints: tuple[Waypoint, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names in order."""
+        return tuple(waypoint.name for waypoint in self.waypoints)
+
+    def index(self, name: str) -> int:
+        """The place of a waypoint; raises HelicoideError that lists the names there are."""
+        if name not in self.names:
+            raise HelicoideError(
+                Text(
+                    en="There is no waypoint {name!r}; there is: {names}.",
+                    pt_BR="Não há ponto {name!r}; há: {names}.",
+                ).format(name=name, names=_listed(self.names))
+            )
+        return self.names.index(name)
+
+
+def _listed(names: tuple[str, ...]) -> Text:
+    words = ", ".join(names)
+    return Text(en=words, pt_BR=words) if names else Text(en="none yet", pt_BR="nenhum ainda")
+
+
+def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: float = 0.0) -> Waypoint:
+    """A waypoint of an arm; raises HelicoideError for a name, posture, way or time that cannot be one."""
+    if way not in WAYS:
+        raise HelicoideError(
+            Text(
+                en="Waypoint {name!r} cannot be reached by {way!r}; the ways are: {ways}.",
+                pt_BR="Não se chega ao ponto {name!r} por {way!r}; as maneiras são: {ways}.",
+            ).format(name=name, way=way, ways=_ways())
+        )
+    if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
+        raise HelicoideError(
+            Text(
+                en="The arm can stay at waypoint {name!r} for 0 to {most:g} s, not {dwell:g}.",
+                pt_BR="O braço pode ficar no ponto {name!r} de 0 a {most:g} s, não {dwell:g}.",
+            ).format(name=name, most=LONGEST_DWELL, dwell=dwell)
+        )
+    named = _named(name)
+    return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(Way, way), float(dwell))
+
+
+def _ways() -> Text:
+    """The ways with what they mean."""
+    return Text(
+        en=", ".join(f"{way} ({words.en})" for way, words in WAYS.items()),
+        pt_BR=", ".join(f"{way} ({words.pt_BR})" for way, words in WAYS.items()),
+    )
+
+
+def _named(name: str) -> str:
+    if not (name.isprintable() and name == name.strip() and 0 < len(name) <= LONGEST_NAME):
+        raise HelicoideError(
+            Text(
+                en="{name!r} names no waypoint: a name has 1 to {most} visible characters, without blanks around it.",
+                pt_BR="{name!r} não serve de nome: um ponto tem de 1 a {most} caracteres visíveis, sem espaços nas "
+                "pontas.",
+            ).format(name=name, most=LONGEST_NAME)
+        )
+    return name
+
+
+def _within(robot: Robot, name: str, q: Array) -> Array:
+    """The posture, unless it is one that the arm cannot have: outside its limits and beyond its named postures."""
+    reached = np.array([robot.lower, robot.upper, *robot.poses.values()])
+    lower, upper = reached.min(axis=0) - OUTSIDE, reached.max(axis=0) + OUTSIDE
+    if (outside := np.flatnonzero((q < lower) | (q > upper))).size:
+        i = int(outside[0])
+        raise HelicoideError(
+            Text(
+                en="Waypoint {name!r} puts {joint} at {value:.4g} {unit}, which must lie from {low:.4g} to {high:.4g}.",
+                pt_BR="O ponto {name!r} põe {joint} em {value:.4g} {unit}, mas deve ficar de {low:.4g} a {high:.4g}.",
+            ).format(
+                name=name,
+                joint=robot.variables[i].name,
+                value=q[i],
+                unit="m" if robot.variables[i].slides else "rad",
+                low=lower[i],
+                high=upper[i],
+            )
+        )
+    return q
+
+
+def inserted(taught: Taught, at: int, new: Waypoint) -> Taught:
+    """The list with one more before the place `at`, 0 to its length; raises HelicoideError where the name is taken."""
+    _free(taught, new.name)
+    place = _place(at, len(taught.waypoints))
+    return replace(taught, waypoints=(*taught.waypoints[:place], new, *taught.waypoints[place:]))
+
+
+def deleted(taught: Taught, name: str) -> Taught:
+    """The list without a waypoint."""
+    i = taught.index(name)
+    return replace(taught, waypoints=taught.waypoints[:i] + taught.waypoints[i + 1 :])
+
+
+def moved(taught: Taught, name: str, to: int) -> Taught:
+    """The list with a waypoint brought to the place `to`, 0 to its length less one; the others keep their order."""
+    here = taught.waypoints[taught.index(name)]
+    return inserted(deleted(taught, name), to, here)
+
+
+def renamed(taught: Taught, name: str, new: str) -> Taught:
+    """The list with another name for a waypoint."""
+    i = taught.index(name)
+    if new != name:
+        _free(taught, new)
+    changed = replace(taught.waypoints[i], name=_named(new))
+    return replace(taught, waypoints=(*taught.waypoints[:i], changed, *taught.waypoints[i + 1 :]))
+
+
+def _free(taught: Taught, name: str) -> None:
+    if name in taught.names:
+        raise HelicoideError(
+            Text(
+                en="There is a waypoint {name!r} already; taken are: {names}.",
+                pt_BR="Já existe um ponto {name!r}; em uso: {names}.",
+            ).format(name=name, names=_listed(taught.names))
+        )
+
+
+def _place(at: int, last: int) -> int:
+    if not 0 <= at <= last:
+        raise HelicoideError(
+            Text(
+                en="There is no place {at} in the list; the places are 0 to {last}.",
+                pt_BR="Não há lugar {at} na lista; os lugares vão de 0 a {last}.",
+            ).format(at=at, last=last)
+        )
+    return at

@@ -1,0 +1,169 @@
+"""Rows for the planes: where they come from, how near is near, and files of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from viser import Icon
+
+from helicoide import gate
+from helicoide.confinement.plane_file import written
+from helicoide.confinement.zones import LEAST_CRITICAL, LEAST_DEPTH, MOST_CRITICAL, MOST_WARNING
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.perception.tour import READINGS, Reading, readings
+from helicoide.state import Update
+from helicoide.text import Text
+from helicoide.view.rows import (
+    Button,
+    Changing,
+    Entry,
+    Folder,
+    ForArm,
+    ReadCloud,
+    Row,
+    Save,
+    Slider,
+    Tour,
+    Upload,
+    View,
+    Wish,
+    Words,
+)
+
+FILE = "planes.toml"
+NUMBERS = Text(en="Give {n} numbers with blanks between them.", pt_BR="Dê {n} números separados por espaços.")
+
+
+def plane_rows(robot: Robot) -> Folder:
+    """Everything about the planes of an arm."""
+    restore = Text(en="Planes back to the measured ones", pt_BR="Planos de volta aos medidos")
+    tour = Text(en="Measuring tour with the camera", pt_BR="Medir com a câmera: percurso de leitura")
+    rows: list[Row] = [
+        Button(lambda _: restore, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _free, _has(robot.panes)),
+        Button(lambda _: tour, lambda _: Tour(), Icon.CAMERA, _free, _has(readings(robot))),
+        Words(_read),
+        Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
+        Folder(
+            Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"), [*map(_upload, READINGS)], open=False
+        ),
+        Folder(Text(en="Zones", pt_BR="Zonas"), _zones(), open=False),
+        Folder(Text(en="Take away", pt_BR="Tirar"), Changing(_names, _removable), open=False),
+        Button(lambda _: Text(en="Save the planes", pt_BR="Salvar os planos"), _save, Icon.DOWNLOAD),
+        Upload(
+            Text(en="Load planes", pt_BR="Carregar planos"),
+            lambda name, content: ForArm(gate.take_planes_of(content, name)),
+        ),
+    ]
+    return Folder(Text(en="Planes", pt_BR="Planos"), rows, open=False)
+
+
+def _has(things: Sequence[object]) -> Callable[[View], bool]:
+    return lambda _: bool(things)
+
+
+def _free(view: View) -> bool:
+    return not view.state.parked
+
+
+def _read(view: View) -> str:
+    """What the last readings found."""
+    lines = "".join(f"<li>{seen.words[view.seat.language]}</li>" for seen in view.state.seen.values())
+    return f"<ul class='helicoide-note'>{lines}</ul>" if lines else ""
+
+
+def numbers(text: str, count: int) -> list[float] | None:
+    """So many numbers from a line; None where it holds anything else."""
+    words = text.replace(",", " ").replace(";", " ").split()
+    try:
+        found = [float(word) for word in words]
+    except ValueError:
+        return None
+    return found if len(found) == count else None
+
+
+def _typed(count: int, wish: Callable[[Array], Update]) -> Callable[[str], Wish]:
+    def act(text: str) -> Wish:
+        found = numbers(text, count)
+        return ForArm(gate.say(NUMBERS.format(n=count)) if found is None else wish(np.array(found)))
+
+    return act
+
+
+def _given() -> list[Row]:
+    put = Text(en="Put it there", pt_BR="Colocar")
+    return [
+        Entry(
+            Text(en="a b c d: ax + by + cz = d [mm]", pt_BR="a b c d: ax + by + cz = d [mm]"),
+            lambda _: "0 0 -1 -600",
+            put,
+            _typed(4, lambda v: gate.add_plane([*v[:3], v[3] / 1000])),
+        ),
+        Entry(
+            Text(en="three points, x y z each [mm]", pt_BR="três pontos, x y z cada [mm]"),
+            lambda _: "500 300 0  700 300 0  500 300 400",
+            put,
+            _typed(9, lambda v: gate.add_plane_through(v.reshape(3, 3) / 1000)),
+        ),
+        Entry(
+            Text(en="box: two corners, x y z each [mm]", pt_BR="caixa: dois vértices, x y z cada [mm]"),
+            lambda _: "200 -320 0  900 320 640",
+            Text(en="Put the box there", pt_BR="Colocar a caixa"),
+            _typed(6, lambda v: gate.set_box(v[:3] / 1000, v[3:] / 1000)),
+        ),
+    ]
+
+
+def _upload(reading: Reading) -> Upload:
+    return Upload(
+        Text(en="Look for: {title}", pt_BR="Procurar: {title}").format(title=reading.title),
+        lambda name, content: ReadCloud(name, content, reading.name),
+    )
+
+
+def _zones() -> list[Row]:
+    def critical(mm: float) -> Wish:
+        near = mm / 1000
+        return ForArm(lambda state: gate.set_zones(near, max(state.problem.zones.warning, near + LEAST_DEPTH))(state))
+
+    def warning(mm: float) -> Wish:
+        return ForArm(lambda state: gate.set_zones(state.problem.zones.critical, mm / 1000)(state))
+
+    return [
+        Slider(
+            Text(en="critical [mm]", pt_BR="crítica [mm]"),
+            1000 * LEAST_CRITICAL,
+            1000 * MOST_CRITICAL,
+            1.0,
+            lambda view: 1000 * view.state.problem.zones.critical,
+            critical,
+        ),
+        Slider(
+            Text(en="warning [mm]", pt_BR="aviso [mm]"),
+            1000 * (LEAST_CRITICAL + LEAST_DEPTH),
+            1000 * MOST_WARNING,
+            1.0,
+            lambda view: 1000 * view.state.problem.zones.warning,
+            warning,
+        ),
+    ]
+
+
+def _names(view: View) -> str:
+    panes = view.state.problem.planes.panes
+    return " ".join(f"{k}:{pane.name}" for k, pane in enumerate(panes) if pane.movable)
+
+
+def _removable(names: str) -> list[Row]:
+    return [_remove(int(k), name) for k, _, name in (entry.partition(":") for entry in names.split())]
+
+
+def _remove(index: int, name: str) -> Button:
+    label = Text(en="Take plane {name} away", pt_BR="Tirar o plano {name}").format(name=name)
+    return Button(lambda _: label, lambda _: ForArm(gate.remove_plane(index)), Icon.TRASH, _free)
+
+
+def _save(view: View) -> Save:
+    planes = view.state.problem.planes
+    return Save(FILE, written(planes.names, planes).encode())

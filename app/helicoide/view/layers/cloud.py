@@ -1,0 +1,53 @@
+"""The clouds that were read: grey points, and in the colour of a plane those that lie on it."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.state import Seen
+from helicoide.text import Text
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "cloud"
+SHARED = False
+TITLE = Text(en="Clouds of points", pt_BR="Nuvens de pontos")
+SHOWN = True
+
+OFF_IT, ON_IT = (150, 150, 150), (46, 125, 50)
+SIZE, MOST = 0.0025, 20_000
+
+
+def build(stage: Stage) -> Clouds:
+    """None to begin with."""
+    return Clouds(stage)
+
+
+class Clouds:
+    """A cloud for each plane that was looked for."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.clouds: dict[str, viser.PointCloudHandle] = {}
+        self.drawn: dict[str, Seen] = {}
+
+    def update(self, old: View | None, new: View) -> None:
+        """Show what was read since."""
+        seen, shown = new.state.seen, new.seat.shows[NAME]
+        if old is None or old.state.seen is not seen:
+            for name, one in seen.items():
+                if self.drawn.get(name) is not one:
+                    self._draw(name, one)
+        for name, cloud in self.clouds.items():
+            if cloud.visible != (shown and name in seen):
+                cloud.visible = shown and name in seen
+
+    def _draw(self, name: str, seen: Seen) -> None:
+        self.drawn[name] = seen
+        kept = np.unique(np.linspace(0, len(seen.points) - 1, min(MOST, len(seen.points))).astype(int))
+        colours = np.where(seen.on_it[kept, None], ON_IT, OFF_IT).astype(np.uint8)
+        points = seen.points[kept].astype(np.float32)
+        self.clouds[name] = self.stage.scene.add_point_cloud(
+            f"/cloud/{name}", points, colours, point_size=SIZE * self.stage.size
+        )

@@ -1,0 +1,192 @@
+"""The experiments of the sources: choose one, set it, run it, read it beside the source, play it on the arm."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import lru_cache
+from html import escape
+
+import numpy as np
+from viser import Icon
+
+from helicoide import studies
+from helicoide.ik.method import settings
+from helicoide.kinematics.robot import Robot
+from helicoide.state import Replay
+from helicoide.studies import desk as desks
+from helicoide.studies.desk import Desk, Run
+from helicoide.studies.study import Chart, Line, Verdict
+from helicoide.studies.study import Row as Quantity
+from helicoide.text import Language, Text
+from helicoide.view.rows import Bar, Button, Changing, Choice, Folder, ForDesk, Play, Plot, Row, Tick, View, Words
+from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
+
+TITLE = Text(en="Study", pt_BR="Estudo")
+ORDER = 4
+ICON = Icon.FLASK
+MOST_CHARTS = 8
+
+RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End the run", pt_BR="Encerrar a execução")
+PLAY = Text(en="Play it on the arm", pt_BR="Reproduzir no braço")
+HEADS = (
+    Text(en="quantity", pt_BR="grandeza"),
+    Text(en="source", pt_BR="fonte"),
+    Text(en="digest", pt_BR="síntese"),
+    Text(en="ours", pt_BR="nosso"),
+)
+SIGNS = {Verdict.AGREES: "✓", Verdict.DOUBT: "?", Verdict.ASSUMED: "≈", Verdict.DIFFERS: "✗"}
+
+
+def rows(robot: Robot) -> list[Row]:
+    """The panel for one robot; the studies are the same for all."""
+    return [
+        Choice(
+            Text(en="Study", pt_BR="Estudo"),
+            [("", NONE), *((name, studies.named(name).TITLE) for name in studies.names())],
+            lambda view: view.desk.study,
+            lambda name: ForDesk(desks.choose(name)),
+        ),
+        Words(_about),
+        Folder(Text(en="Settings", pt_BR="Ajustes"), Changing(lambda view: view.desk.study, _settings), open=False),
+        Tick(
+            Text(en="short form", pt_BR="forma curta"),
+            lambda view: view.desk.short,
+            lambda on: ForDesk(lambda desk: replace(desk, short=bool(on))),
+        ),
+        Button(
+            lambda view: RUN if view.desk.progress is None else STOP,
+            lambda view: ForDesk(desks.start if view.desk.progress is None else desks.end),
+            Icon.FLASK,
+            lambda view: bool(view.desk.study),
+        ),
+        Bar(lambda view: view.desk.progress),
+        Button(lambda _: PLAY, _play, Icon.PLAYER_PLAY, shown=_has_motion),
+        Tick(
+            Text(en="beside the run before", pt_BR="ao lado da execução anterior"),
+            lambda view: view.desk.compared,
+            lambda on: ForDesk(lambda desk: replace(desk, compared=bool(on))),
+        ),
+        Words(_table),
+        *(Plot(charts, index) for index in range(MOST_CHARTS)),
+    ]
+
+
+def _about(view: View) -> str:
+    """What the study is about, and why it has no result."""
+    desk, language = view.desk, view.seat.language
+    if not desk.study:
+        return f"<p class='helicoide-note'>{escape(CHOOSE[language])}</p>"
+    study = studies.named(desk.study)
+    failure = "" if desk.failure is None else f"<p class='helicoide-note'>{escape(desk.failure[language])}</p>"
+    about = f"<p>{escape(study.ABOUT[language])}</p><p>{escape(study.SOURCE)}</p>"
+    return f"<div class='helicoide-note'>{about}</div>{failure}"
+
+
+CHOOSE = Text(
+    en="Each study is an experiment of one of the sources, run again here: its numbers stand beside the printed ones.",
+    pt_BR="Cada estudo é um experimento de uma das fontes, refeito aqui: seus números ficam ao lado dos impressos.",
+)
+
+
+def _settings(name: str) -> Sequence[Row]:
+    if not name or not settings(studies.named(name).Options):
+        return [Words(lambda view: f"<p class='helicoide-note'>{NOTHING_TO_SET[view.seat.language]}</p>")]
+    options = studies.named(name).Options
+
+    def chosen(view: View) -> object:
+        return view.desk.options.get(name) or options()
+
+    return rows_of(options, 1.0, chosen, lambda setting, value: ForDesk(desks.set_option(setting, value)))
+
+
+def _has_motion(view: View) -> bool:
+    return bool(view.desk.shown) and view.desk.shown[0].result.motion is not None
+
+
+def _play(view: View) -> Play:
+    motion = view.desk.shown[0].result.motion
+    assert motion is not None
+    return Play(motion)
+
+
+def _table(view: View) -> str:
+    """The quantities of the runs shown, beside the source's and the digest's."""
+    runs, language = view.desk.shown, view.seat.language
+    if not runs:
+        return ""
+    return _written(runs, language)
+
+
+@lru_cache(maxsize=16)
+def _written(runs: tuple[Run, ...], language: Language) -> str:
+    ours = [HEADS[3][language], *([BEFORE[language]] if len(runs) > 1 else [])]
+    heads = "".join(f"<th>{escape(head)}</th>" for head in (*(head[language] for head in HEADS[:3]), *ours))
+    others = [{row.quantity: row for row in run.result.rows} for run in runs[1:]]
+    body = "".join(_line(row, [other.get(row.quantity) for other in others], language) for row in runs[0].result.rows)
+    return f"<table class='helicoide-instruments helicoide-study'><tr>{heads}</tr>{body}</table>"
+
+
+BEFORE = Text(en="before", pt_BR="antes")
+
+
+def _line(row: Quantity, others: list[Quantity | None], language: Language) -> str:
+    source = row.source[language] if isinstance(row.source, Text) else row.source
+    digest = "–" if row.digest is None else f"{'' if row.relation == '=' else row.relation} {row.digest:.5g}"
+    verdict = row.verdict
+    why = verdict.value[language] + (f" ({row.doubt})" if row.doubt else "")
+    why += f": {row.assumed[language]}" if row.assumed is not None and verdict is Verdict.ASSUMED else ""
+    mine = f"<td title='{escape(why, quote=True)}'>{_number(row)} {SIGNS[verdict]}</td>"
+    more = "".join(f"<td>{'–' if other is None else _number(other)}</td>" for other in others)
+    cells = (escape(row.quantity[language]), escape(source) or "–", digest)
+    return f"<tr>{''.join(f'<td>{cell}</td>' for cell in cells)}{mine}{more}</tr>"
+
+
+def _number(row: Quantity) -> str:
+    return f"{row.ours:.5g} {escape(row.unit)}".strip().replace("-", "−")
+
+
+def charts(view: View) -> Sequence[Chart]:
+    """The charts of the runs shown; those over time end where the motion that is played is."""
+    desk, command = view.desk, view.state.command
+    merged = _merged(desk.shown)[:MOST_CHARTS]
+    if not (isinstance(command, Replay) and command.arrived and _is_played(desk, command)):
+        return merged
+    return tuple(_until(chart, round(command.s, 1)) if _is_timed(chart) else chart for chart in merged)
+
+
+def _is_played(desk: Desk, command: Replay) -> bool:
+    motion = desk.shown[0].result.motion if desk.shown else None
+    ends = None if motion is None else float(motion.times[-1] - motion.times[0])
+    return ends is not None and abs(ends - command.path.duration) < 1e-9
+
+
+def _is_timed(chart: Chart) -> bool:
+    return chart.across.en.endswith("[s]")
+
+
+@lru_cache(maxsize=8)
+def _merged(runs: tuple[Run, ...]) -> tuple[Chart, ...]:
+    """Each chart of the last run, with the curves of the one before where both have it."""
+    if not runs:
+        return ()
+    first, *rest = (run.result.charts for run in runs)
+    return tuple(
+        replace(chart, lines=(*chart.lines, *(line for other in rest for line in _before(chart, other))))
+        for chart in first
+    )
+
+
+def _before(chart: Chart, others: tuple[Chart, ...]) -> list[Line]:
+    return [
+        replace(line, title=Text(en="{title}, before", pt_BR="{title}, antes").format(title=line.title))
+        for other in others
+        if other.title == chart.title
+        for line in other.lines
+    ]
+
+
+@lru_cache(maxsize=64)
+def _until(chart: Chart, s: float) -> Chart:
+    """The chart with what comes after a time left blank."""
+    return replace(chart, lines=tuple(replace(line, y=np.where(line.x <= s, line.y, np.nan)) for line in chart.lines))

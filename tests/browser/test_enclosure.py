@@ -1,0 +1,78 @@
+"""The enclosure and a taught path on a real page: measured by the camera, given, loaded; gone through again."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from playwright.sync_api import FilePayload, Page
+from tests.browser.lab import Lab, status, tab, until
+from tests.perception.views import between
+
+from helicoide import gate
+from helicoide.confinement import planes_of
+from helicoide.confinement.plane_file import written
+from helicoide.state import Hold, Replay, ToJoints
+
+SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"
+
+
+@pytest.fixture(scope="module")
+def page(shared_page: Page) -> Page:
+    tab(shared_page, "Robot")
+    shared_page.get_by_text("Planes", exact=True).click()
+    shared_page.get_by_text("Teach a path", exact=True).click()
+    return shared_page
+
+
+def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, page: Page) -> None:
+    lab.watch()
+    page.get_by_role("button", name="Measuring tour with the camera").click()
+    until(page, lambda: len(lab.state.seen) == 3, 300)
+    until(page, lambda: page.evaluate(SHOWN, "/cloud/+z"))
+    until(page, lambda: "points on it" in page.locator("body").inner_text())
+    true = lab.state.robot.panes
+    planes = lab.state.problem.planes
+    for pane in true:
+        k = planes.names.index(pane.name)
+        assert between(planes.normals[k], pane.normal) < np.radians(0.5), pane.name
+        assert abs(planes.centres[k] @ pane.normal - pane.offset) < 0.002, pane.name
+    until(page, lambda: lab.state.command == Hold())
+    lab.nearest = np.inf
+    lab.post(gate.set_target([0.6, 0.0, 0.9], [1, 0, 0, 0]))
+    until(page, lambda: "plane +z" in status(page))
+    lab.ticks(page, 200)
+    assert lab.nearest >= 0.080 - 1e-9
+
+
+def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
+    page.get_by_text("Give a plane", exact=True).click()
+    page.get_by_role("button", name="Put it there").first.click()
+    until(page, lambda: "p1" in lab.state.problem.planes.names)
+    until(page, lambda: page.evaluate(SHOWN, f"/planes/{len(lab.state.problem.planes.names) - 1}"))
+    measured = planes_of(lab.state.robot.panes)
+    file = FilePayload(name="planes.toml", mimeType="text/plain", buffer=written(measured.names, measured).encode())
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="Load planes").click()
+    chooser.value.set_files(file)
+    until(page, lambda: "p1" not in lab.state.problem.planes.names and "+y" in lab.state.problem.planes.names)
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="Load planes").click()
+    chooser.value.set_files(FilePayload(name="junk.toml", mimeType="text/plain", buffer=b"\x00\xff"))
+    until(page, lambda: "junk.toml" in status(page))
+    page.get_by_role("button", name="Planes back to the measured ones").click()
+    until(page, lambda: lab.state.problem.planes.names == measured.names)
+
+
+def test_a_taught_path_is_gone_through(lab: Lab, page: Page) -> None:
+    lab.post(gate.get_ready())
+    until(page, lambda: lab.state.command == Hold())
+    page.get_by_role("button", name="Record, by: all joints evenly").click()
+    until(page, lambda: len(lab.state.waypoints) == 1)
+    lab.post(gate.set_joint(0, 0.3))
+    until(page, lambda: abs(lab.state.q[0] - 0.3) < 1e-4)
+    page.get_by_role("button", name="Record, by: straight line").click()
+    until(page, lambda: len(lab.state.waypoints) == 2)
+    page.get_by_role("button", name="Go through the points").click()
+    until(page, lambda: isinstance(lab.state.command, Replay))
+    until(page, lambda: isinstance(lab.state.command, ToJoints))
+    until(page, lambda: bool(np.abs(lab.state.q - lab.state.waypoints[-1].q).max() < 1e-4))

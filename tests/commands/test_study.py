@@ -1,0 +1,173 @@
+"""`helicoide study`: the list, one study, all of them, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from helicoide import __main__, studies
+from helicoide.ik.method import settings
+from helicoide.studies import cerbaro_orca_convergence as quick
+from helicoide.studies.study import Result, Row
+from helicoide.text import HelicoideError, Text, same
+
+NAME = "cerbaro_orca_convergence"
+Said = tuple[str, str]
+
+
+@pytest.fixture
+def study(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., Said]:
+    """What the command writes to its two outputs."""
+
+    def run(*arguments: str) -> Said:
+        monkeypatch.setattr(sys, "argv", ["helicoide", "study", *arguments])
+        __main__.main()
+        return capsys.readouterr()
+
+    return run
+
+
+def put(monkeypatch: pytest.MonkeyPatch, result: Result | HelicoideError) -> None:
+    """A study that comes to a given result."""
+
+    def run(options: Any, short: bool, progress: Callable[[float], None]) -> Result:
+        if isinstance(result, HelicoideError):
+            raise result
+        return result
+
+    stand_in = SimpleNamespace(
+        TITLE=quick.TITLE, SOURCE=quick.SOURCE, ABOUT=quick.ABOUT, ROBOT=quick.ROBOT, Options=quick.Options, run=run
+    )
+    monkeypatch.setattr(studies, "named", lambda name: stand_in)
+
+
+def test_the_list_has_every_study_and_its_options(study: Callable[..., Said]) -> None:
+    said = study("--list")[0]
+    for name in studies.names():
+        assert f"{name}: {studies.named(name).TITLE.en} ({studies.named(name).SOURCE})" in said
+        for option in settings(studies.named(name).Options):
+            assert f"   {option}=" in said
+    assert studies.named(NAME).TITLE.pt_BR in study("--list", "--lang", "pt_BR")[0]
+
+
+def test_a_study_prints_a_table_and_a_bar_on_the_error_output(study: Callable[..., Said]) -> None:
+    said, bar = study(NAME)
+    head, *rows = [line for line in said.splitlines() if line.startswith(("quantity", "iterations", "J"))]
+    assert head.split() == ["quantity", "source", "digest", "ours", "verdict"]
+    assert len(rows) == 7
+    assert rows[0].split() == ["iterations,", "step", "factor", "0.55", "7", "7", "7", "agrees"]
+    assert "figure only" in rows[-1]
+    columns = {row.index("agrees") for row in rows}
+    assert columns == {head.index("verdict")}
+    assert "%" in bar
+    assert "%" not in said
+
+
+def test_the_table_is_there_in_portuguese(study: Callable[..., Said]) -> None:
+    said = study(NAME, "--lang", "pt_BR")[0]
+    for word in ("grandeza", "veredito", "confere", "só em figura", "fator de passo"):
+        assert word in said
+
+
+def test_json_has_rows_curves_and_motion(study: Callable[..., Said]) -> None:
+    [found] = json.loads(study(NAME, "--json", "--short", "--set", "factor=1")[0])
+    assert found["name"] == NAME
+    assert found["options"] == {"factor": 1.0}
+    assert found["short"] is True
+    first = found["rows"][0]
+    assert first["ours"] == 3
+    assert first["digest"] == 7
+    assert first["verdict"] == "assumed"
+    assert set(first["assumed"]) == {"en", "pt_BR"}
+    assert found["charts"][0]["lines"][0]["x"][:2] == [0, 1]
+    assert len(found["motion"]["times"]) == len(found["motion"]["q"]) == 4
+
+
+def test_a_difference_ends_with_one(
+    study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    row = Row(same("height"), 2.0, 1.0)
+    put(monkeypatch, Result((row, Row(same("nothing"), float("nan")))))
+    with pytest.raises(SystemExit) as caught:
+        study(NAME)
+    assert caught.value.code == 1
+    assert "differs" in capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        study(NAME, "--json")
+    assert [r["ours"] for r in json.loads(capsys.readouterr().out)[0]["rows"]] == [2.0, None]
+
+
+@pytest.mark.parametrize("excuse", [{"doubt": "D6"}, {"assumed": same("gains")}])
+def test_what_is_excused_ends_well(
+    study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, excuse: dict[str, Any]
+) -> None:
+    put(monkeypatch, Result((replace(Row(same("height"), 2.0, 1.0), **excuse),)))
+    assert "differs, " in study(NAME)[0]
+
+
+def test_a_study_that_refuses_is_reported_and_ends_with_one(
+    study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    put(monkeypatch, HelicoideError(Text(en="out of metal", pt_BR="sem metal")))
+    with pytest.raises(SystemExit) as caught:
+        study(NAME)
+    assert caught.value.code == 1
+    assert "did not run to its end: out of metal" in capsys.readouterr().out
+
+
+def test_all_are_run_in_processes_and_reported(
+    study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    names = (NAME, "cerbaro_movemaster_convergence")
+    monkeypatch.setattr(studies, "names", lambda: names)
+    said, bar = study("--all", "--short", "--report", str(tmp_path / "report.html"), "--lang", "pt_BR")
+    page = (tmp_path / "report.html").read_text("utf-8")
+    for name in names:
+        assert studies.named(name).TITLE.pt_BR in said
+        assert f'id="{name}"' in page
+    assert "A execução completa levou" in said
+    assert "A execução completa levou" in page
+    assert "forma curta" in page
+    assert bar
+
+
+@dataclass(frozen=True)
+class Refused:
+    """Arguments that are refused, and what the one line says."""
+
+    arguments: tuple[str, ...]
+    words: str
+
+
+REFUSED = [
+    Refused((), rf"--list.*{NAME}"),
+    Refused(("nothing",), rf"'nothing'.*{NAME}"),
+    Refused((NAME, "--set", "speed=3"), r"speed.*factor"),
+    Refused((NAME, "--set", "factor"), r"0\.1 … 1"),
+    Refused((NAME, "--set", "factor=fast"), r"0\.1 … 1.*'fast'"),
+    Refused((NAME, "--set", "factor=7"), r"0\.1 … 1.*7"),
+    Refused((NAME, "--set", "factor=nan"), r"0\.1 … 1"),
+    Refused(("cerbaro_confined_line", "--set", "case=4"), r"1, 2, 3.*'4'"),
+    Refused(("--all", "--set", "factor=1"), r"--all"),
+    Refused((NAME, "--all"), r"--all"),
+    Refused((NAME, "--workers", "0"), r"1 … 64"),
+    Refused((NAME, "--report", "."), r"cannot be written"),
+    Refused((NAME, "--report", "no/such/folder/report.html"), r"cannot be written"),
+]
+
+
+@pytest.mark.parametrize("refused", REFUSED, ids=lambda refused: " ".join(refused.arguments) or "nothing")
+def test_what_is_refused_is_one_line_that_says_what_is_valid(
+    study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, refused: Refused
+) -> None:
+    monkeypatch.setattr(__main__, "_language", lambda: "en")
+    with pytest.raises(SystemExit, match=refused.words) as caught:
+        study(*refused.arguments)
+    assert len(str(caught.value.code).splitlines()) == 1

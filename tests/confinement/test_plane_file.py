@@ -1,0 +1,95 @@
+"""Planes saved and read back."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from helicoide.confinement import Planes, plane_file, planes_of
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError
+
+# Any text that a file can hold: no halves of a pair of UTF-16.
+NAMES = st.lists(st.text(st.characters(exclude_categories=["Cs"])), unique=True, min_size=1, max_size=6)
+ONE = '[[planes]]\nname = "+z"\nnormal = [0, 0, -1]\ncentre_m = [0.5, 0, 0.6]\n'
+
+
+@given(names=NAMES, seed=st.integers(0, 2**32 - 1))
+def test_names_and_numbers_come_back_bit_by_bit(names: list[str], seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    normals, centres = rng.normal(size=(2, len(names), 3))
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    again, planes = plane_file.parsed(plane_file.written(names, Planes(normals, centres)), "planes")
+    assert again == tuple(names)
+    np.testing.assert_array_equal(planes.normals, normals)
+    np.testing.assert_array_equal(planes.centres, centres)
+    assert not planes.normals.flags.writeable
+
+
+def test_planes_of_the_robot_survive_a_file(robot: Robot, tmp_path: Path) -> None:
+    path, planes = tmp_path / "planes.toml", planes_of(robot.panes)
+    plane_file.save(path, ["overwritten"], Planes(planes.normals[:1], planes.centres[:1]))
+    plane_file.save(path, [pane.name for pane in robot.panes], planes)
+    names, again = plane_file.load(path)
+    assert names == ("+z", "+y", "-y", "-z")
+    np.testing.assert_array_equal(again.normals, planes.normals)
+    np.testing.assert_array_equal(again.centres, planes.centres)
+    assert [file.name for file in tmp_path.iterdir()] == ["planes.toml"]
+
+
+@pytest.mark.parametrize("length", ["1e-320", "3", "1e300"])
+def test_a_normal_written_by_hand_is_of_any_length(length: str) -> None:
+    _, planes = plane_file.parsed(ONE.replace("-1", f"-{length}"), "planes")
+    np.testing.assert_array_equal(planes.normals, [[0, 0, -1]])
+
+
+BROKEN = {
+    "nothing": ("", "planes"),
+    "no toml": ("[[planes", "array declaration"),
+    "no planes": ("planes = []", "it has 0 planes"),
+    "too many": (ONE.replace('"+z"', '"{}"') * 33, "it has 33 planes"),
+    "another table": ("[robot]\nname = 1", "robot"),
+    "an unknown key": (ONE + "colour = 3", "colour"),
+    "no normal": (ONE.replace("normal", "# normal"), "normal"),
+    "two numbers": (ONE.replace("[0, 0, -1]", "[0, 0]"), "normal"),
+    "a word": (ONE.replace("-1]", '"up"]'), "normal"),
+    "a zero normal": (ONE.replace("-1", "-0.0"), "normal of '\\+z' is zero"),
+    "nan": (ONE.replace("0.6", "nan"), "nowhere"),
+    "inf": (ONE.replace("-1", "-inf"), "nowhere"),
+    "beyond numbers": (ONE.replace("-1", "1" + "0" * 400), ""),
+    "far away": (ONE.replace("0.6", "2e3"), "nowhere"),
+    "one name twice": (ONE + ONE, "two are named '\\+z'"),
+    "deep": ("a = " + "[" * 20000, ""),
+}
+
+
+@pytest.mark.parametrize("case", BROKEN)
+def test_broken_texts_are_refused_in_words(case: str) -> None:
+    text, said = BROKEN[case]
+    if case == "too many":
+        text = "".join(ONE.replace("+z", str(i)) for i in range(33))
+    with pytest.raises(HelicoideError, match=f"here.toml is not a file of planes: .*{said}") as refused:
+        plane_file.parsed(text, "here.toml")
+    assert "Valid is TOML with 1 to 32 tables" in refused.value.text.en
+    assert "Vale TOML com 1 a 32 tabelas" in refused.value.text.pt_BR
+
+
+@pytest.mark.parametrize(
+    ("content", "said"), [(b"\xff\xfe", "utf-8"), (b"#" * 100_001, "too long"), (b"[[planes]]", "name")]
+)
+def test_broken_files_are_refused_in_words(tmp_path: Path, content: bytes, said: str) -> None:
+    path = tmp_path / "planes.toml"
+    path.write_bytes(content)
+    with pytest.raises(HelicoideError, match=said):
+        plane_file.load(path)
+
+
+def test_files_that_are_not_there_are_refused_in_words(tmp_path: Path, robot: Robot) -> None:
+    with pytest.raises(HelicoideError, match="No such file"):
+        plane_file.load(tmp_path / "planes.toml")
+    with pytest.raises(HelicoideError, match="cannot be written: No such file"):
+        plane_file.save(tmp_path / "nowhere" / "planes.toml", ["a", "b", "c", "d"], planes_of(robot.panes))

@@ -1,0 +1,75 @@
+"""Zones adjusted within their bounds, and the damping between them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from helicoide.confinement import Zone, Zones, gradual_weight, sharp_weight
+from helicoide.confinement.zones import SHELL
+from helicoide.text import HelicoideError
+
+distances = st.floats(-1, 1)
+
+
+def test_zones_change_where_they_were_put() -> None:
+    zones = Zones(between=0.02).adjusted(0.09, 0.2)
+    assert (zones.critical, zones.warning, zones.between) == (0.09, 0.2, 0.02)
+    assert [zones.of(distance) for distance in (0.09, 0.0901, 0.1999, 0.2)] == [
+        Zone.CRITICAL,
+        Zone.WARNING,
+        Zone.WARNING,
+        Zone.FREE,
+    ]
+
+
+@given(critical=st.floats(), warning=st.floats())
+def test_no_adjusted_zone_lets_the_shell_touch_a_plane(critical: float, warning: float) -> None:
+    try:
+        zones = Zones().adjusted(critical, warning)
+    except HelicoideError:
+        assert not (0.075 <= critical <= 0.15 and critical + 0.01 <= warning <= 0.25)
+    else:
+        assert zones.critical >= SHELL + 0.010
+        assert zones.critical + 0.010 <= zones.warning <= 0.250
+
+
+@pytest.mark.parametrize(
+    ("critical", "warning"),
+    [(0.0749, 0.11), (0.151, 0.2), (0.08, 0.0899), (0.08, 0.251), (float("nan"), 0.11), (0.08, float("inf"))],
+)
+def test_bounds_of_zones_are_said_in_words(critical: float, warning: float) -> None:
+    with pytest.raises(HelicoideError, match=r"75 to 150 mm .* 65 mm thick.* 10 mm or more before it, at 250 mm"):
+        Zones().adjusted(critical, warning)
+
+
+def test_bounds_themselves_are_allowed() -> None:
+    assert Zones().adjusted(0.075, 0.085) == Zones(0.075, 0.085)
+    assert Zones().adjusted(0.15, 0.25) == Zones(0.15, 0.25)
+
+
+def test_sharp_damping_begins_where_the_warning_does() -> None:
+    weights = sharp_weight(Zones(), [-0.1, 0.08, 0.1099999, 0.11, 0.5])
+    np.testing.assert_array_equal(weights, [1, 1, 1, 0, 0])
+
+
+@given(distance=distances)
+def test_gradual_damping_agrees_with_sharp_outside_the_warning_zone(distance: float) -> None:
+    zones = Zones()
+    weight = gradual_weight(zones, distance)
+    assert 0 <= weight <= 1
+    if not zones.critical < distance < zones.warning:
+        assert weight == sharp_weight(zones, distance)
+
+
+def test_gradual_damping_has_no_step_and_no_corner() -> None:
+    zones = Zones()
+    at = np.linspace(0.07, 0.12, 50_001)
+    weights = gradual_weight(zones, at)
+    slope = np.gradient(weights, at)
+    assert (np.diff(weights) <= 0).all()
+    assert np.abs(slope).max() == pytest.approx(1.5 / 0.03, rel=1e-3)
+    assert np.abs(np.diff(slope)).max() < 0.05
+    assert gradual_weight(zones, 0.095) == pytest.approx(0.5)

@@ -1,0 +1,91 @@
+"""Work in processes: order, progress, failures, and a process that dies."""
+
+from __future__ import annotations
+
+import os
+import time
+from itertools import pairwise
+
+import pytest
+
+from helicoide.jobs.several import Progress, in_processes, timed
+from helicoide.text import HelicoideError, same
+
+
+def doubled(given: int, progress: Progress) -> int:
+    for step in range(10):
+        progress((step + 1) / 10)
+    return 2 * given
+
+
+def slow_first(given: int, progress: Progress) -> tuple[int, int]:
+    time.sleep(0.5 if given == 0 else 0.0)
+    return given, os.getpid()
+
+
+def refusing(given: int, progress: Progress) -> int:
+    if given == 1:
+        raise HelicoideError(same("not one"))
+    return given
+
+
+class Stubborn(Exception):
+    """An error that can be pickled and not be read again."""
+
+    def __init__(self, first: str, second: str) -> None:
+        super().__init__(first + second)
+
+
+def stubborn(given: int, progress: Progress) -> int:
+    raise Stubborn("no ", "way")
+
+
+def dying(given: int, progress: Progress) -> int:
+    os._exit(3)
+
+
+def nothing(share: float) -> None:
+    pass
+
+
+def test_values_come_in_the_order_of_what_was_given() -> None:
+    found = [outcome.value for outcome in in_processes(slow_first, [0, 1, 2, 3], 2, nothing)]
+    assert [value[0] for value in found if value] == [0, 1, 2, 3]
+    processes = {value[1] for value in found if value}
+    assert len(processes) == 2
+    assert os.getpid() not in processes
+
+
+def test_progress_is_that_of_the_whole() -> None:
+    shares: list[float] = []
+    outcomes = in_processes(doubled, [1, 2, 3], 1, shares.append)
+    assert [outcome.value for outcome in outcomes] == [2, 4, 6]
+    assert shares[-1] == 1.0
+    assert all(0 <= a <= b <= 1 for a, b in pairwise(shares))
+    assert in_processes(doubled, [], 1, nothing) == []
+
+
+def test_a_failure_is_an_outcome_and_keeps_its_words() -> None:
+    outcomes = in_processes(refusing, [0, 1, 2], 2, nothing)
+    assert [outcome.value for outcome in outcomes] == [0, None, 2]
+    assert isinstance(outcomes[1].failure, HelicoideError)
+    assert outcomes[1].failure.text == same("not one")
+
+
+def test_an_error_that_does_not_come_through_leaves_its_words() -> None:
+    [outcome] = in_processes(stubborn, [1], 1, nothing)
+    assert str(outcome.failure) == "Stubborn: no way"
+
+
+def test_a_process_that_dies_is_a_failure_too() -> None:
+    [outcome] = in_processes(dying, [1], 1, nothing)
+    assert outcome.value is None
+    assert "process" in str(outcome.failure).lower()
+
+
+@pytest.mark.parametrize(("given", "value"), [(0, 0), (1, None)])
+def test_the_same_work_can_be_done_here(given: int, value: int | None) -> None:
+    outcome = timed(refusing, given, nothing)
+    assert outcome.value == value
+    assert (outcome.failure is None) == (value is not None)
+    assert outcome.seconds >= 0

@@ -1,0 +1,162 @@
+"""From waypoints to motion: every taught posture is passed exactly, from rest to rest, within the limits."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from tests.kinematics.arms import NAMES, arm, postures
+from tests.trajectory.taught import taught
+
+from helicoide.ik.joints_along import joints_along
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.trajectory.fastest import Shape, overload
+from helicoide.trajectory.joints import Carried, tool_at
+from helicoide.trajectory.path import Path
+from helicoide.trajectory.program import Leg, legs, whole
+from helicoide.trajectory.straight import Screw
+from helicoide.trajectory.waypoints import Taught, inserted, waypoint
+
+SHAPES: list[Shape] = ["trapezoid", "minimum jerk"]
+
+
+def never(path: Path, start: Array, end: Array) -> Array | None:
+    return None
+
+
+def by_joints(here: Taught) -> Taught:
+    return replace(here, waypoints=tuple(replace(each, way="joints") for each in here.waypoints))
+
+
+def nearby(robot: Robot, way: str) -> Taught:
+    """Four waypoints around `ready`, each a straight line or screw from the one before, and back to the first."""
+    rng = np.random.default_rng(4)
+    ready, spread = robot.poses["ready"], 0.05 * (robot.upper - robot.lower)
+    here = Taught(robot)
+    for i in range(4):
+        q = np.clip(ready + rng.uniform(-1, 1, len(ready)) * spread, robot.lower, robot.upper)
+        here = inserted(here, i, waypoint(robot, f"p{i}", q, way, 0.25))
+    return inserted(here, 4, waypoint(robot, "back", here.waypoints[0].q, way))
+
+
+def moved(here: Taught, shape: Shape = "trapezoid") -> list[Leg]:
+    robot = here.robot
+    return list(legs(here, robot.poses["ready"], partial(joints_along, robot), shape, 4 * robot.speed))
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_taught_posture_is_passed_exactly(name: str, shape: Shape) -> None:
+    robot = arm(name)
+    here = by_joints(taught(name, "abcdefg"))
+    found = list(legs(here, robot.poses["ready"], never, shape, 3 * robot.speed))
+    path = whole(found)
+    assert path is not None
+    before, t = robot.poses["ready"], 0.0
+    for leg, point in zip(found, here.waypoints, strict=True):
+        assert leg.joints is not None
+        assert leg.waypoint is point
+        np.testing.assert_array_equal(leg.joints.q(0.0), before)
+        t += leg.joints.duration
+        np.testing.assert_allclose(path.q(t), point.q, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(path.q(t + 1e-9 + 0.9 * point.dwell), point.q)
+        t, before = t + point.dwell, point.q
+        assert overload(leg.joints, robot.speed, 3 * robot.speed) <= 1
+    assert path.duration == pytest.approx(t)
+    np.testing.assert_array_equal(path.q(path.duration), here.waypoints[-1].q)
+    carried = Carried(robot, path)
+    np.testing.assert_array_equal(carried.pose(path.duration), tool_at(robot, here.waypoints[-1].q))
+
+
+@pytest.mark.parametrize("way", ["line", "screw"])
+@pytest.mark.parametrize("name", ["movemaster", "puma560", "zebra_zero", "dia10", "scara", "planar3r", "polar_rp"])
+def test_the_tool_keeps_to_lines_and_screws(name: str, way: str) -> None:
+    """Between the samples too, to a hundredth of a millimetre for an arm with a reach of 1 m; postures are exact."""
+    robot = arm(name)
+    here = nearby(robot, way)
+    found = moved(here)
+    assert not any(leg.blocked for leg in found)
+    for leg in found:
+        assert leg.tool is not None
+        assert leg.joints is not None
+        np.testing.assert_array_equal(leg.joints.q(leg.joints.duration), leg.waypoint.q)
+        assert overload(leg.joints, robot.speed, 4 * robot.speed) <= 1
+        np.testing.assert_allclose(leg.tool.pose(1.0), tool_at(robot, leg.waypoint.q), rtol=0, atol=1e-12)
+        for u in np.linspace(0.013, 0.987, 23):
+            share = float(leg.joints.law.at(u)[0])
+            tool = tool_at(robot, leg.joints.q(u * leg.joints.duration))
+            missed = np.linalg.norm(tool[:3, 3] - leg.tool.pose(share)[:3, 3])
+            assert missed < 1e-5 * robot.reach
+            if name in ("puma560", "zebra_zero", "dia10"):
+                np.testing.assert_allclose(tool, leg.tool.pose(share), rtol=0, atol=1e-5 * max(1.0, robot.reach))
+    path = whole(found)
+    assert path is not None
+    assert path.duration == pytest.approx(
+        sum(leg.joints.duration for leg in found if leg.joints) + sum(each.dwell for each in here.waypoints)
+    )
+
+
+def test_a_screw_is_a_screw() -> None:
+    found = moved(nearby(arm("puma560"), "screw"))
+    assert all(isinstance(leg.tool, Screw) for leg in found)
+
+
+def test_a_leg_without_motion_takes_no_time() -> None:
+    robot = arm("movemaster")
+    ready = robot.poses["ready"]
+    here = Taught(robot, (waypoint(robot, "here", ready), waypoint(robot, "still here", ready, "line", 2.0)))
+    found = moved(here)
+    assert [(leg.joints, leg.tool, leg.blocked) for leg in found] == [(None, None, False)] * 2
+    path = whole(found)
+    assert path is not None
+    assert path.duration == 2.0
+    np.testing.assert_array_equal(path.rates(1.0), np.zeros(5))
+    assert whole(moved(replace(here, waypoints=here.waypoints[:1]))) is None
+
+
+def test_a_line_that_the_arm_cannot_follow_is_a_value() -> None:
+    """From one side of the base to the other, straight through it."""
+    robot = arm("puma560")
+    left, right = np.tile(robot.poses["ready"], (2, 1))
+    left[0], right[0] = np.pi / 2, -np.pi / 2
+    here = Taught(robot, (waypoint(robot, "left", left), waypoint(robot, "right", right, "line")))
+    to_left, leg = moved(here)
+    assert not to_left.blocked
+    assert leg.blocked
+    assert leg.joints is None
+    assert leg.tool is not None
+    assert whole([to_left, leg]) is None
+
+
+@pytest.mark.parametrize("end", [0, -1])
+def test_joints_that_miss_a_taught_posture_are_not_taken(end: int) -> None:
+    """A little is put right: the leg then begins and ends exactly where it should."""
+    robot = arm("puma560")
+    ready, (there,) = robot.poses["ready"], postures(robot, 1)
+    here = Taught(robot, (waypoint(robot, "there", there, "line"),))
+
+    def leg(miss: float) -> Leg:
+        def follow(path: Path, start: Array, stop: Array) -> Array:
+            rows = np.linspace(start, stop, 11)
+            rows[end, 2] += miss
+            return rows
+
+        (only,) = legs(here, ready, follow, "trapezoid", robot.speed)
+        return only
+
+    assert leg(2e-6).blocked
+    joints = leg(5e-7).joints
+    assert joints is not None
+    np.testing.assert_array_equal(joints.q([0.0, joints.duration]), [ready, there])
+
+
+def test_what_was_taught_stays_as_it_is() -> None:
+    here = nearby(arm("movemaster"), "line")
+    before = [each.q.copy() for each in here.waypoints]
+    moved(here)
+    for each, q in zip(here.waypoints, before, strict=True):
+        np.testing.assert_array_equal(each.q, q)
+        assert not each.q.flags.writeable

@@ -1,0 +1,154 @@
+"""The file of waypoints: there and back again to the last bit; everything else is refused in words."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tests.kinematics.arms import NAMES, arm
+from tests.trajectory.taught import taught
+
+from helicoide.text import HelicoideError
+from helicoide.trajectory.waypoint_file import FORMAT, decoded, encoded
+from helicoide.trajectory.waypoints import WAYS, Taught, waypoint
+
+NAME = st.text(min_size=1, max_size=60).filter(lambda name: name.isprintable() and name == name.strip())
+ROBOT = arm("movemaster")
+
+
+def are_alike(one: Taught, other: Taught) -> None:
+    assert one.robot is other.robot
+    assert one.names == other.names
+    for a, b in zip(one.waypoints, other.waypoints, strict=True):
+        assert a.q.tobytes() == b.q.tobytes()
+        assert (a.way, a.dwell) == (b.way, b.dwell)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_there_and_back_for_every_robot(name: str) -> None:
+    here = taught(name, [f"point {i}" for i in range(7)])
+    are_alike(decoded(encoded(here), here.robot), here)
+
+
+@given(
+    points=st.lists(
+        st.tuples(
+            NAME,
+            st.tuples(*[st.floats(low, high) for low, high in zip(ROBOT.lower, ROBOT.upper, strict=True)]),
+            st.sampled_from(list(WAYS)),
+            st.floats(0, 3600),
+        ),
+        max_size=5,
+        unique_by=lambda point: point[0],
+    )
+)
+def test_there_and_back_to_the_last_bit(points: list[tuple[str, tuple[float, ...], str, float]]) -> None:
+    """Any name that a person can read, and every float, −0.0 and the smallest among them."""
+    here = Taught(ROBOT, tuple(waypoint(ROBOT, *point) for point in points))
+    are_alike(decoded(encoded(here), ROBOT), here)
+
+
+def test_any_name_of_a_robot_can_be_written() -> None:
+    """Those of URDF files may hold anything."""
+    odd = replace(ROBOT, name='odd "\\ \n\t\x00\x7f ção')
+    are_alike(decoded(encoded(Taught(odd)), odd), Taught(odd))
+
+
+def test_a_person_can_read_it() -> None:
+    q = [0.1, 0.5, -1.0, 0.0, 1e-07]
+    file = encoded(Taught(ROBOT, (waypoint(ROBOT, 'above the "ball"', q, "line", 0.5),))).decode()
+    assert [line for line in file.splitlines() if not line.startswith("#")] == [
+        'format = "helicoide waypoints 1"',
+        'robot = "movemaster"',
+        'joints = ["J1", "J2", "J3", "J4", "J5"]',
+        "",
+        "[[waypoint]]",
+        'name = "above the \\"ball\\""',
+        "q = [0.1, 0.5, -1.0, 0.0, 1e-07]",
+        'way = "line"',
+        "dwell = 0.5",
+    ]
+
+
+def test_what_a_person_leaves_out_or_writes_as_a_whole_number() -> None:
+    file = encoded(Taught(ROBOT)) + b'[[waypoint]]\nname = "zero"\nq = [0, 0, -1, 0, 0]\n'
+    (point,) = decoded(file, ROBOT).waypoints
+    np.testing.assert_array_equal(point.q, [0, 0, -1, 0, 0])
+    assert (point.way, point.dwell) == ("joints", 0.0)
+
+
+def test_the_file_of_another_robot_is_refused_with_both_names() -> None:
+    with pytest.raises(HelicoideError, match="taught to puma560, and this robot is movemaster") as refused:
+        decoded(encoded(taught("puma560")), ROBOT)
+    assert "robô puma560, e este é o movemaster" in refused.value.text.pt_BR
+
+
+def test_the_file_of_a_robot_with_other_joints_is_refused() -> None:
+    file = encoded(taught("movemaster")).replace(b'"J2", "J3"', b'"J3", "J2"')
+    with pytest.raises(HelicoideError, match="with the joints J1, J3, J2, J4, J5; this one has J1, J2, J3, J4, J5"):
+        decoded(file, ROBOT)
+
+
+GOOD = encoded(taught("movemaster")).decode()
+HEADER = encoded(Taught(ROBOT)).decode()
+POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
+
+
+@pytest.mark.parametrize(
+    ("file", "words"),
+    [
+        (b"", "format must be 'helicoide waypoints 1', not None"),
+        (b"\xff\xfe", "not a file of waypoints"),
+        (b"\x00" * 100, "not a file of waypoints"),
+        (b"= = =", "not a file of waypoints"),
+        (b"a = " + b"[" * 5000, "not a file of waypoints"),
+        (f"format = {FORMAT!r}".encode(), "missing required field `robot`"),
+        (GOOD.replace("waypoints 1", "waypoints 2"), "not 'helicoide waypoints 2'"),
+        (GOOD[: len(GOOD) // 2], "not a file of waypoints"),
+        (GOOD + "speed = 3\n", "unknown field `speed`"),
+        (GOOD.replace('name = "b"', 'name = "a"'), "a waypoint 'a' already"),
+        (GOOD.replace('"line"', '"jump"'), "the ways are: joints (all joints evenly), line"),
+        (GOOD.replace('"line"', "3"), "not a file of waypoints"),
+        (GOOD.replace("dwell = 0.5", "dwell = -0.5"), "0 to 3600 s, not -0.5"),
+        (GOOD.replace("dwell = 0.5", "dwell = nan"), "0 to 3600 s, not nan"),
+        (GOOD.replace("dwell = 0.5", "dwell = 1e999"), "0 to 3600 s, not inf"),
+        (HEADER + POINT.replace("[0.0, ", "["), "takes 5 finite joint values"),
+        (HEADER + POINT.replace("-1.0", "nan"), "takes 5 finite joint values"),
+        (HEADER + POINT.replace("-1.0", "-inf"), "takes 5 finite joint values"),
+        (HEADER + POINT.replace("-1.0", "1e300"), "puts J3 at 1e+300 rad"),
+        (HEADER + POINT.replace("-1.0", "1" + "0" * 400), "not a file of waypoints"),
+        (HEADER + POINT.replace("-1.0", "'one'"), "not a file of waypoints"),
+        (HEADER + POINT.replace('"x"', '"x\\u0000"'), "visible characters"),
+        (HEADER + "waypoint = 3\n", "not a file of waypoints"),
+    ],
+)
+def test_broken_files_are_refused_in_words(file: str | bytes, words: str) -> None:
+    with pytest.raises(HelicoideError) as refused:
+        decoded(file if isinstance(file, bytes) else file.encode(), ROBOT)
+    assert words in refused.value.text.en
+    assert refused.value.text.pt_BR != refused.value.text.en
+
+
+def read(content: bytes) -> Taught | HelicoideError:
+    """What is in a file, or why it is refused."""
+    try:
+        return decoded(content, ROBOT)
+    except HelicoideError as refused:
+        return refused
+
+
+@given(noise=st.binary(max_size=200), at=st.integers(0, len(GOOD.encode())))
+def test_no_noise_in_a_file_crashes(noise: bytes, at: int) -> None:
+    good = GOOD.encode()
+    found = read(good[:at] + noise + good[at:])
+    assert isinstance(found, HelicoideError) or all(np.isfinite(point.q).all() for point in found.waypoints)
+
+
+@given(at=st.integers(0, len(GOOD.encode()) - 1))
+def test_no_cut_in_a_file_crashes(at: int) -> None:
+    """What is left is refused, unless it is a file itself: then its waypoints are the first of the whole."""
+    whole, found = decoded(GOOD.encode(), ROBOT), read(GOOD.encode()[:at])
+    assert isinstance(found, HelicoideError) or found.names == whole.names[: len(found.names)]

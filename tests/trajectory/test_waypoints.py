@@ -1,0 +1,104 @@
+"""Lists of taught waypoints: what can be put in, renamed, moved and taken out, and what is refused in words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from tests.kinematics.arms import arm
+from tests.trajectory.taught import taught
+
+from helicoide.text import HelicoideError
+from helicoide.trajectory.waypoints import Taught, deleted, inserted, moved, renamed, waypoint
+
+ROBOT = arm("movemaster")
+READY = ROBOT.poses["ready"]
+
+
+def test_a_waypoint_goes_in_at_every_place() -> None:
+    three, new = taught("movemaster"), waypoint(ROBOT, "new", READY)
+    for at in range(4):
+        more = inserted(three, at, new)
+        assert more.names == (*"abc"[:at], "new", *"abc"[at:])
+        assert more.waypoints[at] is new
+        assert deleted(more, "new").waypoints == three.waypoints
+    assert three.names == ("a", "b", "c")
+    assert inserted(Taught(ROBOT), 0, new).names == ("new",)
+
+
+@given(names=st.lists(st.sampled_from("abcdefg"), unique=True, min_size=1), data=st.data())
+def test_a_waypoint_can_be_moved_and_moved_back(names: list[str], data: st.DataObject) -> None:
+    here = taught("movemaster", names)
+    i, to = (data.draw(st.integers(0, len(names) - 1)) for _ in range(2))
+    there = moved(here, names[i], to)
+    assert there.names[to] == names[i]
+    assert [name for name in there.names if name != names[i]] == [name for name in names if name != names[i]]
+    assert moved(there, names[i], i).waypoints == here.waypoints
+
+
+def test_another_name_changes_nothing_else() -> None:
+    here = taught("movemaster")
+    there = renamed(here, "b", "above the ball")
+    assert there.names == ("a", "above the ball", "c")
+    assert there.waypoints[1].q is here.waypoints[1].q
+    assert (there.waypoints[1].way, there.waypoints[1].dwell) == ("line", 0.5)
+    assert renamed(there, "above the ball", "b").names == here.names
+    assert renamed(here, "b", "b").names == here.names
+
+
+def test_the_posture_cannot_be_changed_from_outside() -> None:
+    q = READY.copy()
+    new = waypoint(ROBOT, "new", q)
+    q[0] = 1.0
+    np.testing.assert_array_equal(new.q, READY)
+    assert not new.q.flags.writeable
+
+
+def test_home_can_be_taught_although_it_lies_outside_the_limits() -> None:
+    assert (ROBOT.poses["home"] > ROBOT.upper).any()
+    np.testing.assert_array_equal(waypoint(ROBOT, "home", ROBOT.poses["home"]).q, ROBOT.poses["home"])
+
+
+HERE = taught("movemaster")
+
+
+@pytest.mark.parametrize(
+    ("wish", "words"),
+    [
+        (lambda: deleted(HERE, "d"), "no waypoint 'd'; there is: a, b, c"),
+        (lambda: moved(HERE, "d", 0), "no waypoint 'd'"),
+        (lambda: renamed(HERE, "d", "e"), "no waypoint 'd'"),
+        (lambda: renamed(HERE, "a", "b"), "a waypoint 'b' already; taken are: a, b, c"),
+        (lambda: inserted(HERE, 0, HERE.waypoints[1]), "a waypoint 'b' already"),
+        (lambda: inserted(HERE, 4, waypoint(ROBOT, "d", READY)), "no place 4 in the list; the places are 0 to 3"),
+        (lambda: inserted(HERE, -1, waypoint(ROBOT, "d", READY)), "no place -1"),
+        (lambda: moved(HERE, "a", 3), "no place 3 in the list; the places are 0 to 2"),
+        (lambda: deleted(Taught(ROBOT), "a"), "there is: none yet"),
+        (
+            lambda: waypoint(ROBOT, "x", READY, "jump"),
+            "joints (all joints evenly), line (straight line), screw (a",
+        ),
+        (lambda: waypoint(ROBOT, "x", READY, "line", -1.0), "for 0 to 3600 s, not -1"),
+        (lambda: waypoint(ROBOT, "x", READY, "line", float("nan")), "for 0 to 3600 s, not nan"),
+        (lambda: waypoint(ROBOT, "x", READY[:4]), "takes 5 finite joint values"),
+        (lambda: waypoint(ROBOT, "x", [np.nan] * 5), "takes 5 finite joint values"),
+        (lambda: waypoint(ROBOT, "x", [0, 0, 9, 0, 0]), "puts J3 at 9 rad, which must lie from -2.148 to"),
+    ],
+)
+def test_what_cannot_be_is_refused_in_words(wish: Callable[[], object], words: str) -> None:
+    with pytest.raises(HelicoideError) as refused:
+        wish()
+    assert words in refused.value.text.en
+    assert refused.value.text.pt_BR != refused.value.text.en
+    assert HERE.names == ("a", "b", "c")
+
+
+@pytest.mark.parametrize("name", ["", " a", "a ", "two\nlines", "\x7f", "\ud800", "a" * 61])
+def test_a_name_is_visible(name: str) -> None:
+    with pytest.raises(HelicoideError, match="1 to 60 visible characters"):
+        waypoint(ROBOT, name, READY)
+    with pytest.raises(HelicoideError, match="1 to 60 visible characters"):
+        renamed(HERE, "a", name)

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.soak
         ("coutinho_s1", {}, 8),
         ("coutinho_s2", {}, 21),
         ("coutinho_s4", {}, 21),
-        ("coutinho_inverses", {}, 40),
+        ("coutinho_inverses", {}, 36),
         ("coutinho_e1", {"gains": "simulations"}, 20),
         ("coutinho_e1", {"gains": "experiments"}, 20),
         ("coutinho_rod", {}, 14),

@@ -162,7 +162,7 @@ def _is_played(desk: Desk, command: Replay) -> bool:
 
 
 def _is_timed(chart: Chart) -> bool:
-    return chart.across.en.endswith("[s]")
+    return chart.across.en.startswith(("time", "t [", "t (", "t,"))
 
 
 @lru_cache(maxsize=8)

@@ -70,11 +70,6 @@ def take_planes(names: Sequence[str], planes: Planes) -> Update:
     return driven(wish)
 
 
-def confine(panes: Sequence[Pane]) -> Update:
-    """Planes that were found, each in place of the one of the same name."""
-    return driven(lambda state: confined(state, panes))
-
-
 def see(name: str, seen: Seen, pane: Pane | None) -> Update:
     """A cloud that was read for a plane of that name, and the plane, which confines the arm at once."""
 

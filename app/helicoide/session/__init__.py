@@ -198,9 +198,11 @@ class Session:
                 self._replaying = self.loop.create_task(self._play_taught())
 
     async def _play_taught(self) -> None:
-        """Work out the way through the waypoints in a thread, then go it."""
+        """Work out the way through the waypoints in a thread; a stop, or another wish, in the meantime ends it."""
         state = self.state
-        self.post(await asyncio.to_thread(through, state.taught, state.q))
+        wish = await asyncio.to_thread(through, state.taught, state.q)
+        if self.robot is state.robot and self.state.command is state.command:
+            self.post(wish)
 
     def play(self, motion: Motion) -> None:
         """Play what an arm did, on that arm. Only on the event loop."""
@@ -220,6 +222,7 @@ class Session:
 
     async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
         """Load a robot in a thread; what is wrong with it is said, and the old one stays."""
+        before = self.state.command
         try:
             robot = await asyncio.to_thread(load, robot_name, None, lengths)
             drawn = await asyncio.to_thread(shapes.load, robot)
@@ -230,9 +233,10 @@ class Session:
             self.post(lambda state: replace(state, notice=words))
             return
         if robot_name == self._wanted:
+            stopped = self.state.command is not before
             await self._clear()
             self._mount(robot, drawn)
-            if then is not None:
+            if then is not None and not stopped:
                 self.post(then)
 
     async def _clear(self) -> None:

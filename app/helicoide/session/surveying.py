@@ -69,6 +69,8 @@ class Surveying:
             state = self.state()
             cloud = await asyncio.to_thread(seen_by, camera, state)
             await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
+            if self.state().command is not state.command:  # stopped, or sent elsewhere, while the cloud was read
+                return
         self.post(gate.get_ready())
 
     async def _arrived(self, pose: str) -> bool:

@@ -72,7 +72,8 @@ class Page:
             self.made[message["props"]["label"]] = message
 
     def give(self, label: str, value: object) -> None:
-        """Set the value of a control, as its slider, box or button would."""
+        """Set the value of a control, as its slider, box or button would; it may still be on its way."""
+        assert eventually(lambda: label in self.made)
         self.send({"type": "GuiUpdateMessage", "uuid": self.made[label]["uuid"], "updates": {"value": value}})
 
     def drag(self, phase: str, name: str = "/target", **pose: object) -> None:

@@ -16,7 +16,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import PATH, State, Update
+from helicoide.state import State, Update
 
 Random = np.random.Generator
 Wish = Callable[[Random, State], Update]
@@ -129,7 +129,7 @@ WISHES: list[tuple[float, Wish]] = [
     (2, lambda rng, state: gate.hold_orientation(rng.random() < 0.5)),
     (1, lambda rng, state: gate.stop()),
     (2, lambda rng, state: gate.play()),
-    (1, lambda rng, state: gate.scrub(rng.uniform(0, PATH.period))),
+    (1, lambda rng, state: gate.scrub(rng.uniform(0, 1))),
     (1, lambda rng, state: gate.pause()),
     (1, lambda rng, state: gate.park()),
     (2, lambda rng, state: gate.get_ready()),

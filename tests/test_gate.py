@@ -54,7 +54,7 @@ OTHERS: dict[str, Wrong] = {
     "gripper too closed": lambda: gate.set_gripper(-0.01),
     "unknown pose": lambda: gate.go_to("nowhere"),
     "path NaN": lambda: gate.scrub(NAN),
-    "path too long": lambda: gate.scrub(30.1),
+    "path too long": lambda: gate.scrub(1.01),
     "path before its start": lambda: gate.scrub(-0.1),
     "plane 9": lambda: gate.drag_plane("seat", "start", 9, HERE, UP),
     "plane -1": lambda: gate.drag_plane("seat", "start", -1, HERE, UP),
@@ -141,7 +141,7 @@ def test_what_is_left_of_a_drag_does_nothing_after_a_stop(state: State, phase: g
 
 SLIDERS: dict[str, Update] = {
     "joint": gate.set_joint(1, 0.1),
-    "path": gate.scrub(12.0),
+    "path": gate.scrub(0.4),
     "gripper": gate.set_gripper(0.7),
 }
 
@@ -226,7 +226,7 @@ DRIVING: dict[str, Update] = {
     "pose": gate.go_to("zero"),
     "play": gate.play(),
     "pause": gate.pause(),
-    "scrub": gate.scrub(3.0),
+    "scrub": gate.scrub(0.1),
     "plane": gate.drag_plane("seat", "start", 0, [0.5, 0, 0.7], [0, 1, 0, 0]),
     "restored planes": gate.restore_planes(),
 }

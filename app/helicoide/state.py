@@ -20,7 +20,8 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Language, Text
-from helicoide.trajectory import EQ_33, Path
+from helicoide.trajectory import Path
+from helicoide.trajectory.fastest import Shape
 from helicoide.trajectory.path import JointPath
 from helicoide.trajectory.waypoints import Taught, Waypoint
 
@@ -45,6 +46,18 @@ class ToJoints:
 
     q: Array
     yielding: int = EVERY
+
+
+@dataclass(frozen=True)
+class Course:
+    """The path that Play follows: its key among those of the arm, its time scaling, and how long it takes, s.
+
+    None: the first of the arm, and as long as it takes of its own.
+    """
+
+    name: str | None = None
+    shape: Shape = "constant speed"
+    duration: float | None = None
 
 
 @dataclass(frozen=True)
@@ -125,11 +138,12 @@ class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
     q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
-    1 open; path_s: where the path stands, s; rested: s since the wish last changed; detour: joints of another posture
-    to pass through, and whether one was searched; parked: planes off, between `home` and `ready`; latched: until when
-    sliders are ignored after a stop; goal: where the command leads, solved at the scene's rate. drive: the method that
-    brings the tool to poses; held: what held it back; beside: a second arm to compare with; seen: the clouds that were
-    read, by the name of the plane that was looked for; waypoints: those that were taught.
+    1 open; course: the path that Play follows, and path_s, where on it the target stands, s; rested: s since the wish
+    last changed; detour: joints of another posture to pass through, and whether one was searched; parked: planes off,
+    between `home` and `ready`; latched: until when sliders are ignored after a stop; goal: where the command leads,
+    solved at the scene's rate. drive: the method that brings the tool to poses; held: what held it back; beside: a
+    second arm to compare with; seen: the clouds that were read, by the name of the plane that was looked for;
+    waypoints: those that were taught, and leg_shape, the time scaling of the way to each.
     """
 
     problem: Problem
@@ -140,6 +154,7 @@ class State:
     gripper: float = 0.0
     gripper_target: float = 0.0
     command: Command = Hold()
+    course: Course = Course()
     path_s: float = 0.0
     with_orientation: bool = True
     rested: float = 0.0
@@ -155,6 +170,7 @@ class State:
     beside: Beside | None = None
     seen: Mapping[str, Seen] = field(default_factory=lambda: MappingProxyType({}))
     waypoints: tuple[Waypoint, ...] = ()
+    leg_shape: Shape = "trapezoid"
 
     @property
     def robot(self) -> Robot:
@@ -253,4 +269,3 @@ class Seat:
 
 
 SeatUpdate = Callable[[Seat], Seat]
-PATH = EQ_33

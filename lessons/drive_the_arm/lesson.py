@@ -11,7 +11,7 @@ from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.lesson import Step
 from helicoide.readout import plane_distances
-from helicoide.state import PATH, Hold, Seat, State, ToPose, Update
+from helicoide.state import Course, Hold, Seat, State, ToPose, Update
 from helicoide.text import Text
 
 TITLE = Text(en="Drive the arm", pt_BR="Conduza o braço")
@@ -29,7 +29,7 @@ def start(state: State) -> State:
     """Ask for the arm at `ready`, the measured planes, a held orientation and the path at its beginning."""
     for wish in (gate.restore_planes(), gate.hold_orientation(True), gate.get_ready()):
         state = wish(state)
-    return replace(state, path_s=0.0)
+    return replace(state, course=Course(), path_s=0.0)
 
 
 def target_at(x: float, y: float, z: float, about_z_deg: float = 0.0) -> Update:
@@ -85,7 +85,8 @@ def held_by_the_ceiling(state: State, seat: Seat) -> bool:
 
 def stopped_on_the_path(state: State, seat: Seat) -> bool:
     """Stopped after following the path for a while; walls may hold the tool some way off the curve."""
-    away = np.linalg.norm(PATH.point(state.path_s) - state.T_world_tool[:3, 3])
+    on_path = gate.path_of(state.robot, state.course).pose(state.path_s)
+    away = np.linalg.norm(on_path[:3, 3] - state.T_world_tool[:3, 3])
     return state.command == Hold(stopped=True) and state.path_s >= FOLLOWED and bool(away < NEAR_PATH)
 
 

@@ -103,7 +103,7 @@ def test_the_path_plays_pauses_and_scrubs(lab: Lab, page: Page) -> None:
     stood = lab.state.path_s
     lab.ticks(page, 50)
     assert lab.state.path_s == stood
-    box(page, 12, "15")
+    box(page, 12, "50")
     until(page, lambda: lab.state.path_s == 15.0)
     assert isinstance(lab.state.command, Along)
     assert not lab.state.command.playing

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from tests.driving import after, turning_z_to
@@ -32,7 +34,7 @@ def taught() -> State:
 
 
 def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> None:
-    state = through(taught.taught, taught.q)(taught)
+    state = through(taught)(taught)
     assert isinstance(state.command, Replay)
     path, worst, passed = state.command.path, 0.0, [np.inf] * 3
     for _ in range(3000):
@@ -54,7 +56,7 @@ def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> N
 def test_a_plane_in_the_way_slows_the_replay_and_is_never_crossed(state: State) -> None:
     state = gate.record()(gate.hold_orientation(False)(state))
     state = gate.record()(after(gate.set_target([0.5, 0.15, 0.3], UP)(state), 5.0))
-    state = through(state.taught, state.robot.poses["ready"])(after(gate.get_ready()(state), 6.0))
+    state = through(replace(state, q=state.robot.poses["ready"]))(after(gate.get_ready()(state), 6.0))
     ceiling = state.problem.planes.centres[0] - [0, 0, 0.05]
     state = gate.drag_plane("one", "start", 0, ceiling, _facing(state))(state)
     state = gate.drag_plane("one", "end", 0, ceiling, _facing(state))(state)
@@ -86,6 +88,20 @@ def test_points_go_to_a_file_and_come_back(taught: State) -> None:
         np.testing.assert_array_equal(one.q, other.q)
 
 
+def test_the_way_the_stay_and_the_posture_of_a_point_can_be_changed(taught: State) -> None:
+    state = gate.set_dwell("P2", 1.5)(gate.set_way("P2", "screw")(taught))
+    state = gate.teach_again("P1")(gate.go_to("zero")(state))
+    first, second, third = state.waypoints
+    assert (second.way, second.dwell, third) == ("screw", 1.5, taught.waypoints[2])
+    np.testing.assert_array_equal(second.q, taught.waypoints[1].q)
+    np.testing.assert_array_equal(first.q, taught.q)
+    slow = through(gate.choose_leg_shape("minimum jerk")(state))(state).command
+    fast = through(state)(state).command
+    assert isinstance(slow, Replay)
+    assert isinstance(fast, Replay)
+    assert slow.path.duration > fast.path.duration + 0.1
+
+
 def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
     wishes = [
         gate.record("jump"),
@@ -93,6 +109,11 @@ def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
         gate.rename_waypoint("P1", "P2"),
         gate.rename_waypoint("P1", "  "),
         gate.move_waypoint("P1", 7),
+        gate.set_way("P1", "jump"),
+        gate.set_dwell("P1", -1.0),
+        gate.set_dwell("P1", float("nan")),
+        gate.teach_again("P9"),
+        gate.choose_leg_shape("sudden"),  # type: ignore[arg-type]
         gate.delete_waypoint("nothing"),
         gate.take_waypoints(b"\xff"),
         gate.take_waypoints(encoded(state.taught)),
@@ -101,7 +122,7 @@ def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
         refused = wish(taught)
         assert refused.waypoints is taught.waypoints
         assert refused.notice is not None
-    nothing = through(state.taught, state.q)(state)
+    nothing = through(state)(state)
     assert nothing.command is state.command
     assert nothing.notice is not None
 

@@ -43,12 +43,23 @@ from helicoide.gate.obstacles import (
     set_obstacle,
     set_obstacle_radius,
 )
-from helicoide.gate.path import pause, play, scrub
+from helicoide.gate.path import choose_path, choose_scaling, pause, play, scrub, set_duration
 from helicoide.gate.planes import drag_plane, restore_planes
+from helicoide.gate.presets import LAWS, LONGEST, SHORTEST, path_of, presets
 from helicoide.gate.replaying import replay, replay_motion
 from helicoide.gate.stopping import stop
 from helicoide.gate.target import Phase, drag_target, hold_orientation, let_go, set_target
-from helicoide.gate.teaching import delete_waypoint, move_waypoint, record, rename_waypoint, take_waypoints
+from helicoide.gate.teaching import (
+    choose_leg_shape,
+    delete_waypoint,
+    move_waypoint,
+    record,
+    rename_waypoint,
+    set_dwell,
+    set_way,
+    take_waypoints,
+    teach_again,
+)
 
 __all__ = [
     "ENTRY",
@@ -56,16 +67,22 @@ __all__ = [
     "LARGEST",
     "LARGEST_GAIN",
     "LATCH",
+    "LAWS",
     "LEAST_GAIN",
+    "LONGEST",
     "NO_PARKING",
     "PARKED",
+    "SHORTEST",
     "SMALLEST",
     "Phase",
     "add_obstacle",
     "add_plane",
     "add_plane_through",
+    "choose_leg_shape",
     "choose_method",
     "choose_objective",
+    "choose_path",
+    "choose_scaling",
     "clear_planes",
     "compare_with",
     "delete_waypoint",
@@ -83,9 +100,11 @@ __all__ = [
     "objective_as_row",
     "obstacle_handle",
     "park",
+    "path_of",
     "pause",
     "play",
     "pose",
+    "presets",
     "record",
     "remove_obstacle",
     "remove_plane",
@@ -97,6 +116,8 @@ __all__ = [
     "scrub",
     "see",
     "set_box",
+    "set_duration",
+    "set_dwell",
     "set_entry",
     "set_gain",
     "set_gripper",
@@ -106,10 +127,12 @@ __all__ = [
     "set_obstacle_radius",
     "set_option",
     "set_target",
+    "set_way",
     "set_zones",
     "stop",
     "take_planes",
     "take_planes_of",
     "take_waypoints",
+    "teach_again",
     "weigh_objective",
 ]

@@ -1,17 +1,25 @@
-"""The path that the target follows."""
+"""The path that the target follows: which one, how fast, and where on it."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from helicoide.gate.check import LATCH, driven, finite
-from helicoide.state import PATH, Along, State, Update, commanded
+from helicoide.gate.presets import path_of
+from helicoide.state import Along, Course, Hold, State, Update, commanded
 from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.fastest import Shape
 
 
 def play() -> Update:
-    """Follow the path from where its parameter stands."""
-    return driven(lambda state: commanded(state, Along(PATH, state.path_s, playing=True)))
+    """Follow the path from where its parameter stands, or an open one that has ended from its start."""
+
+    def wish(state: State) -> State:
+        path = path_of(state.robot, state.course)
+        ended = state.path_s >= path.duration and not path.is_closed
+        return commanded(state, Along(path, 0.0 if ended else state.path_s, playing=True))
+
+    return driven(wish)
 
 
 def pause() -> Update:
@@ -25,20 +33,55 @@ def pause() -> Update:
     return driven(wish)
 
 
-def scrub(s: float) -> Update:
-    """Another place of the path, in seconds from its start; playing goes on from there."""
+def scrub(share: float) -> Update:
+    """Another place of the path, as a share of its time, 0 to 1; playing goes on from there."""
 
     def wish(state: State) -> State:
         if state.t < state.latched:
             return replace(state, latched=state.t + LATCH)
-        (value,) = finite([s], (1,))
-        if not 0.0 <= value <= PATH.duration:
+        (value,) = finite([share], (1,))
+        if not 0.0 <= value <= 1.0:
             raise HelicoideError(
-                Text(en="The path takes 0 to {end:g} s.", pt_BR="A trajetória aceita de 0 a {end:g} s.").format(
-                    end=PATH.duration
+                Text(
+                    en="A place on the path is 0 to 100 % of its time.",
+                    pt_BR="Um ponto da trajetória fica entre 0 e 100 % do seu tempo.",
                 )
             )
+        path = path_of(state.robot, state.course)
+        s = float(value) * path.duration
         playing = isinstance(state.command, Along) and state.command.playing
-        return commanded(replace(state, path_s=value), Along(PATH, value, playing=playing))
+        return commanded(replace(state, path_s=s), Along(path, s, playing=playing))
 
     return driven(wish)
+
+
+def choose_path(name: str) -> Update:
+    """Another path of `presets`, from its start and in its own time; an arm that follows a path stops."""
+    return driven(lambda state: _from_start(state, replace(state.course, name=name, duration=None)))
+
+
+def choose_scaling(shape: Shape) -> Update:
+    """Another time scaling of the path, from its start; an arm that follows a path stops."""
+    return driven(lambda state: _from_start(state, replace(state.course, shape=shape)))
+
+
+def set_duration(seconds: float) -> Update:
+    """How long the path takes; an arm that follows it goes on from where it is, slower or faster."""
+
+    def wish(state: State) -> State:
+        (value,) = finite([seconds], (1,))
+        course = replace(state.course, duration=float(value))
+        before, after = path_of(state.robot, state.course), path_of(state.robot, course)
+        s = state.path_s * after.duration / before.duration
+        state = replace(state, course=course, path_s=s, notice=None)
+        if isinstance(state.command, Along):
+            state = replace(state, command=replace(state.command, path=after, s=s))
+        return state
+
+    return driven(wish)
+
+
+def _from_start(state: State, course: Course) -> State:
+    path_of(state.robot, course)
+    state = replace(state, course=course, path_s=0.0, notice=None)
+    return commanded(state, Hold()) if isinstance(state.command, Along) else state

@@ -5,11 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from helicoide.gate.check import checked
+from helicoide.gate.check import checked, finite
+from helicoide.gate.presets import LAWS
 from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.fastest import Shape
 from helicoide.trajectory.waypoint_file import decoded
-from helicoide.trajectory.waypoints import Taught, deleted, inserted, moved, renamed, waypoint
+from helicoide.trajectory.waypoints import (
+    Taught,
+    deleted,
+    inserted,
+    moved,
+    placed_at,
+    reached_by,
+    renamed,
+    stayed_at,
+    waypoint,
+)
 
 MOST = 60
 
@@ -42,6 +54,42 @@ def move_waypoint(name: str, to: int) -> Update:
 def delete_waypoint(name: str) -> Update:
     """A waypoint less."""
     return _changed(lambda state: deleted(state.taught, name))
+
+
+def set_way(name: str, way: str) -> Update:
+    """Another way to a waypoint, one of `waypoints.WAYS`."""
+    return _changed(lambda state: reached_by(state.taught, name, way))
+
+
+def set_dwell(name: str, seconds: float) -> Update:
+    """How long to stay at a waypoint, s."""
+
+    def change(state: State) -> Taught:
+        (value,) = finite([seconds], (1,))
+        return stayed_at(state.taught, name, float(value))
+
+    return _changed(change)
+
+
+def teach_again(name: str) -> Update:
+    """A waypoint as the arm stands now."""
+    return _changed(lambda state: placed_at(state.taught, name, state.q))
+
+
+def choose_leg_shape(shape: Shape) -> Update:
+    """Another time scaling of the way to each waypoint."""
+
+    def wish(state: State) -> State:
+        if shape not in LAWS:
+            raise HelicoideError(
+                Text(
+                    en="There is no time scaling {shape!r}; there is: {shapes}.",
+                    pt_BR="Não há lei de tempo {shape!r}; há: {shapes}.",
+                ).format(shape=shape, shapes=", ".join(LAWS))
+            )
+        return replace(state, leg_shape=shape, notice=None)
+
+    return checked(wish)
 
 
 def take_waypoints(content: bytes) -> Update:

@@ -10,6 +10,7 @@ import asyncio
 import logging
 import secrets
 from collections import deque
+from collections.abc import Callable
 from dataclasses import replace
 
 from helicoide import content, gate, kernels, lesson
@@ -18,7 +19,7 @@ from helicoide.jobs.apart import Apart
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.session.preparing import TICK, compiled, exercise, rehearse
-from helicoide.session.replaying import through
+from helicoide.session.replaying import along_fastest, through
 from helicoide.session.studies import Studies
 from helicoide.session.surveying import Surveying
 from helicoide.state import Seat, State, Update, initial
@@ -26,7 +27,7 @@ from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
-from helicoide.view.rows import Play, PlayTaught, ReadCloud, Tour, View, Wish
+from helicoide.view.rows import Play, PlayFastest, PlayTaught, ReadCloud, Tour, View, Wish
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, remember, remembered, seated
@@ -195,12 +196,14 @@ class Session:
             case ReadCloud(name, content, plane):
                 self.survey.read(name, content, plane)
             case PlayTaught():
-                self._replaying = self.loop.create_task(self._play_taught())
+                self._replaying = self.loop.create_task(self._work_out(through))
+            case PlayFastest():
+                self._replaying = self.loop.create_task(self._work_out(along_fastest))
 
-    async def _play_taught(self) -> None:
-        """Work out the way through the waypoints in a thread; a stop, or another wish, in the meantime ends it."""
+    async def _work_out(self, way: Callable[[State], Update]) -> None:
+        """Work out a motion in a thread; a stop, or another wish, in the meantime ends it."""
         state = self.state
-        wish = await asyncio.to_thread(through, state.taught, state.q)
+        wish = await asyncio.to_thread(way, state)
         if self.robot is state.robot and self.state.command is state.command:
             self.post(wish)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from math import isfinite
 from types import MappingProxyType
@@ -151,11 +151,30 @@ def moved(taught: Taught, name: str, to: int) -> Taught:
 
 def renamed(taught: Taught, name: str, new: str) -> Taught:
     """The list with another name for a waypoint."""
-    i = taught.index(name)
+    taught.index(name)
     if new != name:
         _free(taught, new)
-    changed = replace(taught.waypoints[i], name=_named(new))
-    return replace(taught, waypoints=(*taught.waypoints[:i], changed, *taught.waypoints[i + 1 :]))
+    return _changed(taught, name, lambda old: replace(old, name=_named(new)))
+
+
+def reached_by(taught: Taught, name: str, way: str) -> Taught:
+    """The list with another way to a waypoint."""
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, way, old.dwell))
+
+
+def stayed_at(taught: Taught, name: str, dwell: float) -> Taught:
+    """The list with another stay at a waypoint, s."""
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, dwell))
+
+
+def placed_at(taught: Taught, name: str, q: ArrayLike) -> Taught:
+    """The list with another posture of a waypoint, (n,), rad or m."""
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, q, old.way, old.dwell))
+
+
+def _changed(taught: Taught, name: str, change: Callable[[Waypoint], Waypoint]) -> Taught:
+    i = taught.index(name)
+    return replace(taught, waypoints=(*taught.waypoints[:i], change(taught.waypoints[i]), *taught.waypoints[i + 1 :]))
 
 
 def _free(taught: Taught, name: str) -> None:

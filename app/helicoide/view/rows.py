@@ -76,6 +76,11 @@ class PlayTaught:
     """A wish to go through the waypoints that were taught."""
 
 
+@dataclass(frozen=True)
+class PlayFastest:
+    """A wish to follow the path in the least time that the joints allow."""
+
+
 @dataclass(frozen=True, eq=False)
 class Save:
     """A wish to have a file."""
@@ -84,7 +89,7 @@ class Save:
     content: bytes
 
 
-Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | PlayTaught | Save
+Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | PlayTaught | PlayFastest | Save
 Act = Callable[[Wish], None]
 
 

@@ -7,12 +7,26 @@ from collections.abc import Sequence
 from viser import Icon
 
 from helicoide import gate
-from helicoide.text import Text
+from helicoide.text import Text, same
 from helicoide.trajectory.waypoint_file import encoded
-from helicoide.trajectory.waypoints import WAYS, Way
-from helicoide.view.rows import Button, Changing, Entry, Folder, ForArm, PlayTaught, Row, Save, Upload, View
+from helicoide.trajectory.waypoints import WAYS, Way, Waypoint
+from helicoide.view.followed import scaling
+from helicoide.view.rows import (
+    Button,
+    Changing,
+    Choice,
+    Entry,
+    Folder,
+    ForArm,
+    PlayTaught,
+    Row,
+    Save,
+    Slider,
+    Upload,
+    View,
+)
 
-FILE = "waypoints.toml"
+FILE, LONGEST_STAY = "waypoints.toml", 60.0
 
 
 def teaching_rows() -> Folder:
@@ -20,6 +34,7 @@ def teaching_rows() -> Folder:
     rows: list[Row] = [
         *map(_record, WAYS),
         Folder(Text(en="Points", pt_BR="Pontos"), Changing(_names, _points)),
+        scaling(lambda view: view.state.leg_shape, gate.choose_leg_shape),
         Button(
             lambda _: Text(en="Go through the points", pt_BR="Percorrer os pontos"),
             lambda _: PlayTaught(),
@@ -50,19 +65,38 @@ def _names(view: View) -> str:
 
 def _points(names: str) -> Sequence[Row]:
     listed = names.split("\n") if names else []
-    return [row for place, name in enumerate(listed) for row in _point(place, name)]
+    return [Folder(same(name), _point(place, name), open=False) for place, name in enumerate(listed)]
 
 
 def _point(place: int, name: str) -> list[Row]:
+    def here(view: View) -> Waypoint:
+        return view.state.taught.waypoints[place]
+
     earlier = Text(en="{name}: one place earlier", pt_BR="{name}: uma posição antes").format(name=name)
+    again = Text(en="{name}: as the arm stands now", pt_BR="{name}: como o braço está agora").format(name=name)
     away = Text(en="{name}: take away", pt_BR="{name}: tirar").format(name=name)
     return [
         Entry(
-            Text(en="point {n}", pt_BR="ponto {n}").format(n=place + 1),
+            Text(en="name", pt_BR="nome"),
             lambda _: name,
             Text(en="Rename", pt_BR="Renomear"),
             lambda typed: ForArm(gate.rename_waypoint(name, typed)),
         ),
+        Choice(
+            Text(en="reached by", pt_BR="chega por"),
+            list(WAYS.items()),
+            lambda view: here(view).way,
+            lambda way: ForArm(gate.set_way(name, way)),
+        ),
+        Slider(
+            Text(en="stay [s]", pt_BR="espera [s]"),
+            0.0,
+            LONGEST_STAY,
+            0.1,
+            lambda view: here(view).dwell,
+            lambda seconds: ForArm(gate.set_dwell(name, seconds)),
+        ),
+        Button(lambda _: again, lambda _: ForArm(gate.teach_again(name)), Icon.TARGET),
         *(
             [Button(lambda _: earlier, lambda _: ForArm(gate.move_waypoint(name, place - 1)), Icon.ARROW_UP)]
             if place

@@ -31,6 +31,7 @@ from helicoide.view.rows import (
     ForLab,
     ForSeat,
     Play,
+    PlayFastest,
     PlayTaught,
     ReadCloud,
     Row,
@@ -130,7 +131,7 @@ class Window:
                 self.redesk(self.view.seat.token, update)
             case Save(name, content):
                 self.client.send_file_download(name, content)
-            case Play() | Tour() | ReadCloud() | PlayTaught():
+            case Play() | Tour() | ReadCloud() | PlayTaught() | PlayFastest():
                 self.ask(wish)
 
     def draw(self, view: View) -> None:
@@ -179,8 +180,8 @@ class Window:
         yield Text(en="Ready", pt_BR="Pronto"), ForArm(gate.get_ready())
         if self.robot.panes:
             yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
-            yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
-            yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
+        yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
+        yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
         for name in methods.names():
             title = methods.named(name).TITLE
             yield (

@@ -21,40 +21,27 @@ SHOWN = True
 
 def build(stage: Stage) -> Handles:
     """None to begin with."""
-    return Handles(stage)
-
-
-def _handle(stage: Stage, index: int) -> viser.TransformControlsHandle:
-    handle = stage.scene.add_transform_controls(
-        f"/handles/plane {index}",
-        scale=0.2,
-        line_width=4.0,
-        active_axes=(False, False, True),
-        disable_sliders=True,
-        disable_rotations=True,
-    )
-
-    def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
-        stage.act(ForArm(gate.drag_plane(stage.who, phase, index, position, wxyz)))
-
-    bind.on_drag(handle, dragged)
-    return handle
+    return Handles(stage, NAME, turns=False)
 
 
 class Handles:
-    """The gizmos, one for each plane that may be moved; each stays under the hand that holds it."""
+    """The gizmos, one for each plane that may be moved; each stays under the hand that holds it.
 
-    def __init__(self, stage: Stage) -> None:
-        self.stage = stage
+    turns: whether they turn the planes, with rings, and do not move them, with an arrow.
+    """
+
+    def __init__(self, stage: Stage, name: str, turns: bool) -> None:
+        self.stage, self.name, self.turns = stage, name, turns
         self.gizmos: dict[int, viser.TransformControlsHandle] = {}
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the planes, and hide while they are off."""
         state, planes = new.state, new.state.problem.planes
+        shown = new.seat.shows[self.name] and not state.parked
         movable = {k for k, pane in enumerate(planes.panes) if pane.movable}
-        for k in movable - self.gizmos.keys():
-            self.gizmos[k] = _handle(self.stage, k)
-        shown = new.seat.shows[NAME] and not state.parked
+        for k in movable - self.gizmos.keys() if shown else ():
+            self.gizmos[k] = self._gizmo(k)
+            old = None
         changed = old is None or old.state.problem is not state.problem or old.state.grasp is not state.grasp
         for index, gizmo in self.gizmos.items():
             if gizmo.visible != (shown and index in movable):
@@ -62,3 +49,21 @@ class Handles:
             if changed and index in movable and state.grasp != Grasp(self.stage.who, f"plane {index}"):
                 gizmo.position = planes.centres[index]
                 gizmo.wxyz = pane_wxyz(planes.normals[index])
+
+    def _gizmo(self, index: int) -> viser.TransformControlsHandle:
+        stage = self.stage
+        gizmo = stage.scene.add_transform_controls(
+            f"/{self.name}/plane {index}",
+            scale=0.2,
+            line_width=4.0,
+            active_axes=(self.turns, self.turns, True),
+            disable_axes=self.turns,
+            disable_sliders=True,
+            disable_rotations=not self.turns,
+        )
+
+        def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
+            stage.act(ForArm(gate.drag_plane(stage.who, phase, index, position, wxyz)))
+
+        bind.on_drag(gizmo, dragged)
+        return gizmo

@@ -12,10 +12,11 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
-from helicoide.state import PATH, Along, State, ToJoints, ToPose
+from helicoide.state import Along, State, ToJoints, ToPose
 from helicoide.text import Text, same
 from helicoide.view import layers
 from helicoide.view.enclosure import plane_rows
+from helicoide.view.followed import path_rows
 from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
 from helicoide.view.surroundings import entry_rows, obstacle_rows
 from helicoide.view.teaching import teaching_rows
@@ -26,8 +27,6 @@ ICON = Icon.ROBOT
 
 READY = Text(en="Ready", pt_BR="Pronto")
 PARK = Text(en="Park", pt_BR="Estacionar")
-PLAY = Text(en="Play", pt_BR="Iniciar")
-PAUSE = Text(en="Pause", pt_BR="Pausar")
 
 
 def rows(robot: Robot) -> list[Row]:
@@ -40,11 +39,7 @@ def rows(robot: Robot) -> list[Row]:
         Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.variables))]),
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
-        *(
-            [Folder(Text(en="Path: ellipse, eq. 33", pt_BR="Trajetória: elipse, eq. 33"), _path())]
-            if robot.panes
-            else []
-        ),
+        path_rows(robot),
         teaching_rows(),
         plane_rows(robot),
         obstacle_rows(robot),
@@ -157,29 +152,6 @@ def _set_angles(view: View, degrees: tuple[float, float, float]) -> Wish:
     )
     quat = rotation.multiply(rotation.multiply(z, y), x)
     return ForArm(gate.set_target(target_pose(view.state)[:3, 3], quat))
-
-
-def _playing(view: View) -> bool:
-    return isinstance(view.state.command, Along) and view.state.command.playing
-
-
-def _path() -> list[Row]:
-    return [
-        Button(
-            lambda view: PAUSE if _playing(view) else PLAY,
-            lambda view: ForArm(gate.pause() if _playing(view) else gate.play()),
-            enabled=_driving,
-        ),
-        Slider(
-            label=Text(en="time [s]", pt_BR="tempo [s]"),
-            lower=0.0,
-            upper=PATH.duration,
-            step=0.1,
-            value=lambda view: view.state.path_s,
-            wish=lambda s: ForArm(gate.scrub(s)),
-            enabled=_driving,
-        ),
-    ]
 
 
 def _shows() -> list[Row]:

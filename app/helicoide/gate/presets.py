@@ -1,0 +1,136 @@
+"""The paths that an arm has ready: those of its source, and three for any arm, which begin at its posture `ready`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
+
+import numpy as np
+
+from helicoide.ik.rcm.paths import PATHS as COUTINHO
+from helicoide.kernels import plain
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.workspace import normal_of
+from helicoide.state import Course
+from helicoide.text import HelicoideError, Text, same
+from helicoide.trajectory.cerbaro import EQ_33, EQ_34, EQ_35, MOVEMASTER_ELLIPSE, ORCA_CIRCLE
+from helicoide.trajectory.chained import Chain
+from helicoide.trajectory.fastest import Shape
+from helicoide.trajectory.loop import Loop
+from helicoide.trajectory.path import Path
+from helicoide.trajectory.straight import Line
+from helicoide.trajectory.timing import Constant, Law, MinimumJerk, TimedPath, Trapezoid
+from helicoide.trajectory.vargas import VARGAS
+
+# Half the length of the line, or of the longer axis of a loop, and half the shorter, as shares of the reach; time, s.
+LONG, SHORT, TIME = 0.1, 0.05, 20.0
+SHORTEST, LONGEST = 2.0, 300.0
+LAST_PLANAR = 5  # of the trajectories of Vargas
+RAMP, ABOVE = 0.25, 1e-6
+LAWS: Mapping[Shape, tuple[Text, Law]] = MappingProxyType(
+    {
+        "constant speed": (Text(en="even, as the source has it", pt_BR="uniforme, como na fonte"), Constant()),
+        "trapezoid": (Text(en="trapezoid", pt_BR="trapézio"), Trapezoid(RAMP)),
+        "minimum jerk": (Text(en="minimum jerk", pt_BR="jerk mínimo"), MinimumJerk()),
+    }
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Preset:
+    """A path with its name."""
+
+    title: Text
+    path: Path
+
+
+@cache
+def presets(robot: Robot) -> Mapping[str, Preset]:
+    """The paths of an arm by their keys; the first is the one that it begins with."""
+    return {key: Preset(title, path) for key, title, path in (*_of_source(robot), *_of_any(robot))}
+
+
+def path_of(robot: Robot, course: Course) -> Path:
+    """The path of a course in its own time. Raises HelicoideError for a path that the arm has not, or another time."""
+    known = presets(robot)
+    name = next(iter(known)) if course.name is None else course.name
+    if name not in known or course.shape not in LAWS:
+        raise HelicoideError(
+            Text(
+                en="There is no path {name!r} at {shape!r}; paths: {paths}; time scalings: {shapes}.",
+                pt_BR="Não há trajetória {name!r} com {shape!r}; trajetórias: {paths}; leis de tempo: {shapes}.",
+            ).format(name=name, shape=course.shape, paths=", ".join(known), shapes=", ".join(LAWS))
+        )
+    duration = known[name].path.duration if course.duration is None else course.duration
+    if not SHORTEST <= duration <= LONGEST:
+        raise HelicoideError(
+            Text(
+                en="A path takes {least:g} to {most:g} s, not {given:g}.",
+                pt_BR="Uma trajetória dura de {least:g} a {most:g} s, não {given:g}.",
+            ).format(least=SHORTEST, most=LONGEST, given=duration)
+        )
+    return _in_time(robot, name, course.shape, duration)
+
+
+@cache
+def _in_time(robot: Robot, name: str, shape: Shape, duration: float) -> Path:
+    path = presets(robot)[name].path
+    unchanged = shape == "constant speed" and duration == path.duration
+    return path if unchanged else TimedPath(path, LAWS[shape][1], duration)
+
+
+def _of_source(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
+    match robot.name:
+        case "movemaster":
+            for number, path in ((33, EQ_33), (34, EQ_34), (35, EQ_35)):
+                yield f"eq{number}", same("Cerbaro 2022, eq. {n}").format(n=number), path
+            yield "demonstration", same("Cerbaro 2022, §4.4.4"), MOVEMASTER_ELLIPSE
+        case "orca":
+            yield "demonstration", same("Cerbaro 2022, §4.4.3"), ORCA_CIRCLE
+        case "planar3r" | "zebra_zero":
+            title = Text(en="Vargas 2013, trajectory {n}", pt_BR="Vargas 2013, trajetória {n}")
+            for number, trajectory in VARGAS.items():
+                if (number <= LAST_PLANAR) == (robot.name == "planar3r"):
+                    yield f"vargas{number}", title.format(n=number), trajectory
+        case "dia10" | "dia10_rod":
+            for name, way in COUTINHO.items():
+                yield name, same("Coutinho 2015, {name}").format(name=name), way.of(_ready(robot))
+
+
+def _ready(robot: Robot) -> Array:
+    """The tool at `ready`, T_world_tool (4, 4), m; without a kernel, for the view."""
+    return frozen(plain(link_poses)(robot.chain, robot.poses["ready"])[-1] @ robot.T_link_tool)
+
+
+def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
+    """Level, or in the plane of an arm that has only one; the loops lie on the side of the base."""
+    T, normal = _ready(robot), normal_of(robot)
+    n = np.array([0.0, 0.0, 1.0]) if normal is None else normal
+    outward = _outward(T[:3, 3] - robot.points[0], n)
+    sideways, long, short = np.cross(n, outward), LONG * robot.reach, SHORT * robot.reach
+    there, back = (_moved(T, way * sideways) for way in (long, -long))
+    ways = Line(T, there, TIME / 4), Line(there, back, TIME / 2), Line(back, T, TIME / 4)
+    plane = np.eye(4)
+    plane[:3] = np.column_stack([outward, sideways, n, T[:3, 3] - short * outward])
+    round_, oval = (Loop(frozen(plane), (short, b), frozen(T[:3, :3]), TIME) for b in (short, long))
+    yield "line", Text(en="straight line, there and back", pt_BR="reta, ida e volta"), Chain(ways)
+    yield "circle", Text(en="circle", pt_BR="círculo"), round_
+    yield "ellipse", Text(en="ellipse", pt_BR="elipse"), oval
+
+
+def _moved(T: Array, way: Array) -> Array:
+    moved = T.copy()
+    moved[:3, 3] += way
+    return frozen(moved)
+
+
+def _outward(way: Array, normal: Array) -> Array:
+    """The direction of a way square to a normal; any such direction where they are parallel."""
+    level = way - (way @ normal) * normal
+    if np.linalg.norm(level) < ABOVE:
+        level = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    return np.asarray(level / np.linalg.norm(level))

@@ -1,0 +1,86 @@
+"""Rows for the path that the target follows: which one, in what time, where on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from viser import Icon
+
+from helicoide import gate
+from helicoide.kinematics.robot import Robot
+from helicoide.state import Along, Update
+from helicoide.text import Text
+from helicoide.trajectory import Path
+from helicoide.trajectory.fastest import Shape
+from helicoide.view.rows import Button, Choice, Folder, ForArm, PlayFastest, Row, Slider, View
+
+PLAY = Text(en="Play", pt_BR="Iniciar")
+PAUSE = Text(en="Pause", pt_BR="Pausar")
+PLACE = Text(en="{s:.1f} of {end:g} s [%]", pt_BR="{s:.1f} de {end:g} s [%]")
+
+
+def path_rows(robot: Robot) -> Folder:
+    """Every path that the arm has ready, and what can be done with one."""
+    known = gate.presets(robot)
+    rows: list[Row] = [
+        Choice(
+            Text(en="path", pt_BR="trajetória"),
+            [(key, preset.title) for key, preset in known.items()],
+            lambda view: view.state.course.name or next(iter(known)),
+            lambda key: ForArm(gate.choose_path(key)),
+        ),
+        Button(
+            lambda view: PAUSE if _playing(view) else PLAY,
+            lambda view: ForArm(gate.pause() if _playing(view) else gate.play()),
+            enabled=_free,
+        ),
+        Slider(
+            label=lambda view: PLACE.format(s=view.state.path_s, end=_path(view).duration),
+            lower=0.0,
+            upper=100.0,
+            step=0.1,
+            value=lambda view: 100 * view.state.path_s / _path(view).duration,
+            wish=lambda percent: ForArm(gate.scrub(percent / 100)),
+            enabled=_free,
+        ),
+        scaling(lambda view: view.state.course.shape, gate.choose_scaling),
+        Slider(
+            Text(en="duration [s]", pt_BR="duração [s]"),
+            gate.SHORTEST,
+            gate.LONGEST,
+            1.0,
+            lambda view: _path(view).duration,
+            lambda seconds: ForArm(gate.set_duration(seconds)),
+            _free,
+        ),
+        Button(
+            lambda _: Text(en="As fast as the joints can", pt_BR="O mais rápido que as juntas permitem"),
+            lambda _: PlayFastest(),
+            Icon.BOLT,
+            _free,
+        ),
+    ]
+    return Folder(Text(en="Path", pt_BR="Trajetória"), rows)
+
+
+def scaling(shape: Callable[[View], Shape], choose: Callable[[Shape], Update]) -> Choice:
+    """The choice of a time scaling."""
+    shapes: dict[str, Shape] = {shape: shape for shape in gate.LAWS}
+    return Choice(
+        Text(en="time scaling", pt_BR="lei de tempo"),
+        [(key, title) for key, (title, _) in gate.LAWS.items()],
+        shape,
+        lambda key: ForArm(choose(shapes[key])),
+    )
+
+
+def _free(view: View) -> bool:
+    return not view.state.parked
+
+
+def _playing(view: View) -> bool:
+    return isinstance(view.state.command, Along) and view.state.command.playing
+
+
+def _path(view: View) -> Path:
+    return gate.path_of(view.state.robot, view.state.course)

@@ -1,0 +1,127 @@
+"""The paths that an arm has ready: each is followed, in the time and with the scaling that is asked for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from tests.driving import after
+
+from helicoide import gate
+from helicoide.advance import advance
+from helicoide.kinematics.library import load, titles
+from helicoide.session.replaying import along_fastest
+from helicoide.state import Along, Course, Hold, Replay, State, Update, initial
+from helicoide.trajectory.joints import tool_at
+
+PRESETS = [(name, key) for name in titles() for key in gate.presets(load(name))]
+FOLLOWED = {"line", "circle", "ellipse"}
+
+
+@pytest.mark.parametrize(("name", "key"), PRESETS)
+def test_every_path_is_smooth_and_its_twist_is_its_derivative(name: str, key: str) -> None:
+    path, h = gate.presets(load(name))[key].path, 1e-6
+    for s in np.linspace(0.1, 0.9, 7) * path.duration:
+        v = (path.pose(s + h)[:3, 3] - path.pose(s - h)[:3, 3]) / (2 * h)
+        np.testing.assert_allclose(path.twist(s)[:3], v, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", titles())
+@pytest.mark.parametrize("key", sorted(FOLLOWED))
+def test_every_arm_follows_the_paths_from_its_ready_posture(name: str, key: str) -> None:
+    """Round once: the tool is on the path at every instant, and comes back."""
+    state = gate.choose_path(key)(initial(load(name)))
+    state = gate.play()(gate.hold_orientation(False)(gate.set_duration(10.0)(state)))
+    worst = 0.0
+    for _ in range(1000):
+        state = advance(state, 0.01)
+        assert isinstance(state.command, Along)
+        if state.command.arrived:
+            wished = state.command.path.pose(state.command.s)[:3, 3]
+            worst = max(worst, float(np.linalg.norm(wished - state.T_world_tool[:3, 3])))
+    assert worst < 2e-3 * state.robot.reach
+    assert state.path_s < 0.5 or state.path_s > 9.5
+
+
+def test_each_arm_begins_with_the_path_of_its_source() -> None:
+    first = {name: next(iter(gate.presets(load(name)))) for name in titles()}
+    assert first["movemaster"] == "eq33"
+    assert (first["planar3r"], first["zebra_zero"], first["orca"]) == ("vargas1", "vargas6", "demonstration")
+    assert first["dia10"] == "S1"
+    assert first["puma560"] == "line"
+
+
+def test_a_time_scaling_starts_at_rest_and_takes_as_long(state: State) -> None:
+    even = gate.path_of(state.robot, Course())
+    for shape in ("trapezoid", "minimum jerk"):
+        path = gate.path_of(state.robot, gate.choose_scaling(shape)(state).course)  # type: ignore[arg-type]
+        assert path.duration == even.duration
+        assert np.linalg.norm(path.twist(0.0)) < 1e-9 < np.linalg.norm(even.twist(0.0))
+        np.testing.assert_allclose(path.pose(15.0), even.pose(15.0), atol=1e-12)
+
+
+def test_another_duration_goes_on_from_the_same_place(state: State) -> None:
+    playing = after(gate.play()(gate.hold_orientation(False)(state)), 4.0)
+    slower = gate.set_duration(60.0)(playing)
+    assert isinstance(slower.command, Along)
+    assert slower.command.arrived
+    assert isinstance(playing.command, Along)
+    here, before = slower.command, playing.command
+    np.testing.assert_allclose(here.path.pose(here.s), before.path.pose(before.s), atol=1e-12)
+    assert after(slower, 1.0).path_s == pytest.approx(slower.path_s + 1.0, abs=0.011)
+
+
+def test_another_path_stops_the_one_that_plays(state: State) -> None:
+    playing = after(gate.play()(state), 1.0)
+    for wish in (gate.choose_path("eq35"), gate.choose_scaling("trapezoid")):
+        changed = wish(playing)
+        assert changed.command == Hold()
+        assert changed.path_s == 0.0
+
+
+def test_an_open_path_that_has_ended_begins_again() -> None:
+    state = gate.choose_path("vargas4")(initial(load("planar3r")))
+    state = gate.play()(gate.scrub(1.0)(state))
+    assert isinstance(state.command, Along)
+    assert state.command.s == 0.0
+
+
+def test_the_least_time_keeps_the_limits_and_the_path() -> None:
+    state = gate.choose_scaling("minimum jerk")(gate.choose_path("circle")(initial(load("puma560"))))
+    played = along_fastest(state)(state)
+    assert isinstance(played.command, Replay)
+    path, robot = played.command.path, state.robot
+    assert path.duration < gate.path_of(robot, state.course).duration
+    instants = np.linspace(0, path.duration, 4001)
+    speeds = np.array([np.abs(path.rates(float(s))) / robot.speed for s in instants])
+    assert 0.5 < speeds.max() <= 1.0
+    circle = gate.presets(robot)["circle"].path
+    centre = (circle.pose(0.0)[:3, 3] + circle.pose(circle.duration / 2)[:3, 3]) / 2
+    radii = [np.linalg.norm(tool_at(robot, path.q(float(s)))[:3, 3] - centre) for s in instants[::40]]
+    np.testing.assert_allclose(radii, 0.05 * robot.reach, atol=1e-5)
+
+
+def test_what_cannot_be_followed_to_the_end_is_said() -> None:
+    state = gate.choose_path("vargas4")(initial(load("planar3r")))  # it begins where the arm is stretched
+    refused = along_fastest(state)(state)
+    assert refused.command is state.command
+    assert refused.notice is not None
+
+
+WRONG: dict[str, Callable[[], Update]] = {
+    "path": lambda: gate.choose_path("vargas1"),
+    "words": lambda: gate.choose_scaling("sudden"),  # type: ignore[arg-type]
+    "too short": lambda: gate.set_duration(0.0),
+    "too long": lambda: gate.set_duration(1e6),
+    "NaN": lambda: gate.set_duration(math.nan),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_what_is_wrong_changes_nothing(state: State, wrong: str) -> None:
+    refused = WRONG[wrong]()(state)
+    assert refused.course is state.course
+    assert refused.command is state.command
+    assert refused.notice is not None

@@ -251,7 +251,8 @@ def commanded(state: State, command: Command) -> State:
 class Seat:
     """One person: language, where they are in a lesson, what they selected and what they want to see.
 
-    done: the steps whose goal has been reached.
+    done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
+    while they do not pick.
     """
 
     token: str
@@ -261,6 +262,7 @@ class Seat:
     done: frozenset[str] = frozenset()
     hint_open: bool = False
     selected: str | None = None
+    picked: tuple[tuple[float, ...], ...] | None = None
     shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
 
     def showing(self, name: str, on: bool) -> Seat:

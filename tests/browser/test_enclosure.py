@@ -5,21 +5,24 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from playwright.sync_api import FilePayload, Page
-from tests.browser.lab import Lab, status, tab, until
+from tests.browser.lab import Lab, grab, pixels, status, tab, until
 from tests.perception.views import between
 
 from helicoide import gate
-from helicoide.confinement import planes_of
+from helicoide.confinement import pane_axes, planes_of
 from helicoide.confinement.plane_file import written
+from helicoide.readout import plane_distances
 from helicoide.state import Hold, Replay, ToJoints
 
 SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"
+RING = 0.65 * 0.2  # where a gizmo of this size has its rings
 
 
 @pytest.fixture(scope="module")
 def page(shared_page: Page) -> Page:
     tab(shared_page, "Robot")
     shared_page.get_by_text("Planes", exact=True).click()
+    shared_page.get_by_text("Give a plane", exact=True).click()
     shared_page.get_by_text("Teach a path", exact=True).click()
     return shared_page
 
@@ -45,7 +48,6 @@ def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, p
 
 
 def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
-    page.get_by_text("Give a plane", exact=True).click()
     page.get_by_role("button", name="Put it there").first.click()
     until(page, lambda: "p1" in lab.state.problem.planes.names)
     until(page, lambda: page.evaluate(SHOWN, f"/planes/{len(lab.state.problem.planes.names) - 1}"))
@@ -61,6 +63,46 @@ def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
     until(page, lambda: "junk.toml" in status(page))
     page.get_by_role("button", name="Planes back to the measured ones").click()
     until(page, lambda: lab.state.problem.planes.names == measured.names)
+
+
+def test_three_clicked_points_make_a_plane(lab: Lab, page: Page) -> None:
+    """On the left wall: the new plane is that wall."""
+    lab.reset(page)
+    page.get_by_role("button", name="Click three points in the scene").click()
+    planes = lab.state.problem.planes
+    wall = planes.names.index("+y")
+    across, up, _ = pane_axes(planes.normals[wall]).T
+    for n, (x, z) in enumerate([(-0.12, -0.1), (0.12, -0.1), (0.0, 0.12)], start=1):
+        until(page, lambda n=n: page.get_by_role("button", name=f"Point {n} of 3").count() == 1)  # type: ignore[misc]
+        page.mouse.click(*pixels(page, planes.centres[wall] + x * across + z * up))
+    until(page, lambda: "p1" in lab.state.problem.planes.names)
+    new = lab.state.problem.planes
+    k = new.names.index("p1")
+    assert between(new.normals[k], planes.normals[wall]) < np.radians(0.2)
+    assert abs((new.centres[k] - planes.centres[wall]) @ planes.normals[wall]) < 1e-3
+    until(page, lambda: page.get_by_role("button", name="Click three points in the scene").count() == 1)
+
+
+def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:
+    lab.reset(page)
+    page.get_by_text("Show", exact=True).click()
+    page.get_by_label("Rings that turn the planes").check()
+    wall = lab.state.problem.planes.names.index("+y")
+    until(page, lambda: page.evaluate(SHOWN, f"/turns/plane {wall}"))
+    before, centre = lab.state.problem.planes.normals[wall], lab.state.problem.planes.centres[wall]
+    R = pane_axes(before)
+    angles = np.radians([45.0, 65.0])
+    start, end = (centre + RING * (np.cos(angle) * R[:, 1] + np.sin(angle) * R[:, 2]) for angle in angles)
+    grab(lab, page, start, end)
+    until(page, lambda: between(lab.state.problem.planes.normals[wall], before) > np.radians(10))
+    page.mouse.up()
+    until(page, lambda: lab.state.grasp is None)
+    turned = lab.state.problem.planes
+    assert abs(turned.normals[wall] @ R[:, 0]) < 0.05, "about the ring's axis"
+    assert plane_distances(lab.state).min() >= 0.080 - 1e-9
+    page.get_by_label("Rings that turn the planes").uncheck()
+    until(page, lambda: not page.evaluate(SHOWN, f"/turns/plane {wall}"))
+    lab.reset(page)
 
 
 def test_a_taught_path_is_gone_through(lab: Lab, page: Page) -> None:

@@ -342,4 +342,4 @@ class Session:
 def _seated_at(robot: Robot, seat: Seat) -> Seat:
     """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
     stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
-    return replace(seat if stays else lesson.entered(seat, None), selected=None)
+    return replace(seat if stays else lesson.entered(seat, None), selected=None, picked=None)

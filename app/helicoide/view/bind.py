@@ -64,3 +64,18 @@ def on_trigger(command: viser.CommandHandle, act: Callable[[], None]) -> None:
         act()
 
     command.on_trigger(triggered)
+
+
+def on_pick(scene: viser.SceneApi, act: Callable[[Array, Array], None]) -> None:
+    """Call `act` with the ray of each click in a scene: where it starts (3,), m, and its direction (3,)."""
+
+    async def picked(event: viser.SceneClickEvent) -> None:
+        act(np.array(event.ray_origin), np.array(event.ray_direction))
+
+    register: Any = scene.on_click()  # it takes coroutines, as others do, but its type does not say so
+    register(picked)
+
+
+def stop_picking(scene: viser.SceneApi) -> None:
+    """Leave the clicks in a scene alone again."""
+    scene.remove_click_callback()

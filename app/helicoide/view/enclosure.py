@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from viser import Icon
@@ -21,6 +22,7 @@ from helicoide.view.rows import (
     Entry,
     Folder,
     ForArm,
+    ForSeat,
     ReadCloud,
     Row,
     Save,
@@ -94,6 +96,7 @@ def _typed(count: int, wish: Callable[[Array], Update]) -> Callable[[str], Wish]
 def _given() -> list[Row]:
     put = Text(en="Put it there", pt_BR="Colocar")
     return [
+        Button(_pick_label, _pick, Icon.POINTER, _free),
         Entry(
             Text(en="a b c d: ax + by + cz = d [mm]", pt_BR="a b c d: ax + by + cz = d [mm]"),
             lambda _: "0 0 -1 -600",
@@ -113,6 +116,23 @@ def _given() -> list[Row]:
             _typed(6, lambda v: gate.set_box(v[:3] / 1000, v[3:] / 1000)),
         ),
     ]
+
+
+PICK = Text(en="Click three points in the scene", pt_BR="Clicar três pontos na cena")
+PICKING = Text(
+    en="Point {n} of 3: click it in the scene (press here to cancel)",
+    pt_BR="Ponto {n} de 3: clique na cena (aperte aqui para cancelar)",
+)
+
+
+def _pick_label(view: View) -> Text:
+    picked = view.seat.picked
+    return PICK if picked is None else PICKING.format(n=len(picked) + 1)
+
+
+def _pick(view: View) -> Wish:
+    picked = () if view.seat.picked is None else None
+    return ForSeat(lambda seat: replace(seat, picked=picked))
 
 
 def _upload(reading: Reading) -> Upload:

@@ -1,0 +1,50 @@
+"""What a ray from the eye points at: a point that was measured, or else the nearest thing in the scene."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from helicoide.confinement import Planes
+from helicoide.kinematics.chain import Array
+from helicoide.perception.camera import depths_of
+from helicoide.state import State
+
+# A measured point is meant by a ray that passes it at less than this angle, rad.
+NEAR = 0.01
+
+
+def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
+    """The point meant by a ray, (3,), m; None where it meets nothing, or is none.
+
+    A point of the clouds is preferred, since it was measured; then the nearest pane or obstacle; then the floor. A pane
+    is looked through from behind, as from outside the enclosure.
+    Args: eye, where the ray starts, (3,), m; ray (3,), its direction.
+    """
+    length = float(np.linalg.norm(ray))
+    if not (np.isfinite(eye).all() and np.isfinite(length) and length > 0):
+        return None
+    along = ray / length
+    measured = _measured(state, eye, along)
+    if measured is not None:
+        return measured
+    planes = state.problem.planes
+    faced = [k for k, normal in enumerate(planes.normals) if normal @ along < 0]
+    faces = Planes(planes.normals[faced], planes.centres[faced], tuple(planes.panes[k] for k in faced))
+    scene = replace(state, problem=replace(state.problem, planes=faces))
+    depth = float(depths_of(scene, eye, along[None])[0])
+    with np.errstate(divide="ignore"):
+        to_floor = (state.robot.floor - eye[2]) / along[2]
+    far = min(depth, to_floor if to_floor > 0 else np.inf)
+    return eye + far * along if np.isfinite(far) else None
+
+
+def _measured(state: State, eye: Array, along: Array) -> Array | None:
+    """The nearest to the eye of the points of all clouds that the ray passes closely."""
+    points = np.concatenate([np.empty((0, 3)), *(seen.points for seen in state.seen.values())])
+    ways = points - eye
+    depths = ways @ along
+    aside = np.linalg.norm(ways - depths[:, None] * along, axis=1)
+    meant = np.flatnonzero((depths > 0) & (aside < NEAR * depths))
+    return np.asarray(points[meant[np.argmin(depths[meant])]]) if len(meant) else None

@@ -1,0 +1,70 @@
+"""Three clicked points and the plane through them: a click in the scene gives a point while a person picks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import viser
+
+from helicoide import gate
+from helicoide.kinematics.chain import Array
+from helicoide.perception.pointing import pointed_at
+from helicoide.view import bind
+from helicoide.view.layers import Stage
+from helicoide.view.rows import ForArm, ForSeat, View
+
+NAME = "picked"
+SHARED = False
+
+COLOUR, SIZE, NEEDED = (194, 24, 91), 0.012, 3
+
+
+def build(stage: Stage) -> Picked:
+    """No points, and clicks mean nothing."""
+    bind.stop_picking(stage.scene)
+    return Picked(stage)
+
+
+class Picked:
+    """The points of one window."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.view: View | None = None
+        self.points: viser.PointCloudHandle | None = None
+
+    def update(self, old: View | None, new: View) -> None:
+        """Listen to clicks while the person picks, and show what was clicked."""
+        before = None if old is None else old.seat.picked
+        self.view = new
+        picked = new.seat.picked
+        if before == picked:
+            return
+        if before is None:
+            bind.on_pick(self.stage.scene, self._clicked)
+        if picked is None:
+            bind.stop_picking(self.stage.scene)
+        self._draw(picked or ())
+
+    def _draw(self, points: tuple[tuple[float, ...], ...]) -> None:
+        if self.points is not None:
+            self.points.remove()
+            self.points = None
+        if points:
+            self.points = self.stage.scene.add_point_cloud(
+                "/picked", np.array(points, dtype=np.float32), COLOUR, point_size=SIZE * self.stage.size
+            )
+
+    def _clicked(self, eye: Array, ray: Array) -> None:
+        """One more point; the third makes the plane."""
+        if self.view is None or self.view.seat.picked is None:
+            return
+        point = pointed_at(self.view.state, eye, ray)
+        if point is None:
+            return
+        picked = (*self.view.seat.picked, tuple(map(float, point)))
+        ended = len(picked) == NEEDED
+        self.stage.act(ForSeat(lambda seat: replace(seat, picked=None if ended else picked)))
+        if ended:
+            self.stage.act(ForArm(gate.add_plane_through(picked)))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -19,6 +21,11 @@ PACKAGE = "pyrealsense2"
 # Until the exposure has settled, depths are missing or wrong.
 SETTLING = 30
 PATIENCE_MS = 5000
+
+
+def installed() -> bool:
+    """Whether the package is there, so that a camera may be asked for."""
+    return PACKAGE in sys.modules or importlib.util.find_spec(PACKAGE) is not None
 
 
 class RealSense:

@@ -191,8 +191,8 @@ class Session:
         match wish:
             case Play(motion):
                 self.play(motion)
-            case Tour():
-                self.survey.tour()
+            case Tour(real):
+                self.survey.tour(real)
             case ReadCloud(name, content, plane):
                 self.survey.read(name, content, plane)
             case PlayTaught():

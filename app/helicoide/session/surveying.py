@@ -5,13 +5,14 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable, Coroutine
+from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
 import numpy as np
 
 from helicoide import gate
 from helicoide.kinematics.chain import Array
-from helicoide.perception import cloud_file
+from helicoide.perception import cloud_file, realsense
 from helicoide.perception.camera import DepthCamera, SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.tour import NOISE, OUTLIERS, READINGS, Reading, found_in, readings, seen_by
@@ -33,13 +34,18 @@ class Surveying:
         self.state, self.post = state, post
         self._task: asyncio.Task[None] | None = None
 
-    def tour(self) -> None:
-        """Go to every posture from which the arm can read a plane, and read it; a wish of anybody's ends the tour."""
-        camera = SimulatedCamera(noise=NOISE, outliers=OUTLIERS, resolution=(160, 90))
+    def tour(self, real: bool = False) -> None:
+        """Go to every posture from which the arm can read a plane, and read it; a wish of anybody's ends the tour.
+
+        real: with the RealSense that is plugged in, and not the simulated camera.
+        """
         if not readings(self.state().robot):
             self.post(gate.say(NOTHING_TO_READ))
+        elif real:
+            self._begin(self._with(realsense.connected()))
         else:
-            self._begin(self._tour(camera))
+            simulated = SimulatedCamera(noise=NOISE, outliers=OUTLIERS, resolution=(160, 90))
+            self._begin(self._with(nullcontext(simulated)))
 
     def read(self, name: str, content: bytes, plane: str) -> None:
         """Look for a plane, by its name, in the cloud of a file."""
@@ -58,6 +64,14 @@ class Surveying:
         except Exception:
             log.exception("a reading failed")
             self.post(gate.say(FAILED))
+
+    async def _with(self, opened: AbstractContextManager[DepthCamera]) -> None:
+        """The tour with a camera, which is let go whatever happens, also while it is still being opened."""
+        opening = asyncio.create_task(asyncio.to_thread(opened.__enter__))
+        try:
+            await self._tour(await asyncio.shield(opening))
+        finally:
+            await asyncio.shield(_let_go(opening, opened))
 
     async def _tour(self, camera: DepthCamera) -> None:
         self.post(gate.clear_planes())
@@ -95,6 +109,13 @@ class Surveying:
     async def _find(self, cloud: Cloud, reading: Reading, inside: Array, seed: int) -> None:
         seen, pane = await asyncio.to_thread(found_in, cloud, reading, inside, seed)
         self.post(gate.see(reading.name, seen, pane))
+
+
+async def _let_go(opening: asyncio.Task[DepthCamera], opened: AbstractContextManager[DepthCamera]) -> None:
+    """Close a camera that has been opened, or is about to be; one that could not be opened has been told of."""
+    await asyncio.wait([opening])
+    if opening.exception() is None:
+        await asyncio.to_thread(opened.__exit__, None, None, None)
 
 
 FAILED = Text(en="The reading failed; see the terminal.", pt_BR="A leitura falhou; veja o terminal.")

@@ -13,6 +13,7 @@ from helicoide.confinement.plane_file import written
 from helicoide.confinement.zones import LEAST_CRITICAL, LEAST_DEPTH, MOST_CRITICAL, MOST_WARNING
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.perception import realsense
 from helicoide.perception.tour import READINGS, Reading, readings
 from helicoide.state import Update
 from helicoide.text import Text
@@ -41,10 +42,9 @@ NUMBERS = Text(en="Give {n} numbers with blanks between them.", pt_BR="Dê {n} n
 def plane_rows(robot: Robot) -> Folder:
     """Everything about the planes of an arm."""
     restore = Text(en="Planes back to the measured ones", pt_BR="Planos de volta aos medidos")
-    tour = Text(en="Measuring tour with the camera", pt_BR="Medir com a câmera: percurso de leitura")
     rows: list[Row] = [
         Button(lambda _: restore, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _free, _has(robot.panes)),
-        Button(lambda _: tour, lambda _: Tour(), Icon.CAMERA, _free, _has(readings(robot))),
+        *(_tours() if readings(robot) else []),
         Words(_read),
         Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
         Folder(
@@ -59,6 +59,16 @@ def plane_rows(robot: Robot) -> Folder:
         ),
     ]
     return Folder(Text(en="Planes", pt_BR="Planos"), rows, open=False)
+
+
+def _tours() -> list[Row]:
+    """The tour with the simulated camera, and with the real one where its package is installed."""
+    simulated = Text(en="Measuring tour with the camera", pt_BR="Medir com a câmera: percurso de leitura")
+    real = Text(en="Measuring tour with the RealSense", pt_BR="Medir com a RealSense: percurso de leitura")
+    rows: list[Row] = [Button(lambda _: simulated, lambda _: Tour(), Icon.CAMERA, _free)]
+    if realsense.installed():
+        rows.append(Button(lambda _: real, lambda _: Tour(real=True), Icon.CAMERA, _free))
+    return rows
 
 
 def _has(things: Sequence[object]) -> Callable[[View], bool]:

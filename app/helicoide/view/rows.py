@@ -59,7 +59,9 @@ class Play:
 
 @dataclass(frozen=True)
 class Tour:
-    """A wish that the arm reads every plane that it can with its camera."""
+    """A wish that the arm reads every plane that it can; real: with a RealSense, and not the simulated camera."""
+
+    real: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -111,6 +111,18 @@ def test_a_paused_path_stays_and_plays_on(state: State) -> None:
     assert after(gate.play()(paused), 1).path_s > paused.path_s + 0.5
 
 
+@pytest.mark.parametrize("method", ["guarded", "pseudoinverse"])
+def test_a_path_that_begins_out_of_reach_is_followed_all_the_same(state: State, method: str) -> None:
+    """The target goes on once the arm can come no nearer to where it begins."""
+    far = state.T_world_tool.copy()
+    far[:3, 3] += [0.5, 0.0, 0.3]
+    path = Line(far, state.T_world_tool, 2.0)
+    state = gate.choose_method(method)(gate.hold_orientation(False)(state))
+    ended = after(replace(state, command=Along(path, 0.0, playing=True)), 15.0)
+    assert (ended.path_s, ended.command.playing) == (2.0, False)
+    np.testing.assert_allclose(ended.T_world_tool[:3, 3], state.T_world_tool[:3, 3], atol=2e-3)
+
+
 def test_an_open_path_is_followed_to_its_end(state: State) -> None:
     """There the arm rests, and is not driven on by the speed of the path."""
     end = state.T_world_tool.copy()

@@ -22,6 +22,8 @@ from helicoide.trajectory.path import placed
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
 RESTS = 0.1
+# What comes no nearer to the path, as a share of the reach, in so many seconds has come as near as it can.
+NEARER, PATIENCE = 1e-3, 2.0
 SETTLED = 0.5
 GRIPPER_SPEED = 2.0
 IMPERCEPTIBLE = 1e-10
@@ -157,11 +159,22 @@ def _along(state: State, command: Along, dt: float) -> State:
     state = _to_pose(state, target, ahead, dt)
     if not command.playing:
         return state
-    near = np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]) < ARRIVED_PATH
-    arrived = command.arrived or bool(near) or (state.searched and not state.moving)
-    s = placed(command.path, command.s + dt) if arrived else command.s
+    command = _approached(state, command, target, dt)
+    s = placed(command.path, command.s + dt) if command.arrived else command.s
     playing = command.path.is_closed or s < command.path.duration
-    return replace(state, command=replace(command, s=s, playing=playing, arrived=arrived), path_s=s)
+    return replace(state, command=replace(command, s=s, playing=playing), path_s=s)
+
+
+def _approached(state: State, command: Along, target: Array, dt: float) -> Along:
+    """Whether the arm has come to the path, or can come no nearer; there a method of the sources may tremble for ever."""
+    if command.arrived:
+        return command
+    away = float(np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]))
+    if away < command.nearest - NEARER * state.robot.reach:
+        command = replace(command, nearest=away, waited=0.0)
+    waited = command.waited + dt
+    in_vain = state.searched and not state.moving if state.drive.method == GUARDED else waited > PATIENCE
+    return replace(command, waited=waited, arrived=away < ARRIVED_PATH or in_vain)
 
 
 def _replayed(state: State, command: Replay, dt: float) -> State:

@@ -62,12 +62,17 @@ class Course:
 
 @dataclass(frozen=True)
 class Along:
-    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path."""
+    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path.
+
+    nearest: how near it has come so far, m; waited: since when it has come no nearer, s.
+    """
 
     path: Path
     s: float
     playing: bool
     arrived: bool = False
+    nearest: float = np.inf
+    waited: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)

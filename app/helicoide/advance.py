@@ -166,7 +166,7 @@ def _along(state: State, command: Along, dt: float) -> State:
 
 
 def _approached(state: State, command: Along, target: Array, dt: float) -> Along:
-    """Whether the arm has come to the path, or can come no nearer; there a method of the sources may tremble for ever."""
+    """Whether the arm has come to the path, or can come no nearer: there a method of the sources may tremble."""
     if command.arrived:
         return command
     away = float(np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]))

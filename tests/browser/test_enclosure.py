@@ -29,7 +29,7 @@ def page(shared_page: Page) -> Page:
 
 def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, page: Page) -> None:
     lab.watch()
-    page.get_by_role("button", name="Measuring tour with the camera").click()
+    page.get_by_role("button", name="Measure with the camera").click()
     until(page, lambda: len(lab.state.seen) == 3, 300)
     until(page, lambda: page.evaluate(SHOWN, "/cloud/+z"))
     until(page, lambda: "points on it" in page.locator("body").inner_text())
@@ -68,7 +68,7 @@ def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
 def test_three_clicked_points_make_a_plane(lab: Lab, page: Page) -> None:
     """On the left wall: the new plane is that wall."""
     lab.reset(page)
-    page.get_by_role("button", name="Click three points in the scene").click()
+    page.get_by_role("button", name="Click three points").click()
     planes = lab.state.problem.planes
     wall = planes.names.index("+y")
     across, up, _ = pane_axes(planes.normals[wall]).T
@@ -80,7 +80,7 @@ def test_three_clicked_points_make_a_plane(lab: Lab, page: Page) -> None:
     k = new.names.index("p1")
     assert between(new.normals[k], planes.normals[wall]) < np.radians(0.2)
     assert abs((new.centres[k] - planes.centres[wall]) @ planes.normals[wall]) < 1e-3
-    until(page, lambda: page.get_by_role("button", name="Click three points in the scene").count() == 1)
+    until(page, lambda: page.get_by_role("button", name="Click three points").count() == 1)
 
 
 def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:

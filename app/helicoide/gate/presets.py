@@ -33,7 +33,7 @@ LAST_PLANAR = 5  # of the trajectories of Vargas
 RAMP, ABOVE = 0.25, 1e-6
 LAWS: Mapping[Shape, tuple[Text, Law]] = MappingProxyType(
     {
-        "constant speed": (Text(en="even, as the source has it", pt_BR="uniforme, como na fonte"), Constant()),
+        "constant speed": (Text(en="even", pt_BR="uniforme"), Constant()),
         "trapezoid": (Text(en="trapezoid", pt_BR="trapézio"), Trapezoid(RAMP)),
         "minimum jerk": (Text(en="minimum jerk", pt_BR="jerk mínimo"), MinimumJerk()),
     }

@@ -28,9 +28,7 @@ BLOCKED = Text(
 )
 
 
-FASTEST = Text(
-    en="Along the path, as fast as the joints can", pt_BR="Na trajetória, o mais rápido que as juntas permitem"
-)
+FASTEST = Text(en="Along the path in the least time", pt_BR="Na trajetória no menor tempo")
 NO_WAY = Text(
     en="The arm cannot follow this path from end to end within its limits. Play follows it as far as it goes.",
     pt_BR="O braço não consegue seguir esta trajetória de ponta a ponta dentro dos limites. Iniciar vai até onde dá.",

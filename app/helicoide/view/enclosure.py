@@ -63,8 +63,8 @@ def plane_rows(robot: Robot) -> Folder:
 
 def _tours() -> list[Row]:
     """The tour with the simulated camera, and with the real one where its package is installed."""
-    simulated = Text(en="Measuring tour with the camera", pt_BR="Medir com a câmera: percurso de leitura")
-    real = Text(en="Measuring tour with the RealSense", pt_BR="Medir com a RealSense: percurso de leitura")
+    simulated = Text(en="Measure with the camera", pt_BR="Medir com a câmera")
+    real = Text(en="Measure with the RealSense", pt_BR="Medir com a RealSense")
     rows: list[Row] = [Button(lambda _: simulated, lambda _: Tour(), Icon.CAMERA, _free)]
     if realsense.installed():
         rows.append(Button(lambda _: real, lambda _: Tour(real=True), Icon.CAMERA, _free))
@@ -128,11 +128,8 @@ def _given() -> list[Row]:
     ]
 
 
-PICK = Text(en="Click three points in the scene", pt_BR="Clicar três pontos na cena")
-PICKING = Text(
-    en="Point {n} of 3: click it in the scene (press here to cancel)",
-    pt_BR="Ponto {n} de 3: clique na cena (aperte aqui para cancelar)",
-)
+PICK = Text(en="Click three points", pt_BR="Clicar três pontos")
+PICKING = Text(en="Point {n} of 3 … or cancel", pt_BR="Ponto {n} de 3 … ou cancelar")
 
 
 def _pick_label(view: View) -> Text:

@@ -54,7 +54,7 @@ def path_rows(robot: Robot) -> Folder:
             _free,
         ),
         Button(
-            lambda _: Text(en="As fast as the joints can", pt_BR="O mais rápido que as juntas permitem"),
+            lambda _: Text(en="In the least time", pt_BR="No menor tempo"),
             lambda _: PlayFastest(),
             Icon.BOLT,
             _free,

@@ -17,6 +17,7 @@ from helicoide.advance import advance, foreseen, leads_elsewhere
 from helicoide.jobs.apart import Apart
 from helicoide.kinematics.robot import Robot
 from helicoide.session.changing import FAILED, Changing
+from helicoide.session.mapping import Mapping
 from helicoide.session.preparing import TICK, compiled, compiling, prepare
 from helicoide.session.replaying import through
 from helicoide.session.studies import Studies
@@ -25,7 +26,7 @@ from helicoide.state import Seat, State, Update, initial
 from helicoide.text import Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
-from helicoide.view.rows import Play, PlayTaught, ReadCloud, Tour, View, Wish
+from helicoide.view.rows import CountMap, Play, PlayTaught, ReadCloud, Tour, View, Wish
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, remember, remembered, seated
@@ -49,6 +50,7 @@ class Session:
         self.control = Control(lambda: self.post(gate.stop()), self._released)
         self.studies = Studies(lambda: self.loop.call_soon(self._write))
         self.survey = Surveying(lambda: self.state, self.post)
+        self.mapping = Mapping(lambda: self.state, self.post)
         self.changing = Changing(self)
         self.inbox: deque[Update] = deque()
         self.frames = 0
@@ -72,6 +74,7 @@ class Session:
         self.ready = False
         self._compilation.stop()
         self.studies.close()
+        self.mapping.close()
         self.loop.call_soon_threadsafe(self._starting.cancel)
         self.server.stop()
 
@@ -171,7 +174,7 @@ class Session:
         self.loop.call_soon(self._write)
 
     def ask(self, wish: Wish) -> None:
-        """What needs more than the loop: motions to play, clouds to read. Only on the event loop."""
+        """What needs more than the loop: motions to play, clouds to read, maps to count. Only on the event loop."""
         match wish:
             case Play(motion):
                 self.changing.play(motion)
@@ -179,6 +182,8 @@ class Session:
                 self.survey.tour()
             case ReadCloud(name, content, plane):
                 self.survey.read(name, content, plane)
+            case CountMap():
+                self.mapping.begin()
             case PlayTaught():
                 self._replaying = self.loop.create_task(self._play_taught())
 

@@ -72,6 +72,11 @@ class ReadCloud:
 
 
 @dataclass(frozen=True)
+class CountMap:
+    """A wish for the map of the workspace that is chosen."""
+
+
+@dataclass(frozen=True)
 class PlayTaught:
     """A wish to go through the waypoints that were taught."""
 
@@ -84,7 +89,7 @@ class Save:
     content: bytes
 
 
-Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | PlayTaught | Save
+Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | CountMap | PlayTaught | Save
 Act = Callable[[Wish], None]
 
 

@@ -40,7 +40,8 @@ ABOUT: dict[Kind, Text] = {
         pt_BR="Com que desenvoltura o efetuador se move em cada lugar, na melhor postura encontrada.",
     ),
 }
-COUNT, END = Text(en="Work out the map", pt_BR="Calcular o mapa"), Text(en="Stop working", pt_BR="Parar o cálculo")
+COUNT = Text(en="Work out the map", pt_BR="Calcular o mapa")
+END = Text(en="End the calculation", pt_BR="Encerrar o cálculo")
 CLEAR = Text(en="Take the map away", pt_BR="Tirar o mapa")
 FOUND = Text(
     en="{title}: the tool comes to {measure}, found by {samples} postures in cells of {size:.0f} mm.",
@@ -72,7 +73,7 @@ def colours(shares: Array) -> NDArray[np.uint8]:
     return np.stack([np.interp(shares, steps, channel) for channel in ANCHORS.T], axis=-1).round().astype(np.uint8)
 
 
-def middles(found: Map, steps: Counts) -> Array:
+def middles(found: Map, steps: Counts | Array) -> Array:
     """The middles (k, 3), m, base frame, of the cells that are so many steps (k, d) from the first one."""
     return np.asarray(found.cells.origin + found.cells.size * (steps + 0.5) @ found.cells.axes)
 

@@ -6,8 +6,10 @@ import numpy as np
 import viser
 
 from helicoide.kinematics.cells import Counts, Mask
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Map
+from helicoide.kinematics.workspace import Map, normal_of
+from helicoide.state import initial
 from helicoide.text import Text
 from helicoide.view.layers import Stage
 from helicoide.view.mapping import middles, scale_of, values
@@ -19,7 +21,8 @@ SHARED = False
 TITLE = Text(en="Map of the workspace", pt_BR="Mapa do espaço de trabalho")
 SHOWN = True
 
-SIZE, MOST = 1.25, 30_000  # of a point, in cells; the most points that are sent
+# The size of a point, in cells; into how many parts coarse cells are divided across the whole; the most points sent.
+SIZE, FINE, MOST = 1.05, 66, 30_000
 
 
 def build(stage: Stage) -> Workspace:
@@ -35,17 +38,44 @@ def away(robot: Robot) -> tuple[int, int]:
     return axis, 1 if way[axis] > 0 else -1
 
 
+def behind(stage: Stage) -> Array:
+    """How far (3,), m, what lies in the plane of an arm is put behind all that moves, as it is first seen.
+
+    Nothing for an arm in space.
+    """
+    robot, normal = stage.robot, normal_of(stage.robot)
+    if normal is None:
+        return np.zeros(3)
+    position, centre = outlook(robot)
+    back = normal if normal @ (centre - position) > 0 else -normal
+    poses = initial(robot).poses
+    moving = [
+        (shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3] - robot.T_world_tool_0[:3, 3]) @ back
+        for shape in stage.shapes
+        if shape.link > 0
+        for T in (poses[shape.link] @ shape.T_link_shape,)
+    ]
+    return np.asarray(back * max((float(along.max(initial=0.0)) for along in moving), default=0.0))
+
+
 def beyond(cut: float, count: int) -> int:
-    """How many of so many layers of cells lie wholly or half before a cut, −1 to 1 of the way to either end."""
+    """How many of so many layers have their middle before a cut, −1 to 1 of the way from the middle to either end."""
     return int(np.clip(np.ceil(count / 2 * (1 + cut) - 0.5 - 1e-9), 0, count))
 
 
-def part(found: Map, hidden: int, axis: int, way: int) -> Mask:
-    """Which cells (shape) are reached and lie beyond so many hidden layers; all of a map in a plane."""
-    mask = found.reached.reshape(found.cells.shape).copy()
+def divided(found: Map, parts: int) -> Mask:
+    """What is reached, in so many parts of each cell each way: large cells are drawn as the cubes that they are."""
+    mask = found.reached.reshape(found.cells.shape)
+    for axis in range(mask.ndim):
+        mask = np.repeat(mask, parts, axis)
+    return mask
+
+
+def remaining(mask: Mask, hidden: int, axis: int, way: int) -> Mask:
+    """What of a mask (shape) lies beyond so many hidden layers; all of one in a plane."""
+    mask = mask.copy()
     if mask.ndim == 3:
-        ordered = np.moveaxis(mask, axis, 0)[::way]
-        ordered[:hidden] = False
+        np.moveaxis(mask, axis, 0)[::way][:hidden] = False
     return mask
 
 
@@ -66,6 +96,7 @@ class Workspace:
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.axis, self.way = away(stage.robot)
+        self.behind = behind(stage)
         self.cloud: viser.PointCloudHandle | None = None
         self.drawn: tuple[Map, int] | None = None
 
@@ -74,21 +105,22 @@ class Workspace:
         found = new.state.workspace.map
         shown = found is not None and new.seat.shows[NAME]
         if found is not None and shown:
-            self._draw(found, beyond(new.seat.cut, found.cells.shape[self.axis]))
+            parts = max(1, FINE // max(found.cells.shape))
+            self._draw(found, parts, beyond(new.seat.cut, parts * found.cells.shape[self.axis]))
         if self.cloud is not None and self.cloud.visible != shown:
             self.cloud.visible = shown
 
-    def _draw(self, found: Map, hidden: int) -> None:
+    def _draw(self, found: Map, parts: int, hidden: int) -> None:
         if self.drawn is not None and self.drawn[0] is found and self.drawn[1] == hidden:
             return
         self.drawn = found, hidden
-        steps = visible(part(found, hidden, self.axis, self.way))
+        steps = visible(remaining(divided(found, parts), hidden, self.axis, self.way))
         steps = steps[np.unique(np.linspace(0, len(steps) - 1, min(MOST, len(steps))).astype(int))]
-        points = middles(found, steps)
+        points = middles(found, (steps + 0.5) / parts - 0.5) + self.behind
         self.cloud = self.stage.scene.add_point_cloud(
             "/workspace",
             points.astype(np.float32),
-            scale_of(self.stage.robot, found).colours(values(found, steps)),
-            point_size=SIZE * found.cells.size,
+            scale_of(self.stage.robot, found).colours(values(found, steps // parts)),
+            point_size=SIZE * found.cells.size / parts,
             point_shape="rounded",
         )

@@ -19,6 +19,7 @@ from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.workspace import Kind, Map
 from helicoide.text import Language, Text
 from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape
@@ -139,6 +140,17 @@ class Seen:
 
 
 @dataclass(frozen=True, eq=False)
+class Workspace:
+    """What is mapped of where the tool comes: which kind is chosen, the share that is counted, None while nothing is,
+    and the last map that was finished.
+    """
+
+    kind: Kind = "reachable"
+    progress: float | None = None
+    map: Map | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
@@ -148,7 +160,7 @@ class State:
     between `home` and `ready`; latched: until when sliders are ignored after a stop; goal: where the command leads,
     solved at the scene's rate. drive: the method that brings the tool to poses; held: what held it back; beside: a
     second arm to compare with; seen: the clouds that were read, by the name of the plane that was looked for;
-    waypoints: those that were taught, and leg_shape, the time scaling of the way to each.
+    waypoints: those that were taught, and leg_shape, the time scaling of the way to each; workspace: its map.
     """
 
     problem: Problem
@@ -176,6 +188,7 @@ class State:
     seen: Mapping[str, Seen] = field(default_factory=lambda: MappingProxyType({}))
     waypoints: tuple[Waypoint, ...] = ()
     leg_shape: Shape = "trapezoid"
+    workspace: Workspace = Workspace()
 
     @property
     def robot(self) -> Robot:
@@ -257,7 +270,7 @@ class Seat:
     """One person: language, where they are in a lesson, what they selected and what they want to see.
 
     done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
-    while they do not pick.
+    while they do not pick; cut: where maps of the workspace are cut, −1 to 1 of the arm's reach.
     """
 
     token: str
@@ -269,6 +282,7 @@ class Seat:
     selected: str | None = None
     picked: tuple[tuple[float, ...], ...] | None = None
     shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
+    cut: float = 0.0
 
     def showing(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

@@ -19,6 +19,7 @@ from helicoide.gate.enclosure import (
 )
 from helicoide.gate.entry import ENTRY, drag_entry, hold_entry, set_entry
 from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
+from helicoide.gate.mapping import choose_map, clear_map, cut_map, end_map, fail_map, show_map, start_map, tell_map
 from helicoide.gate.method import (
     HEAVIEST,
     LARGEST_GAIN,
@@ -79,17 +80,22 @@ __all__ = [
     "add_plane",
     "add_plane_through",
     "choose_leg_shape",
+    "choose_map",
     "choose_method",
     "choose_objective",
     "choose_path",
     "choose_scaling",
+    "clear_map",
     "clear_planes",
     "compare_with",
+    "cut_map",
     "delete_waypoint",
     "drag_entry",
     "drag_obstacle",
     "drag_plane",
     "drag_target",
+    "end_map",
+    "fail_map",
     "get_ready",
     "go_to",
     "grow_weights",
@@ -129,10 +135,13 @@ __all__ = [
     "set_target",
     "set_way",
     "set_zones",
+    "show_map",
+    "start_map",
     "stop",
     "take_planes",
     "take_planes_of",
     "take_waypoints",
     "teach_again",
+    "tell_map",
     "weigh_objective",
 ]

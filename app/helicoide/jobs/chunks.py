@@ -95,22 +95,25 @@ def workspace_map(
     plan: workspace.Plan, workers: int = 1, backend: Backend = "loky", progress: Progress = lambda share: None
 ) -> workspace.Map:
     """The map of a plan: the one that is kept, else counted chunk by chunk and kept. It is the same for all workers."""
-    file = user_cache_path("helicoide") / "workspace" / f"{plan.key}.npz"
-    if (kept := _kept(file, plan)) is not None:
+    if (there := kept(plan)) is not None:
         progress(1.0)
-        return kept
+        return there
     workspace.counted(replace(plan, samples=1), 0)  # compiles the kernels once, and not in every process
     with closing(each(workspace.counted, plan, plan.chunks, workers, backend)) as parts:
         found = workspace.gathered(plan, parts, progress)
     with suppress(OSError):  # what cannot be kept is counted again the next time
-        write(file, {"hits": found.hits, "values": found.values})
+        write(_file(plan), {"hits": found.hits, "values": found.values})
     return found
 
 
-def _kept(file: Path, plan: workspace.Plan) -> workspace.Map | None:
-    """The map in a file of the cache; None where there is none, or what is there is broken."""
+def _file(plan: workspace.Plan) -> Path:
+    return user_cache_path("helicoide") / "workspace" / f"{plan.key}.npz"
+
+
+def kept(plan: workspace.Plan) -> workspace.Map | None:
+    """The map of a plan in the cache; None where there is none, or what is there is broken."""
     try:
-        with file.open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
+        with _file(plan).open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
             hits, values = arrays["hits"], arrays["values"]
     except (OSError, EOFError, ValueError, KeyError, zipfile.BadZipFile, zlib.error):
         return None

@@ -13,39 +13,29 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
-from helicoide import content, gate, kernels, lesson
+from helicoide import content, gate, lesson
 from helicoide.advance import advance, foreseen, leads_elsewhere
 from helicoide.jobs.apart import Apart
-from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.session.preparing import TICK, compiled, exercise, rehearse
+from helicoide.session.changing import FAILED, Changing
+from helicoide.session.mapping import Mapping
+from helicoide.session.preparing import TICK, compiled, compiling, prepare
 from helicoide.session.replaying import along_fastest, through
 from helicoide.session.studies import Studies
 from helicoide.session.surveying import Surveying
 from helicoide.state import Seat, State, Update, initial
-from helicoide.studies.study import Motion
-from helicoide.text import HelicoideError, Language, Text
+from helicoide.text import Language, Text
 from helicoide.view import shapes
 from helicoide.view.channel import PATH, Control, Notice
-from helicoide.view.rows import Play, PlayFastest, PlayTaught, ReadCloud, Tour, View, Wish
+from helicoide.view.rows import CountMap, Play, PlayFastest, PlayTaught, ReadCloud, Tour, View, Wish
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, remember, remembered, seated
 
 TICKS_PER_FRAME = 2
 FRAMES_PER_TEXT = 5
-CLEARED = 0.15
 LET_GO = 0.5
 
-COMPILING = Text(
-    en="Preparing the kernels: {done} of {total}. This happens once.",
-    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
-)
-PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
-FAILED = Text(
-    en="Something went wrong inside; see the terminal.",
-    pt_BR="Algo deu errado por dentro; veja o terminal.",
-)
 log = logging.getLogger("helicoide")
 
 
@@ -61,12 +51,14 @@ class Session:
         self.control = Control(lambda: self.post(gate.stop()), self._released)
         self.studies = Studies(lambda: self.loop.call_soon(self._write))
         self.survey = Surveying(lambda: self.state, self.post)
+        self.mapping = Mapping(lambda: self.state, self.post)
+        self.changing = Changing(self)
         self.inbox: deque[Update] = deque()
         self.frames = 0
         self.ticks = 0
         self.ready = False
         self._compilation = Apart(compiled)
-        self.said = COMPILING.format(done=0, total=len(kernels.KERNELS))
+        self.said = compiling(0)
         self._drawn: State | None = None
         self._foreseen: State | None = None
         self._woken = False
@@ -83,6 +75,7 @@ class Session:
         self.ready = False
         self._compilation.stop()
         self.studies.close()
+        self.mapping.close()
         self.loop.call_soon_threadsafe(self._starting.cancel)
         self.server.stop()
 
@@ -95,17 +88,15 @@ class Session:
 
     def _begin(self) -> None:
         self.scene = Scene(self.server, self.robot, self.shapes)
-        self._draw()
+        self.draw()
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
         self._starting = self.loop.create_task(self._start())
 
     async def _start(self) -> None:
-        """Compile in another process while the page is up, load in a thread, then let the arm run."""
+        """Prepare while the page is up, then let the arm run."""
         try:
-            await asyncio.to_thread(self._prepare_kernels)
-            await asyncio.to_thread(exercise)
-            await asyncio.to_thread(rehearse, self.robot)
+            await prepare(self.robot, self._compilation, self._say)
         except Exception:
             log.exception("the kernels could not be prepared")
             self._say(FAILED)
@@ -113,13 +104,6 @@ class Session:
         self.ready = True
         self.next_tick = self.loop.time()
         self._tick()
-
-    def _prepare_kernels(self) -> None:
-        if all(map(kernels.is_cached, kernels.KERNELS)):
-            return
-        for done in self._compilation.progress():
-            words = COMPILING.format(done=done, total=len(kernels.KERNELS))
-            self.loop.call_soon_threadsafe(self._say, words)
 
     def _say(self, text: Text) -> None:
         """Show a sentence in every window, also in those that open later, while the arm does not run yet."""
@@ -134,7 +118,7 @@ class Session:
             token = await self._seat_of(client)
         except RuntimeError:  # the client left again
             return
-        self._furnish(client, self._view(token))
+        self._furnish(client, self.view(token))
 
     async def _seat_of(self, client: Client) -> str:
         """The token of the client's seat, kept in its browser; a new seat where there is none."""
@@ -153,7 +137,7 @@ class Session:
         if not self.ready:
             self._say(self.said)
 
-    def _view(self, token: str) -> View:
+    def view(self, token: str) -> View:
         """What a person sees."""
         return View(self.state, self.seats[token], self.studies.desk(token))
 
@@ -174,6 +158,10 @@ class Session:
         if grasp is not None and grasp.seat in whose:
             self.loop.call_later(LET_GO, self.post, gate.let_go(grasp))
 
+    def change(self, robot_name: str) -> None:
+        """Put another robot in front of everybody, as soon as it is loaded. Only on the event loop."""
+        self.changing.change(robot_name)
+
     def _reseat(self, seat: Seat) -> None:
         """A person changed something about their own window; a lesson brings its robot with it."""
         before = self.seats.get(seat.token)
@@ -187,14 +175,16 @@ class Session:
         self.loop.call_soon(self._write)
 
     def ask(self, wish: Wish) -> None:
-        """What needs more than the loop: motions to play, clouds to read. Only on the event loop."""
+        """What needs more than the loop: motions to play, clouds to read, maps to count. Only on the event loop."""
         match wish:
             case Play(motion):
-                self.play(motion)
+                self.changing.play(motion)
             case Tour(real):
                 self.survey.tour(real)
             case ReadCloud(name, content, plane):
                 self.survey.read(name, content, plane)
+            case CountMap():
+                self.mapping.begin()
             case PlayTaught():
                 self._replaying = self.loop.create_task(self._work_out(through))
             case PlayFastest():
@@ -207,69 +197,12 @@ class Session:
         if self.robot is state.robot and self.state.command is state.command:
             self.post(wish)
 
-    def play(self, motion: Motion) -> None:
-        """Play what an arm did, on that arm. Only on the event loop."""
-        wish, (name, lengths) = gate.replay_motion(motion.times, motion.q, PLAYED), (motion.robot, motion.parameters)
-        if self.robot.name == name and not lengths:
-            self.post(wish)
-        else:
-            self.change(name, lengths, wish)
-
-    def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
-        """Put another robot in front of everybody, as soon as it is loaded, and post a wish to it.
-
-        lengths: parameters of the robot, as `load` takes them. Only on the event loop.
-        """
-        self._wanted = robot_name
-        self._changing = self.loop.create_task(self._change(robot_name, lengths, then))
-
-    async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
-        """Load a robot in a thread; what is wrong with it is said, and the old one stays."""
-        before = self.state.command
-        try:
-            robot = await asyncio.to_thread(load, robot_name, None, lengths)
-            drawn = await asyncio.to_thread(shapes.load, robot)
-            await asyncio.to_thread(rehearse, robot)
-        except Exception as error:
-            log.warning("%s was not put up", robot_name, exc_info=not isinstance(error, HelicoideError))
-            words = error.text if isinstance(error, HelicoideError) else FAILED
-            self.post(lambda state: replace(state, notice=words))
-            return
-        if robot_name == self._wanted:
-            stopped = self.state.command is not before
-            await self._clear()
-            self._mount(robot, drawn)
-            if then is not None and not stopped:
-                self.post(then)
-
-    async def _clear(self) -> None:
-        """Clear the scenes, and let the browsers have that: a node put back in the same message keeps its old pose."""
-        self.scene.clear(self.server)
-        for window in self.windows.values():
-            window.clear()
-        self.server.flush()
-        await asyncio.sleep(CLEARED)
-
-    def _mount(self, robot: Robot, drawn: list[shapes.Shape]) -> None:
-        """The new robot at `ready`; lessons about another robot are left."""
-        self.robot, self.shapes, self.state = robot, drawn, initial(robot)
-        self.inbox.clear()
-        self.seats = {token: _seated_at(robot, seat) for token, seat in self.seats.items()}
-        with self.server.atomic():
-            self.scene = Scene(self.server, robot, drawn)
-            for window in self.windows.values():
-                window.mount(robot, drawn, self._view(window.view.seat.token))
-        self._draw()
-        for seat in self.seats.values():
-            if seat.lesson:
-                self.post(lesson.load(seat.lesson).steps[seat.step].setup)
-
     def _drain(self) -> None:
         """Apply every wish in the inbox and show at once what they changed; the arm itself moves in ticks."""
         self._woken = False
         self._apply()
         if self._drawn is None or self._drawn.problem is not self.state.problem:
-            self._draw()
+            self.draw()
         else:
             self._draw_windows()
 
@@ -304,7 +237,7 @@ class Session:
         if leads_elsewhere(self._foreseen, self.state):
             self.state = foreseen(self.state)
             self._foreseen = self.state
-        self._draw()
+        self.draw()
         self.frames += 1
         if self.frames % FRAMES_PER_TEXT == 0:
             self._check_lessons()
@@ -319,7 +252,7 @@ class Session:
                     log.exception("the goal of lesson %s failed", seat.lesson)
                     self.seats[token] = replace(seat, lesson=None)
 
-    def _draw(self) -> None:
+    def draw(self) -> None:
         """Bring scene and windows to the state, as one message to each browser."""
         with self.server.atomic():
             self.scene.update(View(self.state, NOBODY))
@@ -330,16 +263,10 @@ class Session:
     def _draw_windows(self) -> None:
         """Bring what each window has for itself to the state."""
         for window in self.windows.values():
-            window.draw(self._view(window.view.seat.token))
+            window.draw(self.view(window.view.seat.token))
 
     def _write(self) -> None:
         for window in self.windows.values():
-            window.write(self._view(window.view.seat.token))
+            window.write(self.view(window.view.seat.token))
         if not self.ready:
             self._say(self.said)
-
-
-def _seated_at(robot: Robot, seat: Seat) -> Seat:
-    """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
-    stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
-    return replace(seat if stays else lesson.entered(seat, None), selected=None, picked=None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
 
 from helicoide import gate, kernels
@@ -9,11 +10,17 @@ from helicoide.advance import advance, foreseen
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.postures.subspace import project
+from helicoide.jobs.apart import Apart
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State, ToJoints, ToPose, commanded, initial
+from helicoide.text import Text
 
 TICK = 0.01
+COMPILING = Text(
+    en="Preparing the kernels: {done} of {total}. This happens once.",
+    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
+)
 
 
 def exercise(robot_name: str = "movemaster") -> State:
@@ -37,3 +44,22 @@ def rehearse(robot: Robot) -> None:
     """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
     state = initial(robot)
     project(robot, state.T_world_tool, state.q)
+
+
+def compiling(done: int) -> Text:
+    """What is said while so many kernels are compiled."""
+    return COMPILING.format(done=done, total=len(kernels.KERNELS))
+
+
+async def prepare(robot: Robot, compilation: Apart, say: Callable[[Text], None]) -> None:
+    """Compile in another process what is not compiled yet, say how far it is, and load it all in a thread."""
+    loop = asyncio.get_running_loop()
+
+    def listen() -> None:
+        for done in compilation.progress():
+            loop.call_soon_threadsafe(say, compiling(done))
+
+    if not all(map(kernels.is_cached, kernels.KERNELS)):
+        await asyncio.to_thread(listen)
+    await asyncio.to_thread(exercise)
+    await asyncio.to_thread(rehearse, robot)

@@ -74,6 +74,11 @@ class ReadCloud:
 
 
 @dataclass(frozen=True)
+class CountMap:
+    """A wish for the map of the workspace that is chosen."""
+
+
+@dataclass(frozen=True)
 class PlayTaught:
     """A wish to go through the waypoints that were taught."""
 
@@ -91,7 +96,7 @@ class Save:
     content: bytes
 
 
-Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | PlayTaught | PlayFastest | Save
+Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | CountMap | PlayTaught | PlayFastest | Save
 Act = Callable[[Wish], None]
 
 

@@ -13,6 +13,7 @@ from helicoide.view.layers import Layer, Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
+Server = viser.ViserServer
 NOBODY = Seat(token="", language="en")
 # From the side and above; what is looked at lies to the right of the arm, which the panel would cover else.
 FROM_THE_SIDE, TO_THE_RIGHT = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0])
@@ -32,7 +33,7 @@ def outlook(robot: Robot) -> tuple[Array, Array]:
 class Scene:
     """What every window shows alike."""
 
-    def __init__(self, server: viser.ViserServer, robot: Robot, shapes: list[Shape]) -> None:
+    def __init__(self, server: Server, robot: Robot, shapes: list[Shape]) -> None:
         stage = Stage(server.scene, robot, shapes, lambda wish: None, "")
         server.scene.set_up_direction("+z")
         server.scene.configure_default_lights(cast_shadow=False)  # two frames of three, without a graphics card
@@ -44,7 +45,7 @@ class Scene:
         self.layers: list[Layer] = [layer.build(stage) for layer in layers.found() if layer.SHARED]
         self.shown: View | None = None
 
-    def clear(self, server: viser.ViserServer) -> None:
+    def clear(self, server: Server) -> None:
         """Take everything away."""
         self.layers.clear()
         server.scene.reset()

@@ -26,6 +26,7 @@ from helicoide.view.page import STOP
 from helicoide.view.placed import Placed, place
 from helicoide.view.rows import (
     Choice,
+    CountMap,
     ForArm,
     ForDesk,
     ForLab,
@@ -131,7 +132,7 @@ class Window:
                 self.redesk(self.view.seat.token, update)
             case Save(name, content):
                 self.client.send_file_download(name, content)
-            case Play() | Tour() | ReadCloud() | PlayTaught() | PlayFastest():
+            case Play() | Tour() | ReadCloud() | CountMap() | PlayTaught() | PlayFastest():
                 self.ask(wish)
 
     def draw(self, view: View) -> None:

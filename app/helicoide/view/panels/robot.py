@@ -17,6 +17,7 @@ from helicoide.text import Text, same
 from helicoide.view import layers
 from helicoide.view.enclosure import plane_rows
 from helicoide.view.followed import path_rows
+from helicoide.view.mapping import workspace_rows
 from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
 from helicoide.view.surroundings import entry_rows, obstacle_rows
 from helicoide.view.teaching import teaching_rows
@@ -44,6 +45,7 @@ def rows(robot: Robot) -> list[Row]:
         plane_rows(robot),
         obstacle_rows(robot),
         *([entry_rows()] if "rcm" in robot.frames else []),
+        workspace_rows(robot),
         Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
     ]
 

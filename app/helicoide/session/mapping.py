@@ -1,0 +1,110 @@
+"""Maps of the workspace, counted in a process of their own: the arm's state says whether one is still wanted."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+
+from helicoide import gate
+from helicoide.jobs import chunks
+from helicoide.jobs.apart import Apart, Failed, Report
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.workspace import Kind, Map, Plan, normal_of, planned
+from helicoide.state import State, Update
+from helicoide.text import Text
+
+# Postures of a map, of an arm in a plane and of one in space: a few seconds up to some twenty of one processor.
+SAMPLES: dict[Kind, dict[int, int]] = {
+    "reachable": {2: 1_450_000, 3: 10_600_000},
+    "dexterous": {2: 12_600_000, 3: 13_700_000},
+    "manipulability": {2: 1_450_000, 3: 7_100_000},
+}
+LOOK = 0.05
+FAILED = Text(
+    en="The map could not be counted; see the terminal.", pt_BR="Não foi possível calcular o mapa; veja o terminal."
+)
+log = logging.getLogger("helicoide")
+
+
+def plan_of(robot: Robot, kind: Kind) -> Plan:
+    """The map of an arm that is fine enough to look at."""
+    return planned(robot, kind, SAMPLES[kind][3 if normal_of(robot) is None else 2])
+
+
+def counted(report: Report, plan: Plan) -> Map:
+    """Count a map, or read the one that is kept; it is kept on disk."""
+    return chunks.workspace_map(plan, progress=report)
+
+
+class Mapping:
+    """What counts maps; `state` tells what is wanted, `post` hands on a wish. Only on the event loop."""
+
+    def __init__(self, state: Callable[[], State], post: Callable[[Update], None]) -> None:
+        self.state, self.post = state, post
+        self._job: Apart | None = None
+        self._task: asyncio.Task[None] | None = None
+
+    def begin(self) -> None:
+        """Count the map of the kind that is chosen, of the arm that stands there; what is counted so far is ended."""
+        state = self.state()
+        if self._task is not None:
+            self._task.cancel()
+        self.close()
+        self.post(gate.start_map(state.robot))
+        self._task = asyncio.get_running_loop().create_task(self._map(state.robot, state.workspace.kind))
+
+    def close(self) -> None:
+        """End what is counted."""
+        if self._job is not None:
+            self._job.stop()
+
+    async def _map(self, robot: Robot, kind: Kind) -> None:
+        """Post the map of an arm, at once where it is kept, or say why there is none."""
+        plan = plan_of(robot, kind)
+        try:
+            found = await asyncio.to_thread(chunks.kept, plan)
+            if found is None:
+                found = await self._counted(robot, plan)
+        except Failed as failure:
+            log.error("the map of %s failed:\n%s", robot.name, failure)
+            found = None
+        except Exception:
+            log.exception("the map of %s failed", robot.name)
+            found = None
+        self.post(gate.fail_map(robot, FAILED) if found is None else gate.show_map(robot, found))
+
+    async def _counted(self, robot: Robot, plan: Plan) -> Map | None:
+        """Count in another process, which ends as soon as nobody wants the map any more."""
+        loop = asyncio.get_running_loop()
+        self._job = job = Apart(counted, plan)
+
+        def tell(share: float) -> None:
+            if self._job is job:
+                self.post(gate.tell_map(robot, share))
+
+        def listen() -> None:
+            for share in job.progress():
+                loop.call_soon_threadsafe(tell, share)
+
+        listening = loop.create_task(asyncio.to_thread(listen))
+        begun = False
+        while not listening.done():
+            await asyncio.wait([listening], timeout=LOOK)
+            wanted = self._is_counting(robot)
+            begun |= wanted
+            if self.state().robot is not robot or (begun and not wanted):
+                job.stop()
+        listening.result()
+        return None if job.result is None else _frozen(job.result)
+
+    def _is_counting(self, robot: Robot) -> bool:
+        state = self.state()
+        return state.robot is robot and state.workspace.progress is not None
+
+
+def _frozen(found: Map) -> Map:
+    """The map with its arrays read-only again, which they were before they came from another process."""
+    for array in (found.hits, found.values):
+        array.flags.writeable = False
+    return found

@@ -1,0 +1,126 @@
+"""The map of the workspace: a point for each cell that the tool comes to, beyond a vertical cut that bares the arm."""
+
+from __future__ import annotations
+
+import numpy as np
+import viser
+
+from helicoide.kinematics.cells import Counts, Mask
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.workspace import Map, normal_of
+from helicoide.state import initial
+from helicoide.text import Text
+from helicoide.view.layers import Stage
+from helicoide.view.mapping import middles, scale_of, values
+from helicoide.view.rows import View
+from helicoide.view.scene import outlook
+
+NAME = "workspace"
+SHARED = False
+TITLE = Text(en="Map of the workspace", pt_BR="Mapa do espaço de trabalho")
+SHOWN = True
+
+# The size of a point, in cells; into how many parts coarse cells are divided across the whole; the most points sent.
+SIZE, FINE, MOST = 1.05, 66, 30_000
+
+
+def build(stage: Stage) -> Workspace:
+    """Nothing to begin with."""
+    return Workspace(stage)
+
+
+def away(robot: Robot) -> tuple[int, int]:
+    """The axis, 0 or 1, and the way along it, 1 or −1, that lead most away from where the arm is first seen from."""
+    position, centre = outlook(robot)
+    way = (centre - position)[:2]
+    axis = int(np.argmax(np.abs(way)))
+    return axis, 1 if way[axis] > 0 else -1
+
+
+def behind(stage: Stage) -> Array:
+    """How far (3,), m, what lies in the plane of an arm is put behind all that moves, as it is first seen.
+
+    Nothing for an arm in space.
+    """
+    robot, normal = stage.robot, normal_of(stage.robot)
+    if normal is None:
+        return np.zeros(3)
+    position, centre = outlook(robot)
+    back = normal if normal @ (centre - position) > 0 else -normal
+    poses = initial(robot).poses
+    moving = [
+        (shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3] - robot.T_world_tool_0[:3, 3]) @ back
+        for shape in stage.shapes
+        if shape.link > 0
+        for T in (poses[shape.link] @ shape.T_link_shape,)
+    ]
+    return np.asarray(back * max((float(along.max(initial=0.0)) for along in moving), default=0.0))
+
+
+def beyond(cut: float, count: int) -> int:
+    """How many of so many layers have their middle before a cut, −1 to 1 of the way from the middle to either end."""
+    return int(np.clip(np.ceil(count / 2 * (1 + cut) - 0.5 - 1e-9), 0, count))
+
+
+def divided(found: Map, parts: int) -> Mask:
+    """What is reached, in so many parts of each cell each way: large cells are drawn as the cubes that they are."""
+    mask = found.reached.reshape(found.cells.shape)
+    for axis in range(mask.ndim):
+        mask = np.repeat(mask, parts, axis)
+    return mask
+
+
+def remaining(mask: Mask, hidden: int, axis: int, way: int) -> Mask:
+    """What of a mask (shape) lies beyond so many hidden layers; all of one in a plane."""
+    mask = mask.copy()
+    if mask.ndim == 3:
+        np.moveaxis(mask, axis, 0)[::way][:hidden] = False
+    return mask
+
+
+def visible(mask: Mask) -> Counts:
+    """The steps (k, d) to the cells that can be seen: in space those with a neighbour that is not drawn."""
+    if mask.ndim == 2:
+        return np.argwhere(mask)
+    padded = np.pad(mask, 1)
+    within = padded.copy()
+    for axis in range(3):
+        within &= np.roll(padded, 1, axis) & np.roll(padded, -1, axis)
+    return np.argwhere(mask & ~within[1:-1, 1:-1, 1:-1])
+
+
+class Workspace:
+    """The map as a cloud of points."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        self.axis, self.way = away(stage.robot)
+        self.behind = behind(stage)
+        self.cloud: viser.PointCloudHandle | None = None
+        self.drawn: tuple[Map, int] | None = None
+
+    def update(self, old: View | None, new: View) -> None:
+        """Draw another map, or another part of it, once it is to be seen."""
+        found = new.state.workspace.map
+        shown = found is not None and new.seat.shows[NAME]
+        if found is not None and shown:
+            parts = max(1, FINE // max(found.cells.shape))
+            self._draw(found, parts, beyond(new.seat.cut, parts * found.cells.shape[self.axis]))
+        if self.cloud is not None and self.cloud.visible != shown:
+            self.cloud.visible = shown
+
+    def _draw(self, found: Map, parts: int, hidden: int) -> None:
+        if self.drawn is not None and self.drawn[0] is found and self.drawn[1] == hidden:
+            return
+        self.drawn = found, hidden
+        steps = visible(remaining(divided(found, parts), hidden, self.axis, self.way))
+        steps = steps[np.unique(np.linspace(0, len(steps) - 1, min(MOST, len(steps))).astype(int))]
+        points = middles(found, (steps + 0.5) / parts - 0.5) + self.behind
+        self.cloud = self.stage.scene.add_point_cloud(
+            "/workspace",
+            points.astype(np.float32),
+            scale_of(self.stage.robot, found).colours(values(found, steps // parts)),
+            point_size=SIZE * found.cells.size / parts,
+            point_shape="rounded",
+        )

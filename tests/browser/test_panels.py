@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, status, tab, until
 
+from helicoide.session.preparing import COMPILATIONS, PREPARED
 from helicoide.state import Along, Hold, ToPose
 from helicoide.text import Language
 
@@ -233,6 +234,8 @@ def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_pa
                 until(page, lambda: bool(page.evaluate("'/arm/waist' in window.__viserMutable.nodeRefFromName")))
                 until(page, lambda: "Preparando" not in status(page), 600)
                 assert status(page).startswith("Pronto")
+            (written,) = tmp_path.rglob(PREPARED.name)
+            assert int(written.read_text()) == COMPILATIONS
         finally:
             lab.send_signal(signal.SIGTERM)
             assert lab.wait(60) == 0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from pathlib import Path
 
 import numpy as np
@@ -21,6 +21,7 @@ from helicoide.state import State, Update, Workspace, initial
 from helicoide.view.layers.workspace import MOST
 
 TINY, ENDLESS = 2 * CHUNK, 10**6 * CHUNK
+PATIENCE = 300.0
 
 
 class _Arm:
@@ -66,6 +67,18 @@ def arm(state: State) -> _Arm:
     return _Arm(state)
 
 
+def live(arm: _Arm, run: Callable[[], Coroutine[object, object, None]]) -> None:
+    """Let something run, generously: what is slow is not wrong, what never comes must end."""
+
+    async def patient() -> None:
+        try:
+            await asyncio.wait_for(run(), PATIENCE)
+        finally:
+            arm.mapping.close()
+
+    asyncio.run(patient())
+
+
 def of_size(monkeypatch: pytest.MonkeyPatch, samples: int) -> None:
     monkeypatch.setattr(mapping, "SAMPLES", {kind: {2: samples, 3: samples} for kind in KINDS})
 
@@ -79,7 +92,7 @@ def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytes
         arm.mapping.begin()
         await arm.over()
 
-    asyncio.run(run())
+    live(arm, run)
     plan = workspace.planned(arm.state.robot, kind, TINY)
     expected = workspace.gathered(plan, workspace.parts(plan), lambda share: None)
     found = arm.state.workspace.map
@@ -101,7 +114,7 @@ def test_a_kept_map_appears_without_a_process(arm: _Arm, monkeypatch: pytest.Mon
         arm.mapping.begin()
         await arm.over()
 
-    asyncio.run(run())
+    live(arm, run)
     found = arm.state.workspace.map
     assert found is not None
     np.testing.assert_array_equal(found.hits, kept.hits)
@@ -117,7 +130,7 @@ def ended(arm: _Arm, by: Callable[[], object]) -> None:
         by()
         await arm.over()
 
-    asyncio.run(run())
+    live(arm, run)
     assert arm.process_ended
     assert arm.state.workspace.map is None
     assert arm.state.notice is None
@@ -151,7 +164,7 @@ def test_closing_ends_the_process(arm: _Arm, monkeypatch: pytest.MonkeyPatch) ->
         arm.mapping.close()
         await arm.over()
 
-    asyncio.run(run())
+    live(arm, run)
     assert arm.process_ended
 
 
@@ -168,7 +181,7 @@ def test_a_second_one_ends_the_first(arm: _Arm, monkeypatch: pytest.MonkeyPatch)
         await arm.over()
         await arm.until(lambda: first._child.exitcode is not None)
 
-    asyncio.run(run())
+    live(arm, run)
     assert arm.state.workspace.map is not None
     assert arm.state.workspace.map.samples == TINY
 
@@ -187,7 +200,7 @@ def test_a_failure_is_said_in_words(
         arm.mapping.begin()
         await arm.over()
 
-    asyncio.run(run())
+    live(arm, run)
     assert arm.state.notice == mapping.FAILED
     assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
     assert "no such map" in caplog.text

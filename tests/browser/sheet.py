@@ -17,13 +17,12 @@ from helicoide import content
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import titles
 from helicoide.state import State
-from helicoide.view.layers.target import Target
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
 PICTURE = content.STATIC / "pictures" / "robots.png"
 COLUMNS, CELL, LABEL = 4, 250, 26
-NEAR = 1.0
+NEAR, TITLE_SIZE = 1.0, 15
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
 SCENE = "() => window.__viserMutable.canvas.toDataURL('image/png')"
 
@@ -60,9 +59,7 @@ def picture(lab: Lab, page: Page, name: str) -> Image.Image:
 
     def arrange() -> None:
         (window,) = session.windows.values()
-        for layer in window.layers:
-            if isinstance(layer, Target):
-                layer.gizmo.visible = False
+        window.clear()  # the arm is everybody's; what is this window's own, its handles among it, would be drawn again
         window.client.camera.position, window.client.camera.look_at = close_up(lab)
         window.client.flush()
 
@@ -81,13 +78,19 @@ def picture(lab: Lab, page: Page, name: str) -> Image.Image:
 def sheet(pictures: dict[str, Image.Image]) -> Image.Image:
     """All arms in rows, each with its title under it."""
     width, height = COLUMNS * CELL, corner(len(pictures) - 1)[1] + CELL + LABEL
-    page, font = Image.new("RGB", (width, height), "white"), ImageFont.load_default(15)
+    page = Image.new("RGB", (width, height), "white")
     for index, (name, shown) in enumerate(pictures.items()):
         x, y = corner(index)
         page.paste(shown, (x, y))
         title = titles()[name].en
-        ImageDraw.Draw(page).text((x + CELL / 2, y + CELL + 4), title, "#333", font, anchor="ma")
+        ImageDraw.Draw(page).text((x + CELL / 2, y + CELL + 4), title, "#333", fitting(title), anchor="ma")
     return page
+
+
+def fitting(title: str) -> ImageFont.FreeTypeFont:
+    """The letters in which a title stays within its cell."""
+    sizes = (ImageFont.load_default(size) for size in range(TITLE_SIZE, 0, -1))
+    return next(font for font in sizes if font.getlength(title) <= CELL - 8)  # type: ignore[union-attr]
 
 
 def main() -> None:

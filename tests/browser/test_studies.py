@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
+from tests.browser.conftest import window
 from tests.browser.lab import Lab, status, tab, until
 from tests.browser.test_methods import choose
 
 from helicoide import studies
 from helicoide.state import Replay
-from helicoide.studies.desk import Desk
+from helicoide.studies.desk import Desk, Run
+from helicoide.text import Language
 
 NAME = "cerbaro_orca_circle"
 
@@ -61,3 +63,56 @@ def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
     page.get_by_label("short form").click()
     until(page, lambda: desk(lab).short)
     assert desk(lab).last is None or desk(lab).last.study == NAME  # type: ignore[union-attr]
+
+
+@pytest.fixture(scope="module")
+def runs() -> tuple[Run, ...]:
+    """Of a study with long words and numbers as small as 1e-14, and of one whose curves turn back."""
+    found = {name: studies.named(name) for name in ("coutinho_s1", "cerbaro_confined_line")}
+    return tuple(Run(n, s.Options(), True, s.run(s.Options(), True, lambda _: None)) for n, s in found.items())
+
+
+@pytest.fixture
+def english_after(lab: Lab) -> Iterator[None]:
+    """New windows speak English again."""
+    yield
+    lab.session.language = "en"
+
+
+def show(lab: Lab, page: Page, run: Run, compared: bool) -> None:
+    """Put a run on the desk of the newest window, and wait until it is all there."""
+    token = [each.view.seat.token for each in lab.session.windows.values()][-1]
+    put = Desk(study=run.study, last=run, before=run, compared=compared)
+    lab.session.loop.call_soon_threadsafe(lab.session.studies._put, token, put)
+    rows, charts = page.locator(".helicoide-study .quantity"), page.locator("figcaption:visible")
+    until(page, lambda: rows.count() == len(run.result.rows))
+    until(page, lambda: charts.count() == len(run.result.charts))
+    until(page, lambda: page.evaluate(BLANK) == 0)
+
+
+@pytest.mark.usefixtures("english_after")
+@pytest.mark.parametrize("size", ["desk", "phone"])
+@pytest.mark.parametrize(("language", "title"), [("en", "Study"), ("pt_BR", "Estudo")])
+def test_nothing_of_a_result_is_cut_and_no_chart_is_blank(
+    lab: Lab, browser: Browser, runs: tuple[Run, ...], size: str, language: Language, title: str
+) -> None:
+    lab.session.language = language
+    with window(browser, lab.port, size) as page:
+        page.get_by_role("tab", name=title).click()
+        for run in runs:
+            for compared in (False, True):
+                show(lab, page, run, compared)
+                assert page.evaluate(CUT) == []
+        assert page.locator(".helicoide-chart polyline").count() > 0
+
+
+CUT = """() => [...document.querySelectorAll('.helicoide-study, .helicoide-study td, .helicoide-chart *, .u-legend')]
+  .filter(e => e.scrollWidth > e.clientWidth + 1 && e.clientWidth || e.getBoundingClientRect().right > innerWidth)
+  .map(e => e.outerHTML.slice(0, 80))"""
+BLANK = """() => [...document.querySelectorAll('.uplot canvas')].filter(c => {
+  if (!c.width) return true;
+  const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+  for (let i = 0; i < d.length; i += 4)
+    if (d[i + 3] > 200 && Math.max(d[i], d[i + 1], d[i + 2]) - Math.min(d[i], d[i + 1], d[i + 2]) > 60) return false;
+  return true;
+}).length"""

@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.export.svg import BOTTOM, HEIGHT, LEFT, RIGHT, TOP, WIDTH, figure, labels, span, svg, thinned, ticks
+from helicoide.export.svg import BOTTOM, LEFT, PAGE, RIGHT, TOP, figure, labels, span, svg, thinned, ticks
 from helicoide.studies.study import Chart, Line
 from helicoide.text import Text, same
 
+WIDTH, HEIGHT = PAGE
 bounds = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
 
 

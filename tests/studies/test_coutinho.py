@@ -66,7 +66,7 @@ def test_short_forms_agree(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_words_and_settings(name: str) -> None:
     study = studies.named(name)
-    assert study.SOURCE.startswith(("Coutinho 2015", "after Coutinho 2015"))
+    assert study.SOURCE.startswith(("Coutinho 2015", "cf. Coutinho 2015"))
     assert load(study.ROBOT).name == study.ROBOT
     assert 1 <= len(settings(study.Options)) <= 2
     for language in LANGUAGES:

@@ -8,20 +8,60 @@ import numpy as np
 import pytest
 from tests.trajectory.test_paths import holds_twist
 
-from helicoide.studies.vargas.paths import path_1, path_2, path_3, path_4, path_6, path_7, path_8, path_10, path_11
 from helicoide.trajectory.vargas import VARGAS
 
+Vectors = tuple[object, object]
 
-def path_5(t: float) -> tuple[object, object]:
+
+def path_1(t: float) -> Vectors:
+    return (2 + 0.5 * sin(0.4 * t), 0.5 * cos(0.2 * t), 0), (0.2 * cos(0.4 * t), -0.1 * sin(0.2 * t), 0)
+
+
+def path_2(t: float) -> Vectors:
+    return (2.5 + 0.5 * sin(0.2 * t), 0.5 * cos(0.2 * t), 0), (0.1 * cos(0.2 * t), -0.1 * sin(0.2 * t), 0)
+
+
+def path_3(t: float) -> Vectors:
+    return (2.26 - t / 11, 3.23 - t / 8, 0), (-1 / 11, -1 / 8, 0)
+
+
+def path_4(t: float) -> Vectors:
+    return (0, 4 - t / 8, 0), (0, -1 / 8, 0)
+
+
+def path_5(t: float) -> Vectors:
     return (2 + 0.5 * sin(0.4 * t), 1, 0), (0.2 * cos(0.4 * t), 0, 0)
 
 
-def path_9(t: float) -> tuple[object, object]:
+def path_6(t: float) -> Vectors:
+    rates = (pi * cos(0.2 * pi * t), 0.75 * pi * cos(0.1 * pi * t), 0)
+    return (5 * sin(0.2 * pi * t) + 45.86, 7.5 * sin(0.1 * pi * t), 0), rates
+
+
+def path_7(t: float) -> Vectors:
+    rates = (0, pi * cos(0.2 * pi * t), 0.75 * pi * cos(0.1 * pi * t))
+    return (0, 5 * sin(0.2 * pi * t), 7.5 * sin(0.1 * pi * t) + 53.86), rates
+
+
+def path_8(t: float) -> Vectors:
+    rates = (pi * cos(0.2 * pi * t), 0.75 * pi * cos(0.1 * pi * t), 0)
+    return (5 * sin(0.2 * pi * t) + 63.36, 7.5 * sin(0.1 * pi * t), 0), rates
+
+
+def path_9(t: float) -> Vectors:
     y = 7.5 * (sin(0.1 * pi * t) + sin(0.15 * pi * t)) + 5
     z = 7.5 * (sin(0.1 * pi * t + 1.6) + sin(0.15 * pi * t + 1.6))
     y_rate = 7.5 * pi * (0.1 * cos(0.1 * pi * t) + 0.15 * cos(0.15 * pi * t))
     z_rate = 7.5 * pi * (0.1 * cos(0.1 * pi * t + 1.6) + 0.15 * cos(0.15 * pi * t + 1.6))
     return (60, y, z), (0, y_rate, z_rate)
+
+
+def path_10(t: float) -> Vectors:
+    return (14.6 * sin(0.2 * t) + 15.5, 7 * cos(0.2 * t), 20), (2.92 * cos(0.2 * t), -1.4 * sin(0.2 * t), 0)
+
+
+def path_11(t: float) -> Vectors:
+    return (14.6 * sin(0.2 * t) + 30.5, 7 * cos(0.2 * t), 20), (2.92 * cos(0.2 * t), -1.4 * sin(0.2 * t), 0)
 
 
 PRINTED = [path_1, path_2, path_3, path_4, path_5, path_6, path_7, path_8, path_9, path_10, path_11]

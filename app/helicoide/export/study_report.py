@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
+from helicoide.export.readable import readable
 from helicoide.export.study_table import HEADINGS, alone, cells
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
@@ -40,11 +41,18 @@ th, td { text-align: left; padding: 0.25rem 0.6rem; border-bottom: 1px solid #e3
 td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
 .verdict { font-weight: 600; border-left: 0.4rem solid; padding-left: 0.5rem; }
 .agrees { color: #1b6b3a; } .doubt { color: #8a5a00; } .assumed { color: #5a3fa0; } .differs { color: #b3261e; }
-figure { margin: 1.5rem 0; } figcaption { font-weight: 600; }
-figure ul { list-style: none; margin: 0; padding: 0 0 0 1rem; display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; }
+figure { margin: 1.5rem 0; max-width: 44rem; } figcaption { font-weight: 600; }
+figure ul, .axes { list-style: none; margin: 0; padding: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; }
+.axes { justify-content: space-between; font-size: 0.9rem; }
 svg { width: 100%; height: auto; font-size: 12px; fill: #1c2430; } svg.swatch { width: 28px; height: 8px; }
 .frame { fill: none; stroke: #8a94a0; } .grid { stroke: #e3e7ec; fill: none; }
 .line { fill: none; stroke-width: 1.6; stroke-linejoin: round; }
+@media (max-width: 40rem) { table { display: block; } thead, tbody { display: block; }
+  tr { display: grid; grid-template-columns: 2fr 3fr 3fr; border-bottom: 1px solid #e3e7ec; padding: 0.3rem 0; }
+  th, td { border: 0; padding: 0 0.4rem 0 0; } th:first-child, th:last-child { display: none; }
+  td:first-child, td:last-child { grid-column: 1 / -1; } td:first-child { font-weight: 600; }
+  td:nth-child(3), td:nth-child(4) { white-space: normal; } td:last-child:not(:has(.verdict)) { display: none; }
+  svg { font-size: 15px; } }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } h2, figcaption { break-after: avoid; }
   table, figure, tr { break-inside: avoid; } * { print-color-adjust: exact; } }
 """.strip()
@@ -137,7 +145,7 @@ def _body(record: Record, language: Language) -> str:
         return f'<p class="verdict differs">{escape(FAILED.format(why=why)[language])}</p>'
     heads = "".join(f"<th>{escape(head[language])}</th>" for head in HEADINGS)
     rows = "\n".join(_row(row, language) for row in record.result.rows)
-    charts = "\n".join(figure(chart, language) for chart in record.result.charts)
+    charts = "\n".join(figure(readable(chart), language) for chart in record.result.charts)
     return f'<div class="wide"><table><thead><tr>{heads}</tr></thead><tbody>\n{rows}\n</tbody></table></div>\n{charts}'
 
 

@@ -15,14 +15,26 @@ HEADINGS = (
     Text(en="verdict", pt_BR="veredito"),
 )
 NOTHING = "–"
-FINEST = 1e-6
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+FINEST, DIGITS = 1e-6, 6
 
 
-def number(value: float, unit: str = "", tolerance: float = 0.0) -> str:
-    """Decimals as far as the tolerance lets them count, else six digits; a degree sign stands close, a unit apart."""
+def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> str:
+    """Decimals as far as the tolerance lets them count, else some digits; a degree sign stands close, a unit apart."""
     decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 1 else 0
-    shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else f"{value + 0.0:.6g}"  # + 0.0: no -0
+    shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else short(value, digits)
     return f"{shown}{unit}" if unit in ("", "°") else f"{shown} {unit}"
+
+
+def short(value: float, digits: int) -> str:
+    """A number of so many digits; a power of ten is written as one, with raised digits."""
+    mantissa, e, exponent = f"{value + 0.0:.{digits}g}".partition("e")  # + 0.0: no -0
+    return f"{mantissa}×{raised(int(exponent))}" if e else mantissa
+
+
+def raised(exponent: int) -> str:
+    """The power of ten, such as 10⁻⁶."""
+    return "10" + str(exponent).translate(RAISED)
 
 
 def source(row: Row, language: Language) -> str:
@@ -37,7 +49,7 @@ def digest(row: Row) -> str:
         return NOTHING
     if row.relation != "=":
         return f"{row.relation} {number(row.digest, row.unit)}"
-    return number(row.digest, row.unit, row.tolerance) + (f" ± {row.tolerance:.2g}" if row.tolerance else "")
+    return number(row.digest, row.unit, row.tolerance) + (f" ± {short(row.tolerance, 2)}" if row.tolerance else "")
 
 
 def alone(row: Row) -> bool:

@@ -6,6 +6,7 @@ text stays text of the page, which can be searched, translated in size, and prin
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from html import escape
 from math import ceil, floor, log10
 
@@ -15,8 +16,9 @@ from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Line
 from helicoide.text import Language
 
-WIDTH, HEIGHT = 720, 320
-LEFT, RIGHT, TOP, BOTTOM = 76, 12, 10, 46
+# The size of a chart on a page: small enough for its words to be read on a phone, where it is drawn smaller than this.
+PAGE = (520, 300)
+LEFT, RIGHT, TOP, BOTTOM = 52, 14, 10, 26
 # Told apart by people who do not see all colours (Okabe and Ito 2008), and by dashes where there is no colour.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 4", "12 4", "1 2")
@@ -50,7 +52,7 @@ def span(values: list[Array]) -> tuple[float, float]:
     return lower - room, upper + room
 
 
-def thinned(x: Array, y: Array, columns: int = WIDTH) -> tuple[Array, Array]:
+def thinned(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
     """The same curve with fewer points: the lowest and the highest of each column where x rises, else every few."""
     if len(x) <= 4 * columns:
         return x, y
@@ -62,46 +64,63 @@ def thinned(x: Array, y: Array, columns: int = WIDTH) -> tuple[Array, Array]:
     return x[kept], y[kept]
 
 
-def svg(chart: Chart, language: Language) -> str:
-    """A chart as an SVG element."""
-    across, up = span([line.x for line in chart.lines]), span([line.y for line in chart.lines])
-    title, x_title, y_title = (escape(text[language]) for text in (chart.title, chart.across, chart.up))
-    middle_x, middle_y = (LEFT + WIDTH - RIGHT) / 2, (TOP + HEIGHT - BOTTOM) / 2
+@dataclass(frozen=True)
+class Frame:
+    """A chart of a size, in the unit of its SVG: what is across and up, from lower to upper."""
+
+    width: int
+    height: int
+    across: tuple[float, float]
+    up: tuple[float, float]
+
+    @property
+    def floor(self) -> int:
+        """Where the lower edge of the curves' field is."""
+        return self.height - BOTTOM
+
+    def right(self, x: Array) -> Array:
+        """Where values of x stand."""
+        share = (x - self.across[0]) / (self.across[1] - self.across[0])
+        return np.asarray(LEFT + share * (self.width - LEFT - RIGHT))
+
+    def down(self, y: Array) -> Array:
+        """Where values of y stand."""
+        return np.asarray(self.floor - (y - self.up[0]) / (self.up[1] - self.up[0]) * (self.floor - TOP))
+
+
+def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> str:
+    """A chart as an SVG element, without words."""
+    frame = Frame(*size, span([line.x for line in chart.lines]), span([line.y for line in chart.lines]))
     return "\n".join(
         [
-            f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{title}">',
-            *_grid(across, up),
-            *(_polyline(line, i, across, up) for i, line in enumerate(chart.lines)),
-            f'<text x="{middle_x:g}" y="{HEIGHT - 8}" text-anchor="middle">{x_title}</text>',
-            f'<text transform="translate(14 {middle_y:g}) rotate(-90)" text-anchor="middle">{y_title}</text>',
+            f'<svg viewBox="0 0 {frame.width} {frame.height}" role="img" aria-label="{escape(chart.title[language])}">',
+            *_grid(frame),
+            *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)),
             "</svg>",
         ]
     )
 
 
-def figure(chart: Chart, language: Language) -> str:
-    """A chart with its title above and its curves named below."""
+def caption(chart: Chart, language: Language) -> str:
+    """The title of a chart, what is up and what is across, as words of the page, which can wrap."""
+    title, up, across = (escape(text[language]) for text in (chart.title, chart.up, chart.across))
+    return f'<figcaption>{title}</figcaption>\n<p class="axes"><span>↑ {up}</span> <span>→ {across}</span></p>'
+
+
+def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> str:
+    """A chart with its words above and its curves named below."""
     names = "".join(f"<li>{_swatch(i)} {escape(line.title[language])}</li>" for i, line in enumerate(chart.lines))
-    title = escape(chart.title[language])
-    return f"<figure><figcaption>{title}</figcaption>\n{svg(chart, language)}\n<ul>{names}</ul></figure>"
+    return f"<figure>{caption(chart, language)}\n{svg(chart, language, size)}\n<ul>{names}</ul></figure>"
 
 
-def _right(x: Array, across: tuple[float, float]) -> Array:
-    return np.asarray(LEFT + (x - across[0]) / (across[1] - across[0]) * (WIDTH - LEFT - RIGHT))
-
-
-def _down(y: Array, up: tuple[float, float]) -> Array:
-    return np.asarray(HEIGHT - BOTTOM - (y - up[0]) / (up[1] - up[0]) * (HEIGHT - TOP - BOTTOM))
-
-
-def _grid(across: tuple[float, float], up: tuple[float, float]) -> list[str]:
-    x, y, floor_y = ticks(*across), ticks(*up), HEIGHT - BOTTOM
-    rows = [f'<rect class="frame" x="{LEFT}" y="{TOP}" width="{WIDTH - LEFT - RIGHT}" height="{floor_y - TOP}"/>']
-    for at, label in zip(_right(x, across), labels(x), strict=True):
+def _grid(frame: Frame) -> list[str]:
+    x, y, floor_y, edge = ticks(*frame.across), ticks(*frame.up), frame.floor, frame.width - RIGHT
+    rows = [f'<rect class="frame" x="{LEFT}" y="{TOP}" width="{edge - LEFT}" height="{floor_y - TOP}"/>']
+    for at, label in zip(frame.right(x), labels(x), strict=True):
         rows.append(f'<path class="grid" d="M{at:.1f} {TOP}V{floor_y}"/>')
         rows.append(f'<text x="{at:.1f}" y="{floor_y + 16}" text-anchor="middle">{label}</text>')
-    for at, label in zip(_down(y, up), labels(y), strict=True):
-        rows.append(f'<path class="grid" d="M{LEFT} {at:.1f}H{WIDTH - RIGHT}"/>')
+    for at, label in zip(frame.down(y), labels(y), strict=True):
+        rows.append(f'<path class="grid" d="M{LEFT} {at:.1f}H{edge}"/>')
         rows.append(f'<text x="{LEFT - 6}" y="{at + 4:.1f}" text-anchor="end">{label}</text>')
     return rows
 
@@ -116,7 +135,7 @@ def _swatch(index: int) -> str:
     return f'<svg class="swatch" viewBox="0 0 28 8" aria-hidden="true">{stroke}</svg>'
 
 
-def _polyline(line: Line, index: int, across: tuple[float, float], up: tuple[float, float]) -> str:
+def _polyline(line: Line, index: int, frame: Frame) -> str:
     x, y = thinned(line.x, line.y)
-    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(_right(x, across), _down(y, up), strict=True))
+    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(frame.right(x), frame.down(y), strict=True))
     return f'<polyline class="line" points="{points}" {_pen(index)}/>'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 from helicoide.studies._coutinho_rows import (
     NO_FEEDBACK,
@@ -23,16 +24,27 @@ Samples = Mapping[int, tuple[str, str, str, str]]
 Formula = tuple[Callable[[float, float, float], float], str]
 
 
+@dataclass(frozen=True)
+class Beginning:
+    """The short form of a simulation: its first seconds at 20 ms, and what holds of them."""
+
+    seconds: float
+    table: Table
+
+
 def simulated(
     path: str,
     options: Options,
-    seconds: float | None,
+    short: Beginning | None,
     progress: Progress,
     table: Table,
     formula: Formula,
     samples: Samples | None = None,
 ) -> Result:
-    """Both runs along a path: for so many seconds, or the whole period. samples: of the run with feedback at 20 ms."""
+    """Both runs along a path: the whole period, or what `short` says. samples: of the run with feedback at 20 ms."""
+    seconds = None
+    if short is not None:
+        seconds, table, options = short.seconds, short.table, replace(options, step="20")
     step = int(options.step)
     dt = step / 1000
     plain = run(path, control(), dt, seconds=seconds, progress=lambda share: progress(share / 2))

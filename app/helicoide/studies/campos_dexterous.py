@@ -17,7 +17,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result
 from helicoide.text import Text, same
 
 TITLE = Text(en="With every orientation", pt_BR="Com qualquer orientação")
-SOURCE = "Campos 1998, s.6–10 and s.53"
+SOURCE = "Campos 1998, s.6–10, s.53"
 ABOUT = Text(
     en="A point belongs to the dexterous workspace if the hand can be there with every orientation: the circle of the "
     "wrist around it must lie in the annulus of the first two links. Two unequal links have no such point, two equal "

@@ -19,7 +19,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result
 from helicoide.text import Text, same
 
 TITLE = Text(en="Four postures of the L-3", pt_BR="Quatro posturas do L-3")
-SOURCE = "Campos 1998, s.36 and s.55, after Craig"
+SOURCE = "Campos 1998, s.36, s.55 (Craig)"
 ABOUT = Text(
     en="Five joints cannot take every pose: the hand of the L-3 always points within the vertical plane of the arm. A "
     "general goal is turned into that plane by as little as may be, and then four postures reach it, to the front or "

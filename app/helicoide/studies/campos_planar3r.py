@@ -19,7 +19,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Three links, two postures", pt_BR="Três elos, duas posturas")
-SOURCE = "Campos 1998, s.15–18 and s.38–54"
+SOURCE = "Campos 1998, s.15–18, s.38–54"
 ABOUT = Text(
     en="For a point and an orientation three links have two postures, elbow up and elbow down, and algebra and "
     "geometry lead to the same angles. Which of the two is nearer depends on how much the large joints count.",

@@ -20,7 +20,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result
 from helicoide.text import Text, same
 
 TITLE = Text(en="Goals that an arm cannot take", pt_BR="Alvos que o braço não pode assumir")
-SOURCE = "Campos 1998, s.13 and s.27–36"
+SOURCE = "Campos 1998, s.13, s.27–36"
 ABOUT = Text(
     en="With fewer than six joints most poses are out of question. The goal is taken to the nearest pose of the arm's "
     "subspace first: a planar arm lays it flat, the polar arm keeps its point, the L-3 turns its pointing axis by "

@@ -18,7 +18,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Eight postures of the PUMA", pt_BR="Oito posturas do PUMA")
-SOURCE = "Campos 1998, s.19–21 and s.55, after Craig"
+SOURCE = "Campos 1998, s.19–21, s.55 (Craig)"
 ABOUT = Text(
     en="Shoulder left or right, elbow up or down, wrist flipped or not: eight postures bring the tool to the same "
     "pose. The flip of the wrist, θ₄ + 180°, −θ₅, θ₆ + 180°, leaves the tool exactly where it is.",

@@ -20,7 +20,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Zero link lengths and the count of postures", pt_BR="Elos de comprimento zero e o número de posturas")
-SOURCE = "Campos 1998, s.22, after Craig; Primrose 1986"
+SOURCE = "Campos 1998, s.22 (Craig); Primrose 1986"
 ABOUT = Text(
     en="A table of the slides bounds the postures of six turning joints by which link lengths are zero. Its first row "
     "does not hold: the PUMA with a₃ = 0 has eight postures, and an arm without a spherical wrist sixteen; with a "

@@ -19,7 +19,7 @@ from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Workspaces in a plane", pt_BR="Espaços de trabalho no plano")
-SOURCE = "Campos 1998, s.6–13 and s.31–34"
+SOURCE = "Campos 1998, s.6–13, s.31–34"
 ABOUT = Text(
     en="Two links reach an annulus, every point inside with two orientations and every point on an edge with one. "
     "Random postures find the same area as the formula, and limiting the elbow to one side changes the count, not "

@@ -18,7 +18,7 @@ from helicoide.studies.study import Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="Algorithm 1: gains that grow", pt_BR="Algoritmo 1: ganhos que crescem")
-SOURCE = "Cerbaro 2022, §4.5, Algorithm 1, fig. 38"
+SOURCE = "Cerbaro 2022, §4.5, alg. 1, fig. 38"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="After every step a joint beyond its limit is put back on it, and its gain grows by a hundredth. From the "

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from helicoide.studies.cerbaro_runs import chapter6
-from helicoide.studies.cerbaro_runs.chapter6 import Options, Told
+from helicoide.studies.cerbaro_runs.chapter6_rows import Told
+from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text

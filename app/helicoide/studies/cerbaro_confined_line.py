@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from helicoide.studies.cerbaro_runs import chapter6
-from helicoide.studies.cerbaro_runs.chapter6 import Options, Told
+from helicoide.studies.cerbaro_runs.chapter6_rows import Told
+from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import LINE
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
 TITLE = Text(en="Confined: the line", pt_BR="Confinado: a linha")
-SOURCE = "Cerbaro 2022, §6.1–6.2.3, eqs. 31, 34 (50 mm for 500), 36, 37, figs. 53–58"
+SOURCE = "Cerbaro 2022, §6.1–6.2.3, eqs. 31, 34 (500 → 50 mm), 36, 37, figs. 53–58"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="The tool is to run along a straight line that begins and ends inside the warning zones of both side walls. "

@@ -14,7 +14,7 @@ from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
 TITLE = Text(en="Convergence of the Movemaster", pt_BR="Convergência do Movemaster")
-SOURCE = "Cerbaro 2022, §4.4.4, demonstration 1, fig. 34"
+SOURCE = "Cerbaro 2022, §4.4.4, dem. 1, fig. 34"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="From home the tool is to come to (440, 0, 200) mm, pointing 60° below level. Five joints have five tasks, and "

@@ -14,7 +14,7 @@ from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="The Movemaster round an ellipse", pt_BR="O Movemaster numa elipse")
-SOURCE = "Cerbaro 2022, §4.4.4, demonstration 2, figs. 35 and 36"
+SOURCE = "Cerbaro 2022, §4.4.4, dem. 2, figs. 35, 36"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="One turn in a minute, the tool 60° below level all the time: five tasks for five joints. The errors stay far "

@@ -15,7 +15,7 @@ from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="One gain for all joints, and where it fails", pt_BR="Um só ganho para as juntas, e onde falha")
-SOURCE = "Cerbaro 2022, §4.4.4, demonstration 3, fig. 37"
+SOURCE = "Cerbaro 2022, §4.4.4, dem. 3, fig. 37"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all pulls "

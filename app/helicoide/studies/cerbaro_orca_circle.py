@@ -14,7 +14,7 @@ from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="The ORCA round a circle", pt_BR="O ORCA num círculo")
-SOURCE = "Cerbaro 2022, §4.4.3, demonstration 2, figs. 31 and 32"
+SOURCE = "Cerbaro 2022, §4.4.3, dem. 2, figs. 31, 32"
 ROBOT = "orca"
 ABOUT = Text(
     en="One turn in a minute, the gripper level. The error of each step is fed back with a gain K, so that it never "

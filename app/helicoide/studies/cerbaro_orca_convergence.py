@@ -12,7 +12,7 @@ from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
 TITLE = Text(en="Convergence of the ORCA", pt_BR="Convergência do ORCA")
-SOURCE = "Cerbaro 2022, §4.4.3, demonstration 1, fig. 30"
+SOURCE = "Cerbaro 2022, §4.4.3, dem. 1, fig. 30"
 ROBOT = "orca"
 ABOUT = Text(
     en="From home the arm is to come to (260, 180) mm with its gripper level. Each step goes a constant share of the "

@@ -17,7 +17,7 @@ from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="The ORCA keeps off its joint limits", pt_BR="O ORCA se afasta dos limites de junta")
-SOURCE = "Cerbaro 2022, §4.4.3, demonstration 3, eqs. 12 and 14, fig. 33"
+SOURCE = "Cerbaro 2022, §4.4.3, dem. 3, eqs. 12, 14, fig. 33"
 ROBOT = "orca"
 ABOUT = Text(
     en="The circle once more, but only the position counts: one freedom is left, and the gradient of the distance from "

@@ -15,7 +15,7 @@ from helicoide.studies.study import Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="E1: three methods beside each other", pt_BR="E1: três métodos lado a lado")
-SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, table 4.3"
+SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, tab. 4.3"
 ABOUT = Text(
     en="The experiment on the robot: tool and entry point swing to and fro, and on the way the wrist comes near θ₇ = "
     "0. Damping and the filtered inverse trade accuracy of the tip for calm joints, and which of them is better "

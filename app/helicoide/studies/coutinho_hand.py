@@ -32,7 +32,7 @@ from helicoide.studies.study import Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="A hand leads the tool", pt_BR="A mão conduz a ponta")
-SOURCE = "Coutinho 2015, §4.2 and §4.2.3, figs. 4.38–4.43"
+SOURCE = "Coutinho 2015, §4.2, §4.2.3, figs. 4.38–4.43"
 ABOUT = Text(
     en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point swings; the path "
     "comes through θ₇ = 0, as the operator was asked to steer. With a bounded inverse the joints stay calm, while "

@@ -14,7 +14,7 @@ from helicoide.studies.study import Progress, Result, Row
 from helicoide.text import Text
 
 TITLE = Text(en="Four inverses at a singularity", pt_BR="Quatro inversas numa singularidade")
-SOURCE = "Coutinho 2015, §3.6, eqs. 3.43–3.50; path of §4.1.2, eqs. 4.3 and 4.4"
+SOURCE = "Coutinho 2015, §3.6, eqs. 3.43–3.50; §4.1.2, eqs. 4.3, 4.4"
 ABOUT = Text(
     en="The same path through θ₇ = 0 by the plain inverse, two kinds of damping and the filtered inverse: compare what "
     "each costs the tip, and what it saves the joints. Damping the wrist beyond the trocar leaves the entry point "

@@ -20,7 +20,7 @@ from helicoide.studies.study import Chart, Line, Motion, Progress, Result
 from helicoide.text import Text, same
 
 TITLE = Text(en="Three ways to the same joint rates", pt_BR="Três caminhos para as mesmas velocidades")
-SOURCE = "Coutinho 2015, §1.2.1, eqs. 3.9 and 3.18"
+SOURCE = "Coutinho 2015, §1.2.1, eqs. 3.9, 3.18"
 ABOUT = Text(
     en="Before the constrained Jacobian, the entry point was kept by stacking its Jacobian under that of the tool, or "
     "by giving it priority. Along S2 all three ask the same of the joints to rounding; what differs is where they "

@@ -14,7 +14,7 @@ from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="A circle through an entry point", pt_BR="Um círculo através de um ponto de entrada")
-SOURCE = "after Coutinho 2015, §3.4 and §5.1"
+SOURCE = "cf. Coutinho 2015, §3.4, §5.1"
 ABOUT = Text(
     en="Most arms have no wrist beyond the entry point, only a straight rod: then the tip can be led anywhere, but not "
     "turned. The tip goes once around a circle of 30 mm radius; afterwards the joints are not quite where they were, "

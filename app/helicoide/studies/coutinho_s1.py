@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from helicoide.ik.rcm import wrists
 from helicoide.studies._coutinho_rows import Options
 from helicoide.studies._coutinho_runs import ROBOT
-from helicoide.studies._coutinho_simulation import simulated
+from helicoide.studies._coutinho_simulation import Beginning, simulated
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
@@ -36,18 +34,15 @@ TABLE = {
     },
 }  # fmt: skip
 # Of the first seconds at 20 ms: what the whole period does not exceed.
-SHORT, SECONDS = (
+SHORT = Beginning(
+    25.0,
     {
         (20, 0.0): {"tip": "≤0.0028", "angle": "≤0.0003", "lateral": "≤0.191", "slip": "≤1e-12", "rate": "≤0.0463"},
         (20, 5.0): {"tip": "≤0.0028", "angle": "≤0.0003", "lateral": "≤0.001", "slip": "≤1e-12", "rate": "≤0.0463"},
     },
-    25.0,
 )
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: 25 s of them at 20 ms."""
-    formula = wrists.w_zy_slit, "3.40"
-    if short:
-        return simulated("S1", replace(options, step="20"), SECONDS, progress, SHORT, formula)
-    return simulated("S1", options, None, progress, TABLE, formula)
+    return simulated("S1", options, SHORT if short else None, progress, TABLE, (wrists.w_zy_slit, "3.40"))

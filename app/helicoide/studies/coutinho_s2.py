@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from helicoide.ik.rcm import wrists
 from helicoide.studies._coutinho_rows import Options
 from helicoide.studies._coutinho_runs import ROBOT
-from helicoide.studies._coutinho_simulation import simulated
+from helicoide.studies._coutinho_simulation import Beginning, simulated
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
@@ -48,18 +46,15 @@ SAMPLES = {
     200: ("0.1500", "-0.6164", "0.8325", "0.02828"),
 }
 # Of the first seconds at 20 ms: what the whole period does not exceed.
-SHORT, SECONDS = (
+SHORT = Beginning(
+    25.0,
     {
         (20, 0.0): {"tip": "≤0.0038", "angle": "≤0.0004", "lateral": "≤0.471", "slip": "≤1e-12", "rate": "≤0.0531"},
         (20, 5.0): {"tip": "≤0.01", "lateral": "≤0.002", "slip": "≤1e-12", "rate": "≤0.0531"},
     },
-    25.0,
 )
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: 25 s of them at 20 ms."""
-    formula = wrists.w_zy_trocar, "3.42"
-    if short:
-        return simulated("S2", replace(options, step="20"), SECONDS, progress, SHORT, formula, SAMPLES)
-    return simulated("S2", options, None, progress, TABLE, formula, SAMPLES)
+    return simulated("S2", options, SHORT if short else None, progress, TABLE, (wrists.w_zy_trocar, "3.42"), SAMPLES)

@@ -15,7 +15,7 @@ from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
 TITLE = Text(en="S3: through a singularity", pt_BR="S3: através de uma singularidade")
-SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.3 and 4.4; §3.6"
+SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.3, 4.4; §3.6"
 ABOUT = Text(
     en="The tool is turned so that the two axes around the bend beyond the trocar come into line, θ₇ = 0, where one "
     "motion of the tool is lost. The plain inverse makes the joints race; damping or the filtered inverse keep them "

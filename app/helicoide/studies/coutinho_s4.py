@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from helicoide.ik.rcm import wrists
 from helicoide.studies._coutinho_rows import Options
 from helicoide.studies._coutinho_runs import ROBOT
-from helicoide.studies._coutinho_simulation import simulated
+from helicoide.studies._coutinho_simulation import Beginning, simulated
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
 TITLE = Text(en="S4: an entry point that moves", pt_BR="S4: um ponto de entrada que se move")
-SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.5 and 4.6"
+SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.5, 4.6"
 ABOUT = Text(
     en="The path of S2 again, while the entry point itself moves by up to 106 mm along both forbidden directions, as "
     "breathing might move it. The shaft takes up its velocity exactly, and the tip does not notice.",
@@ -32,12 +30,9 @@ TABLE = {
     (20, 5.0): {"lateral": "≤0.01", "slip": "≤1e-11", "tip": "≤0.02"},
 }
 # Of the first seconds at 20 ms, in which the entry point moves by 53 mm.
-SHORT, SECONDS = {(20, 5.0): TABLE[20, 5.0], (20, 0.0): {"slip": "≤1e-11", "tip": "≤0.02"}}, 50.0
+SHORT = Beginning(50.0, {(20, 5.0): TABLE[20, 5.0], (20, 0.0): {"slip": "≤1e-11", "tip": "≤0.02"}})
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: 50 s of them at 20 ms."""
-    formula = wrists.w_zy_trocar, "3.42"
-    if short:
-        return simulated("S4", replace(options, step="20"), SECONDS, progress, SHORT, formula)
-    return simulated("S4", options, None, progress, TABLE, formula)
+    return simulated("S4", options, SHORT if short else None, progress, TABLE, (wrists.w_zy_trocar, "3.42"))

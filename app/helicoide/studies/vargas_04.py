@@ -2,24 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import pi
-from typing import Annotated
 
 from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.paths import path_2
-from helicoide.studies.vargas.planar import (
-    DAMPING,
-    FED_BACK,
-    PSEUDOINVERSE,
-    Found,
-    compared_rows,
-    filters,
-    followers,
-    result,
-)
+from helicoide.studies.vargas.planar import DAMPING, Found, compared_rows, followers, result, ways_of
+from helicoide.studies.vargas.planar import Five as Options
 from helicoide.studies.vargas.runs import largest
-from helicoide.studies.vargas.table import APART, Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.table import APART, Sheet, is_changed
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 4: nothing in the way", pt_BR="Simulação 4: nada no caminho")
@@ -31,6 +21,8 @@ never comes on, so that damped least squares is the pseudoinverse, and the filte
 nunca entra, de modo que os mínimos quadrados amortecidos são a pseudoinversa, e a inversa filtrada já se tornou \
 igual a ela.""",
 )
+__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
+
 ROBOT = "planar3r"
 START = (pi / 6, pi / 6, pi / 6)
 FOUND: dict[str, Found] = {
@@ -40,22 +32,12 @@ FOUND: dict[str, Found] = {
     "filtered": ("0.0470", "9.7e-5", 0.01, 1.0),
     "modified": ("0.0470", "1.1e-4", 0.01, 1.0),
 }
-SHOWN = choice({"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters([5.0])})
-
-
-@dataclass(frozen=True)
-class Options:
-    """gain: γ of the filtered inverse; dt, s; shown: whose motion the arm shows."""
-
-    gain: Gain = 5.0
-    dt: Step = 1e-3
-    shown: Annotated[str, SHOWN] = "filtered"
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 2."""
-    ways = {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters([options.gain])}
-    runs = followers(path_2, START, ways, max(options.dt, 1e-2) if short else options.dt, progress)
+    ways = ways_of(options.gain)
+    runs = followers(path_2, START, ways, options.dt, short, progress)
     sheet = Sheet(short, is_changed(options))
     rows = compared_rows(sheet, ways, runs, FOUND)
     alike = largest(runs["damping"].q - runs["pseudoinverse"].q)

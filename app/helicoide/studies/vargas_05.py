@@ -2,22 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Annotated
-
 from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.paths import path_3
-from helicoide.studies.vargas.planar import (
-    DAMPING,
-    FED_BACK,
-    PSEUDOINVERSE,
-    Found,
-    compared_rows,
-    filters,
-    followers,
-    result,
-)
-from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.planar import Five as Options
+from helicoide.studies.vargas.planar import Found, compared_rows, followers, result, ways_of
+from helicoide.studies.vargas.table import Sheet, is_changed
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 5: past a singular posture", pt_BR="Simulação 5: rente a uma postura singular")
@@ -30,6 +19,8 @@ joints.""",
 pseudoinversa não sai do caminho e é a mais rápida; todas as outras trocam um pouco de exatidão por juntas mais \
 lentas.""",
 )
+__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
+
 ROBOT = "planar3r"
 START = (0.5, 0.6, 0.6)
 FOUND: dict[str, Found] = {
@@ -39,21 +30,11 @@ FOUND: dict[str, Found] = {
     "filtered": ("1.19", "0.310", 0.03, 0.03),
     "modified": ("1.73", "0.443", 0.03, 0.03),
 }
-SHOWN = choice({"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters([5.0])})
-
-
-@dataclass(frozen=True)
-class Options:
-    """gain: γ of the filtered inverse; dt, s; shown: whose motion the arm shows."""
-
-    gain: Gain = 5.0
-    dt: Step = 1e-3
-    shown: Annotated[str, SHOWN] = "filtered"
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 3."""
-    ways = {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters([options.gain])}
-    runs = followers(path_3, START, ways, max(options.dt, 1e-2) if short else options.dt, progress)
+    ways = ways_of(options.gain)
+    runs = followers(path_3, START, ways, options.dt, short, progress)
     rows = compared_rows(Sheet(short, is_changed(options)), ways, runs, FOUND, "< 1.2")
     return result(rows, path_3, ways, runs, options.shown)

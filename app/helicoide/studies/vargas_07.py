@@ -8,16 +8,7 @@ from typing import Annotated
 
 from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.paths import path_4
-from helicoide.studies.vargas.planar import (
-    DAMPING,
-    FED_BACK,
-    PSEUDOINVERSE,
-    Found,
-    compared_rows,
-    filters,
-    followers,
-    result,
-)
+from helicoide.studies.vargas.planar import Found, compared_rows, followers, result, ways_of
 from helicoide.studies.vargas.runs import Way
 from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
 from helicoide.text import Text
@@ -47,10 +38,9 @@ FOUND: dict[str, Found] = {
 }
 
 
-def ways_of(gain: float) -> dict[str, Way]:
+def with_gains(gain: float) -> dict[str, Way]:
     """The methods, the filtered inverses with γ and ten and a hundred times it."""
-    usual = {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK}
-    return {**usual, **filters([gain, 10 * gain, 100 * gain])}
+    return ways_of(gain, 10 * gain, 100 * gain)
 
 
 @dataclass(frozen=True)
@@ -59,12 +49,12 @@ class Options:
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    shown: Annotated[str, choice(ways_of(5.0))] = "filtered_1"
+    shown: Annotated[str, choice(with_gains(5.0))] = "filtered_1"
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Methods on trajectory 4, the filtered inverses with three gains."""
-    ways, dt = ways_of(options.gain), max(options.dt, 1e-2) if short else options.dt
-    runs = followers(path_4, START, ways, dt, progress)
+    ways = with_gains(options.gain)
+    runs = followers(path_4, START, ways, options.dt, short, progress)
     rows = compared_rows(Sheet(short, is_changed(options)), ways, runs, FOUND, "< 0.7")
     return result(rows, path_4, ways, runs, options.shown)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -15,25 +16,36 @@ from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import JointPath, Path
 from helicoide.trajectory.straight import Line, Screw
 
+Piece = TypeVar("Piece", Path, JointPath)
 # Where one path ends and the next begins may differ by this much, m, rad, or an entry of a pose.
 MEETS = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
-    """Paths of the target one after another; `chain` makes one of paths that meet."""
+class Sequel(Generic[Piece]):
+    """Paths of one kind one after another."""
 
-    paths: tuple[Path, ...]
+    paths: tuple[Piece, ...]
 
     @cached_property
     def starts(self) -> Array:
         """When each path begins, and the last ends, (k + 1,), s."""
-        return _starts(self.paths)
+        return np.cumsum([0.0, *(path.duration for path in self.paths)])
 
     @property
     def duration(self) -> float:
         """All of them together, s."""
         return float(self.starts[-1])
+
+    def running(self, s: float) -> tuple[Piece, float]:
+        """The path that runs at s, at a corner the one that follows, and its own parameter then, s."""
+        i = min(max(int(np.searchsorted(self.starts, s, side="right")) - 1, 0), len(self.paths) - 1)
+        return self.paths[i], s - float(self.starts[i])
+
+
+@dataclass(frozen=True, eq=False)
+class Chain(Sequel[Path]):
+    """Paths of the target one after another; `chain` makes one of paths that meet."""
 
     @property
     def is_closed(self) -> bool:
@@ -42,30 +54,18 @@ class Chain:
 
     def pose(self, s: float) -> Array:
         """T_world_target (4, 4), m."""
-        i = _running(self.starts, s)
-        return self.paths[i].pose(s - self.starts[i])
+        path, at = self.running(s)
+        return path.pose(at)
 
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes; at a corner that of what follows."""
-        i = _running(self.starts, s)
-        return self.paths[i].twist(s - self.starts[i])
+        path, at = self.running(s)
+        return path.twist(at)
 
 
 @dataclass(frozen=True, eq=False)
-class JointChain:
+class JointChain(Sequel[JointPath]):
     """Paths of the joints one after another; `joint_chain` makes one of paths that meet."""
-
-    paths: tuple[JointPath, ...]
-
-    @cached_property
-    def starts(self) -> Array:
-        """When each path begins, and the last ends, (k + 1,), s."""
-        return _starts(self.paths)
-
-    @property
-    def duration(self) -> float:
-        """All of them together, s."""
-        return float(self.starts[-1])
 
     @property
     def is_closed(self) -> bool:
@@ -74,22 +74,13 @@ class JointChain:
 
     def q(self, s: float) -> Array:
         """Joint values (n,), rad or m."""
-        i = _running(self.starts, s)
-        return self.paths[i].q(s - self.starts[i])
+        path, at = self.running(s)
+        return path.q(at)
 
     def rates(self, s: float) -> Array:
         """dq/ds (n,), rad/s or m/s; at a corner that of what follows."""
-        i = _running(self.starts, s)
-        return self.paths[i].rates(s - self.starts[i])
-
-
-def _starts(paths: Sequence[Path | JointPath]) -> Array:
-    return np.cumsum([0.0, *(path.duration for path in paths)])
-
-
-def _running(starts: Array, s: float) -> int:
-    """The number of the path that runs at s."""
-    return min(max(int(np.searchsorted(starts, s, side="right")) - 1, 0), len(starts) - 2)
+        path, at = self.running(s)
+        return path.rates(at)
 
 
 def chain(paths: Sequence[Path]) -> Chain:

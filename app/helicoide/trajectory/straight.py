@@ -14,11 +14,8 @@ from helicoide.trajectory.path import lasting
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
-    """Straight on, turning evenly by the shorter way (slerp): p = p₀ + σ (p₁ − p₀), R = R₀ exp(σ [w]ₓ), σ = s / T.
-
-    w = log(R₀ᵀ R₁). Args: T_world_start, T_world_end (4, 4), m; duration T, s.
-    """
+class Between:
+    """A way from one pose to another: T_world_start, T_world_end (4, 4), m; duration T, s."""
 
     T_world_start: Array
     T_world_end: Array
@@ -31,6 +28,14 @@ class Line:
     def is_closed(self) -> bool:
         """Whether it stays in one pose."""
         return np.array_equal(self.T_world_start, self.T_world_end)
+
+
+@dataclass(frozen=True, eq=False)
+class Line(Between):
+    """Straight on, turning evenly by the shorter way (slerp): p = p₀ + σ (p₁ − p₀), R = R₀ exp(σ [w]ₓ), σ = s / T.
+
+    w = log(R₀ᵀ R₁).
+    """
 
     @cached_property
     def turn(self) -> Array:
@@ -52,23 +57,11 @@ class Line:
 
 
 @dataclass(frozen=True, eq=False)
-class Screw:
+class Screw(Between):
     """One screw by the shorter turn (ScLERP): M = M₀ exp(σ log(M₀* M₁)), σ = s / T.
 
-    Args: T_world_start, T_world_end (4, 4), m; duration T, s. Source: Kavan et al. 2008.
+    Source: Kavan et al. 2008.
     """
-
-    T_world_start: Array
-    T_world_end: Array
-    duration: float
-
-    def __post_init__(self) -> None:
-        lasting(self.duration)
-
-    @property
-    def is_closed(self) -> bool:
-        """Whether it stays in one pose."""
-        return np.array_equal(self.T_world_start, self.T_world_end)
 
     @cached_property
     def start(self) -> Array:

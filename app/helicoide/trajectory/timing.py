@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Generic, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from helicoide.kinematics.chain import Array
 from helicoide.trajectory.path import Path, SmoothJointPath, lasting
 
+Kind = TypeVar("Kind", Path, SmoothJointPath)
 # Points of the table by which the time of a share is found.
 _TABLE = np.linspace(0, 1, 2001)
 
@@ -82,10 +83,10 @@ class MinimumJerk:
 
 
 @dataclass(frozen=True, eq=False)
-class TimedPath:
-    """A path of the target under a time scaling: s = L σ(t / T), L the duration of the path, T its own, s."""
+class Timed(Generic[Kind]):
+    """A path under a time scaling: s = L σ(t / T), L the duration of the path, T its own, s."""
 
-    path: Path
+    path: Kind
     law: Law
     duration: float
 
@@ -97,32 +98,31 @@ class TimedPath:
         """Whether the path is."""
         return self.path.is_closed
 
+    def along(self, t: ArrayLike) -> tuple[Array, Array, Array]:
+        """The parameter of the path, its rate and acceleration at times t (...), s, kept within the duration."""
+        length, duration = self.path.duration, self.duration
+        share, rate, change = self.law.at(np.clip(np.asarray(t, dtype=float) / duration, 0.0, 1.0))
+        return length * share, rate * (length / duration), change * (length / duration**2)
+
+
+@dataclass(frozen=True, eq=False)
+class TimedPath(Timed[Path]):
+    """A path of the target under a time scaling."""
+
     def pose(self, s: float) -> Array:
         """T_world_target (4, 4), m."""
-        along, _, _ = _scaled(self.law, self.path.duration, self.duration, s)
+        along, _, _ = self.along(s)
         return self.path.pose(float(along))
 
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes."""
-        along, rate, _ = _scaled(self.law, self.path.duration, self.duration, s)
+        along, rate, _ = self.along(s)
         return np.asarray(rate * self.path.twist(float(along)))
 
 
 @dataclass(frozen=True, eq=False)
-class TimedJoints:
-    """A path of the joints under a time scaling: q̇ = q' ṡ, q̈ = q' s̈ + q'' ṡ²; s and T as in `TimedPath`."""
-
-    path: SmoothJointPath
-    law: Law
-    duration: float
-
-    def __post_init__(self) -> None:
-        lasting(self.duration)
-
-    @property
-    def is_closed(self) -> bool:
-        """Whether the path is."""
-        return self.path.is_closed
+class TimedJoints(Timed[SmoothJointPath]):
+    """A path of the joints under a time scaling: q̇ = q' ṡ, q̈ = q' s̈ + q'' ṡ²."""
 
     @property
     def knots(self) -> Array:
@@ -132,22 +132,16 @@ class TimedJoints:
 
     def q(self, s: ArrayLike) -> Array:
         """Joint values (..., n), rad or m."""
-        along, _, _ = _scaled(self.law, self.path.duration, self.duration, s)
+        along, _, _ = self.along(s)
         return self.path.q(along)
 
     def rates(self, s: ArrayLike) -> Array:
         """dq/dt (..., n), rad/s or m/s."""
-        along, rate, _ = _scaled(self.law, self.path.duration, self.duration, s)
+        along, rate, _ = self.along(s)
         return np.asarray(rate[..., None] * self.path.rates(along))
 
     def accelerations(self, s: ArrayLike) -> Array:
         """d²q/dt² (..., n), rad/s² or m/s²."""
-        along, rate, change = _scaled(self.law, self.path.duration, self.duration, s)
+        along, rate, change = self.along(s)
         first, second = self.path.rates(along), self.path.accelerations(along)
         return np.asarray(change[..., None] * first + rate[..., None] ** 2 * second)
-
-
-def _scaled(law: Law, length: float, duration: float, t: ArrayLike) -> tuple[Array, Array, Array]:
-    """The parameter of the path, its rate and acceleration at times t (...), s, kept within the duration."""
-    share, rate, change = law.at(np.clip(np.asarray(t, dtype=float) / duration, 0.0, 1.0))
-    return length * share, rate * (length / duration), change * (length / duration**2)

@@ -19,16 +19,26 @@ UPRIGHT = frozen(np.eye(3))
 
 @dataclass(frozen=True)
 class Wave:
-    """a sin(ω t + φ): a in the unit of its trajectory, ω in rad/s, φ in rad."""
+    """a sin(ω t + φ), or a cos(ω t + φ): a in the unit of its trajectory, ω in rad/s, φ in rad."""
 
     amplitude: float
     rate: float
     phase: float = 0.0
+    is_cosine: bool = False
+
+    def at(self, t: float) -> float:
+        """Its value."""
+        return self.amplitude * (cos if self.is_cosine else sin)(self.rate * t + self.phase)
+
+    def slope(self, t: float) -> float:
+        """Its derivative, 1/s."""
+        angle = self.rate * t + self.phase
+        return self.amplitude * self.rate * (-sin(angle) if self.is_cosine else cos(angle))
 
 
 @dataclass(frozen=True)
 class Coordinate:
-    """A coordinate by time: x = x₀ + v t + Σ a sin(ω t + φ), in the unit of its trajectory."""
+    """A coordinate by time: x = x₀ + v t + Σ waves, in the unit of its trajectory."""
 
     start: float = 0.0
     speed: float = 0.0
@@ -36,11 +46,11 @@ class Coordinate:
 
     def at(self, t: float) -> float:
         """x."""
-        return self.start + self.speed * t + sum(w.amplitude * sin(w.rate * t + w.phase) for w in self.waves)
+        return self.start + self.speed * t + sum(wave.at(t) for wave in self.waves)
 
     def rate(self, t: float) -> float:
         """ẋ, 1/s."""
-        return self.speed + sum(w.amplitude * w.rate * cos(w.rate * t + w.phase) for w in self.waves)
+        return self.speed + sum(wave.slope(t) for wave in self.waves)
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,8 +91,12 @@ class Trajectory:
         return np.append(self.unit * np.array([self.x.rate(s), self.y.rate(s), self.z.rate(s)]), np.zeros(3))
 
 
-def _sine(amplitude: float, rate: float, around: float = 0.0, phase: float = 0.0) -> Coordinate:
-    return Coordinate(around, waves=(Wave(amplitude, rate, phase),))
+def _sine(amplitude: float, rate: float, around: float = 0.0) -> Coordinate:
+    return Coordinate(around, waves=(Wave(amplitude, rate),))
+
+
+def _cosine(amplitude: float, rate: float) -> Coordinate:
+    return Coordinate(waves=(Wave(amplitude, rate, is_cosine=True),))
 
 
 def _two_sines(phase: float, around: float) -> Coordinate:
@@ -91,12 +105,11 @@ def _two_sines(phase: float, around: float) -> Coordinate:
 
 
 AT_0 = Coordinate()
-_WIDE, _HIGH = _sine(0.5, 0.2, phase=pi / 2), _sine(7.5, 0.1 * pi)
+_WIDE, _HIGH = _cosine(0.5, 0.2), _sine(7.5, 0.1 * pi)
 _SLOW = 2 * pi / 0.2
-_OVAL = _sine(7.0, 0.2, phase=pi / 2)
+_OVAL = _cosine(7.0, 0.2)
 
-# By number (Vargas 2013, App. C); cosines are sines a quarter turn ahead. The tool is turned by R_y(π/2) on 10 and by
-# R_y(π) on 11 (Sims. 3 and 14).
+# By number (Vargas 2013, App. C). The tool is turned by R_y(π/2) on 10 and by R_y(π) on 11 (Sims. 3 and 14).
 VARGAS: Mapping[int, Trajectory] = MappingProxyType(
     {
         1: Trajectory(_sine(0.5, 0.4, 2.0), _WIDE, AT_0, LENGTH, _SLOW),

@@ -6,12 +6,15 @@ import numpy as np
 import viser
 from viser import uplot
 
+from helicoide.export.svg import caption, figure, span
 from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text
 from helicoide.view.rows import Plot, View
 
-POINTS, HEIGHT = 400, 190
+POINTS, HEIGHT = 400, 170
+AXES, PADDING = (uplot.Axis(size=30), uplot.Axis(size=52)), (10, 16, 0, 0)
+SIZE = (320, 230)
 COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b", "#7f7f7f")
 
 
@@ -26,15 +29,27 @@ def common(chart: Chart) -> tuple[Array, ...]:
     return x, *ys
 
 
+def turns_back(chart: Chart) -> bool:
+    """Whether a curve does not run from left to right only, as one that closes; uPlot draws only those that do."""
+    return any((np.diff(line.x) < 0).any() for line in chart.lines)
+
+
+def heights(chart: Chart) -> tuple[float, float]:
+    """From where to where the chart reaches, which uPlot cannot find in a curve that is not everywhere."""
+    lines = [line.y[np.isfinite(line.y)] for line in chart.lines]
+    return span([y for y in lines if len(y)] or [np.zeros(1)])
+
+
 class Plotted:
     """A chart; its place is kept, and hidden while there is nothing to draw."""
 
     def __init__(self, gui: viser.GuiApi, row: Plot, view: View) -> None:
         self.gui, self.row = gui, row
+        self.words: viser.GuiHtmlHandle | None = None
         self.handle: viser.GuiUplotHandle | None = None
         self.drawn: Chart | None = None
         self.labels: tuple[Text, ...] = ()
-        self.place = gui.add_folder("", visible=False)
+        self.place = gui.add_folder(None, visible=False)
         self.refresh(view)
 
     def refresh(self, view: View) -> None:
@@ -52,22 +67,49 @@ class Plotted:
     def _draw(self, chart: Chart, language: Language) -> None:
         """Give the chart that stands there other numbers, or put up another one."""
         labels = (chart.title, chart.across, chart.up, *(line.title for line in chart.lines))
-        if self.handle is not None and labels == self.labels:
+        if self.handle is not None and labels == self.labels and not turns_back(chart):
+            self._reach(chart)
             self.handle.data = common(chart)
             return
         self.labels = labels
-        if self.handle is not None:
-            self.handle.remove()
-        self.place.label = chart.title[language]
+        for handle in (self.words, self.handle):
+            if handle is not None:
+                handle.remove()
+        self.handle = None
+        with self.place:
+            if turns_back(chart):
+                self.words = self.gui.add_html(f"<div class='helicoide-chart'>{figure(chart, language, SIZE)}</div>")
+                return
+            words = f"<figure>{caption(chart, language)}</figure>"
+            self.words = self.gui.add_html(f"<div class='helicoide-chart'>{words}</div>")
+            self.handle = self._lines(chart, language)
+
+    def _lines(self, chart: Chart, language: Language) -> viser.GuiUplotHandle:
+        """The curves of a chart, by uPlot."""
         series = [uplot.Series(label=chart.across[language])]
         for line, colour in zip(chart.lines, COLOURS * len(chart.lines), strict=False):
             series.append(uplot.Series(label=line.title[language], stroke=colour, width=1.5))
-        axes = (uplot.Axis(label=chart.across[language]), uplot.Axis(label=chart.up[language]))
-        with self.place:
-            self.handle = self.gui.add_uplot(
-                common(chart), tuple(series), axes=axes, scales={"x": uplot.Scale(time=False)}, height=HEIGHT
-            )
+        self.reach = heights(chart)
+        return self.gui.add_uplot(
+            common(chart), tuple(series), axes=AXES, scales=scales(self.reach), height=HEIGHT, padding=PADDING
+        )
+
+    def _reach(self, chart: Chart) -> None:
+        """Make room for other numbers; a chart that grows towards what stood there keeps its room."""
+        assert self.handle is not None
+        lower, upper = heights(chart)
+        blank = any(np.isnan(line.y).any() for line in chart.lines)
+        if blank and self.reach[0] <= lower and upper <= self.reach[1]:
+            return
+        if (lower, upper) != self.reach:
+            self.reach = (lower, upper)
+            self.handle.scales = scales(self.reach)
 
     def remove(self) -> None:
         """Take it out of the window."""
         self.place.remove()
+
+
+def scales(reach: tuple[float, float]) -> dict[str, uplot.Scale]:
+    """Numbers across, and up from where to where."""
+    return {"x": uplot.Scale(time=False), "y": uplot.Scale(range=reach)}

@@ -6,7 +6,8 @@ The source gives no settings of damping and feedback for them, and no starts for
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from dataclasses import dataclass
+from typing import Annotated, Any
 
 from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
 from helicoide.studies.vargas.arms import planar
@@ -15,7 +16,10 @@ from helicoide.studies.vargas.runs import IN_PLANE, Run, Way, compared, largest,
 from helicoide.studies.vargas.table import (
     ERROR_LATER,
     FASTEST_LATER,
+    Gain,
     Sheet,
+    Step,
+    choice,
     errors_chart,
     figures_chart,
     planar_motion,
@@ -50,10 +54,25 @@ def filters(gains: Sequence[float]) -> dict[str, Way]:
     }
 
 
+def ways_of(*gains: float) -> dict[str, Way]:
+    """The methods that are beside each other, the filtered inverses with each γ."""
+    return {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters(gains)}
+
+
+@dataclass(frozen=True)
+class Five:
+    """Settings of five methods. gain: γ of the filtered inverses; dt, s; shown: whose motion the arm shows."""
+
+    gain: Gain = 5.0
+    dt: Step = 1e-3
+    shown: Annotated[str, choice(ways_of(5.0))] = "filtered"
+
+
 def followers(
-    path: Path, start: Sequence[float], ways: Mapping[str, Way], dt: float, progress: Progress
+    path: Path, start: Sequence[float], ways: Mapping[str, Way], dt: float, short: bool, progress: Progress
 ) -> dict[str, Run]:
-    """A run of each method along a trajectory."""
+    """A run of each method along a trajectory; short: in steps of 10 ms at least."""
+    dt = max(dt, 1e-2) if short else dt
     return compared(planar(), ways, tracking(planar(), path, IN_PLANE), 2.0, start, dt, SECONDS, progress)
 
 

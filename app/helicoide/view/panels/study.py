@@ -11,6 +11,8 @@ import numpy as np
 from viser import Icon
 
 from helicoide import studies
+from helicoide.export.readable import readable
+from helicoide.export.study_table import HEADINGS, NOTHING, alone, number, source, verdict
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
 from helicoide.state import Replay
@@ -25,17 +27,13 @@ from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 TITLE = Text(en="Study", pt_BR="Estudo")
 ORDER = 4
 ICON = Icon.FLASK
-MOST_CHARTS = 8
+MOST_CHARTS, DIGITS = 8, 5
 
 RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End the run", pt_BR="Encerrar a execução")
 PLAY = Text(en="Play it on the arm", pt_BR="Reproduzir no braço")
-HEADS = (
-    Text(en="quantity", pt_BR="grandeza"),
-    Text(en="source", pt_BR="fonte"),
-    Text(en="digest", pt_BR="síntese"),
-    Text(en="ours", pt_BR="nosso"),
-)
+BEFORE = Text(en="before", pt_BR="antes")
 SIGNS = {Verdict.AGREES: "✓", Verdict.DOUBT: "?", Verdict.ASSUMED: "≈", Verdict.DIFFERS: "✗"}
+TONES = {found: f"helicoide-{found.name.lower()}" for found in Verdict}
 
 
 def rows(robot: Robot) -> list[Row]:
@@ -120,30 +118,39 @@ def _table(view: View) -> str:
 
 @lru_cache(maxsize=16)
 def _written(runs: tuple[Run, ...], language: Language) -> str:
-    ours = [HEADS[3][language], *([BEFORE[language]] if len(runs) > 1 else [])]
-    heads = "".join(f"<th>{escape(head)}</th>" for head in (*(head[language] for head in HEADS[:3]), *ours))
+    heads = [head[language] for head in (HEADINGS[1:4] if len(runs) == 1 else (*HEADINGS[2:4], BEFORE))]
     others = [{row.quantity: row for row in run.result.rows} for run in runs[1:]]
-    body = "".join(_line(row, [other.get(row.quantity) for other in others], language) for row in runs[0].result.rows)
-    return f"<table class='helicoide-instruments helicoide-study'><tr>{heads}</tr>{body}</table>"
+    rows = runs[0].result.rows
+    body = "".join(_lines(row, [other.get(row.quantity) for other in others], language) for row in rows)
+    named = "".join(f"<th>{escape(head)}</th>" for head in heads)
+    return f"{_counted(rows, language)}<table class='helicoide-study'><tr>{named}</tr>{body}</table>"
 
 
-BEFORE = Text(en="before", pt_BR="antes")
+def _counted(rows: Sequence[Quantity], language: Language) -> str:
+    """How many numbers there are of each verdict."""
+    compared = [row.verdict for row in rows if not alone(row)]
+    said = "".join(
+        f"<span class='{TONES[verdict]}'>{SIGNS[verdict]} {escape(verdict.value[language])}: {n}</span>"
+        for verdict in Verdict
+        if (n := compared.count(verdict))
+    )
+    return f"<p class='helicoide-counted'>{said}</p>"
 
 
-def _line(row: Quantity, others: list[Quantity | None], language: Language) -> str:
-    source = row.source[language] if isinstance(row.source, Text) else row.source
-    digest = "–" if row.digest is None else f"{'' if row.relation == '=' else row.relation} {row.digest:.5g}"
-    verdict = row.verdict
-    why = verdict.value[language] + (f" ({row.doubt})" if row.doubt else "")
-    why += f": {row.assumed[language]}" if row.assumed is not None and verdict is Verdict.ASSUMED else ""
-    mine = f"<td title='{escape(why, quote=True)}'>{_number(row)} {SIGNS[verdict]}</td>"
-    more = "".join(f"<td>{'–' if other is None else _number(other)}</td>" for other in others)
-    cells = (escape(row.quantity[language]), escape(source) or "–", digest)
-    return f"<tr>{''.join(f'<td>{cell}</td>' for cell in cells)}{mine}{more}</tr>"
-
-
-def _number(row: Quantity) -> str:
-    return f"{row.ours:.5g} {escape(row.unit)}".strip().replace("-", "−")
+def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> str:
+    """A quantity over its numbers, and under them why one differs. A run before takes the place of the source."""
+    wide, compared, found = "<td colspan='3'>", not alone(row), row.verdict
+    tone, sign = (TONES[found], f"{SIGNS[found]} ") if compared else ("", "")
+    unit = f" <i>{escape(row.unit)}</i>" if row.unit else ""
+    head = f"<tr class='quantity {tone}'>{wide}{sign}{escape(row.quantity[language])}{unit}</td></tr>"
+    tolerance = row.tolerance if row.relation == "=" else 0.0
+    bound = f"{row.relation} " if row.digest is not None and row.relation != "=" else ""
+    values = (row.digest, row.ours, *(None if other is None else other.ours for other in others))
+    asked, *ours = (NOTHING if v is None else number(v, "", tolerance, DIGITS).replace("-", "−") for v in values)
+    printed = [] if others else [source(row, language)]
+    numbers = "".join(f"<td>{escape(cell)}</td>" for cell in (*printed, bound + asked, *ours))
+    why = f"<tr class='{tone}'>{wide}{escape(verdict(row, language))}</td></tr>"
+    return f"{head}<tr>{numbers}</tr>{why if compared and found is not Verdict.AGREES else ''}"
 
 
 def charts(view: View) -> Sequence[Chart]:
@@ -172,7 +179,7 @@ def _merged(runs: tuple[Run, ...]) -> tuple[Chart, ...]:
         return ()
     first, *rest = (run.result.charts for run in runs)
     return tuple(
-        replace(chart, lines=(*chart.lines, *(line for other in rest for line in _before(chart, other))))
+        readable(replace(chart, lines=(*chart.lines, *(line for other in rest for line in _before(chart, other)))))
         for chart in first
     )
 

@@ -176,7 +176,8 @@ def labels(rows: Sequence[Row], view: View) -> Iterator[str]:
                 yield label[language]
                 yield from labels(inside.rows(inside.key(view)) if isinstance(inside, Changing) else inside, view)
             case Choice(label, options):
-                yield from (label[language], *(shown[language] for _, shown in options))
+                known = options(view) if callable(options) else options
+                yield from (label[language], *(shown[language] for _, shown in known))
             case Button(label):
                 yield label(view)[language]
             case Slider(label):

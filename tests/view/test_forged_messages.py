@@ -20,6 +20,7 @@ from websockets.exceptions import ConnectionClosedError
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
+from helicoide import gate
 from helicoide.kinematics.robot import Robot
 from helicoide.session import Session
 from helicoide.state import Hold, State, ToJoints
@@ -214,6 +215,37 @@ def test_an_obstacle_dragged_to_no_place_stays(session: Session, page: Page, pos
     page.give("Take sphere 1 away", True)
     assert eventually(lambda: not session.state.problem.obstacles.radii.size)
     del page.made["Take sphere 1 away"]
+
+
+def test_what_is_lit_up_may_go(session: Session, page: Page) -> None:
+    """A plane that is lit up is taken away: the window goes on, and the list no longer offers it."""
+    page.give("Light up", "plane p9 (p9)")
+    after_ticks(session)
+    assert chosen(session) is None, "there is no such plane"
+    session.loop.call_soon_threadsafe(session.post, gate.add_plane([0.0, 0.0, -1.0, -0.62]))
+    assert eventually(lambda: NEW in listed(session))
+    page.give("Light up", NEW)
+    assert eventually(lambda: chosen(session) == "plane 4")
+    session.loop.call_soon_threadsafe(session.post, gate.remove_plane(4))
+    assert eventually(lambda: NEW not in listed(session))
+    frames = session.frames
+    assert eventually(lambda: session.frames > frames + 5)
+    session.loop.call_soon_threadsafe(session.post, gate.restore_planes())
+
+
+NEW = "plane p1 (p1)"
+
+
+def listed(session: Session) -> tuple[str, ...]:
+    """What the only window offers to light up."""
+    (window,) = session.windows.values()
+    handles = [row.handle for row in window.placed if getattr(getattr(row, "handle", None), "label", "") == "Light up"]
+    return tuple(handles[0].options)
+
+
+def chosen(session: Session) -> str | None:
+    (window,) = session.windows.values()
+    return window.view.seat.selected
 
 
 def test_the_fixed_plane_and_unknown_names_move_nothing(session: Session, page: Page) -> None:

@@ -2,7 +2,7 @@
 
 from helicoide.readout.distances import nearest, plane_distances, zones
 from helicoide.readout.instruments import Instrument, held_by, instruments
-from helicoide.readout.multivectors import Reading, distance_product, readings
+from helicoide.readout.multivectors import Reading, chosen, distance_product, readings
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "Reading",
     "Status",
     "Tone",
+    "chosen",
     "distance_product",
     "held_by",
     "holding",

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -15,12 +17,17 @@ from helicoide.text import Text
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """A multivector of the scene: a key that names its object, a title, a symbol in TeX, 16 coefficients (m)."""
+    """A multivector of the scene: a key that names its object, a title, a symbol in TeX, and how it is worked out."""
 
     key: str
     title: Text
     symbol: str
-    values: Array
+    work_out: Callable[[], Array]
+
+    @cached_property
+    def values(self) -> Array:
+        """The sixteen coefficients (16,), m."""
+        return self.work_out()
 
 
 def readings(state: State) -> list[Reading]:
@@ -28,9 +35,14 @@ def readings(state: State) -> list[Reading]:
     return [_tool(state), *_lines(state), *_planes(state), *_points(state)]
 
 
+def chosen(state: State, key: str | None) -> Reading | None:
+    """The reading of a key; None without one, and where its object has gone."""
+    return next((reading for reading in readings(state) if reading.key == key), None)
+
+
 def _tool(state: State) -> Reading:
-    motor = rigid.canonical(rigid.motor_from_pose(state.T_world_tool))
-    return Reading("tool", Text(en="tool motor", pt_BR="motor do efetuador"), "M", motor)
+    title = Text(en="tool motor", pt_BR="motor do efetuador")
+    return Reading("tool", title, "M", lambda: rigid.canonical(rigid.motor_from_pose(state.T_world_tool)))
 
 
 def _lines(state: State) -> list[Reading]:
@@ -40,7 +52,7 @@ def _lines(state: State) -> list[Reading]:
             f"joint {i}",
             title.format(n=i + 1, joint=joint.title),
             rf"\ell_{i + 1}",
-            rigid.line(state.axes[i], state.poses[i + 1, :3, 3]),
+            partial(lambda i: rigid.line(state.axes[i], state.poses[i + 1, :3, 3]), i),
         )
         for i, joint in enumerate(state.robot.joints)
     ]
@@ -53,7 +65,7 @@ def _planes(state: State) -> list[Reading]:
             f"plane {k}",
             title.format(name=pane.name, pane=pane.title),
             rf"\pi_{{{pane.name}}}",
-            rigid.plane(planes.normals[k], planes.offsets[k]),
+            partial(lambda k: rigid.plane(planes.normals[k], planes.offsets[k]), k),
         )
         for k, pane in enumerate(state.problem.planes.panes)
     ]
@@ -62,7 +74,12 @@ def _planes(state: State) -> list[Reading]:
 def _points(state: State) -> list[Reading]:
     title = Text(en="point: {point}", pt_BR="ponto: {point}")
     return [
-        Reading(f"point {j}", title.format(point=point.title), rf"p_{j + 1}", rigid.point(state.guarded_points[j]))
+        Reading(
+            f"point {j}",
+            title.format(point=point.title),
+            rf"p_{j + 1}",
+            partial(lambda j: rigid.point(state.guarded_points[j]), j),
+        )
         for j, point in enumerate(state.robot.guarded)
     ]
 

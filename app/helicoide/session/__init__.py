@@ -139,7 +139,7 @@ class Session:
 
     def view(self, token: str) -> View:
         """What a person sees."""
-        return View(self.state, self.seats[token], self.studies.desk(token))
+        return View(self.state, self.seats[token], self.studies.desk(token), self.ready)
 
     async def _leave(self, client: Client) -> None:
         """A window closes: what it held is let go where it is."""

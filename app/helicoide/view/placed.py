@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import viser
 from viser import Icon
 
-from helicoide.text import Language, Text
+from helicoide.text import Text
 from helicoide.view import bind
 from helicoide.view.plotted import Plotted
 from helicoide.view.rows import (
@@ -78,10 +78,11 @@ class _Folder:
 class _Words:
     def __init__(self, gui: viser.GuiApi, row: Words, view: View) -> None:
         self.row = row
-        self.handle = gui.add_html(row.html(view))
+        self.handle = gui.add_html("")
+        self.refresh(view)
 
     def refresh(self, view: View) -> None:
-        html = self.row.html(view)
+        html = self.row.html(view) if view.ready or not self.row.computed else ""
         if html != self.handle.content:
             self.handle.content = html
 
@@ -221,17 +222,34 @@ def _tick(gui: viser.GuiApi, row: Tick, view: View, act: Act) -> Placed:
     return _Control(handle, row.value, lambda given: act(row.wish(given)), lambda _: True, view)
 
 
-def _choice(gui: viser.GuiApi, row: Choice, view: View, act: Act) -> Placed:
-    language: Language = view.seat.language
-    words = {key: text[language] for key, text in row.options}
-    keys = {word: key for key, word in words.items()}
+class _Choice(_Control):
+    """A list to choose from, which shows what can be chosen now."""
 
-    def wish(word: str) -> None:
+    def __init__(self, gui: viser.GuiApi, row: Choice, view: View, act: Act) -> None:
+        self.row = row
+        words = self._words(view)
+        handle = gui.add_dropdown(
+            row.label[view.seat.language], tuple(words.values()), initial_value=words[row.value(view)]
+        )
+        self.act = act
+        super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._wish, lambda _: True, view)
+
+    def _words(self, view: View) -> dict[str, str]:
+        options = self.row.options
+        known = options(view) if callable(options) else options
+        return {key: text[view.seat.language] for key, text in known}
+
+    def _wish(self, word: str) -> None:
+        keys = {word: key for key, word in self._words(self.view).items()}
         if word in keys:
-            act(row.wish(keys[word]))
+            self.act(self.row.wish(keys[word]))
 
-    handle = gui.add_dropdown(row.label[language], tuple(words.values()), initial_value=words[row.value(view)])
-    return _Control(handle, lambda view: words[row.value(view)], wish, lambda _: True, view)
+    def refresh(self, view: View) -> None:
+        """Show what can be chosen, and what is."""
+        words = tuple(self._words(view).values())
+        if words != self.handle.options:
+            self.handle.options = words
+        super().refresh(view)
 
 
 def _triple(gui: viser.GuiApi, row: Triple, view: View, act: Act) -> Placed:
@@ -260,7 +278,7 @@ def _placed(gui: viser.GuiApi, row: Row, view: View, act: Act) -> Placed:
         case Tick():
             return _tick(gui, row, view, act)
         case Choice():
-            return _choice(gui, row, view, act)
+            return _Choice(gui, row, view, act)
         case Triple():
             return _triple(gui, row, view, act)
         case Entry():

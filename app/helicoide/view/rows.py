@@ -15,11 +15,15 @@ from helicoide.text import Text
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What one window shows: its arm, its person, and what that person has of the studies."""
+    """What one window shows: its arm, its person, and what that person has of the studies.
+
+    ready: whether the kernels are there, so that numbers can be worked out at once.
+    """
 
     state: State
     seat: Seat
     desk: Desk = EMPTY
+    ready: bool = True
 
 
 @dataclass(frozen=True)
@@ -107,9 +111,10 @@ def always(view: View) -> bool:
 
 @dataclass(frozen=True)
 class Words:
-    """HTML made from the view."""
+    """HTML made from the view; computed: with kernels, so that it waits until they are there."""
 
     html: Callable[[View], str]
+    computed: bool = False
 
 
 @dataclass(frozen=True)
@@ -147,10 +152,10 @@ class Tick:
 
 @dataclass(frozen=True)
 class Choice:
-    """One of several; `options` are keys with what is shown for them."""
+    """One of several; `options` are keys with what is shown for them, and may change with the view."""
 
     label: Text
-    options: Sequence[tuple[str, Text]]
+    options: Sequence[tuple[str, Text]] | Callable[[View], Sequence[tuple[str, Text]]]
     value: Callable[[View], str]
     wish: Callable[[str], Wish]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import viser
 
+from helicoide import readout
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.state import State
@@ -58,7 +59,8 @@ class Lit:
         state = new.state
         if old is not None and old.state.q is state.q and old.state.problem is state.problem and old.seat is new.seat:
             return
-        kind, _, number = (new.seat.selected or "").partition(" ")
+        chosen = readout.chosen(state, new.seat.selected)
+        kind, _, number = ("" if chosen is None else chosen.key).partition(" ")
         for handle, kinds in ((self.frame, ("tool",)), (self.lines, ("joint", "plane")), (self.ball, ("point",))):
             if handle.visible != (kind in kinds):
                 handle.visible = kind in kinds

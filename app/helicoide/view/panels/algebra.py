@@ -12,7 +12,7 @@ from helicoide import readout
 from helicoide.ik import Contact
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import Reading
-from helicoide.state import State, initial
+from helicoide.state import State
 from helicoide.text import Text
 from helicoide.view.formula import coefficient_grid, mathml
 from helicoide.view.rows import Choice, Folder, ForSeat, Row, View, Words
@@ -35,19 +35,18 @@ GRADES = Text(
 
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
-    known = readout.readings(initial(robot))
     return [
         Words(lambda view: f"<p class='helicoide-note'>{INTRODUCTION[view.seat.language]}</p>{_legend(view)}"),
         Choice(
             Text(en="Light up", pt_BR="Destacar"),
-            [("", NOTHING), *((reading.key, reading.title) for reading in known)],
-            lambda view: view.seat.selected or "",
+            lambda view: [("", NOTHING), *((one.key, one.title) for one in readout.readings(view.state))],
+            lambda view: _key(view) or "",
             lambda key: ForSeat(lambda seat: replace(seat, selected=key or None)),
         ),
-        Words(_selected),
-        *([Folder(DISTANCE, [Words(_distance)])] if robot.panes else []),
+        Words(_selected, computed=True),
+        *([Folder(DISTANCE, [Words(_distance, computed=True)])] if robot.panes else []),
         *(
-            Folder(title, [Words(partial(_all, kind))], open=kind == "tool")
+            Folder(title, [Words(partial(_all, kind), computed=True)], open=kind == "tool")
             for kind, title in KINDS.items()
             if robot.panes or kind != "plane"
         ),
@@ -78,9 +77,15 @@ def _shown(view: View, reading: Reading) -> str:
     return f'<div class="helicoide-reading"><header>{head}</header>{coefficient_grid(reading.values)}</div>'
 
 
+def _key(view: View) -> str | None:
+    """What is lit up, unless it has gone."""
+    reading = readout.chosen(view.state, view.seat.selected)
+    return None if reading is None else reading.key
+
+
 def _selected(view: View) -> str:
-    chosen = [reading for reading in readout.readings(view.state) if reading.key == view.seat.selected]
-    return "".join(f'<div class="helicoide-lit">{_shown(view, reading)}</div>' for reading in chosen)
+    reading = readout.chosen(view.state, view.seat.selected)
+    return "" if reading is None else f'<div class="helicoide-lit">{_shown(view, reading)}</div>'
 
 
 def _all(kind: str, view: View) -> str:
@@ -90,7 +95,7 @@ def _all(kind: str, view: View) -> str:
 
 def _pair(view: View) -> Contact:
     """The point and plane of the distance: what is lit up with what is nearest to it, else the nearest pair of all."""
-    kind, _, number = (view.seat.selected or "").partition(" ")
+    kind, _, number = (_key(view) or "").partition(" ")
     table = readout.plane_distances(view.state)
     if kind == "plane":
         return Contact(int(number), int(table[:, int(number)].argmin()))

@@ -41,7 +41,7 @@ def rows(robot: Robot) -> list[Row]:
             _beside,
             lambda name: ForArm(gate.compare_with(name or None)),
         ),
-        Words(instrument_table),
+        Words(instrument_table, computed=True),
         Folder(
             Text(en="Settings", pt_BR="Ajustes"),
             Changing(lambda view: view.state.drive.method, partial(_settings, robot)),

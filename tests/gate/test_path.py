@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 
 import numpy as np
@@ -12,8 +13,9 @@ from tests.driving import after
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.kinematics.library import load, titles
+from helicoide.readout import plane_distances
 from helicoide.session.replaying import along_fastest
-from helicoide.state import Along, Course, Hold, Replay, State, Update, initial
+from helicoide.state import Along, Course, Hold, Replay, State, ToJoints, Update, initial
 from helicoide.trajectory.joints import tool_at
 
 PRESETS = [(name, key) for name in titles() for key in gate.presets(load(name))]
@@ -100,14 +102,27 @@ def test_the_least_time_keeps_the_limits_and_the_path() -> None:
     circle = gate.presets(robot)["circle"].path
     centre = (circle.pose(0.0)[:3, 3] + circle.pose(circle.duration / 2)[:3, 3]) / 2
     radii = [np.linalg.norm(tool_at(robot, path.q(float(s)))[:3, 3] - centre) for s in instants[::40]]
-    np.testing.assert_allclose(radii, 0.05 * robot.reach, atol=1e-5)
+    np.testing.assert_allclose(radii, 0.05 * robot.reach, atol=5e-4)
 
 
-def test_what_cannot_be_followed_to_the_end_is_said() -> None:
-    state = gate.choose_path("vargas4")(initial(load("planar3r")))  # it begins where the arm is stretched
-    refused = along_fastest(state)(state)
-    assert refused.command is state.command
-    assert refused.notice is not None
+def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(state: State) -> None:
+    """Eq. 33 leads out of the enclosure; the most that the tool is beside it is said, in both languages."""
+    played = along_fastest(state)(gate.hold_orientation(False)(state))
+    assert isinstance(played.command, Replay)
+    said = float(re.search(r"([\d.]+) mm", played.command.title.en)[1]) / 1000  # type: ignore[index]
+    assert f"{1000 * said:.1f} mm" in played.command.title.pt_BR
+    curve = np.array([gate.presets(state.robot)["eq33"].path.pose(s)[:3, 3] for s in np.linspace(0, 30, 3001)])
+    beside = 0.0
+    for _ in range(6000):
+        played = advance(played, 0.01)
+        assert plane_distances(played).min() >= 0.080 - 1e-9
+        if not isinstance(played.command, Replay):
+            break
+        if played.command.arrived:
+            away = np.linalg.norm(curve - played.T_world_tool[:3, 3], axis=1).min()
+            beside = max(beside, float(away))
+    assert isinstance(played.command, ToJoints)
+    assert 0.02 < beside < said + 0.005
 
 
 WRONG: dict[str, Callable[[], Update]] = {

@@ -1,8 +1,8 @@
-"""The joints that carry the tool along a path, from a known posture, and where that matters to a known one.
+"""The joints that carry the tool along a path from one known posture to another.
 
-Newton's steps begin at the place before; with a known end, at the even way of the joints plus what the place before
-had to add to it, which fades out towards the end: so the joints end in the posture that was asked for, also where the
-arm is redundant. The position comes first; the orientation is kept as well as what is left allows.
+At each place of the path Newton's steps begin at the even way of the joints plus what the place before had to add to
+it, which fades out towards the end: so the joints end in the posture that was asked for, also where the arm is
+redundant. The position comes first; the orientation is kept as well as what is left allows.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ STEPS, SETTLED, MISSED = 100, 1e-10, 1e-7
 FAINT = 1e-4
 
 
-def joints_along(robot: Robot, path: Path, start: Array, end: Array | None = None) -> Array | None:
+def joints_along(robot: Robot, path: Path, start: Array, end: Array) -> Array | None:
     """Joint values at even parameters from the start of a path to its end, (PLACES, n), rad or m.
 
     Args: start, end (n,): postures at the ends of the path. None where the tool cannot follow inside the limits, or
@@ -34,24 +34,20 @@ def joints_along(robot: Robot, path: Path, start: Array, end: Array | None = Non
     rows, added = [start], np.zeros(len(start))
     shares = np.linspace(0.0, 1.0, PLACES)
     for before, share in pairwise(shares):
-        even = rows[-1] if end is None else (1 - share) * start + share * end
-        fading = 0.0 if end is None else (1 - share) / (1 - before)
-        q = brought(robot, even + fading * added, path.pose(share * path.duration))
+        even = (1 - share) * start + share * end
+        q = _brought(robot, even + added * (1 - share) / (1 - before), path.pose(share * path.duration))
         if q is None:
             return None
         added = q - even
         rows.append(q)
-    found, ends = np.array(rows), np.array([start, start if end is None else end])
-    lower, upper = np.minimum(robot.lower, ends.min(axis=0)), np.maximum(robot.upper, ends.max(axis=0))
+    found = np.array(rows)
+    lower, upper = np.minimum(np.minimum(robot.lower, start), end), np.maximum(np.maximum(robot.upper, start), end)
     outside = np.maximum(lower - found, found - upper).max() > MISSED
     return None if outside or np.abs(np.diff(found, axis=0)).max() > JUMP else found
 
 
-def brought(robot: Robot, q: Array, T_world_target: Array) -> Array | None:
-    """The posture near q (n,) with the tool at the target (4, 4), m; None where Newton's steps do not come to it.
-
-    Δq = Jp† e_p + (Jo N)† (e_o − Jo Jp† e_p), N = I − Jp† Jp.
-    """
+def _brought(robot: Robot, q: Array, T_world_target: Array) -> Array | None:
+    """The posture near q with the tool at the target: Δq = Jp† e_p + (Jo N)† (e_o − Jo Jp† e_p), N = I − Jp† Jp."""
     chain, R_target = robot.chain, frozen(T_world_target[:3, :3])
     for _ in range(STEPS):
         poses = link_poses(chain, frozen(q))

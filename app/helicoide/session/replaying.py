@@ -8,10 +8,12 @@ from functools import partial
 import numpy as np
 
 from helicoide import gate
-from helicoide.ik.joints_along import brought, joints_along
+from helicoide.advance import advance
+from helicoide.ik.drive import Drive
+from helicoide.ik.joints_along import joints_along
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, Update
+from helicoide.state import Along, State, Update, commanded
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.fastest import fastest
 from helicoide.trajectory.program import legs, whole
@@ -26,13 +28,13 @@ BLOCKED = Text(
     en="The arm cannot come to waypoint {name} by: {way}. Choose another way, or a point between.",
     pt_BR="O braço não chega ao ponto {name} por: {way}. Escolha outra maneira, ou um ponto intermediário.",
 )
-
-
-FASTEST = Text(en="Along the path in the least time", pt_BR="Na trajetória no menor tempo")
-NO_WAY = Text(
-    en="The arm cannot follow this path from end to end within its limits. Play follows it as far as it goes.",
-    pt_BR="O braço não consegue seguir esta trajetória de ponta a ponta dentro dos limites. Iniciar vai até onde dá.",
+FASTEST = Text(
+    en="Along the path in the least time, at most {mm:.1f} mm beside it",
+    pt_BR="Na trajetória no menor tempo, a no máximo {mm:.1f} mm dela",
 )
+# The path is first followed slowly, in so many seconds and steps of so many s, after so many steps to come there; every
+# so many steps are a knot.
+SLOWLY, STEP, COMING, KNOT = 30.0, 0.02, 500, 10
 
 
 def through(state: State) -> Update:
@@ -52,17 +54,40 @@ def through(state: State) -> Update:
 
 
 def along_fastest(state: State) -> Update:
-    """The wish to follow the path of the course in the least time, or to say why that is not possible."""
-    robot, path = state.robot, gate.path_of(state.robot, replace(state.course, shape="constant speed"))
-    start = brought(robot, state.q, path.pose(0.0))
-    rows = None if start is None else joints_along(robot, path, start)
-    if rows is None:
-        return gate.say(NO_WAY)
-    along = Spline(np.linspace(0.0, path.duration, len(rows)), rows)
+    """The wish to follow the path of the course in the least time, as the arm can, or to say why that is not possible.
+
+    How the joints go is what the guarded step makes of the path when it is followed slowly, so that it keeps every
+    limit and plane; then time is scaled, evenly at no time: an even start would be a jump.
+    """
+    rows, beside = _followed(state)
+    shape = "trapezoid" if state.course.shape == "constant speed" else state.course.shape
+    along = Spline(np.linspace(0.0, SLOWLY, len(rows)), rows)
     try:
-        return gate.replay(fastest(along, state.course.shape, robot.speed, _acceleration(robot)), FASTEST)
+        path = fastest(along, shape, state.robot.speed, _acceleration(state.robot))
     except HelicoideError as refusal:
         return gate.say(refusal.text)
+    return gate.replay(path, FASTEST.format(mm=1000 * beside))
+
+
+def _followed(state: State) -> tuple[Array, float]:
+    """The joints at even places of the path, (k, n), and how far the tool was beside it at most, m.
+
+    The arm first comes to rest where the path begins, or as near to that as it can.
+    """
+    path = gate.path_of(state.robot, replace(state.course, shape="constant speed", duration=SLOWLY))
+    state = commanded(replace(state, drive=Drive(), beside=None), Along(path, 0.0, playing=False))
+    for _ in range(COMING):
+        state = advance(state, STEP)
+    state = replace(state, command=Along(path, 0.0, playing=True, arrived=True))
+    rows, beside = [state.q], 0.0
+    while isinstance(state.command, Along) and state.command.playing:
+        s = state.command.s
+        state = advance(state, STEP)
+        if state.path_s < s:  # a closed path begins again
+            break
+        rows.append(state.q)
+        beside = max(beside, float(np.linalg.norm(state.T_world_tool[:3, 3] - path.pose(s)[:3, 3])))
+    return np.array(rows[::KNOT]), beside
 
 
 def _acceleration(robot: Robot) -> Array:

@@ -59,7 +59,7 @@ def window(
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))
         page.on("pageerror", lambda error: lines.append(f"pageerror: {error}"))
-        page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.5")
+        page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.25")
         page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
         page.wait_for_selector("#helicoide-stop[data-link=up]")
         page.locator(SLOW_GL_TOAST).wait_for()

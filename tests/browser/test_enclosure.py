@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import numpy as np
 import pytest
-from playwright.sync_api import FilePayload, Page
+from playwright.sync_api import FilePayload, Locator, Page, TimeoutError
 from tests.browser.lab import Lab, grab, pixels, status, tab, until
 from tests.perception.views import between
 
 from helicoide import gate
 from helicoide.confinement import pane_axes, planes_of
 from helicoide.confinement.plane_file import written
+from helicoide.kinematics.chain import Array
 from helicoide.readout import plane_distances
 from helicoide.state import Hold, Replay, ToJoints
 
@@ -72,15 +75,24 @@ def test_three_clicked_points_make_a_plane(lab: Lab, page: Page) -> None:
     planes = lab.state.problem.planes
     wall = planes.names.index("+y")
     across, up, _ = pane_axes(planes.normals[wall]).T
-    for n, (x, z) in enumerate([(-0.12, -0.1), (0.12, -0.1), (0.0, 0.12)], start=1):
-        until(page, lambda n=n: page.get_by_role("button", name=f"Point {n} of 3").count() == 1)  # type: ignore[misc]
-        page.mouse.click(*pixels(page, planes.centres[wall] + x * across + z * up))
+    corners = [planes.centres[wall] + x * across + z * up for x, z in [(-0.12, -0.1), (0.12, -0.1), (0.0, 0.12)]]
+    for said, corner in zip(("Point 2 of 3", "Point 3 of 3", "Click three points"), corners, strict=True):
+        click_until(page, corner, page.get_by_role("button", name=said))
     until(page, lambda: "p1" in lab.state.problem.planes.names)
     new = lab.state.problem.planes
     k = new.names.index("p1")
     assert between(new.normals[k], planes.normals[wall]) < np.radians(0.2)
     assert abs((new.centres[k] - planes.centres[wall]) @ planes.normals[wall]) < 1e-3
-    until(page, lambda: page.get_by_role("button", name="Click three points").count() == 1)
+
+
+def click_until(page: Page, point: Array, button: Locator) -> None:
+    """Click at a place of the scene until a button says that it was noticed: a page that is slow may miss a click."""
+    for _ in range(20):
+        page.mouse.click(*pixels(page, point))
+        with contextlib.suppress(TimeoutError):
+            button.wait_for(timeout=6000)
+            return
+    raise AssertionError("no click was noticed")
 
 
 def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:

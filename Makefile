@@ -20,7 +20,7 @@ test: $(VENV)/ready-to-test browser
 	$(IN_VENV) -m ruff format --check
 	$(IN_VENV) -m mypy --strict app lessons robots
 	$(IN_VENV) -m pytest -n 2 --dist loadfile --ignore=tests/browser $(ARGS)$(OR_NONE)
-	$(IN_VENV) -m pytest tests/browser $(ARGS)$(OR_NONE)
+	$(IN_VENV) -m pytest tests/browser -n 2 --dist loadfile $(ARGS)$(OR_NONE)
 
 soak: $(VENV)/ready-to-test browser
 	$(IN_VENV) -m pytest tests/soak -m soak -n 2 $(ARGS)

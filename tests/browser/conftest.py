@@ -27,6 +27,8 @@ PATIENCE_MS = 300_000  # what is slow is not wrong
 expect.set_options(timeout=PATIENCE_MS)
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
 
+HIDE = "toast => { toast.closest('.mantine-Notification-root').style.display = 'none' }"
+
 OpenPage = Callable[..., Page]
 
 
@@ -62,9 +64,7 @@ def window(
         page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.25")
         page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
         page.wait_for_selector("#helicoide-stop[data-link=up]")
-        page.locator(SLOW_GL_TOAST).wait_for()
-        page.locator(".mantine-Notification-closeButton").first.click()
-        page.locator(SLOW_GL_TOAST).wait_for(state="detached")
+        page.locator(SLOW_GL_TOAST).evaluate(HIDE)
         yield page
     finally:
         context.close()

@@ -14,6 +14,8 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.session import TICK, Session
 from helicoide.state import State, Update, initial
+from helicoide.text import Language
+from helicoide.view import panels
 
 PROJECT = """(p) => {
   const m = window.__viserMutable, v = m.camera.position.clone();
@@ -133,6 +135,13 @@ def status(page: Page) -> str:
 def tab(page: Page, name: str) -> None:
     page.get_by_role("tab", name=name).click()
     page.wait_for_timeout(200)
+
+
+def speak(lab: Lab, page: Page, language: Language) -> None:
+    """Let the newest window speak a language."""
+    seat = [window.view.seat for window in lab.session.windows.values()][-1]
+    lab.session.loop.call_soon_threadsafe(lab.session._reseat, replace(seat, language=language))
+    page.get_by_role("tab", name=panels.found()[0].TITLE[language]).wait_for()
 
 
 def box(page: Page, index: int, value: str) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 from types import MappingProxyType
 
 import numpy as np
@@ -48,7 +48,7 @@ class Preset:
     path: Path
 
 
-@cache
+@lru_cache(maxsize=16)
 def presets(robot: Robot) -> Mapping[str, Preset]:
     """The paths of an arm by their keys; the first is the one that it begins with."""
     return {key: Preset(title, path) for key, title, path in (*_of_source(robot), *_of_any(robot))}
@@ -76,7 +76,7 @@ def path_of(robot: Robot, course: Course) -> Path:
     return _in_time(robot, name, course.shape, duration)
 
 
-@cache
+@lru_cache(maxsize=16)
 def _in_time(robot: Robot, name: str, shape: Shape, duration: float) -> Path:
     path = presets(robot)[name].path
     unchanged = shape == "constant speed" and duration == path.duration

@@ -73,16 +73,18 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
     until(page, lambda: not page.evaluate(SHOWN))
     page.get_by_label("Map of the workspace").click()
     until(page, lambda: bool(page.evaluate(SHOWN)))
-    page.get_by_text("Show", exact=True).click()
     press(page, "Take the map away")
-    until(page, lambda: lab.state.workspace.map is None and not page.evaluate(SHOWN))
+    until(page, lambda: lab.state.workspace.map is None)
+    until(page, lambda: not page.evaluate(SHOWN))
     page.locator(".helicoide-scale").wait_for(state="detached")
+    page.get_by_text("Show", exact=True).click()
 
 
 def test_the_same_button_ends_the_calculation(lab: Lab, page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, 10**6 * CHUNK)
     press(page, "Work out the map")
     until(page, lambda: bool(lab.state.workspace.progress))
+    page.wait_for_timeout(500)
     bar = page.locator(".mantine-Progress-root:visible")
     bar.wait_for()
     press(page, "End the calculation")
@@ -110,5 +112,7 @@ def test_a_map_is_worked_out_by_finger(browser: Browser, lab: Lab) -> None:
         page.get_by_text("Workspace", exact=True).tap()
         page.get_by_role("button", name="Work out the map", exact=True).tap()
         until(page, lambda: bool(page.evaluate(SHOWN)))
+        page.locator(".helicoide-scale").wait_for()
+        page.wait_for_timeout(500)  # what comes with it moves the button
         page.get_by_role("button", name="Take the map away", exact=True).tap()
         until(page, lambda: not page.evaluate(SHOWN))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -123,6 +124,13 @@ def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(
             beside = max(beside, float(away))
     assert isinstance(played.command, ToJoints)
     assert 0.02 < beside < said + 0.005
+
+
+def test_a_parked_arm_is_told_to_get_ready_first(state: State) -> None:
+    parked = replace(state, parked=True)
+    refused = along_fastest(parked)(parked)
+    assert refused.command is state.command
+    assert refused.notice == gate.PARKED
 
 
 WRONG: dict[str, Callable[[], Update]] = {

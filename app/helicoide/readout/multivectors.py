@@ -37,7 +37,7 @@ def readings(state: State) -> list[Reading]:
 
 def chosen(state: State, key: str | None) -> Reading | None:
     """The reading of a key; None without one, and where its object has gone."""
-    return next((reading for reading in readings(state) if reading.key == key), None)
+    return None if key is None else next((reading for reading in readings(state) if reading.key == key), None)
 
 
 def _tool(state: State) -> Reading:

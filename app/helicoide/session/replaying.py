@@ -59,6 +59,8 @@ def along_fastest(state: State) -> Update:
     How the joints go is what the guarded step makes of the path when it is followed slowly, so that it keeps every
     limit and plane; then time is scaled, evenly at no time: an even start would be a jump.
     """
+    if state.parked:  # there it would not move, and never come to the end
+        return gate.say(gate.PARKED)
     rows, beside = _followed(state)
     shape = "trapezoid" if state.course.shape == "constant speed" else state.course.shape
     along = Spline(np.linspace(0.0, SLOWLY, len(rows)), rows)

@@ -1,10 +1,24 @@
-// Helicoide's own part of the page: the Stop button, the status line, and the channel behind both.
+// Helicoide's own part of the page: the Stop button, the status line, the channel behind both, and what keeps a hand
+// from driving what it cannot stop.
 "use strict";
 
 (() => {
   const words = JSON.parse(document.currentScript.dataset.words);
+  const channel = new URL("../helicoide/control", document.currentScript.src); // the page may stand behind a sub-path
+  channel.protocol = channel.protocol.replace("http", "ws");
   const BEAT_MS = 1000;
   const SILENT_BEATS = 2;
+  const BEATS_KEPT = 30;
+  const SETTLED_MS = 120; // viser holds the last value of a slider back for up to 50 ms
+  const SEAT = "helicoide-seat";
+  // What a page sends that no hand has made, and the parts of a file whose beginning was let through.
+  const NOT_BY_HAND = new Set([
+    "ViewerCameraMessage",
+    "FileTransferPart",
+    "FileTransferPartAck",
+    "GetRenderResponseMessage",
+    "LocalStorageGetItemResponseMessage",
+  ]);
 
   let language = navigator.language.startsWith("pt") ? "pt_BR" : "en";
   let notice = { status: "", tone: "ok" };
@@ -13,6 +27,10 @@
   let silence = 0; // beats since the server last said anything
   let retryMs = 100;
   let stopUnheard = false;
+  let fence = null; // the stop that this page has been told of, and has not yet let go of everything since
+  let settling = null;
+  let offsets = []; // the server's clock minus ours, by the last beats; an answer that was slow makes it too small
+  const held = new Set(); // pointers and keys that are down
 
   function element(tag, id, attributes = {}) {
     const made = document.createElement(tag);
@@ -34,7 +52,7 @@
 
   function draw() {
     document.documentElement.lang = language.replace("_", "-");
-    write(label, words[language].stop);
+    write(label, words[language][notice.everywhere ? "stop_all" : "stop"]);
     write(line, link === "lost" ? words[language].lost : notice.status);
     line.dataset.tone = link === "lost" ? "lost" : notice.tone;
     button.dataset.link = link;
@@ -47,22 +65,42 @@
   // A stop counts only when the server has said that it heard it; until then every new connection repeats it.
   function stop() {
     stopUnheard = true;
+    deafen(fence); // what this hand does from now on waits for the server's word, too
     send({ stop: true });
   }
 
-  function sit() {
-    if (window.helicoideSeat) send({ seat: window.helicoideSeat });
+  function introduce() {
+    if (!window.helicoideWindow) return;
+    send({ window: window.helicoideWindow, seat: remembered(), languages: [...navigator.languages] });
+  }
+
+  function remembered() {
+    try {
+      return localStorage.getItem(SEAT);
+    } catch {
+      return null; // a browser may keep its storage shut
+    }
+  }
+
+  function remember(seat) {
+    try {
+      localStorage.setItem(SEAT, seat);
+    } catch {
+      // then every visit is a new one
+    }
   }
 
   function connect() {
     silence = 0;
-    socket = new WebSocket(`${location.protocol.replace("http", "ws")}//${location.host}/helicoide/control`);
+    offsets = [];
+    socket = new WebSocket(channel);
     socket.onopen = () => {
       link = "up";
       retryMs = 100;
       notice = { status: "", tone: "ok" };
+      send({ beat: true });
       if (stopUnheard) stop();
-      sit();
+      introduce();
       draw();
     };
     socket.onmessage = (event) => hear(JSON.parse(event.data));
@@ -72,7 +110,10 @@
   function hear(message) {
     silence = 0;
     if (message.heard === "stop") stopUnheard = false;
-    if (message.heard) return;
+    if (message.heard === "beat") offsets = [...offsets.slice(1 - BEATS_KEPT), message.at - performance.now()];
+    if (message.fence) deafen(message.fence);
+    if (message.seat) remember(message.seat);
+    if (message.status === undefined) return;
     language = message.language;
     notice = message;
     draw();
@@ -95,11 +136,76 @@
     send({ beat: true });
   }
 
+  // From a stop on nothing that a hand does counts until it has let go of everything. Then the page says so where all
+  // else that it sends has gone before: what comes after that was made by someone who could know of the stop.
+  let deaf = true;
+  let passOn = null; // viser's own way of sending
+
+  function deafen(number) {
+    deaf = true;
+    fence = number;
+    settle();
+  }
+
+  function settle() {
+    clearTimeout(settling);
+    if (fence !== null && passOn !== null && held.size === 0) settling = setTimeout(pass, SETTLED_MS);
+  }
+
+  function pass() {
+    if (held.size > 0 || stopUnheard || fence === null) return;
+    passOn({ type: "HelicoideFence", number: fence });
+    fence = null;
+    deaf = false;
+  }
+
+  function sendOfViser(message) {
+    if (NOT_BY_HAND.has(message.type)) return passOn(message);
+    if (link !== "up" || deaf || offsets.length === 0) return undefined;
+    passOn({ type: "HelicoideMadeAt", at: performance.now() + Math.max(...offsets) });
+    return passOn(message);
+  }
+
+  // viser replaces its way of sending at every connection: ours stays in front of each.
+  function stand() {
+    const viser = window.__viserMutable;
+    if (!viser || Object.getOwnPropertyDescriptor(viser, "sendMessage").get) return;
+    passOn = viser.sendMessage;
+    Object.defineProperty(viser, "sendMessage", {
+      configurable: true,
+      enumerable: true,
+      get: () => sendOfViser,
+      set: (way) => (passOn = way),
+    });
+    settle();
+  }
+
+  function press(what) {
+    held.add(what);
+    clearTimeout(settling);
+  }
+
+  function release(what) {
+    held.delete(what);
+    settle();
+  }
+
+  function releaseAll() {
+    held.clear();
+    settle();
+  }
+
   button.addEventListener("pointerdown", stop); // on press, not on release
   button.addEventListener("click", (event) => event.detail === 0 && stop()); // by keyboard or a screen reader
   window.addEventListener("keydown", (event) => event.key === "Escape" && !event.repeat && stop(), true);
-  window.addEventListener("helicoide-seat", sit);
+  window.addEventListener("helicoide-window", introduce);
+  window.addEventListener("pointerdown", (event) => press(event.pointerId), true);
+  window.addEventListener("keydown", (event) => press(event.code), true);
+  window.addEventListener("keyup", (event) => release(event.code), true);
+  window.addEventListener("pointermove", (event) => event.buttons === 0 && release(event.pointerId), true);
+  window.addEventListener("blur", releaseAll); // a key that goes up elsewhere is not told of
   for (const end of ["pointerup", "pointercancel"]) {
+    window.addEventListener(end, (event) => release(event.pointerId), true);
     window.addEventListener(end, () => send({ released: true }), true); // what was dragged is let go, come what may
   }
 
@@ -107,4 +213,5 @@
   draw();
   connect();
   setInterval(beat, BEAT_MS);
+  setInterval(stand, 50);
 })();

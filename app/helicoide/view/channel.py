@@ -4,10 +4,12 @@ status line go out when they change.
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import json
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from time import monotonic
 from typing import Literal
 
 import viser
@@ -16,6 +18,7 @@ from websockets.asyncio.server import ServerConnection, broadcast
 from websockets.exceptions import ConnectionClosed
 
 from helicoide.text import Language, Text
+from helicoide.view.link import Link
 
 PATH = "/helicoide/control"
 
@@ -24,74 +27,146 @@ Tone = Literal["ok", "warn", "blocked", "stopped"]
 
 @dataclass(frozen=True)
 class Notice:
-    """What the status line of one window says, and how it looks."""
+    """What the status line of one window says, and how it looks; everywhere: whether its Stop stops a real arm too."""
 
     language: Language
     status: Text
     tone: Tone
+    everywhere: bool = False
 
     def json(self) -> str:
         """Write it as the page reads it."""
-        return json.dumps({"language": self.language, "status": self.status[self.language], "tone": self.tone})
+        return json.dumps(
+            {
+                "language": self.language,
+                "status": self.status[self.language],
+                "tone": self.tone,
+                "everywhere": self.everywhere,
+            }
+        )
+
+
+@dataclass(frozen=True)
+class Hello:
+    """What a page says of itself first: the seat that its browser remembers, and the language that it asks for."""
+
+    seat: str | None
+    language: Language | None
+
+
+@dataclass(eq=False)
+class Line:
+    """The control channels of one window: its link, what its page said first, and what it was told last."""
+
+    link: Link
+    hello: asyncio.Future[Hello]
+    pages: set[ServerConnection] = field(default_factory=set)
+    notice: Notice | None = None
+
+    def tell(self, **message: object) -> None:
+        """Say something to the page."""
+        broadcast(self.pages, json.dumps(message))
 
 
 @dataclass
 class Control:
     """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
 
-    on_release: told the seat whose pointer was let go.
+    on_stop: told the key of the window that stops, None before a page has said which it is; on_release: told the key of
+    the window whose pointer was let go, or whose last channel has closed.
     """
 
-    on_stop: Callable[[], None]
-    on_release: Callable[[str], None] = lambda seat: None
-    _seats: dict[ServerConnection, str] = field(default_factory=dict)
-    _notices: dict[str, Notice] = field(default_factory=dict)
+    on_stop: Callable[[str | None], None]
+    on_release: Callable[[str], None] = lambda key: None
+    _lines: dict[str, Line] = field(default_factory=dict)
+
+    def open(self, key: str) -> Line:
+        """A line for the window of that key, on which its page may now speak."""
+        self._lines[key] = line = Line(Link(key), asyncio.get_running_loop().create_future())
+        return line
+
+    def close(self, key: str) -> None:
+        """Forget the line of a window that is gone."""
+        line = self._lines.pop(key, None)
+        if line is not None:
+            line.hello.cancel()
+
+    def fence(self, key: str) -> None:
+        """Let nothing of a window count that its page made before it knows of this."""
+        line = self._lines[key]
+        line.tell(fence=line.link.close())
+
+    def push(self, key: str, notice: Notice) -> None:
+        """Show a notice in a window, at once and when its page comes later; a repeated one is not sent."""
+        line = self._lines.get(key)
+        if line is not None and line.notice != notice:
+            line.notice = notice
+            broadcast(line.pages, notice.json())
 
     async def serve(self, connection: ServerConnection) -> None:
-        """Listen to one page until it leaves: stop, its seat, and the beat by which it knows that we still listen."""
+        """Listen to one page until it leaves: stop, its window, and the beat by which it knows that we still listen."""
+        here: list[str] = []
         try:
             with contextlib.suppress(ConnectionClosed):
-                async for raw in connection:
-                    for answer in self._hear(connection, raw):
+                while True:
+                    for answer in self._hear(connection, await connection.recv(), here):
                         await connection.send(answer)
         finally:
-            self._seats.pop(connection, None)
+            self._left(connection, here)
 
-    def push(self, seat: str, notice: Notice) -> None:
-        """Show a notice in the windows of a seat, at once and in those that come later; a repeated one is not sent."""
-        if self._notices.get(seat) != notice:
-            self._notices[seat] = notice
-            broadcast([page for page, name in self._seats.items() if name == seat], notice.json())
+    def _left(self, connection: ServerConnection, here: list[str]) -> None:
+        line = self._lines.get(here[-1]) if here else None
+        if line is not None:
+            line.pages.discard(connection)
+            line.link.channels = len(line.pages)
+            if not line.pages:
+                self.on_release(line.link.key)
 
-    def forget(self, seat: str) -> None:
-        """Drop the notice of a seat whose window is gone."""
-        self._notices.pop(seat, None)
-
-    def _hear(self, connection: ServerConnection, raw: str | bytes) -> list[str]:
+    def _hear(self, connection: ServerConnection, raw: str | bytes, here: list[str]) -> list[str]:
+        """What to answer; here: the key of the page's window, once it is known."""
         message = _parse(raw)
         if message.get("stop") is True:
-            self.on_stop()
+            self.on_stop(here[-1] if here else None)
             return ['{"heard": "stop"}']
         if message.get("beat") is True:
-            return ['{"heard": "beat"}']
+            return [json.dumps({"heard": "beat", "at": 1000 * monotonic()})]
         if message.get("released") is True:
-            if connection in self._seats:
-                self.on_release(self._seats[connection])
+            if here:
+                self.on_release(here[-1])
             return []
-        seat = message.get("seat")
-        if not isinstance(seat, str):
+        key = message.get("window")
+        line = self._lines.get(key) if isinstance(key, str) else None
+        if line is None:
             return []
-        self._seats[connection] = seat
-        return [self._notices[seat].json()] if seat in self._notices else []
+        self._left(connection, here)
+        here[:] = [line.link.key]
+        return self._met(connection, line, message)
+
+    def _met(self, connection: ServerConnection, line: Line, message: dict[str, object]) -> list[str]:
+        """The page of a window is there: it may drive once it has passed a fence, and hears what was said last."""
+        line.pages.add(connection)
+        line.link.channels = len(line.pages)
+        if not line.hello.done():
+            line.hello.set_result(_hello(message))
+        said = [] if line.notice is None else [line.notice.json()]
+        return [json.dumps({"fence": line.link.close()}), *said]
 
 
-def introduce(client: viser.ClientHandle, seat: str) -> None:
-    """Tell the page of this viser client which seat is its own.
+def introduce(client: viser.ClientHandle, key: str) -> None:
+    """Tell the page of this viser client which window it is.
 
     This is a private message of viser: an element of the GUI would be missing while its panel is folded.
     """
-    source = f'window.helicoideSeat = {json.dumps(seat)}; window.dispatchEvent(new Event("helicoide-seat"));'
+    source = f'window.helicoideWindow = {json.dumps(key)}; window.dispatchEvent(new Event("helicoide-window"));'
     client.gui._websock_interface.queue_message(RunJavascriptMessage(source=source))
+
+
+def _hello(message: dict[str, object]) -> Hello:
+    seat, languages = message.get("seat"), message.get("languages")
+    wanted = [one for one in languages if isinstance(one, str)] if isinstance(languages, list) else []
+    spoken = next((one for one in wanted if one[:2] in ("pt", "en")), None)
+    language: Language | None = None if spoken is None else "pt_BR" if spoken.startswith("pt") else "en"
+    return Hello(seat if isinstance(seat, str) else None, language)
 
 
 def _parse(raw: str | bytes) -> dict[str, object]:

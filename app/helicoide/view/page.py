@@ -20,6 +20,7 @@ from websockets.http11 import Request, Response
 from helicoide.text import LANGUAGES, Text
 
 STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
+STOP_ALL = Text(en="Stop motion, real arm too", pt_BR="Parar tudo, também o braço real")
 LOST = Text(
     en="Disconnected: the program does not answer. Trying again…",
     pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
@@ -63,7 +64,7 @@ def site(static: Path) -> Callable[[Request], Response]:
             return reply(HTTPStatus.OK, b"ok")
         if path == "/" and "websocket" in parse_qs(query, keep_blank_values=True):
             # such a link would make our page obey another server
-            return reply(HTTPStatus.FOUND, headers={"Location": "/"})
+            return reply(HTTPStatus.FOUND, headers={"Location": "./"})
         if path == "/":
             return reply(HTTPStatus.OK, page, {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip"})
         if file := files.get(unquote(path)):
@@ -97,12 +98,15 @@ def _file(file: Path, request: Request) -> Response:
 
 def _page() -> str:
     source = Path(viser.__file__).parent / "client" / "build" / "index.html"
-    words = {language: {"stop": STOP[language], "lost": LOST[language]} for language in LANGUAGES}
+    said = {"stop": STOP, "stop_all": STOP_ALL, "lost": LOST}
+    words = {language: {key: text[language] for key, text in said.items()} for language in LANGUAGES}
     tags = (
+        # behind a sub-path, what is addressed from here is found only with a slash at the end
+        '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/");</script>'
         # a list that opens beyond the edge of a phone would widen the page, move itself and push Stop out of view
         '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
-        '<link rel="stylesheet" href="/static/helicoide.css" />'
-        f'<script src="/static/helicoide.js" data-words="{html.escape(json.dumps(words))}" defer></script>'
+        '<link rel="stylesheet" href="static/helicoide.css" />'
+        f'<script src="static/helicoide.js" data-words="{html.escape(json.dumps(words))}" defer></script>'
     )
     titled = source.read_text("utf-8").replace("<title>Viser</title>", "<title>Helicoide</title>", 1)
     return titled.replace("</head>", f"{tags}</head>", 1)

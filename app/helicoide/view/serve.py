@@ -8,10 +8,11 @@ import http.client
 import io
 import logging
 import socket
-from collections.abc import Awaitable, Callable, Iterator, Mapping
+from collections.abc import Awaitable, Callable, Collection, Iterator, Mapping
 from http import HTTPStatus
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import viser
 import websockets.asyncio.server
@@ -21,6 +22,7 @@ from websockets.exceptions import InvalidHandshake
 from websockets.http11 import Request, Response
 
 from helicoide.text import HelicoideError, Text
+from helicoide.view.limits import slowed
 from helicoide.view.page import reply, site
 
 Channel = Callable[[ServerConnection], Awaitable[None]]
@@ -28,6 +30,8 @@ Channel = Callable[[ServerConnection], Awaitable[None]]
 Door = Callable[[ServerConnection, Request], Response | None]
 
 CHANNEL_BYTES = 4096  # the longest message a page may send on a channel
+PAGE_BYTES = 1 << 20  # and on viser's own socket, which takes files in parts of half that size
+CHANNEL_RATE, PAGE_RATE = 50.0, 500.0  # messages a second that are read; who sends more waits
 
 TAKEN = Text(
     en="Port {port} of {host} is already taken: choose another with --port.",
@@ -41,6 +45,16 @@ CLOSED = Text(
     en="Cannot serve on {host}, port {port} ({reason}): choose another with --port, or this machine's 127.0.0.1.",
     pt_BR="Não dá para servir em {host}, porta {port} ({reason}): escolha outra com --port, ou o 127.0.0.1 da máquina.",
 )
+NO_ORIGIN = Text(
+    en="{address} is no origin: give scheme, host and port, such as --origin https://lab.example.org:8443.",
+    pt_BR="{address} não é uma origem: dê esquema, host e porta, como em --origin https://lab.example.org:8443.",
+)
+UNKNOWN = Text(
+    en="Helicoide does not know this page's address, {origin}. Open http://{name}/, or, behind a proxy or a tunnel, "
+    "start it with --origin {origin}.",
+    pt_BR="O Helicoide não conhece o endereço desta página, {origin}. Abra http://{name}/ ou, atrás de um proxy ou "
+    "túnel, inicie-o com --origin {origin}.",
+)
 UNGUARDED = Text(
     en="viser {version} lets pages of other sites connect, past Helicoide's checks: install viser 1.1.1.",
     pt_BR="O viser {version} deixa páginas de outros sites conectarem sem passar pelas verificações do Helicoide: "
@@ -48,16 +62,21 @@ UNGUARDED = Text(
 )
 
 
-def serve(host: str, port: int, static: Path, channels: Mapping[str, Channel]) -> viser.ViserServer:
+def serve(
+    host: str, port: int, static: Path, channels: Mapping[str, Channel], origins: Collection[str] = ()
+) -> viser.ViserServer:
     """Open viser on exactly this port (0: any free one), with our page, the static files and the channels by path.
 
-    Raises HelicoideError when the port cannot be had, or when viser serves in a way that our checks do not cover.
+    origins: further addresses under which the page is opened, such as that of a proxy.
+    Raises HelicoideError when the port cannot be had, for an origin that is none, or when viser serves in a way that
+    our checks do not cover.
     """
+    known = frozenset(map(_origin, origins))
     logging.getLogger("websockets.server").addFilter(_is_news)
     listener = _listen(host, port)
     address, port = listener.getsockname()
     banner = io.StringIO()  # viser prints one whatever it is told
-    with _guarded(listener, _door(port, site(static), channels), channels), contextlib.redirect_stdout(banner):
+    with _guarded(listener, _door(port, site(static), channels, known), channels), contextlib.redirect_stdout(banner):
         server = viser.ViserServer(host=host, port=port, verbose=False)
     if not _refuses_foreign_pages(address, server.get_port()):
         server.stop()
@@ -82,24 +101,44 @@ def _listen(host: str, port: int) -> socket.socket:
     return listener
 
 
-def _door(port: int, answer: Callable[[Request], Response], channels: Mapping[str, Channel]) -> Door:
-    """Decide on each request: a page of this host gets its socket, a GET its answer, anything else a refusal."""
+def _origin(address: str) -> str:
+    """The origin of an address, such as https://lab.example.org."""
+    parts = urlsplit(address)
+    if parts.scheme not in ("http", "https") or not parts.netloc or parts.path.strip("/") or parts.query:
+        raise HelicoideError(NO_ORIGIN.format(address=address))
+    return f"{parts.scheme}://{parts.netloc}"
+
+
+def _door(
+    port: int, answer: Callable[[Request], Response], channels: Mapping[str, Channel], origins: Collection[str]
+) -> Door:
+    """Decide on each request: a page of this host gets its socket, a GET its answer, anything else a refusal.
+
+    A host of another name may be a foreign one that was made to point here.
+    """
+    beyond = {urlsplit(origin).netloc for origin in origins}
 
     def check(connection: ServerConnection, request: Request) -> Response | None:
         host = request.headers.get("Host", "")
         names = [f"{name}:{port}" for name in ("localhost", "127.0.0.1", connection.local_address[0])]
-        if host not in names:  # a foreign name that was made to point here
-            return reply(HTTPStatus.MISDIRECTED_REQUEST, f"open http://{names[-1]}/".encode())
+        if host not in names and host not in beyond:
+            return reply(HTTPStatus.MISDIRECTED_REQUEST, _refusal(f"http://{host}", names[-1]))
         if "Upgrade" not in request.headers:
             return answer(request)
-        if request.headers.get("Origin") not in (f"http://{host}", f"https://{host}"):
-            return reply(HTTPStatus.FORBIDDEN, b"foreign origin")
+        origin = request.headers.get("Origin") or ""
+        if origin not in origins and not (host in names and origin in (f"http://{host}", f"https://{host}")):
+            return reply(HTTPStatus.FORBIDDEN, _refusal(origin, names[-1]))
         path = _path(request)
-        if path in channels:
-            connection.protocol.max_message_size = CHANNEL_BYTES
+        connection.protocol.max_message_size = CHANNEL_BYTES if path in channels else PAGE_BYTES
         return None if path == "/" or path in channels else reply(HTTPStatus.NOT_FOUND, b"no such channel")
 
     return check
+
+
+def _refusal(origin: str, name: str) -> bytes:
+    """What a page of an origin that is not known is told."""
+    words = UNKNOWN.format(origin=origin or "?", name=name)
+    return f"{words.en}\n\n{words.pt_BR}\n".encode(errors="replace")
 
 
 @contextlib.contextmanager
@@ -110,7 +149,9 @@ def _guarded(listener: socket.socket, check: Door, channels: Mapping[str, Channe
     def guarded(handler: Channel, *_: object, **options: Any) -> websockets.asyncio.server.serve:
         async def route(connection: ServerConnection) -> None:
             assert connection.request is not None
-            await channels.get(_path(connection.request), handler)(connection)
+            channel = channels.get(_path(connection.request))
+            slowed(connection, PAGE_RATE if channel is None else CHANNEL_RATE)
+            await (channel or handler)(connection)
 
         return real(route, sock=listener, **{**options, "process_request": check})
 

@@ -36,9 +36,13 @@ class Hold:
 
 @dataclass(frozen=True, eq=False)
 class ToPose:
-    """Bring the tool to T_world_target (4, 4), m."""
+    """Bring the tool to T_world_target (4, 4), m.
+
+    settles: whether the target goes to where the arm can come, once that has been searched for.
+    """
 
     T_world_target: Array
+    settles: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,8 +161,7 @@ class State:
     q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
     1 open; course: the path that Play follows, and path_s, where on it the target stands, s; rested: s since the wish
     last changed; detour: joints of another posture to pass through, and whether one was searched; parked: planes off,
-    between `home` and `ready`; latched: until when sliders are ignored after a stop; goal: where the command leads,
-    solved at the scene's rate. drive: the method that brings the tool to poses; held: what held it back; beside: a
+    between `home` and `ready`; goal: where the command leads, solved at the scene's rate. drive: the method that brings the tool to poses; held: what held it back; beside: a
     second arm to compare with; seen: the clouds that were read, by the name of the plane that was looked for;
     waypoints: those that were taught, and leg_shape, the time scaling of the way to each; workspace: its map.
     """
@@ -179,7 +182,6 @@ class State:
     searched: bool = False
     parked: bool = False
     grasp: Grasp | None = None
-    latched: float = 0.0
     goal: Goal | None = None
     notice: Text | None = None
     drive: Drive = field(default_factory=Drive)

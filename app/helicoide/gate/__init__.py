@@ -4,7 +4,7 @@ A wish that cannot be granted leaves the state as it was, but for a notice that 
 nowhere else: a browser may send anything.
 """
 
-from helicoide.gate.check import LATCH, PARKED, pose
+from helicoide.gate.check import PARKED, pose
 from helicoide.gate.enclosure import (
     add_plane,
     add_plane_through,
@@ -67,7 +67,6 @@ __all__ = [
     "HEAVIEST",
     "LARGEST",
     "LARGEST_GAIN",
-    "LATCH",
     "LAWS",
     "LEAST_GAIN",
     "LONGEST",

@@ -12,7 +12,6 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
 
-LATCH = 0.5
 FARTHEST = 3.7
 PARKED = Text(
     en="The arm is parked with its planes off: press Ready first.",

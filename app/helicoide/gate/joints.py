@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from helicoide.gate.check import LATCH, checked, driven, finite
+from helicoide.gate.check import checked, driven, finite
 from helicoide.kinematics.chain import frozen
 from helicoide.state import GetReady, Hold, Park, State, ToJoints, Update, commanded
 from helicoide.text import HelicoideError, Text
@@ -23,11 +23,9 @@ IN_THE_WAY = Text(
 
 
 def set_joint(index: int, angle: float) -> Update:
-    """One joint from its slider or number box, rad or m; ignored right after a stop, until the hand has let go."""
+    """One joint from its slider or number box, rad or m."""
 
     def wish(state: State) -> State:
-        if state.t < state.latched:
-            return replace(state, latched=state.t + LATCH)
         (value,) = finite([angle], (1,))
         if index not in range(len(state.q)):
             raise HelicoideError(
@@ -102,8 +100,6 @@ def set_gripper(opening: float) -> Update:
     """The gripper, 0 closed to 1 open."""
 
     def wish(state: State) -> State:
-        if state.t < state.latched:
-            return replace(state, latched=state.t + LATCH)
         (value,) = finite([opening], (1,))
         if not 0.0 <= value <= 1.0:
             raise HelicoideError(Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %."))

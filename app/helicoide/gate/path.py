@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from helicoide.gate.check import LATCH, driven, finite
+from helicoide.gate.check import driven, finite
 from helicoide.gate.presets import path_of
 from helicoide.state import Along, Course, Hold, State, Update, commanded
 from helicoide.text import HelicoideError, Text
@@ -37,8 +37,6 @@ def scrub(share: float) -> Update:
     """Another place of the path, as a share of its time, 0 to 1; playing goes on from there."""
 
     def wish(state: State) -> State:
-        if state.t < state.latched:
-            return replace(state, latched=state.t + LATCH)
         (value,) = finite([share], (1,))
         if not 0.0 <= value <= 1.0:
             raise HelicoideError(

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from helicoide.gate.check import driven, pose
 from helicoide.ik.drive import GUARDED
-from helicoide.ik.goal import best_goal
 from helicoide.kinematics.chain import Array
 from helicoide.state import Grasp, State, ToPose, Update, commanded
 
@@ -32,15 +31,12 @@ def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -
 
 
 def _released(state: State, T_world_target: Array) -> State:
-    """The target let go: kept where another posture reaches it, else moved to the nearest that the arm can do.
+    """The target let go: it stays where another posture reaches it, else it settles on the nearest that the arm can do.
 
     A method of the sources looks for neither: the target stays, and one sees what the method makes of it.
     """
-    if state.drive.method != GUARDED:
-        return replace(state, grasp=None)
-    goal, detour = best_goal(state.problem, state.q, T_world_target, state.with_orientation)
-    T = goal.T_world_tool if detour is None else T_world_target
-    return replace(state, grasp=None, command=ToPose(T), detour=detour, searched=True)
+    settles = state.drive.method == GUARDED
+    return replace(state, grasp=None, command=ToPose(T_world_target, settles), searched=False)
 
 
 def let_go(grasp: Grasp) -> Update:

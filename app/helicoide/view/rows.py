@@ -17,13 +17,15 @@ from helicoide.text import Text
 class View:
     """What one window shows: its arm, its person, and what that person has of the studies.
 
-    ready: whether the kernels are there, so that numbers can be worked out at once.
+    ready: whether the kernels are there, so that numbers can be worked out at once; own: whether the arm is the
+    person's own, and not the one that all share.
     """
 
     state: State
     seat: Seat
     desk: Desk = EMPTY
     ready: bool = True
+    own: bool = False
 
 
 @dataclass(frozen=True)
@@ -92,6 +94,18 @@ class PlayFastest:
     """A wish to follow the path in the least time that the joints allow."""
 
 
+@dataclass(frozen=True)
+class Stop:
+    """A wish that nothing moves."""
+
+
+@dataclass(frozen=True)
+class OwnArm:
+    """A wish for an arm of one's own, or, off, for the shared one again."""
+
+    on: bool
+
+
 @dataclass(frozen=True, eq=False)
 class Save:
     """A wish to have a file."""
@@ -100,7 +114,21 @@ class Save:
     content: bytes
 
 
-Wish = ForArm | ForSeat | ForLab | ForDesk | Play | Tour | ReadCloud | CountMap | PlayTaught | PlayFastest | Save
+Wish = (
+    ForArm
+    | ForSeat
+    | ForLab
+    | ForDesk
+    | Play
+    | Tour
+    | ReadCloud
+    | CountMap
+    | PlayTaught
+    | PlayFastest
+    | Stop
+    | OwnArm
+    | Save
+)
 Act = Callable[[Wish], None]
 
 

@@ -1,4 +1,4 @@
-"""The stage that all windows share: light, camera, ground, and the shared layers."""
+"""What all windows in front of a workcell share: ground and the shared layers; and the light, for all of them."""
 
 from __future__ import annotations
 
@@ -9,11 +9,10 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.state import Seat, initial
 from helicoide.view import layers
-from helicoide.view.layers import Layer, Stage
+from helicoide.view.layers import Layers, Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
-Server = viser.ViserServer
 NOBODY = Seat(token="", language="en")
 # From the side and above; what is looked at lies to the right of the arm, which the panel would cover else.
 FROM_THE_SIDE, TO_THE_RIGHT = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0])
@@ -30,28 +29,23 @@ def outlook(robot: Robot) -> tuple[Array, Array]:
     return centre + size * FROM_THE_SIDE, centre
 
 
+def lit(server: viser.ViserServer) -> None:
+    """Set up what is the same in front of every workcell."""
+    server.scene.set_up_direction("+z")
+    server.scene.configure_default_lights(cast_shadow=False)  # two frames of three, without a graphics card
+
+
 class Scene:
     """What every window shows alike."""
 
-    def __init__(self, server: Server, robot: Robot, shapes: list[Shape]) -> None:
-        stage = Stage(server.scene, robot, shapes, lambda wish: None, "")
-        server.scene.set_up_direction("+z")
-        server.scene.configure_default_lights(cast_shadow=False)  # two frames of three, without a graphics card
+    def __init__(self, scene: viser.SceneApi, robot: Robot, shapes: list[Shape]) -> None:
+        stage = Stage(scene, robot, shapes, lambda wish: None, "")
         side, cell = 2.4 * stage.size, 0.1 * 2 ** round(np.log2(stage.size))
-        server.scene.add_grid(
+        scene.add_grid(
             "/ground", width=side, height=side, cell_size=cell, section_size=5 * cell, position=(0, 0, robot.floor)
         )
-        server.initial_camera.position, server.initial_camera.look_at = outlook(robot)
-        self.layers: list[Layer] = [layer.build(stage) for layer in layers.found() if layer.SHARED]
-        self.shown: View | None = None
-
-    def clear(self, server: Server) -> None:
-        """Take everything away."""
-        self.layers.clear()
-        server.scene.reset()
+        self.layers = Layers(stage, shared=True)
 
     def update(self, view: View) -> None:
         """Bring the shared scene to a state."""
-        for layer in self.layers:
-            layer.update(self.shown, view)
-        self.shown = view
+        self.layers.update(view)

@@ -1,4 +1,4 @@
-"""One browser window: its panels in its language, its own layers of the scene, its place in the queue of wishes."""
+"""One browser window: its panels in its language, and its own layers of the scene."""
 
 from __future__ import annotations
 
@@ -6,49 +6,35 @@ import asyncio
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from time import perf_counter
 from types import MappingProxyType
 
 import numpy as np
 import viser
+from viser import Icon
+from viser._messages import GuiUpdateMessage, SetOrientationMessage, SetPositionMessage
 
 from helicoide import gate
 from helicoide.ik import methods
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
-from helicoide.readout import status
-from helicoide.state import Seat, Update
-from helicoide.studies.desk import DeskUpdate
+from helicoide.state import Seat
 from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.view import bind, layers, panels
-from helicoide.view.channel import Control, Notice, introduce
-from helicoide.view.layers import Stage
+from helicoide.view.layers import Layers, Stage
+from helicoide.view.link import Link
 from helicoide.view.page import STOP
 from helicoide.view.placed import Placed, place
-from helicoide.view.rows import (
-    Choice,
-    CountMap,
-    ForArm,
-    ForDesk,
-    ForLab,
-    ForSeat,
-    Play,
-    PlayFastest,
-    PlayTaught,
-    ReadCloud,
-    Row,
-    Save,
-    Tour,
-    View,
-    Wish,
-)
+from helicoide.view.rows import Button, Choice, ForArm, ForLab, ForSeat, OwnArm, Row, Stop, View, Wish
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
 Client = viser.ClientHandle
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
 PANEL = same("Helicoide")
-SEAT_KEY = "helicoide-seat"
-ANSWER_WITHIN = 5.0
+OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
+SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
+AT_A_TIME = 0.004  # s of rows that are written before others may come in between
 # On an upright page the panel is a sheet over the lower half: look from farther in front, and below the arm.
 UPRIGHT_POSITION, UPRIGHT_LOOK_AT = np.array([1.89, -1.22, 1.18]), np.array([-0.15, -0.06, -0.6])
 
@@ -59,138 +45,107 @@ def seated(token: str, language: Language, lesson: str | None) -> Seat:
     return Seat(token=token, language=language, lesson=lesson, shows=shows)
 
 
-async def remembered(client: Client) -> str | None:
-    """The token of the seat that this browser had before; none when it does not answer in time."""
-    try:
-        return await asyncio.to_thread(client.local_storage.get_item, SEAT_KEY, ANSWER_WITHIN)
-    except TimeoutError:
-        return None
-
-
-def remember(client: Client, token: str) -> None:
-    """Leave the token of its seat with a browser."""
-    client.local_storage.set_item(SEAT_KEY, token)
-
-
 class Window:
-    """A client of viser and the seat in front of it."""
+    """A client of viser and the person in front of it.
 
-    def __init__(
-        self,
-        client: Client,
-        robot: Robot,
-        shapes: list[Shape],
-        view: View,
-        control: Control,
-        post: Callable[[Update], None],
-        reseat: Callable[[Seat], None],
-        change: Callable[[str], None],
-        redesk: Callable[[str, DeskUpdate], None],
-        ask: Callable[[Wish], None],
-    ) -> None:
-        self.client, self.control, self.post, self.reseat, self.change = client, control, post, reseat, change
-        self.redesk, self.ask = redesk, ask
-        self._stage(robot, shapes, view)
-        self._furnish()
-        introduce(client, view.seat.token)
+    It is filled row by row, and written row by row: whoever waits for the event loop comes in between.
+    """
 
-    def mount(self, robot: Robot, shapes: list[Shape], view: View) -> None:
-        """Put another robot in front of the person: its layers, its rows in every panel, a look at it."""
-        self._stage(robot, shapes, view)
-        self._fill()
+    def __init__(self, client: Client, link: Link, view: View, hand_on: Callable[[Window, Wish], None]) -> None:
+        self.client, self.link, self.view, self.hand_on = client, link, view, hand_on
+        self.written: View | None = None
+        self.layers: Layers | None = None
+        self.placed: list[Placed] = []
+        self.top: list[Placed] = []
+        self.commands: list[viser.CommandHandle] = []
+        self._busy = asyncio.Lock()
+
+    def act(self, wish: Wish) -> None:
+        """Hand on what the person wishes, if it counts; what the page shows of it is put right in any case."""
+        self.written = None
+        if self.link.drives or isinstance(wish, Stop):
+            self.hand_on(self, wish)
+
+    def stage(self, view: View, shapes: list[Shape]) -> None:
+        """Put up this window's own layers for the arm of a view, and look at it."""
+        self.view, robot = view, view.state.robot
+        self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, str(self.client.client_id)), shared=False)
+        camera, (position, centre) = self.client.camera, outlook(robot)
+        if camera.aspect < 1.0:
+            centre = centre + robot.reach * UPRIGHT_LOOK_AT
+            position = centre + robot.reach * UPRIGHT_POSITION
+        camera.position, camera.look_at = position, centre
 
     def clear(self) -> None:
         """Take everything off this window's scene."""
-        self.layers.clear()
+        self.layers = None
         self.client.scene.reset()
-        self.client.flush()
-
-    def _stage(self, robot: Robot, shapes: list[Shape], view: View) -> None:
-        self.robot, self.view = robot, view
-        stage = Stage(self.client.scene, robot, shapes, self.act, str(self.client.client_id))
-        self.layers = [layer.build(stage) for layer in layers.found() if not layer.SHARED]
-        self.drawn: View | None = None
-        self._look()
-
-    def _look(self) -> None:
-        camera, (position, centre) = self.client.camera, outlook(self.robot)
-        if camera.aspect < 1.0:
-            centre = centre + self.robot.reach * UPRIGHT_LOOK_AT
-            position = centre + self.robot.reach * UPRIGHT_POSITION
-        camera.position, camera.look_at = position, centre
-
-    def act(self, wish: Wish) -> None:
-        """Hand on what the person wishes."""
-        match wish:
-            case ForArm(update):
-                self.post(update)
-            case ForSeat(update):
-                self.reseat(update(self.view.seat))
-            case ForLab(robot):
-                self.change(robot)
-            case ForDesk(update):
-                self.redesk(self.view.seat.token, update)
-            case Save(name, content):
-                self.client.send_file_download(name, content)
-            case Play() | Tour() | ReadCloud() | CountMap() | PlayTaught() | PlayFastest():
-                self.ask(wish)
 
     def draw(self, view: View) -> None:
         """Bring this window's layers to a view, and let the browser have it now."""
-        for layer in self.layers:
-            layer.update(self.drawn, view)
-        self.drawn = view
-        self.client.flush()  # the server's own flush leaves what is sent to one client waiting
+        if self.layers is not None:
+            with self.client.atomic():
+                self.layers.update(view)
+            self.client.flush()  # the server's own flush leaves what is sent to one client waiting
 
-    def write(self, view: View) -> None:
-        """Bring the words and controls to a view; another language furnishes the window anew."""
-        old, self.view = self.view, view
-        if old.seat.language != view.seat.language:
-            self._furnish()
-        for row in (*self.top, *self.placed):
-            row.refresh(view)
-        said = status(view.state)
-        self.control.push(view.seat.token, Notice(view.seat.language, said.text, said.tone))
+    async def furnish(self, view: View) -> None:
+        """Build all panels, in the language of the seat."""
+        async with self._busy:
+            self.view = view
+            gui, language = self.client.gui, view.seat.language
+            gui.reset()
+            gui.set_panel_label(PANEL[language])
+            self.placed, self.commands = [], []
+            self.top = place(gui, _top(), view, self.act)
+            tabs = gui.add_tab_group()
+            self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.found()]
+            await self._fill(view)
 
-    def _furnish(self) -> None:
-        """Build all panels in the language of the seat."""
-        gui, language = self.client.gui, self.view.seat.language
-        gui.reset()
-        gui.set_panel_label(PANEL[language])
-        self.top = place(gui, [_language()], self.view, self.act)
-        tabs = gui.add_tab_group()
-        self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.found()]
-        self.placed: list[Placed] = []
-        self.commands: list[viser.CommandHandle] = []
-        self._fill()
+    async def fill(self, view: View) -> None:
+        """Put the rows and commands for the arm of a view in place of those that are there."""
+        async with self._busy:
+            for row in self.placed:
+                row.remove()
+            for command in self.commands:
+                command.remove()
+            await self._fill(view)
 
-    def _fill(self) -> None:
-        """Put the rows and commands for this robot in place of those that are there."""
-        for row in self.placed:
-            row.remove()
-        for command in self.commands:
-            command.remove()
-        self.placed, self.commands = [], [self._command(text, wish) for text, wish in self._wishes()]
+    async def _fill(self, view: View) -> None:
+        robot, self.view, self.written = view.state.robot, view, None
+        self.placed, self.commands = [], [self._command(text, wish) for text, wish in _commands(robot)]
         for tab, panel in zip(self.tabs, panels.found(), strict=True):
-            with tab:
-                self.placed += place(self.client.gui, panel.rows(self.robot), self.view, self.act)
+            for row in panel.rows(robot):
+                with tab:
+                    self.placed += place(self.client.gui, [row], view, self.act)
+                await asyncio.sleep(0)
 
-    def _wishes(self) -> Iterator[tuple[Text, Wish]]:
-        """The palette: what the panels and the page have as buttons, by name, and every arm."""
-        yield STOP, ForArm(gate.stop())
-        yield Text(en="Ready", pt_BR="Pronto"), ForArm(gate.get_ready())
-        if self.robot.panes:
-            yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
-        yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
-        yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
-        for name in methods.names():
-            title = methods.named(name).TITLE
-            yield (
-                Text(en="Method: {title}", pt_BR="Método: {title}").format(title=title),
-                ForArm(gate.choose_method(name)),
-            )
-        for name, title in titles().items():
-            yield Text(en="Arm: {title}", pt_BR="Braço: {title}").format(title=title), ForLab(name)
+    async def write(self, view: View) -> None:
+        """Bring the words and controls to a view, where it is another one; in another language all is built anew."""
+        if self._busy.locked() or (self.written is not None and _same(self.written, view)):
+            return
+        if self.view.seat.language != view.seat.language:
+            await self.furnish(view)
+        self.view = self.written = view
+        began = perf_counter()
+        for row in (*self.top, *self.placed):
+            if self.view is not view or self._busy.locked():  # it is being put up anew
+                return
+            row.refresh(view)
+            if perf_counter() - began > AT_A_TIME:
+                await asyncio.sleep(0)
+                began = perf_counter()
+
+    def restore(self) -> None:
+        """Say again where every handle and control stands: the page may have moved some by a hand that did not count."""
+        for name, gizmo in self.client.scene._handle_from_transform_controls_name.items():
+            position, wxyz = (tuple(map(float, pose)) for pose in (gizmo.position, gizmo.wxyz))
+            self.client.scene._queue_scene_message(SetPositionMessage(name, position))
+            self.client.scene._queue_scene_message(SetOrientationMessage(name, wxyz))
+        for uuid, control in self.client.gui._gui_input_handle_from_uuid.items():
+            if not control._impl.is_button:
+                message = GuiUpdateMessage(uuid, {"value": control.value})
+                self.client.gui._websock_interface.queue_message(message)
+        self.written = None
 
     def _command(self, text: Text, wish: Wish) -> viser.CommandHandle:
         command = self.client.gui.add_command(text[self.view.seat.language])
@@ -198,10 +153,41 @@ class Window:
         return command
 
 
-def _language() -> Row:
-    return Choice(
-        Text(en="Language · Idioma", pt_BR="Idioma · Language"),
-        [(language, same(LANGUAGE_NAMES[language])) for language in LANGUAGES],
-        lambda view: view.seat.language,
-        lambda key: ForSeat(lambda seat: replace(seat, language="pt_BR" if key == "pt_BR" else "en")),
-    )
+def _same(old: View, new: View) -> bool:
+    """Whether two views of a window say the same."""
+    return (
+        old.state is new.state and old.seat is new.seat and old.desk is new.desk and old.ready == new.ready
+    ) and old.own == new.own
+
+
+def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
+    """The palette: what the panels and the page have as buttons, by name, and every arm."""
+    yield STOP, Stop()
+    yield Text(en="Ready", pt_BR="Pronto"), ForArm(gate.get_ready())
+    if robot.panes:
+        yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
+    yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
+    yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
+    yield OWN, OwnArm(True)
+    yield SHARED, OwnArm(False)
+    for name in methods.names():
+        title = methods.named(name).TITLE
+        yield (
+            Text(en="Method: {title}", pt_BR="Método: {title}").format(title=title),
+            ForArm(gate.choose_method(name)),
+        )
+    for name, title in titles().items():
+        yield Text(en="Arm: {title}", pt_BR="Braço: {title}").format(title=title), ForLab(name)
+
+
+def _top() -> list[Row]:
+    """What stands above the tabs: the language, and whose arm it is."""
+    return [
+        Choice(
+            Text(en="Language · Idioma", pt_BR="Idioma · Language"),
+            [(language, same(LANGUAGE_NAMES[language])) for language in LANGUAGES],
+            lambda view: view.seat.language,
+            lambda key: ForSeat(lambda seat: replace(seat, language="pt_BR" if key == "pt_BR" else "en")),
+        ),
+        Button(lambda view: SHARED if view.own else OWN, lambda view: OwnArm(not view.own), Icon.USER),
+    ]

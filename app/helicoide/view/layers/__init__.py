@@ -7,6 +7,7 @@ shown and hidden by a person. What it builds has `update(old, new)`, which write
 from __future__ import annotations
 
 import importlib
+import logging
 import pkgutil
 from dataclasses import dataclass
 from functools import cache
@@ -38,6 +39,9 @@ class Stage:
         return self.robot.reach / DRAWN_FOR
 
 
+log = logging.getLogger("helicoide")
+
+
 class Layer(Protocol):
     """A part of the scene."""
 
@@ -54,3 +58,27 @@ def found() -> tuple[ModuleType, ...]:
 def optional() -> list[ModuleType]:
     """The layers that a person can show and hide."""
     return [layer for layer in found() if hasattr(layer, "TITLE")]
+
+
+class Layers:
+    """All layers of a scene, and the view that they show; one that fails is left as it is, and the others go on."""
+
+    def __init__(self, stage: Stage, shared: bool) -> None:
+        self.shown: View | None = None
+        self.layers: dict[str, Layer] = {}
+        for layer in found():
+            if layer.SHARED == shared:
+                try:
+                    self.layers[layer.NAME] = layer.build(stage)
+                except Exception:
+                    log.exception("the layer %s could not be built", layer.NAME)
+
+    def update(self, view: View) -> None:
+        """Bring every layer to a view."""
+        for name, layer in tuple(self.layers.items()):
+            try:
+                layer.update(self.shown, view)
+            except Exception:
+                log.exception("the layer %s failed and stays as it is", name)
+                del self.layers[name]
+        self.shown = view

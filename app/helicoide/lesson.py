@@ -141,8 +141,8 @@ def entered(seat: Seat, name: str | None) -> Seat:
 
 
 def progressed(lesson: Lesson, state: State, seat: Seat) -> Seat:
-    """The seat with its current step marked as done when the goal is met."""
+    """The seat with its current step marked as done when the goal is met, on the arm that the lesson is about."""
     step = lesson.steps[seat.step]
-    if step.id in seat.done or not step.goal(state, seat):
+    if state.robot.name != lesson.robot or step.id in seat.done or not step.goal(state, seat):
         return seat
     return replace(seat, done=seat.done | {step.id})

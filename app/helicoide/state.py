@@ -161,9 +161,10 @@ class State:
     q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
     1 open; course: the path that Play follows, and path_s, where on it the target stands, s; rested: s since the wish
     last changed; detour: joints of another posture to pass through, and whether one was searched; parked: planes off,
-    between `home` and `ready`; goal: where the command leads, solved at the scene's rate. drive: the method that brings the tool to poses; held: what held it back; beside: a
-    second arm to compare with; seen: the clouds that were read, by the name of the plane that was looked for;
-    waypoints: those that were taught, and leg_shape, the time scaling of the way to each; workspace: its map.
+    between `home` and `ready`; goal: where the command leads. drive: the method that brings the tool to poses; held:
+    what held it back; beside: a second arm to compare with; seen: the clouds that were read, by the name of the plane
+    that was looked for; waypoints: those that were taught, and leg_shape, the time scaling of the way to each;
+    workspace: its map.
     """
 
     problem: Problem

@@ -12,10 +12,13 @@ from playwright.sync_api import Page
 from helicoide.confinement import distances
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
-from helicoide.session import TICK, Session
-from helicoide.state import State, Update, initial
+from helicoide.session.display import Display
+from helicoide.session.lab import Lab as Session
+from helicoide.session.workcell import TICK, Workcell
+from helicoide.state import Seat, State, Update, initial
 from helicoide.text import Language
-from helicoide.view import panels
+from helicoide.view import panels, shapes
+from helicoide.view.window import Window
 
 PROJECT = """(p) => {
   const m = window.__viserMutable, v = m.camera.position.clone();
@@ -33,7 +36,7 @@ def clearance(state: State) -> float:
 
 @dataclass
 class Lab:
-    """A session of the Movemaster.
+    """A lab with the Movemaster, and its shared arm.
 
     Since the last reset, seen at any tick: nearest: the smallest clearance, m; fastest: the fastest that a joint moved,
     over its speed limit.
@@ -45,7 +48,33 @@ class Lab:
 
     @property
     def state(self) -> State:
-        return self.session.state
+        return self.cell.state
+
+    @property
+    def cell(self) -> Workcell:
+        return self.session.shared.workcell
+
+    @property
+    def display(self) -> Display:
+        assert self.session.shared.display is not None
+        return self.session.shared.display
+
+    @property
+    def windows(self) -> list[Window]:
+        """Those in front of the shared arm, the newest last."""
+        return [] if self.session.shared.display is None else list(self.display.windows)
+
+    @property
+    def seats(self) -> list[Seat]:
+        return [visitor.place.seat for visitor in self.session.visitors.values()]
+
+    @property
+    def shapes(self) -> list[shapes.Shape]:
+        return shapes.load(self.state.robot)
+
+    def change(self, robot: str) -> None:
+        """Put another arm there without the page."""
+        self.session.loop.call_soon_threadsafe(self.session.shared.arms.change, robot)
 
     @property
     def port(self) -> int:
@@ -53,13 +82,13 @@ class Lab:
 
     def post(self, update: Update) -> None:
         """Wish something without the page, to arrange a test."""
-        self.session.loop.call_soon_threadsafe(self.session.post, update)
+        self.cell.tell(update)
 
     def watch(self) -> None:
         """Look at every tick from now on."""
-        if self.session._tick.__name__ == "watched":
+        if self.cell.tick.__name__ == "watched":
             return
-        tick = self.session._tick
+        tick = self.cell.tick
 
         def watched() -> None:
             before, limit = self.state.q, self.state.problem.limits.speed * TICK
@@ -68,11 +97,11 @@ class Lab:
             if not self.state.parked:
                 self.nearest = min(self.nearest, clearance(self.state))
 
-        self.session._tick = watched  # type: ignore[method-assign]
+        self.cell.tick = watched  # type: ignore[method-assign]
 
     def reset(self, page: Page) -> None:
         """The arm at `ready` inside the measured planes."""
-        fresh = initial(self.session.robot)
+        fresh = initial(self.state.robot)
         self.post(lambda state: replace(fresh, t=state.t))
         until(page, lambda: bool((self.state.q == fresh.q).all()))
         page.wait_for_timeout(1000)  # controls that were touched are left alone for a moment, then follow
@@ -80,8 +109,9 @@ class Lab:
 
     def ticks(self, page: Page, n: int) -> None:
         """Let the arm live for n ticks."""
-        end = self.session.ticks + n
-        until(page, lambda: self.session.ticks >= end)
+        end = self.cell.ticks + n
+        self.cell.pause(False)
+        until(page, lambda: self.cell.ticks >= end or self.cell.resting)
 
 
 def until(page: Page, condition: Callable[[], bool], seconds: float = 120.0) -> None:
@@ -96,7 +126,7 @@ def until(page: Page, condition: Callable[[], bool], seconds: float = 120.0) -> 
 
 def opened() -> Lab:
     """A lab that runs, on a free port."""
-    session = Session(load("movemaster"), "en", None)
+    session = Session(load("movemaster"), None, None)
     session.open("127.0.0.1", 0)
     return Lab(session)
 
@@ -139,8 +169,8 @@ def tab(page: Page, name: str) -> None:
 
 def speak(lab: Lab, page: Page, language: Language) -> None:
     """Let the newest window speak a language."""
-    seat = [window.view.seat for window in lab.session.windows.values()][-1]
-    lab.session.loop.call_soon_threadsafe(lab.session._reseat, replace(seat, language=language))
+    visitor = list(lab.session.visitors.values())[-1]
+    lab.session.loop.call_soon_threadsafe(lab.session.reseat, visitor, lambda seat: replace(seat, language=language))
     page.get_by_role("tab", name=panels.found()[0].TITLE[language]).wait_for()
 
 

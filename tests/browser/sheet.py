@@ -40,7 +40,7 @@ def corner(index: int) -> tuple[int, int]:
 def close_up(lab: Lab) -> tuple[Array, Array]:
     """From where an arm fills its cell, and where to: a step nearer than it is seen first, and on its middle."""
     position, look_at = outlook(lab.state.robot)
-    edges = [placed(lab.state, shape) for shape in lab.session.shapes if len(shape.edges)]
+    edges = [placed(lab.state, shape) for shape in lab.shapes if len(shape.edges)]
     points = np.concatenate(edges)
     centre = (points.min(axis=0) + points.max(axis=0)) / 2
     away = (position - look_at) / np.linalg.norm(position - look_at)
@@ -58,12 +58,12 @@ def picture(lab: Lab, page: Page, name: str) -> Image.Image:
     session = lab.session
 
     def arrange() -> None:
-        (window,) = session.windows.values()
+        (window,) = lab.windows
         window.clear()  # the arm is everybody's; what is this window's own, its handles among it, would be drawn again
         window.client.camera.position, window.client.camera.look_at = close_up(lab)
         window.client.flush()
 
-    session.loop.call_soon_threadsafe(session.change, name)
+    lab.change(name)
     until(page, lambda: lab.state.robot.name == name)
     page.wait_for_timeout(SETTLING_MS)
     session.loop.call_soon_threadsafe(arrange)
@@ -101,7 +101,7 @@ def main() -> None:
         chromium = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
         page = chromium.new_page(viewport={"width": 2 * CELL, "height": 2 * CELL})
         page.goto(f"http://127.0.0.1:{lab.port}/")
-        until(page, lambda: lab.session.ready and len(lab.session.windows) == 1, 300)
+        until(page, lambda: lab.session.ready and len(lab.windows) == 1, 300)
         taken = {name: picture(lab, page, name) for name in names()}
         chromium.close()
     lab.session.close()

@@ -44,7 +44,7 @@ def arm(request: pytest.FixtureRequest, lab: Lab, page: Page) -> State:
 
 
 def nodes(lab: Lab) -> list[str]:
-    return [f"/arm/{shape.name}/mesh" for shape in lab.session.shapes]
+    return [f"/arm/{shape.name}/mesh" for shape in lab.shapes]
 
 
 def canvas(page: Page) -> Array:
@@ -53,14 +53,27 @@ def canvas(page: Page) -> Array:
     return np.asarray(picture, dtype=np.float64)
 
 
+def arm_layer(lab: Lab) -> Arm:
+    scene = lab.display._scene
+    assert scene is not None
+    layer = scene.layers.layers["arm"]
+    assert isinstance(layer, Arm)
+    return layer
+
+
+def position(page: Page, node: str) -> list[float]:
+    """Where the browser has a node, m."""
+    return list(page.evaluate("(n) => window.__viserMutable.nodeRefFromName[n].position.toArray()", node))
+
+
 def show(lab: Lab, page: Page, shown: bool) -> None:
     """Show or hide the solid arm."""
-    (layer,) = (layer for layer in lab.session.scene.layers if isinstance(layer, Arm))
+    layer = arm_layer(lab)
 
     def write() -> None:
         for frame in layer.placed.frames:
             frame.visible = shown
-        lab.session.server.flush()
+        lab.display.audience.flush()
 
     lab.session.loop.call_soon_threadsafe(write)
     script = "(n) => window.__viserMutable.nodeRefFromName[n].visible"
@@ -74,11 +87,11 @@ def test_the_arm_is_in_the_picture_and_every_part_of_it_is_somewhere_else(lab: L
     without = canvas(page)
     show(lab, page, True)
     assert (abs(with_arm - without) > 12).sum() > DRAWN
-    (layer,) = (layer for layer in lab.session.scene.layers if isinstance(layer, Arm))
+    layer = arm_layer(lab)
     assert set(layer.placed.links) == set(range(len(arm.robot.joints) + 1)), "a mesh for the base and each moving link"
-    for shape, frame in zip(lab.session.shapes, layer.placed.frames, strict=True):
+    for shape in lab.shapes:
         wished = arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
-        np.testing.assert_allclose(frame.position, wished[:3], atol=1e-6)
+        np.testing.assert_allclose(position(page, f"/arm/{shape.name}"), wished[:3], atol=1e-6)
 
 
 def test_a_number_moves_its_joint(lab: Lab, page: Page, arm: State) -> None:
@@ -142,16 +155,16 @@ def test_a_lesson_brings_its_arm_and_another_arm_ends_it(lab: Lab, page: Page) -
     page.locator(".helicoide-lesson h3").wait_for()
     change(lab, page, "scara")
     page.locator(".helicoide-lesson h3").wait_for(state="detached")
-    assert {seat.lesson for seat in lab.session.seats.values()} == {None}
+    assert {seat.lesson for seat in lab.seats} == {None}
 
 
 def test_an_arm_that_is_not_there_is_refused_in_words(lab: Lab, page: Page) -> None:
     here = lab.state.robot
-    lab.session.loop.call_soon_threadsafe(lab.session.change, "nowhere")
+    lab.change("nowhere")
     until(page, lambda: "There is no robot named 'nowhere'" in status(page))
     assert lab.state.robot is here
 
 
 def change(lab: Lab, page: Page, name: str) -> None:
-    lab.session.loop.call_soon_threadsafe(lab.session.change, name)
+    lab.change(name)
     until(page, lambda: lab.state.robot.name == name)

@@ -99,7 +99,7 @@ def test_two_windows_see_the_same_arm_and_a_closed_one_lets_go(lab: Lab, page: P
         T = lab.state.T_world_tool
         grab(lab, other, T[:3, 3] + ARROW * T[:3, 2], T[:3, 3] + (ARROW + 0.05) * T[:3, 2])
         until(other, lambda: lab.state.grasp is not None)
-    until(page, lambda: lab.state.grasp is None and len(lab.session.windows) == 1)
+    until(page, lambda: lab.state.grasp is None and len(lab.windows) == 1)
     until(page, lambda: not lab.state.moving)
     wrist = "() => window.__viserMutable.nodeRefFromName['/arm/wrist'].position.toArray()"
     shown = lab.state.poses[4, :3, 3]

@@ -27,8 +27,8 @@ def page(shared_page: Page) -> Iterator[Page]:
 
 
 def desk(lab: Lab) -> Desk:
-    (token,) = {window.view.seat.token for window in lab.session.windows.values()}
-    return lab.session.studies.desk(token)
+    (found,) = {visitor.place.desk for visitor in lab.session.visitors.values()}
+    return found
 
 
 def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
@@ -75,9 +75,9 @@ def runs() -> tuple[Run, ...]:
 
 def show(lab: Lab, page: Page, run: Run, compared: bool) -> None:
     """Put a run on the desk of the newest window, and wait until it is all there."""
-    token = [each.view.seat.token for each in lab.session.windows.values()][-1]
+    place = list(lab.session.visitors.values())[-1].place
     put = Desk(study=run.study, last=run, before=run, compared=compared)
-    lab.session.loop.call_soon_threadsafe(lab.session.studies._put, token, put)
+    lab.session.loop.call_soon_threadsafe(lab.session.studies._put, place, put)
     rows, charts = page.locator(".helicoide-study .quantity"), page.locator("figcaption:visible")
     until(page, lambda: rows.count() == len(run.result.rows))
     until(page, lambda: charts.count() == len(run.result.charts))

@@ -22,7 +22,7 @@ def page(shared_page: Page, lab: Lab) -> Page:
 
 
 def change(lab: Lab, page: Page, name: str) -> None:
-    lab.session.loop.call_soon_threadsafe(lab.session.change, name)
+    lab.change(name)
     until(page, lambda: lab.state.robot.name == name)
     page.wait_for_timeout(1000)
 

@@ -64,7 +64,7 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
     cut = page.locator("input.mantine-NumberInput-input:visible").last
     cut.fill("60")
     cut.press("Enter")
-    until(page, lambda: {seat.cut for seat in lab.session.seats.values()} == {0.6})
+    until(page, lambda: {seat.cut for seat in lab.seats} == {0.6})
     page.wait_for_timeout(1000)
     less = canvas(page)
     assert 1000 < different(less, without) < 0.8 * different(half, without)
@@ -97,10 +97,10 @@ def test_the_same_button_ends_the_calculation(lab: Lab, page: Page, monkeypatch:
 def test_another_arm_has_no_map_yet(lab: Lab, page: Page) -> None:
     press(page, "Work out the map")
     until(page, lambda: bool(page.evaluate(SHOWN)))
-    lab.session.loop.call_soon_threadsafe(lab.session.change, "planar2r")
+    lab.change("planar2r")
     until(page, lambda: lab.state.robot.name == "planar2r" and not page.evaluate(SHOWN))
     assert lab.state.workspace.map is None
-    lab.session.loop.call_soon_threadsafe(lab.session.change, "movemaster")
+    lab.change("movemaster")
     until(page, lambda: lab.state.robot.name == "movemaster")
     page.wait_for_timeout(1000)
 

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import signal
 import threading
-from typing import Annotated, Literal
-
-import tyro
+from typing import Literal
 
 from helicoide import kernels
 from helicoide.kinematics.library import load, welcome
 from helicoide.lesson import load as read_lesson
-from helicoide.session import Session
-from helicoide.text import Language
+from helicoide.session.lab import Lab
 
 
 def run(
@@ -21,7 +18,8 @@ def run(
     set: tuple[str, ...] = (),
     host: str = "127.0.0.1",
     port: int = 8080,
-    lang: Annotated[Literal["en", "pt_BR"], tyro.conf.arg(help="language of new windows")] = "en",
+    origin: tuple[str, ...] = (),
+    lang: Literal["en", "pt_BR"] | None = None,
     lesson: str | None = None,
 ) -> None:
     """Open the lab in a browser.
@@ -32,19 +30,19 @@ def run(
         set: parameters of a robot to change, mm, such as l1=1500.
         host: address to listen on.
         port: port to listen on; 0 takes any free one.
-        lang: language of new windows.
+        origin: further addresses at which browsers find the page, such as https://lab.example.org behind a proxy.
+        lang: language of new windows; what their browser asks for if none.
         lesson: name of the lesson to begin with.
     """
-    language: Language = lang
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
     arm = load(robot or default, tip, set)
     welcome(arm)
-    session = Session(arm, language, lesson)
+    lab = Lab(arm, lang, lesson)
     if kernels.CACHE_NOTE is not None:
-        print(kernels.CACHE_NOTE[language])
+        print(kernels.CACHE_NOTE[lang or "en"])
     stopped = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
-    print(f"Helicoide: http://{host}:{session.open(host, port)}", flush=True)
+    print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
     stopped.wait()
-    session.close()
+    lab.close()

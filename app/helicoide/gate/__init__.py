@@ -4,7 +4,7 @@ A wish that cannot be granted leaves the state as it was, but for a notice that 
 nowhere else: a browser may send anything.
 """
 
-from helicoide.gate.check import PARKED, pose
+from helicoide.gate.check import PARKED, pose, while_asked
 from helicoide.gate.enclosure import (
     add_plane,
     add_plane_through,
@@ -143,4 +143,5 @@ __all__ = [
     "teach_again",
     "tell_map",
     "weigh_objective",
+    "while_asked",
 ]

@@ -68,3 +68,13 @@ def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
     T[:3, :3] = rotation.to_matrix(q / np.linalg.norm(q))
     T[:3, 3] = p
     return frozen(T)
+
+
+def while_asked(before: State, wish: Update) -> Update:
+    """The wish, unless since then something else has been asked of the arm, or another one stands there."""
+
+    def update(state: State) -> State:
+        unchanged = state.command is before.command and state.robot is before.robot
+        return wish(state) if unchanged else state
+
+    return update

@@ -10,7 +10,8 @@ from contextlib import suppress
 import numpy as np
 
 from helicoide import gate, kernels
-from helicoide.advance import advance, foreseen
+from helicoide.advance import advance
+from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.postures.subspace import project
@@ -18,10 +19,10 @@ from helicoide.jobs.apart import Apart
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.perception.planes import find
+from helicoide.session.workcell import TICK
 from helicoide.state import State, ToJoints, ToPose, commanded, initial
 from helicoide.text import Text
 
-TICK = 0.01
 # How many compilations `exercise` takes: a test counts them. Where it is written down that they are done, Python by
 # Python, as numba keeps them.
 COMPILATIONS = 79
@@ -38,6 +39,7 @@ def exercise(robot_name: str = "movemaster") -> State:
     asked = commanded(state, ToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
+    asked = search(asked)(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
     find(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
     CL031.sandwich(rigid.motor_from_pose(state.T_world_tool), rigid.point(state.T_world_tool[:3, 3]))

@@ -9,8 +9,9 @@ from typing import Any
 
 from helicoide import studies
 from helicoide.jobs.apart import Apart, Failed, Report
+from helicoide.session.seats import Place
 from helicoide.studies import desk as desks
-from helicoide.studies.desk import EMPTY, Desk, DeskUpdate, Run
+from helicoide.studies.desk import Desk, DeskUpdate, Run
 from helicoide.text import HelicoideError, Text
 
 BUSY = Text(
@@ -32,17 +33,12 @@ class Studies:
 
     def __init__(self, write: Callable[[], object]) -> None:
         self.write = write
-        self._desks: dict[str, Desk] = {}
-        self._running: dict[str, Apart] = {}
+        self._running: dict[Place, Apart] = {}
         self._tasks: set[asyncio.Task[None]] = set()
 
-    def desk(self, token: str) -> Desk:
-        """What a person has before them."""
-        return self._desks.get(token, EMPTY)
-
-    def redesk(self, token: str, update: DeskUpdate) -> None:
+    def redesk(self, place: Place, update: DeskUpdate) -> None:
         """A person wishes something: a run may begin or end by it."""
-        before = self.desk(token)
+        before = place.desk
         try:
             after = update(before)
         except HelicoideError as refusal:
@@ -51,38 +47,38 @@ class Studies:
         if begins and len(self._running) >= MOST:
             after = desks.failed(BUSY.format(n=len(self._running)))(after)
         elif begins:
-            self._begin(token, after)
-        elif after.progress is None and token in self._running:
-            self._running.pop(token).stop()
-        self._put(token, after)
+            self._begin(place, after)
+        elif after.progress is None and place in self._running:
+            self._running.pop(place).stop()
+        self._put(place, after)
 
-    def forget(self, token: str) -> None:
+    def forget(self, place: Place) -> None:
         """End what a person runs whose last window is gone; the results stay for when they come back."""
-        if token in self._running:
-            self.redesk(token, desks.end)
+        if place in self._running:
+            self.redesk(place, desks.end)
 
     def close(self) -> None:
         """End everything."""
         for job in self._running.values():
             job.stop()
 
-    def _put(self, token: str, desk: Desk) -> None:
-        self._desks[token] = desk
+    def _put(self, place: Place, desk: Desk) -> None:
+        place.desk = desk
         self.write()
 
-    def _begin(self, token: str, desk: Desk) -> None:
-        self._running[token] = job = Apart(study, desk.study, desk.chosen(), desk.short)
-        task = asyncio.get_running_loop().create_task(self._follow(token, job, desk))
+    def _begin(self, place: Place, desk: Desk) -> None:
+        self._running[place] = job = Apart(study, desk.study, desk.chosen(), desk.short)
+        task = asyncio.get_running_loop().create_task(self._follow(place, job, desk))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _follow(self, token: str, job: Apart, desk: Desk) -> None:
+    async def _follow(self, place: Place, job: Apart, desk: Desk) -> None:
         """Tell the desk what a run reports, and what it came to, unless it was ended."""
         loop = asyncio.get_running_loop()
 
         def tell(update: DeskUpdate) -> None:
-            if self._running.get(token) is job:
-                self._put(token, update(self.desk(token)))
+            if self._running.get(place) is job:
+                self._put(place, update(place.desk))
 
         def listen() -> None:
             for share in job.progress():
@@ -96,5 +92,5 @@ class Studies:
             log.error("the study %s failed:\n%s", desk.study, failure)
             ended = desks.failed(FAILED)
         tell(ended)
-        if self._running.get(token) is job:
-            del self._running[token]
+        if self._running.get(place) is job:
+            del self._running[place]

@@ -74,9 +74,10 @@ class Surveying:
             await asyncio.shield(_let_go(opening, opened))
 
     async def _tour(self, camera: DepthCamera) -> None:
+        state = self.state()
         self.post(gate.clear_planes())
-        for seed, reading in enumerate(readings(self.state().robot)):
-            self.post(gate.go_to(reading.pose))
+        for seed, reading in enumerate(readings(state.robot)):
+            self.post(gate.while_asked(state, gate.go_to(reading.pose)))
             await asyncio.sleep(LOOK)
             if not await self._arrived(reading.pose):
                 return
@@ -85,7 +86,7 @@ class Surveying:
             await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
             if self.state().command is not state.command:  # stopped, or sent elsewhere, while the cloud was read
                 return
-        self.post(gate.get_ready())
+        self.post(gate.while_asked(state, gate.get_ready()))
 
     async def _arrived(self, pose: str) -> bool:
         """Wait until the arm is at a posture; false as soon as it was sent elsewhere, or can come no nearer."""

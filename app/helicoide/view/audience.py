@@ -50,10 +50,10 @@ class Audience:
                 client._websock_connection.queue_message(message)
         self.clients.append(client)
 
-    def leave(self, client: Client) -> None:
-        """A client is shown no more; what it sees is taken away."""
+    def leave(self, client: Client, shown: bool) -> None:
+        """A client is shown no more; what it sees is taken away where it still shows anything."""
         self.clients.remove(client)
-        for name in self._roots():
+        for name in self._roots() if shown else ():
             message = RemoveSceneNodeMessage(name)
             client._websock_connection.queue_message(message)
 

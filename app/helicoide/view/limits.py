@@ -31,6 +31,6 @@ def slowed(connection: ServerConnection, rate: float) -> None:
     async def recv(*args: bool | None, **options: bool | None) -> Data:
         if wait := pace.wait(monotonic()):
             await asyncio.sleep(wait)
-        return await receive(*args, **options)  # type: ignore[no-any-return, call-overload]
+        return await receive(*args, **options)
 
     connection.recv = recv  # type: ignore[method-assign, assignment]

@@ -69,5 +69,10 @@ class Link:
 
 def heard_from(server: viser.ViserServer, hear: Callable[[int, HelicoideFence | HelicoideMadeAt], None]) -> None:
     """Call `hear` with the number of the client and each of these messages, in the order of all that it sends."""
+
+    def heard(client_id: int, message: Message) -> None:
+        assert isinstance(message, HelicoideFence | HelicoideMadeAt)
+        hear(client_id, message)
+
     for kind in (HelicoideFence, HelicoideMadeAt):
-        server._websock_server.register_handler(kind, hear)
+        server._websock_server.register_handler(kind, heard)

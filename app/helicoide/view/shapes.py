@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 import trimesh
@@ -32,6 +33,7 @@ class Shape:
     slide: Array
 
 
+@lru_cache(maxsize=32)
 def load(robot: Robot) -> list[Shape]:
     """The shapes of a robot; raises HelicoideError when the URDF is broken or a mesh is missing."""
     closed = urdf_file.parsed(robot.urdf, robot.parameters, meshes=True)

@@ -58,18 +58,19 @@ class Window:
         self.placed: list[Placed] = []
         self.top: list[Placed] = []
         self.commands: list[viser.CommandHandle] = []
+        self.gone = False
         self._busy = asyncio.Lock()
 
     def act(self, wish: Wish) -> None:
-        """Hand on what the person wishes, if it counts; what the page shows of it is put right in any case."""
+        """Hand on what the person wishes; what the page shows of it is put right later, whatever comes of it."""
         self.written = None
-        if self.link.drives or isinstance(wish, Stop):
-            self.hand_on(self, wish)
+        self.hand_on(self, wish)
 
     def stage(self, view: View, shapes: list[Shape]) -> None:
         """Put up this window's own layers for the arm of a view, and look at it."""
         self.view, robot = view, view.state.robot
-        self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, str(self.client.client_id)), shared=False)
+        who = str(self.client.client_id)
+        self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, who), shared=False)
         camera, (position, centre) = self.client.camera, outlook(robot)
         if camera.aspect < 1.0:
             centre = centre + robot.reach * UPRIGHT_LOOK_AT
@@ -115,20 +116,22 @@ class Window:
         self.placed, self.commands = [], [self._command(text, wish) for text, wish in _commands(robot)]
         for tab, panel in zip(self.tabs, panels.found(), strict=True):
             for row in panel.rows(robot):
+                if self.gone:
+                    return
                 with tab:
                     self.placed += place(self.client.gui, [row], view, self.act)
                 await asyncio.sleep(0)
 
     async def write(self, view: View) -> None:
         """Bring the words and controls to a view, where it is another one; in another language all is built anew."""
-        if self._busy.locked() or (self.written is not None and _same(self.written, view)):
+        if self._busy.locked() or self.gone or (self.written is not None and _same(self.written, view)):
             return
         if self.view.seat.language != view.seat.language:
             await self.furnish(view)
         self.view = self.written = view
         began = perf_counter()
         for row in (*self.top, *self.placed):
-            if self.view is not view or self._busy.locked():  # it is being put up anew
+            if self.view is not view or self._busy.locked() or self.gone:  # it is being put up anew
                 return
             row.refresh(view)
             if perf_counter() - began > AT_A_TIME:
@@ -136,11 +139,12 @@ class Window:
                 began = perf_counter()
 
     def restore(self) -> None:
-        """Say again where every handle and control stands: the page may have moved some by a hand that did not count."""
+        """Say again where every handle and control stands: a hand that did not count may have moved some of them."""
         for name, gizmo in self.client.scene._handle_from_transform_controls_name.items():
-            position, wxyz = (tuple(map(float, pose)) for pose in (gizmo.position, gizmo.wxyz))
-            self.client.scene._queue_scene_message(SetPositionMessage(name, position))
-            self.client.scene._queue_scene_message(SetOrientationMessage(name, wxyz))
+            x, y, z = map(float, gizmo.position)
+            self.client.scene._queue_scene_message(SetPositionMessage(name, (x, y, z)))
+            w, x, y, z = map(float, gizmo.wxyz)
+            self.client.scene._queue_scene_message(SetOrientationMessage(name, (w, x, y, z)))
         for uuid, control in self.client.gui._gui_input_handle_from_uuid.items():
             if not control._impl.is_button:
                 message = GuiUpdateMessage(uuid, {"value": control.value})

@@ -67,7 +67,7 @@ class Layers:
         self.shown: View | None = None
         self.layers: dict[str, Layer] = {}
         for layer in found():
-            if layer.SHARED == shared:
+            if shared == layer.SHARED:
                 try:
                     self.layers[layer.NAME] = layer.build(stage)
                 except Exception:

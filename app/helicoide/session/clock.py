@@ -1,0 +1,77 @@
+"""The thread in which every arm lives: a hundred ticks a second, none of them late for anything but another arm."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from threading import Condition, Thread
+from time import monotonic
+
+from helicoide.session.workcell import TICK, Workcell
+
+# s: for how long Python lets another thread run on, once this one is due
+SWITCH = 0.001
+FORESIGHT = 0.3  # of a tick: what may be spent on where commands lead
+
+
+class Clock(Thread):
+    """Drains, ticks and foresees; sleeps while every arm rests.
+
+    workcells: those there are; changed: told after each round, in this thread. gap: the longest time between two ticks
+    that should have been one apart, s, since `forget_gap`.
+    """
+
+    def __init__(self, workcells: Callable[[], Sequence[Workcell]], changed: Callable[[], None]) -> None:
+        super().__init__(name="helicoide clock", daemon=True)
+        self.workcells, self.changed = workcells, changed
+        self.gap = 0.0
+        self._condition = Condition()
+        self._woken, self._ended = False, False
+        self._turn = 0
+
+    def wake(self) -> None:
+        """Something has been asked of an arm."""
+        with self._condition:
+            self._woken = True
+            self._condition.notify()
+
+    def end(self) -> None:
+        """Let no more time pass."""
+        self._ended = True
+        self.wake()
+        self.join()
+
+    def run(self) -> None:
+        """Until the end: no catching up after a delay."""
+        sys.setswitchinterval(SWITCH)
+        due, before = monotonic(), None
+        while not self._ended:
+            self._wait(due if self._awake() else None)
+            for workcell in self.workcells():
+                workcell.drain()
+            if (now := monotonic()) >= due and (awake := self._awake()):
+                self.gap = max(self.gap, 0.0 if before is None else now - before)
+                for workcell in awake:
+                    workcell.tick()
+                due = max(due + TICK, now)
+                before = now if self._awake() else None
+                self._foresee(monotonic() + FORESIGHT * TICK)
+            self.changed()
+
+    def _awake(self) -> list[Workcell]:
+        return [workcell for workcell in self.workcells() if not (workcell.resting or workcell.paused)]
+
+    def _wait(self, due: float | None) -> None:
+        with self._condition:
+            if not self._woken:
+                self._condition.wait(None if due is None else max(0.0, due - monotonic()))
+            self._woken = False
+
+    def _foresee(self, until: float) -> None:
+        """One workcell after the other, from where the last round ended, at least one."""
+        workcells = self.workcells()
+        for _ in workcells:
+            self._turn = (self._turn + 1) % len(workcells)
+            workcells[self._turn].foresee()
+            if monotonic() > until:
+                return

@@ -1,0 +1,161 @@
+"""What the windows in front of one workcell show: frames first, words after them, and both give way."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+
+import viser
+
+from helicoide.kinematics.robot import Robot
+from helicoide.readout import status
+from helicoide.session.workcell import Workcell
+from helicoide.view import shapes
+from helicoide.view.audience import Audience
+from helicoide.view.channel import Control, Notice
+from helicoide.view.rows import View
+from helicoide.view.scene import NOBODY, Scene
+from helicoide.view.window import Window
+
+# s: the shortest time between two frames, and between two writings of words; and how long a browser needs to take a
+# scene away, since a node that is put back in the same message keeps its old pose
+FRAME, WORDS, CLEARED = 0.016, 0.2, 0.15
+# How much longer than drawing and writing took is waited before it is done again.
+SPARE, SPARE_WORDS = 1.0, 3.0
+
+log = logging.getLogger("helicoide")
+
+
+class Display:
+    """The windows of a workcell, and two tasks: one draws what has changed, the other writes it down.
+
+    view: what a window shows now; arrived: told when another arm stands there, before its windows are furnished for it.
+    """
+
+    def __init__(
+        self,
+        server: viser.ViserServer,
+        control: Control,
+        workcell: Workcell,
+        view: Callable[[Window], View],
+        arrived: Callable[[Display], None],
+    ) -> None:
+        self.control, self.workcell, self.view, self.arrived = control, workcell, view, arrived
+        self.audience = Audience(server)
+        self.windows: list[Window] = []
+        self.frames = 0
+        self.news = asyncio.Event()  # words may differ from what is written
+        self._moved = asyncio.Event()  # the scene may differ from what is drawn
+        self._putting_up = asyncio.Lock()
+        self._scene: Scene | None = None
+        self._drawn: tuple[Robot | None, object] = (None, None)
+        self._tasks = [asyncio.create_task(work) for work in (self._draw(), self._write())]
+
+    def close(self) -> None:
+        """Draw nothing more."""
+        for task in self._tasks:
+            task.cancel()
+
+    def tell(self) -> None:
+        """The state of the workcell may be another one."""
+        if self.windows and self._drawn[1] is not self.workcell.state:
+            self.redraw()
+
+    def redraw(self) -> None:
+        """What a window shows of its own has changed."""
+        self._moved.set()
+        self.news.set()
+
+    async def enter(self, window: Window) -> None:
+        """One more window, which sees at once what there is."""
+        async with self._putting_up:
+            await self._up_to_date()
+            self.audience.enter(window.client)
+            view = self.view(window)
+            window.stage(view, shapes.load(view.state.robot))
+            window.draw(view)
+            self.windows.append(window)
+        self.redraw()
+
+    def leave(self, window: Window) -> None:
+        """A window shows another workcell, or nothing any more."""
+        if window in self.windows:
+            self.windows.remove(window)
+            self.audience.leave(window.client, shown=not window.gone)
+
+    async def _draw(self) -> None:
+        """Draw a frame whenever something has moved; as long again others may come in."""
+        clock = asyncio.get_running_loop().time
+        while True:
+            await self._moved.wait()
+            self._moved.clear()
+            began = clock()
+            if self.windows:
+                try:
+                    async with self._putting_up:
+                        await self._up_to_date()
+                        await self._frame()
+                except Exception:
+                    log.exception("a frame could not be drawn")
+            took = clock() - began
+            await asyncio.sleep(max(FRAME - took, SPARE * took))
+
+    async def _frame(self) -> None:
+        """The scene of all, then what each window has for itself."""
+        state = self.workcell.state
+        self._drawn = self._drawn[0], state
+        self.frames += 1
+        assert self._scene is not None
+        with self.audience.atomic():
+            self._scene.update(View(state, NOBODY))
+        self.audience.flush()
+        for window in tuple(self.windows):
+            if self.workcell.state.robot is state.robot and window in self.windows:
+                window.draw(self.view(window))
+            await asyncio.sleep(0)
+
+    async def _up_to_date(self) -> None:
+        """Put up the arm that stands there now, when it is another one than is drawn."""
+        while (robot := self.workcell.state.robot) is not self._drawn[0]:
+            if self._scene is not None:
+                self.audience.scene.reset()
+                for window in self.windows:
+                    window.clear()
+                    window.client.flush()
+                await asyncio.sleep(CLEARED)
+                self.arrived(self)
+            drawn = await asyncio.to_thread(shapes.load, robot)
+            with self.audience.atomic():
+                self._scene = Scene(self.audience.scene, robot, drawn)
+                self._scene.update(View(self.workcell.state, NOBODY))
+            self._drawn = robot, None
+            for window in tuple(self.windows):
+                view = self.view(window)
+                window.stage(view, drawn)
+                await window.fill(view)
+
+    async def _write(self) -> None:
+        """Bring the words to what there is, window by window; then others have three times as long."""
+        clock = asyncio.get_running_loop().time
+        while True:
+            await self.news.wait()
+            self.news.clear()
+            began = clock()
+            for window in tuple(self.windows):
+                if window in self.windows:
+                    await self._written(window)
+            took = clock() - began
+            await asyncio.sleep(max(WORDS - took, SPARE_WORDS * took))
+
+    async def _written(self, window: Window) -> None:
+        try:
+            view = self.view(window)
+            if view.state.robot is self._drawn[0]:
+                said = status(view.state)
+                notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected)
+                self.control.push(window.link.key, notice)
+                await window.write(view)
+        except Exception:
+            log.exception("the words of a window could not be written")
+        await asyncio.sleep(0)

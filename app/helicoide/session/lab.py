@@ -1,0 +1,414 @@
+"""The lab: the server and its event loop, who is there, and in front of which workcell."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import secrets
+from collections.abc import Collection
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from time import monotonic
+
+from helicoide import content, gate, lesson
+from helicoide.jobs.apart import Apart
+from helicoide.kinematics.robot import Robot
+from helicoide.session.arms import Arms
+from helicoide.session.clock import Clock
+from helicoide.session.display import CLEARED, Display
+from helicoide.session.mapping import Mapping
+from helicoide.session.preparing import compiled, compiling, prepare
+from helicoide.session.replaying import along_fastest, through
+from helicoide.session.seats import Place, Seats
+from helicoide.session.studies import Studies
+from helicoide.session.surveying import Surveying
+from helicoide.session.workcell import FAILED, Workcell
+from helicoide.state import Grasp, Hold, Seat, SeatUpdate, State, commanded, initial
+from helicoide.text import Language, Text
+from helicoide.view import rows
+from helicoide.view.channel import PATH, Control, Hello, Line, Notice, introduce
+from helicoide.view.link import HelicoideFence, HelicoideMadeAt, heard_from
+from helicoide.view.rows import View, Wish
+from helicoide.view.scene import lit
+from helicoide.view.serve import serve
+from helicoide.view.window import Client, Window
+
+MOST_OWN = 64
+# s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
+# control that a person touched is put right, which is left alone as long as a hand may be on it
+ANSWER, LET_GO, JUDGED, PUT_RIGHT, TIDIED = 5.0, 0.5, 0.2, 0.8, 60.0
+FULL = Text(
+    en="There are {n} arms of somebody's own already: more do not fit into this program.",
+    pt_BR="Já há {n} braços próprios: não cabem mais neste programa.",
+)
+log = logging.getLogger("helicoide")
+
+
+@dataclass(eq=False)
+class Post:
+    """A workcell with what works for it, and what its windows show, None while it has none."""
+
+    workcell: Workcell
+    arms: Arms
+    survey: Surveying
+    mapping: Mapping
+    display: Display | None = None
+
+
+@dataclass(eq=False)
+class Visitor:
+    """A window, where its person sits, and in front of which workcell."""
+
+    window: Window
+    place: Place
+    post: Post
+    moving: asyncio.Task[None] | None = None
+
+
+class Lab:
+    """The server, the loop, the seats, the windows and the workcells. Its methods run on the server's event loop.
+
+    language: of new windows, None for what their browser asks for; lesson_name: the one that they begin with.
+    """
+
+    def __init__(self, robot: Robot, language: Language | None, lesson_name: str | None) -> None:
+        self.language = language
+        self.seats = Seats(lesson_name)
+        self.visitors: dict[int, Visitor] = {}
+        self.lines: dict[int, Line] = {}
+        self.control = Control(self._stopped, self._released)
+        self.ready = False
+        self.clock = Clock(lambda: self.workcells, self._changed)
+        self.searcher = ThreadPoolExecutor(1, "helicoide search")
+        self.studies = Studies(self._news)
+        self.shared = self._post(initial(robot))
+        self.posts = {self.shared.workcell: self.shared}
+        self.workcells: tuple[Workcell, ...] = (self.shared.workcell,)
+        self.said = compiling(0)
+        self._compilation = Apart(compiled)
+        self._signalled = False
+        self._judged = 0.0
+
+    def open(self, host: str, port: int, origins: Collection[str] = ()) -> int:
+        """Serve the page; returns the port. Raises HelicoideError when it cannot be had."""
+        self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins)
+        self.loop = self.server.get_event_loop()
+        self.loop.call_soon_threadsafe(self._begin)
+        return int(self.server.get_port())
+
+    def close(self) -> None:
+        """Stop the arms, the work and the server. From any other thread."""
+        self._compilation.stop()
+        self.studies.close()
+        for post in self.posts.values():
+            post.mapping.close()
+        if self.clock.is_alive():
+            self.clock.end()
+        self.searcher.shutdown(wait=False, cancel_futures=True)
+        self.loop.call_soon_threadsafe(self._starting.cancel)
+        self.server.stop()
+
+    def _post(self, state: State) -> Post:
+        workcell = Workcell(state, self.clock.wake, self.searcher)
+
+        def now() -> State:
+            return workcell.state
+
+        return Post(workcell, Arms(workcell), Surveying(now, workcell.tell), Mapping(now, workcell.tell))
+
+    def _begin(self) -> None:
+        lit(self.server)
+        heard_from(self.server, self._heard)
+        self.server.on_client_connect(self._enter)
+        self.server.on_client_disconnect(self._leave)
+        self._starting = self.loop.create_task(self._start())
+        self._tidy()
+
+    async def _start(self) -> None:
+        """Prepare while the page is up, then let the arms live."""
+        try:
+            await prepare(self.shared.workcell.state.robot, self._compilation, self._say)
+        except Exception:
+            log.exception("the kernels could not be prepared")
+            self._say(FAILED)
+            return
+        self.ready = True
+        self.clock.start()
+        self._news()
+
+    def _say(self, text: Text) -> None:
+        """Show a sentence in every window, also in those that open later, while the arms do not live yet."""
+        self.said = text
+        for visitor in self.visitors.values():
+            self._say_to(visitor)
+
+    def _say_to(self, visitor: Visitor) -> None:
+        self.control.push(visitor.window.link.key, Notice(visitor.place.seat.language, self.said, "warn"))
+
+    def _tidy(self) -> None:
+        self.seats.tidy(monotonic())
+        kept = {place.own for place in self.seats.places.values()} | {self.shared.workcell}
+        self.posts = {workcell: post for workcell, post in self.posts.items() if workcell in kept}
+        self.workcells = tuple(self.posts)
+        self.loop.call_later(TIDIED, self._tidy)
+
+    # What comes from the clock.
+
+    def _changed(self) -> None:
+        """A round of the clock is over; in its thread."""
+        if self.visitors and not self._signalled:
+            self._signalled = True
+            self.loop.call_soon_threadsafe(self._told)
+
+    def _told(self) -> None:
+        self._signalled = False
+        for post in self.posts.values():
+            if post.display is not None:
+                post.display.tell()
+        if monotonic() - self._judged > JUDGED:
+            self._judged = monotonic()
+            self._judge()
+
+    def _news(self) -> None:
+        """What windows show besides their arm may be something else."""
+        for post in self.posts.values():
+            if post.display is not None:
+                post.display.news.set()
+
+    # Who comes and goes.
+
+    async def _enter(self, client: Client) -> None:
+        """A window opens: with its old seat when its browser still has the token of one."""
+        key = secrets.token_urlsafe(9)
+        line = self.lines[client.client_id] = self.control.open(key)
+        introduce(client, key)
+        try:
+            hello = await asyncio.wait_for(line.hello, ANSWER)
+        except TimeoutError:
+            hello = Hello(None, None)
+        except asyncio.CancelledError:  # the client left again
+            if client.client_id in self.lines:
+                raise
+            return
+        place = self.seats.take(hello.seat, self.language or hello.language or "en")
+        line.tell(seat=place.seat.token)
+        await self._furnish(client, line, place)
+
+    async def _furnish(self, client: Client, line: Line, place: Place) -> None:
+        post = self._post_of(place)
+        window = Window(client, line.link, self._view(place, post), self.act)
+        visitor = self.visitors[client.client_id] = Visitor(window, place, post)
+        if not self.ready:
+            self._say_to(visitor)
+        await window.furnish(window.view)
+        await self._attach(visitor, visitor.post)
+
+    async def _attach(self, visitor: Visitor, post: Post) -> None:
+        """Put a window in front of a workcell."""
+        visitor.post, robot = post, post.workcell.state.robot
+        seat = visitor.place.seat
+        if seat.lesson and lesson.load(seat.lesson).robot != robot.name:
+            visitor.place.seat = _seated_at(robot, seat)
+        post.workcell.pause(False)
+        if post.display is None:
+            post.display = Display(self.server, self.control, post.workcell, self.view, self._arrived)
+        if self._is_here(visitor):
+            await post.display.enter(visitor.window)
+        if not self._is_here(visitor):
+            self._detach(visitor)
+
+    def _detach(self, visitor: Visitor) -> None:
+        """Take a window away from its workcell; what it held is let go where it is."""
+        post = visitor.post
+        if post.display is not None:
+            post.display.leave(visitor.window)
+            if not post.display.windows:
+                post.display.close()
+                post.display = None
+        self._let_go(visitor)
+
+    def _is_here(self, visitor: Visitor) -> bool:
+        return self.visitors.get(visitor.window.client.client_id) is visitor
+
+    async def _leave(self, client: Client) -> None:
+        """A window closes."""
+        line = self.lines.pop(client.client_id, None)
+        if line is not None:
+            self.control.close(line.link.key)
+        visitor = self.visitors.pop(client.client_id, None)
+        if visitor is not None:
+            visitor.window.gone = True
+            self.seats.leave(visitor.place)
+            self._detach(visitor)
+            if visitor.place.windows == 0:
+                self.studies.forget(visitor.place)
+
+    def _post_of(self, place: Place) -> Post:
+        return self.shared if place.own is None or not place.at_own else self.posts[place.own]
+
+    def view(self, window: Window) -> View:
+        """What a window shows."""
+        visitor = self.visitors[window.client.client_id]
+        return self._view(visitor.place, visitor.post)
+
+    def _view(self, place: Place, post: Post) -> View:
+        return View(post.workcell.state, place.seat, place.desk, self.ready, post is not self.shared)
+
+    # What windows say.
+
+    def _heard(self, client_id: int, message: HelicoideFence | HelicoideMadeAt) -> None:
+        line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
+        if line is not None and line.link.hear(message) and visitor is not None:
+            visitor.window.restore()
+            self._write(visitor)
+
+    def _write(self, visitor: Visitor) -> None:
+        if visitor.post.display is not None:
+            visitor.post.display.news.set()
+
+    def act(self, window: Window, wish: Wish) -> None:
+        """Do what a person wishes, if it counts; what their page shows of it is put right in any case."""
+        visitor = self.visitors.get(window.client.client_id)
+        if visitor is None:
+            return
+        self._write(visitor)
+        self.loop.call_later(PUT_RIGHT, self._rewrite, visitor)
+        if isinstance(wish, rows.Stop):
+            self._stopped(window.link.key)
+        elif window.link.drives:
+            self._act(visitor, wish)
+
+    def _rewrite(self, visitor: Visitor) -> None:
+        visitor.window.written = None
+        self._write(visitor)
+
+    def _act(self, visitor: Visitor, wish: Wish) -> None:
+        post, place = visitor.post, visitor.place
+        match wish:
+            case rows.ForArm(update):
+                post.workcell.ask(update)
+            case rows.ForSeat(update):
+                self.reseat(visitor, update)
+            case rows.ForLab(robot):
+                post.arms.change(robot)
+            case rows.ForDesk(update):
+                self.studies.redesk(place, update)
+            case rows.Play(motion):
+                post.arms.play(motion)
+            case rows.Tour(real):
+                post.survey.tour(real)
+            case rows.ReadCloud(name, content, plane):
+                post.survey.read(name, content, plane)
+            case rows.CountMap():
+                post.mapping.begin()
+            case rows.PlayTaught():
+                post.arms.work_out(through)
+            case rows.PlayFastest():
+                post.arms.work_out(along_fastest)
+            case rows.OwnArm(on):
+                self._move(visitor, on)
+            case rows.Save(name, content):
+                visitor.window.client.send_file_download(name, content)
+
+    def _stopped(self, key: str | None) -> None:
+        """Stop the workcell of that window, else the shared one, and every one that a real arm follows.
+
+        Of the windows in front of them nothing counts that was made before their pages know of it.
+        """
+        mine = next((one.post for one in self.visitors.values() if one.window.link.key == key), self.shared)
+        stopped = {post.workcell for post in self.posts.values() if post is mine or post.workcell.connected}
+        for workcell in stopped:
+            workcell.stop()
+        for number, line in self.lines.items():
+            visitor = self.visitors.get(number)
+            if visitor is None or visitor.post.workcell in stopped:
+                self.control.fence(line.link.key)
+
+    def _released(self, key: str) -> None:
+        """A pointer was let go: what it held ends soon, also when the drag's own end gets lost on its way."""
+        for visitor in self.visitors.values():
+            if visitor.window.link.key == key:
+                self.loop.call_later(LET_GO, self._let_go, visitor, visitor.post.workcell.state.grasp)
+
+    def _let_go(self, visitor: Visitor, grasp: Grasp | None = None) -> None:
+        """End what a window holds; only that grasp, where one is given."""
+        workcell = visitor.post.workcell
+        held = workcell.state.grasp
+        if held is not None and held.seat == str(visitor.window.client.client_id) and grasp in (None, held):
+            workcell.tell(gate.let_go(held))
+
+    def _move(self, visitor: Visitor, own: bool) -> None:
+        """A person goes to their own arm, which begins as a copy of the shared one, or back."""
+        place = visitor.place
+        if own and place.own is None:
+            if len(self.posts) > MOST_OWN:
+                title, said = Text(en="No arm left", pt_BR="Nenhum braço livre"), FULL.format(n=MOST_OWN)
+                language = place.seat.language
+                visitor.window.client.add_notification(title[language], said[language], auto_close_seconds=10.0)
+                return
+            post = self._post(replace(commanded(self.shared.workcell.state, Hold()), grasp=None, goal=None))
+            place.own = post.workcell
+            self.posts = {**self.posts, post.workcell: post}
+            self.workcells = tuple(self.posts)
+        place.at_own = own
+        post = self._post_of(place)
+        if post is not visitor.post and (visitor.moving is None or visitor.moving.done()):
+            visitor.moving = self.loop.create_task(self._moved(visitor, post))
+
+    async def _moved(self, visitor: Visitor, post: Post) -> None:
+        self._detach(visitor)
+        robot, visitor.post = visitor.post.workcell.state.robot, post
+        visitor.window.clear()
+        visitor.window.client.flush()
+        await asyncio.sleep(CLEARED)
+        if post.workcell.state.robot is not robot:
+            await visitor.window.fill(self._view(visitor.place, post))
+        await self._attach(visitor, post)
+
+    # Seats and lessons.
+
+    def reseat(self, visitor: Visitor, update: SeatUpdate) -> None:
+        """A person changed something about their own window; a lesson brings its robot with it."""
+        place, post = visitor.place, visitor.post
+        before, seat = place.seat, update(place.seat)
+        place.seat = seat
+        if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
+            chosen = lesson.load(seat.lesson)
+            if chosen.robot != post.workcell.state.robot.name:
+                post.arms.change(chosen.robot)
+            else:
+                post.workcell.ask(chosen.steps[seat.step].setup)
+        self._news()
+        if post.display is not None:
+            post.display.redraw()
+
+    def _arrived(self, display: Display) -> None:
+        """Another arm stands in a workcell: lessons about it begin, others are left."""
+        robot = display.workcell.state.robot
+        for visitor in self.visitors.values():
+            if visitor.post.display is display:
+                seat = visitor.place.seat = _seated_at(robot, visitor.place.seat)
+                if seat.lesson:
+                    display.workcell.ask(lesson.load(seat.lesson).steps[seat.step].setup)
+
+    def _judge(self) -> None:
+        """See whether the goals of lessons are met, each on the arm that it is about."""
+        for visitor in self.visitors.values():
+            seat, state = visitor.place.seat, visitor.post.workcell.state
+            if seat.lesson is None:
+                continue
+            try:
+                judged = lesson.progressed(lesson.load(seat.lesson), state, seat)
+            except Exception:
+                log.exception("the goal of lesson %s failed", seat.lesson)
+                judged = lesson.entered(seat, None)
+            if judged is not seat:
+                visitor.place.seat = judged
+                self._write(visitor)
+
+
+def _seated_at(robot: Robot, seat: Seat) -> Seat:
+    """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
+    stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
+    seat = replace(seat, done=frozenset()) if stays else lesson.entered(seat, None)
+    return replace(seat, selected=None, picked=None)

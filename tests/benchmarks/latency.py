@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 import numpy as np
-from tests.benchmarks.page import Page, Point, opened, single
+from tests.pages import Page, Point, opened, single
 from tests.benchmarks.report import p50, spread, verdict
 from tests.benchmarks.served import served
 

@@ -10,7 +10,7 @@ from http import HTTPStatus
 from itertools import zip_longest
 from time import perf_counter, sleep
 
-from tests.benchmarks.page import opened
+from tests.pages import opened
 from tests.benchmarks.report import p50, verdict
 from tests.benchmarks.served import served
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import gc
 import logging
 import secrets
 from collections.abc import Collection
@@ -34,6 +35,7 @@ from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window
 
 MOST_OWN = 64
+UNTIDY = 10  # times that garbage stays where it is while an arm moves
 # s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
 # control that a person touched is put right, which is left alone as long as a hand may be on it
 ANSWER, LET_GO, JUDGED, PUT_RIGHT, TIDIED = 5.0, 0.5, 0.2, 0.8, 60.0
@@ -88,6 +90,7 @@ class Lab:
         self._compilation = Apart(compiled)
         self._signalled = False
         self._judged = 0.0
+        self._untidy = 0
 
     def open(self, host: str, port: int, origins: Collection[str] = ()) -> int:
         """Serve the page; returns the port. Raises HelicoideError when it cannot be had."""
@@ -150,6 +153,10 @@ class Lab:
         kept = {place.own for place in self.seats.places.values()} | {self.shared.workcell}
         self.posts = {workcell: post for workcell, post in self.posts.items() if workcell in kept}
         self.workcells = tuple(self.posts)
+        self._untidy = 0 if self.clock.rests else self._untidy + 1
+        if self._untidy in (0, UNTIDY):
+            self._untidy = 0
+            gc.collect()
         self.loop.call_later(TIDIED, self._tidy)
 
     # What comes from the clock.

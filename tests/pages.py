@@ -1,0 +1,229 @@
+"""What a browser page says to the server and hears from it, without a browser: viser 1.1.1's messages by hand."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import struct
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
+from contextlib import asynccontextmanager, suppress
+from threading import Thread
+from time import perf_counter
+from typing import Any, TypeVar
+
+import msgspec
+import numpy as np
+import viser
+import zstandard
+from numpy.typing import ArrayLike
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed
+from websockets.typing import Origin, Subprotocol
+
+from helicoide.view.channel import PATH
+
+WINDOW = re.compile(r'helicoideWindow = "([^"]+)"')
+CAMERA = {
+    "type": "ViewerCameraMessage",
+    "wxyz": (1.0, 0.0, 0.0, 0.0),
+    "position": (1.3, -0.95, 0.8),
+    "fov": 1.2,
+    "near": 0.01,
+    "far": 1000.0,
+    "image_height": 800,
+    "image_width": 1280,
+    "look_at": (0.42, 0.0, 0.27),
+    "up_direction": (0.0, 0.0, 1.0),
+}
+SMALL = 64
+PATIENCE = 120.0
+
+Point = tuple[float, ...]
+Message = dict[str, Any]
+Result = TypeVar("Result")
+
+
+def single(position: ArrayLike) -> Point:
+    """A point as it is after a journey in single precision, so that the sent and the shown one are the same."""
+    return tuple(np.asarray(position, np.float32).tolist())
+
+
+def _messages(frame: bytes) -> Iterator[tuple[Message, list[bytes]]]:
+    """The messages of one websocket frame, and the arrays that follow them."""
+    size, packed = struct.unpack_from("<QQ", frame)
+    head = msgspec.msgpack.decode(
+        zstandard.ZstdDecompressor().decompress(frame[16 : 16 + packed], max_output_size=size)
+    )
+    arrays, place = [], 16 + packed
+    for length in head["binaryBufferLengths"]:
+        place += -place % 8
+        arrays.append(frame[place : place + length])
+        place += length
+    for message in head["messages"]:
+        yield message, arrays
+
+
+def _points(message: Message, arrays: list[bytes]) -> Iterator[Point]:
+    """The points that a change of the scene carries: the position of a node, or a few vertices."""
+    if message["type"] == "SetPositionMessage":
+        yield single(message["position"])
+    if message["type"] == "SceneNodeUpdateMessage":
+        for value in message["updates"].values():
+            if isinstance(value, dict) and value.get("dtype") == "<f4":
+                vertices = np.frombuffer(arrays[value["__binary_index"]], "<f4")
+                if len(vertices) <= SMALL:
+                    yield from map(single, vertices.reshape(-1, 3))
+
+
+class Page:
+    """One connected page: what viser's client and our script do, and a hand that sends anything.
+
+    shown: called with the time and each point that a scene message carries; heard: with each message of viser; made:
+    the controls by their label; frames: how many times the scene has changed; notice: what the status line says.
+    """
+
+    def __init__(self, socket: ClientConnection, port: int) -> None:
+        self.socket, self.port = socket, port
+        loop = asyncio.get_running_loop()
+        self.owner: asyncio.Future[str] = loop.create_future()
+        self.window: asyncio.Future[str] = loop.create_future()
+        self.control: asyncio.Future[ClientConnection] = loop.create_future()
+        self.may_drive = asyncio.Event()
+        self.stop_heard = asyncio.Event()
+        self.passes = True
+        self.seat: str | None = None
+        self.notice: Message = {}
+        self.made: dict[str, Message] = {}
+        self.frames = 0
+        self.offset = float("-inf")
+        self.shown: Callable[[float, Point], None] = lambda when, point: None
+        self.heard: Callable[[Message], None] = lambda message: None
+
+    async def send(self, message: Message) -> None:
+        """Send a message as it is, as no page of ours would."""
+        await self.socket.send(msgspec.msgpack.encode(message))
+
+    async def say(self, kind: str, **fields: object) -> None:
+        """Send what a hand has made, with the time when it was made."""
+        await self.send({"type": "HelicoideMadeAt", "at": 1000 * perf_counter() + self.offset})
+        await self.send({"type": kind, **fields})
+
+    async def gizmo(self, event: str, name: str = "/target", **pose: object) -> None:
+        """An event of a gizmo: Update, DragStart or DragEnd."""
+        await self.say(f"TransformControls{event}Message", name=name, owner=await self.owner, **pose)
+
+    async def give(self, label: str, value: object) -> None:
+        """Set the value of a control, as its slider, box or button would; it may still be on its way."""
+        while label not in self.made:
+            await asyncio.sleep(0.01)
+        await self.say("GuiUpdateMessage", uuid=self.made[label]["uuid"], updates={"value": value})
+
+    async def stop(self) -> float:
+        """Press Stop; returns how long it took until it was heard, s."""
+        began = perf_counter()
+        self.stop_heard.clear()
+        await self.tell(stop=True)
+        await self.stop_heard.wait()
+        return perf_counter() - began
+
+    async def tell(self, **message: object) -> None:
+        """Say something on the page's own channel."""
+        await (await self.control).send(json.dumps(message))
+
+    async def listen(self) -> None:
+        with suppress(ConnectionClosed):  # viser drops whoever sends junk
+            async for frame in self.socket:
+                when = perf_counter()
+                assert isinstance(frame, bytes)
+                for message, arrays in _messages(frame):
+                    self.heard(message)
+                    for point in _points(message, arrays):
+                        self.shown(when, point)
+                    await self._answer(message)
+                self.frames += 1
+
+    async def _answer(self, message: Message) -> None:
+        match message["type"]:
+            case "TransformControlsMessage" if not self.owner.done():
+                self.owner.set_result(message["owner"])
+            case "RunJavascriptMessage" if found := WINDOW.search(message["source"]):
+                self.window.set_result(found[1])
+            case kind if kind.startswith("Gui") and "label" in message.get("props", {}):
+                self.made[message["props"]["label"]] = message
+
+    async def drive(self, languages: tuple[str, ...] = ()) -> None:
+        """Keep the page's own channel, as our script does."""
+        key = await self.window
+        address = f"ws://127.0.0.1:{self.port}{PATH}"
+        async with connect(address, origin=_origin(self.port)) as control:
+            self.control.set_result(control)
+            await self.tell(beat=True)
+            await self.tell(window=key, seat=self.seat, languages=languages)
+            async for raw in control:
+                await self._hear(json.loads(raw))
+
+    async def _hear(self, message: Message) -> None:
+        if "at" in message:
+            self.offset = max(self.offset, message["at"] - 1000 * perf_counter())
+        if message.get("heard") == "stop":
+            self.stop_heard.set()
+        if "fence" in message and self.passes:
+            await self.send({"type": "HelicoideFence", "number": message["fence"]})
+            self.may_drive.set()
+        self.seat = message.get("seat", self.seat)
+        if "tone" in message:
+            self.notice = message
+
+    async def ready(self) -> None:
+        """Wait until the status line says that all is well: every kernel is there, and the arm runs."""
+        async with asyncio.timeout(PATIENCE):
+            while self.notice.get("tone") != "ok":
+                await asyncio.sleep(0.01)
+
+
+def _origin(port: int) -> Origin:
+    return Origin(f"http://127.0.0.1:{port}")
+
+
+@asynccontextmanager
+async def opened(port: int, seat: str | None = None, languages: tuple[str, ...] = ()) -> AsyncIterator[Page]:
+    """A page on a port, listening while it is open."""
+    async with connect(
+        f"ws://127.0.0.1:{port}/",
+        origin=_origin(port),
+        subprotocols=[Subprotocol(f"viser-v{viser.__version__}")],
+        compression=None,
+        max_size=None,
+    ) as socket:
+        page = Page(socket, port)
+        page.seat = seat
+        await page.send(CAMERA)
+        tasks = [asyncio.create_task(work) for work in (page.listen(), page.drive(languages))]
+        try:
+            yield page
+        finally:
+            for task in tasks:
+                task.cancel()
+
+
+class Hand:
+    """A page whose calls wait until they are done, for tests that are no coroutines."""
+
+    def __init__(self, port: int, **options: Any) -> None:
+        self._loop = asyncio.new_event_loop()
+        self._thread = Thread(target=self._loop.run_forever, daemon=True)
+        self._thread.start()
+        self._open = opened(port, **options)
+        self.page = self.do(self._open.__aenter__())
+
+    def do(self, work: Coroutine[Any, Any, Result]) -> Result:
+        """Let the page do something, and wait for it."""
+        return asyncio.run_coroutine_threadsafe(work, self._loop).result(PATIENCE)
+
+    def close(self) -> None:
+        """Close the page."""
+        self.do(self._open.__aexit__(None, None, None))
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join()
+        self._loop.close()

@@ -205,6 +205,7 @@ async def opened(port: int, seat: str | None = None, languages: tuple[str, ...] 
         finally:
             for task in tasks:
                 task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
 
 
 class Hand:

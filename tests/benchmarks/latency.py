@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 import numpy as np
-from tests.pages import Page, Point, opened, single
 from tests.benchmarks.report import p50, spread, verdict
 from tests.benchmarks.served import served
+from tests.pages import Page, Point, opened, single
 
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array

@@ -10,9 +10,9 @@ from http import HTTPStatus
 from itertools import zip_longest
 from time import perf_counter, sleep
 
-from tests.pages import opened
 from tests.benchmarks.report import p50, verdict
 from tests.benchmarks.served import served
+from tests.pages import opened
 
 TITLE = "From the command to the page, with and without the kernel cache"
 RUNS = 3

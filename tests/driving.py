@@ -1,4 +1,4 @@
-"""Driving the arm as people do: random wishes through the gate, time through `advance`, every promise watched."""
+"""Driving the arm as people do: random wishes through the gate, time through `lived`, every promise watched."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from helicoide import gate
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.ik.guard.collision import clearances
@@ -27,7 +27,7 @@ ON_THE_WAY = 2e-3  # parking begins up to 1e-3 rad beside `ready`
 def after(state: State, seconds: float, dt: float = 0.01) -> State:
     """The state after some seconds in which nobody wishes anything."""
     for _ in range(round(seconds / dt)):
-        state = advance(state, dt)
+        state = lived(state, dt)
     return state
 
 
@@ -190,7 +190,7 @@ def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
         state = wish(rng, state)(state)
         dt = float(np.exp(rng.uniform(np.log(0.001), np.log(0.05))))
         for _ in range(int(rng.integers(1, rng.choice([5, 50, 300])))):
-            new = advance(state, dt)
+            new = lived(state, dt)
             watch(worst, state, new, dt)
             state = new
     return worst

@@ -23,7 +23,8 @@ kinematics
 confinement · trajectory
 ik
 state
-advance · readout · gate · lesson · recorder
+advance
+foresight · readout · gate · lesson · recorder
 console · perception · studies
 hardware · store · export · jobs
 classroom
@@ -39,7 +40,7 @@ OUTSIDE = {"viser": {"view"}, "serial": {"hardware"}}
 BUILDS = {"solids"}
 LESSONS = {
     "geometry", "kinematics", "confinement", "trajectory", "ik", "state",
-    "advance", "readout", "gate", "lesson", "recorder", "console", "perception", "studies", "text",
+    "advance", "foresight", "readout", "gate", "lesson", "recorder", "console", "perception", "studies", "text",
 }  # fmt: skip
 
 LEVEL = {room: level for level, row in enumerate(ROWS.split("\n")) for room in row.split(" · ") if room}

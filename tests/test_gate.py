@@ -10,7 +10,7 @@ import pytest
 from tests.driving import after, at, beside, turning_z_to
 
 from helicoide import gate
-from helicoide.advance import advance
+from helicoide.foresight import lived, search, wants_search
 from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
 from helicoide.state import GetReady, Hold, Park, State, ToPose, Update, initial
@@ -102,8 +102,20 @@ def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
     """Beyond the reach the handle is put on the accepted goal."""
     held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
-    assert isinstance(released.command, ToPose)
-    np.testing.assert_allclose(released.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
+    assert wants_search(released)
+    settled = search(released)(released)
+    assert isinstance(settled.command, ToPose)
+    np.testing.assert_allclose(settled.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
+    assert not wants_search(settled)
+
+
+def test_what_a_search_finds_is_nothing_after_something_else_was_asked(state: State) -> None:
+    held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
+    released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
+    found = search(released)
+    for meanwhile in (gate.stop(), gate.set_target([0.5, 0, 0.3], UP), gate.hold_orientation(False)):
+        other = meanwhile(released)
+        assert found(other) is other
 
 
 WISHES: dict[str, Callable[[State], State]] = {
@@ -123,7 +135,7 @@ def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
     stopped = gate.stop()(moving)
     later = stopped
     for _ in range(200):
-        later = advance(later, 0.01)
+        later = lived(later, 0.01)
         assert later.q is stopped.q
         assert not later.speeds.any()
     assert later.command == Hold(stopped=True)
@@ -139,27 +151,7 @@ def test_what_is_left_of_a_drag_does_nothing_after_a_stop(state: State, phase: g
     assert gate.drag_plane("seat", phase, 0, [0.5, 0, 0.6], [0, 1, 0, 0])(stopped) is stopped
 
 
-SLIDERS: dict[str, Update] = {
-    "joint": gate.set_joint(1, 0.1),
-    "path": gate.scrub(0.4),
-    "gripper": gate.set_gripper(0.7),
-}
-
-
-@pytest.mark.parametrize("slider", SLIDERS)
-def test_a_slider_is_deaf_until_the_hand_has_let_go(state: State, slider: str) -> None:
-    """Half a second without a wish; each wish before that begins the half second anew."""
-    wish = SLIDERS[slider]
-    state = gate.stop()(state)
-    for _ in range(5):
-        state = wish(after(state, 0.4))
-        assert state.command == Hold(stopped=True)
-        assert state.gripper_target == state.gripper
-    assert wish(after(state, 0.49)).command == Hold(stopped=True)
-    assert wish(after(state, 0.51)).command != Hold(stopped=True)
-
-
-@pytest.mark.parametrize("wish", sorted(WISHES.keys() - SLIDERS.keys()))
+@pytest.mark.parametrize("wish", sorted(WISHES))
 def test_a_new_press_works_at_once_after_a_stop(state: State, wish: str) -> None:
     stopped = gate.stop()(after(gate.go_to("zero")(state), 0.3))
     again = after(WISHES[wish](stopped), 0.1)
@@ -178,12 +170,12 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
     clear_before = []
     while not state.parked:
         clear_before.append(plane_distances(state).min())
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
     assert min(clear_before) >= 0.080 - 1e-9
     assert np.abs(state.q - robot.poses["ready"]).max() < 0.02
     nearest = []
     while isinstance(state.command, Park):
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         nearest.append(plane_distances(state).min())
         assert beside(robot, state.q) < 1e-3
         assert (np.abs(state.speeds) <= robot.speed + 1e-9).all()
@@ -205,7 +197,7 @@ def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
     assert plane_distances(down).min() == pytest.approx(0.080, abs=1e-9)
     state = gate.get_ready()(after(gate.park()(down), 0.3))
     for _ in range(200):
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         assert state.parked or plane_distances(state).min() >= 0.080 - 1e-9
     assert not state.parked
 

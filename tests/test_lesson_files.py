@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from helicoide import content, lesson
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.kinematics.library import load
 from helicoide.lesson import Lesson, Step
 from helicoide.state import Seat, initial
@@ -106,6 +106,6 @@ def test_a_met_goal_stays_done_and_only_its_own() -> None:
     tour = Lesson("tour", same("Tour"), "movemaster", (step, step), {})
     start = initial(load("movemaster"))
     assert lesson.progressed(tour, start, seat) is seat
-    done = lesson.progressed(tour, advance(start, 0.01), seat)
+    done = lesson.progressed(tour, lived(start, 0.01), seat)
     assert done.done == {"a"}
     assert lesson.progressed(tour, start, done) is done

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from helicoide import content, gate, lesson
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import load as load_robot
 from helicoide.kinematics.robot import Robot
@@ -28,7 +28,7 @@ BOLD = re.compile(r"\*\*(.+?)\*\*")
 
 def played(state: State, seconds: float) -> State:
     for _ in range(round(seconds / TICK)):
-        state = advance(state, TICK)
+        state = lived(state, TICK)
     return state
 
 
@@ -224,7 +224,7 @@ def test_passing_by_the_angle_does_not_count(seat: Seat) -> None:
     step = step_of("drive_the_arm", "joint")
     state = gate.set_joint(2, np.radians(-120.0))(initial(robot()))
     for _ in range(200):
-        state = advance(state, TICK)
+        state = lived(state, TICK)
         assert not step.goal(state, seat)
 
 

@@ -9,7 +9,7 @@ import pytest
 from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
 
 from helicoide import gate
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.ik import Limits
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import link_poses
@@ -56,7 +56,7 @@ def test_time_and_only_time_goes_on_at_rest(state: State) -> None:
 def test_the_old_state_is_left_as_it_was(state: State) -> None:
     asked = gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state)
     before = asked.q.copy()
-    assert advance(asked, 0.01).q is not asked.q
+    assert lived(asked, 0.01).q is not asked.q
     np.testing.assert_array_equal(asked.q, before)
 
 
@@ -79,7 +79,7 @@ def test_a_joint_outside_its_limits_comes_back_in_and_never_goes_further(robot: 
     state = gate.set_target(state.T_world_tool[:3, 3] - [0.2, 0, 0], [1, 0, 0, 0])(state)
     outside = beyond(state, state.q)
     for _ in range(500):
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         assert (beyond(state, state.q) <= outside + 1e-12).all()
         outside = beyond(state, state.q)
 
@@ -97,7 +97,7 @@ def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
     assert state.command.arrived
     apart = []
     for _ in range(150):
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         apart.append(np.linalg.norm(state.T_world_tool[:3, 3] - state.command.path.point(state.command.s)))
     assert max(apart) < 2e-4
     assert state.path_s == state.command.s

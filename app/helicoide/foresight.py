@@ -46,8 +46,8 @@ def wants_search(state: State) -> bool:
     if state.searched or state.parked or state.drive.method != GUARDED:
         return False
     if isinstance(command, ToPose):
-        return command.settles or state.rested > SETTLED
-    return isinstance(command, Along) and not (command.playing and command.arrived) and state.rested > SETTLED
+        return command.settles or state.rested >= SETTLED
+    return isinstance(command, Along) and not (command.playing and command.arrived) and state.rested >= SETTLED
 
 
 def search(state: State) -> Update:

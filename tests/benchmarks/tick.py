@@ -12,7 +12,8 @@ import numpy as np
 from tests.benchmarks.report import p50, spread, verdict
 
 from helicoide import kernels
-from helicoide.advance import advance, foreseen
+from helicoide.advance import advance
+from helicoide.foresight import foreseen
 from helicoide.ik.guard import guarded
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load

@@ -9,8 +9,8 @@ import pytest
 from tests.driving import after, apart
 
 from helicoide import content, gate
-from helicoide.advance import foreseen
 from helicoide.confinement import Obstacles
+from helicoide.foresight import foreseen
 from helicoide.ik import ObstacleContact
 from helicoide.kinematics.library import load
 from helicoide.readout import held_by, holding, status

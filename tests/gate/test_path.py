@@ -12,7 +12,7 @@ import pytest
 from tests.driving import after
 
 from helicoide import gate
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.kinematics.library import load, titles
 from helicoide.readout import plane_distances
 from helicoide.session.replaying import along_fastest
@@ -39,7 +39,7 @@ def test_every_arm_follows_the_paths_from_its_ready_posture(name: str, key: str)
     state = gate.play()(gate.hold_orientation(False)(gate.set_duration(10.0)(state)))
     worst = 0.0
     for _ in range(1000):
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         assert isinstance(state.command, Along)
         if state.command.arrived:
             wished = state.command.path.pose(state.command.s)[:3, 3]
@@ -115,7 +115,7 @@ def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(
     curve = np.array([gate.presets(state.robot)["eq33"].path.pose(s)[:3, 3] for s in np.linspace(0, 30, 3001)])
     beside = 0.0
     for _ in range(6000):
-        played = advance(played, 0.01)
+        played = lived(played, 0.01)
         assert plane_distances(played).min() >= 0.080 - 1e-9
         if not isinstance(played.command, Replay):
             break

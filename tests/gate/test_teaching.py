@@ -9,7 +9,7 @@ import pytest
 from tests.driving import after, turning_z_to
 
 from helicoide import gate
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
@@ -41,7 +41,7 @@ def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> N
         command = state.command
         if not isinstance(command, Replay):
             break
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         if command.arrived and isinstance(state.command, Replay):
             wished = tool_at(state.robot, path.q(state.command.s))[:3, 3]
             worst = max(worst, float(np.linalg.norm(state.T_world_tool[:3, 3] - wished)))
@@ -61,7 +61,7 @@ def test_a_plane_in_the_way_slows_the_replay_and_is_never_crossed(state: State) 
     state = gate.drag_plane("one", "start", 0, ceiling, _facing(state))(state)
     state = gate.drag_plane("one", "end", 0, ceiling, _facing(state))(state)
     for _ in range(1500):
-        state = advance(state, 0.01)
+        state = lived(state, 0.01)
         assert plane_distances(state).min() >= 0.080 - 1e-9
     assert not isinstance(state.command, Replay), "it ends, beside its path if need be"
 
@@ -150,6 +150,6 @@ def test_a_motion_beyond_the_limits_lags_and_keeps_them(state: State) -> None:
     far[2] = -3.0
     played = gate.replay_motion([0.0, 4.0], [ready, far], same("run"))(state)
     for _ in range(900):
-        played = advance(played, 0.01)
+        played = lived(played, 0.01)
         assert (played.q >= played.problem.limits.lower - 1e-9).all()
     assert not isinstance(played.command, Replay)

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections import deque
 from collections.abc import Callable
-from contextlib import nullcontext
-from types import SimpleNamespace
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -15,98 +13,100 @@ import pytest
 
 from helicoide import gate
 from helicoide.kinematics.robot import Robot
-from helicoide.session import Session, changing
-from helicoide.session.changing import Changing
+from helicoide.session import arms
+from helicoide.session.arms import Arms
 from helicoide.session.replaying import along_fastest
+from helicoide.session.workcell import Workcell
 from helicoide.state import Hold, Replay, State, Update, initial
 from helicoide.studies.study import Motion
 
-Meanwhile = Update | None
+Meanwhile = Callable[[Workcell], object] | None
 
 
-def worked_out(robot: Robot, meanwhile: Meanwhile) -> State:
+@pytest.fixture
+def workcell(robot: Robot) -> Workcell:
+    return Workcell(initial(robot), lambda: None, ThreadPoolExecutor(1))
+
+
+def stop_in_time(workcell: Workcell) -> None:
+    workcell.stop()
+    workcell.drain()
+
+
+def stop_before_it_is_done(workcell: Workcell) -> None:
+    workcell.stop()
+
+
+def worked_out(workcell: Workcell, meanwhile: Meanwhile) -> State:
     """What became of a motion that took its time to be worked out."""
-    session, answer = Session(robot, "en", None), threading.Event()
+    answer = threading.Event()
 
     def slowly(state: State) -> Update:
         assert answer.wait(60)
         return along_fastest(gate.choose_path("circle")(state))
 
     async def run() -> None:
-        work = asyncio.create_task(session._work_out(slowly))
+        working = Arms(workcell)
+        working.work_out(slowly)
         await asyncio.sleep(0.02)
         if meanwhile is not None:
-            session.state = meanwhile(session.state)
+            meanwhile(workcell)
         answer.set()
-        await work
-        session._apply()
+        await asyncio.gather(*working._tasks)
+        workcell.drain()
 
     asyncio.run(run())
-    return session.state
+    return workcell.state
 
 
-def test_a_motion_begins_when_it_is_worked_out(robot: Robot) -> None:
-    assert isinstance(worked_out(robot, None).command, Replay)
+def test_a_motion_begins_when_it_is_worked_out(workcell: Workcell) -> None:
+    assert isinstance(worked_out(workcell, None).command, Replay)
 
 
-def test_a_stop_ends_a_motion_that_is_worked_out(robot: Robot) -> None:
-    assert worked_out(robot, gate.stop()).command == Hold(stopped=True)
-
-
-class _Lab(SimpleNamespace):
-    """What `Changing` needs of a session, without a server."""
-
-    def __init__(self, robot: Robot) -> None:
-        server = SimpleNamespace(atomic=nullcontext, flush=lambda: None)
-        scene = SimpleNamespace(clear=lambda server: None)
-        super().__init__(robot=robot, shapes=[], state=initial(robot), seats={}, windows={}, server=server, scene=scene)
-        self.inbox: deque[Update] = deque()
-
-    def post(self, update: Update) -> None:
-        self.state = update(self.state)
-
-    def draw(self) -> None:
-        pass
+@pytest.mark.parametrize("meanwhile", [stop_in_time, stop_before_it_is_done])
+def test_a_stop_ends_a_motion_that_is_worked_out(workcell: Workcell, meanwhile: Meanwhile) -> None:
+    assert worked_out(workcell, meanwhile).command == Hold(stopped=True)
 
 
 @pytest.fixture
-def play_on_another_arm(monkeypatch: pytest.MonkeyPatch, robot: Robot) -> Callable[[Meanwhile], Any]:
+def play_on_another_arm(monkeypatch: pytest.MonkeyPatch, workcell: Workcell) -> Callable[[Meanwhile], State]:
     """Play a motion of the PUMA while another arm stands there; what happens while the PUMA is fetched."""
-    fetched, load = threading.Event(), changing.load
+    fetched, load = threading.Event(), arms.load
 
     def slowly(*arguments: Any) -> Robot:
         assert fetched.wait(60)
         return load(*arguments)
 
-    monkeypatch.setattr(changing, "load", slowly)
-    monkeypatch.setattr(changing, "Scene", lambda *arguments: SimpleNamespace(clear=lambda server: None))
+    monkeypatch.setattr(arms, "load", slowly)
     motion = Motion("puma560", np.array([0.0, 1.0]), np.zeros((2, 6)))
 
-    def play(meanwhile: Meanwhile) -> Any:
-        lab = _Lab(robot)
-
+    def play(meanwhile: Meanwhile) -> State:
         async def run() -> None:
-            bringing = Changing(lab)  # type: ignore[arg-type]
+            bringing = Arms(workcell)
             bringing.play(motion)
             await asyncio.sleep(0.02)
             if meanwhile is not None:
-                lab.post(meanwhile)
+                meanwhile(workcell)
             fetched.set()
-            await bringing._task
+            await asyncio.gather(*bringing._tasks)
+            workcell.drain()
 
         asyncio.run(run())
-        return lab
+        return workcell.state
 
     return play
 
 
-def test_a_motion_of_another_arm_brings_that_arm(play_on_another_arm: Callable[[Meanwhile], Any]) -> None:
-    lab = play_on_another_arm(None)
-    assert lab.state.robot.name == "puma560"
-    assert isinstance(lab.state.command, Replay)
+def test_a_motion_of_another_arm_brings_that_arm(play_on_another_arm: Callable[[Meanwhile], State]) -> None:
+    state = play_on_another_arm(None)
+    assert state.robot.name == "puma560"
+    assert isinstance(state.command, Replay)
 
 
-def test_a_stop_while_the_arm_is_fetched_ends_its_motion(play_on_another_arm: Callable[[Meanwhile], Any]) -> None:
-    lab = play_on_another_arm(gate.stop())
-    assert lab.state.robot.name == "puma560"
-    assert lab.state.command == Hold()
+@pytest.mark.parametrize("meanwhile", [stop_in_time, stop_before_it_is_done])
+def test_a_stop_while_the_arm_is_fetched_ends_its_motion(
+    play_on_another_arm: Callable[[Meanwhile], State], meanwhile: Meanwhile
+) -> None:
+    state = play_on_another_arm(meanwhile)
+    assert state.robot.name == "puma560"
+    assert state.command == Hold()

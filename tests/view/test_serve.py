@@ -125,8 +125,8 @@ def test_the_page_is_visers_with_our_tags_and_policy(port: int) -> None:
     head, _, rest = gzip.decompress(answer.body).decode().partition("</head>")
     assert answer.headers["Content-Security-Policy"] == POLICY
     assert "<title>Helicoide</title>" in head
-    assert '<link rel="stylesheet" href="/static/helicoide.css" />' in head
-    assert '<script src="/static/helicoide.js" data-words="' in head
+    assert '<link rel="stylesheet" href="static/helicoide.css" />' in head
+    assert '<script src="static/helicoide.js" data-words="' in head
     assert "Stop motion" in head
     assert "Parar o movimento" in head
     assert '<div id="root">' in rest
@@ -135,7 +135,7 @@ def test_the_page_is_visers_with_our_tags_and_policy(port: int) -> None:
 @pytest.mark.parametrize("query", ["websocket=ws://foreign.invalid", "a=1&websocket", "%77ebsocket=x"])
 def test_a_link_cannot_name_another_server(port: int, query: str) -> None:
     answer = get(port, f"/?{query}")
-    assert (answer.status, answer.headers["Location"]) == (302, "/")
+    assert (answer.status, answer.headers["Location"]) == (302, "./")
 
 
 def test_healthz_is_ok(port: int) -> None:

@@ -6,13 +6,11 @@ import asyncio
 import logging
 from collections.abc import Callable
 
-import viser
-
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import status
 from helicoide.session.workcell import Workcell
 from helicoide.view import shapes
-from helicoide.view.audience import Audience
+from helicoide.view.audience import Audience, Server
 from helicoide.view.channel import Control, Notice
 from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
@@ -35,7 +33,7 @@ class Display:
 
     def __init__(
         self,
-        server: viser.ViserServer,
+        server: Server,
         control: Control,
         workcell: Workcell,
         view: Callable[[Window], View],

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 
 from helicoide import gate
-from helicoide.advance import advance
+from helicoide.foresight import lived
 from helicoide.ik.drive import Drive
 from helicoide.ik.joints_along import joints_along
 from helicoide.kinematics.chain import Array
@@ -79,12 +79,12 @@ def _followed(state: State) -> tuple[Array, float]:
     path = gate.path_of(state.robot, replace(state.course, shape="constant speed", duration=SLOWLY))
     state = commanded(replace(state, drive=Drive(), beside=None), Along(path, 0.0, playing=False))
     for _ in range(COMING):
-        state = advance(state, STEP)
+        state = lived(state, STEP)
     state = replace(state, command=Along(path, 0.0, playing=True, arrived=True))
     rows, beside = [state.q], 0.0
     while isinstance(state.command, Along) and state.command.playing:
         s = state.command.s
-        state = advance(state, STEP)
+        state = lived(state, STEP)
         if state.path_s < s:  # a closed path begins again
             break
         rows.append(state.q)

@@ -11,6 +11,7 @@ from viser._messages import Message, RemoveSceneNodeMessage
 from viser.infra._async_message_buffer import AsyncMessageBuffer
 
 Client = viser.ClientHandle
+Server = viser.ViserServer
 
 
 class Audience:
@@ -22,7 +23,7 @@ class Audience:
 
     client_id = ""
 
-    def __init__(self, server: viser.ViserServer) -> None:
+    def __init__(self, server: Server) -> None:
         self._viser_server = server
         self._websock_connection = self
         self.clients: list[Client] = []

@@ -11,8 +11,8 @@ from functools import partial
 
 import numpy as np
 
-from helicoide.advance import advance
 from helicoide.confinement import planes_of
+from helicoide.foresight import lived
 from helicoide.ik import Limits, Problem, limit_gains, objectives
 from helicoide.ik.adaptation import Rule, Track, adapted, nearest, trimmed
 from helicoide.ik.clik import Aiming
@@ -143,7 +143,7 @@ def guarded(path: Ellipse, k0: float, seconds: float, progress: Progress) -> Cou
     state, turn = _on_the_path(path, k0), round(seconds / TICK)
     points, q, near = [], [], []
     for step in range(turn):
-        state = advance(state, TICK)
+        state = lived(state, TICK)
         points.append(path.point(state.path_s))
         q.append(state.q)
         near.append(nearest(state.problem, state.q.copy()))
@@ -161,5 +161,5 @@ def _on_the_path(path: Ellipse, k0: float) -> State:
     for _ in range(round(LONGEST / TICK)):
         if isinstance(state.command, Along) and state.command.arrived:
             break
-        state = advance(state, TICK)
+        state = lived(state, TICK)
     return state

@@ -83,8 +83,8 @@ class Page:
     the controls by their label; frames: how many times the scene has changed; notice: what the status line says.
     """
 
-    def __init__(self, socket: ClientConnection, port: int) -> None:
-        self.socket, self.port = socket, port
+    def __init__(self, socket: ClientConnection, port: int, ahead: float = 0.0) -> None:
+        self.socket, self.port, self.ahead = socket, port, ahead
         loop = asyncio.get_running_loop()
         self.owner: asyncio.Future[str] = loop.create_future()
         self.window: asyncio.Future[str] = loop.create_future()
@@ -100,13 +100,22 @@ class Page:
         self.shown: Callable[[float, Point], None] = lambda when, point: None
         self.heard: Callable[[Message], None] = lambda message: None
 
+    @property
+    def now(self) -> float:
+        """What the page's clock shows, ms; nobody has set it."""
+        return 1000 * (perf_counter() + self.ahead)
+
+    async def hang_up(self) -> None:
+        """Lose the page's own channel."""
+        await (await self.control).close()
+
     async def send(self, message: Message) -> None:
         """Send a message as it is, as no page of ours would."""
         await self.socket.send(msgspec.msgpack.encode(message))
 
     async def say(self, kind: str, **fields: object) -> None:
         """Send what a hand has made, with the time when it was made."""
-        await self.send({"type": "HelicoideMadeAt", "at": 1000 * perf_counter() + self.offset})
+        await self.send({"type": "HelicoideMadeAt", "at": self.now + self.offset})
         await self.send({"type": kind, **fields})
 
     async def gizmo(self, event: str, name: str = "/target", **pose: object) -> None:
@@ -165,7 +174,7 @@ class Page:
 
     async def _hear(self, message: Message) -> None:
         if "at" in message:
-            self.offset = max(self.offset, message["at"] - 1000 * perf_counter())
+            self.offset = max(self.offset, message["at"] - self.now)
         if message.get("heard") == "stop":
             self.stop_heard.set()
         if "fence" in message and self.passes:
@@ -187,7 +196,9 @@ def _origin(port: int) -> Origin:
 
 
 @asynccontextmanager
-async def opened(port: int, seat: str | None = None, languages: tuple[str, ...] = ()) -> AsyncIterator[Page]:
+async def opened(
+    port: int, seat: str | None = None, languages: tuple[str, ...] = (), ahead: float = 0.0
+) -> AsyncIterator[Page]:
     """A page on a port, listening while it is open."""
     async with connect(
         f"ws://127.0.0.1:{port}/",
@@ -196,7 +207,7 @@ async def opened(port: int, seat: str | None = None, languages: tuple[str, ...] 
         compression=None,
         max_size=None,
     ) as socket:
-        page = Page(socket, port)
+        page = Page(socket, port, ahead)
         page.seat = seat
         await page.send(CAMERA)
         tasks = [asyncio.create_task(work) for work in (page.listen(), page.drive(languages))]

@@ -108,7 +108,7 @@ def test_a_paused_path_stays_and_plays_on(state: State) -> None:
     paused = after(gate.pause()(state), 2)
     assert paused.path_s == pytest.approx(state.path_s, abs=0.011)
     assert not paused.moving
-    assert after(gate.play()(paused), 1).path_s > paused.path_s + 0.5
+    assert after(gate.play()(paused), 1).path_s > paused.path_s + 0.4
 
 
 @pytest.mark.parametrize("method", ["guarded", "pseudoinverse"])

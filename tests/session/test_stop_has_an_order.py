@@ -1,0 +1,209 @@
+"""What was sent before a stop does nothing after it, from whichever window; what is stale does nothing at all."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import pytest
+from tests.pages import Hand
+
+from helicoide import gate
+from helicoide.kinematics.robot import Robot
+from helicoide.session.lab import Lab
+from helicoide.state import Hold, State
+
+BUSY = 0.3
+HERE = {"wxyz": (0.0, 1.0, 0.0, 0.0), "position": (0.5, 0.1, 0.3)}
+Ask = Callable[[Hand], None]
+
+
+def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.01)
+    return condition()
+
+
+@pytest.fixture(scope="module")
+def lab(robot: Robot) -> Iterator[Lab]:
+    lab = Lab(robot, "en", None)
+    lab.open("127.0.0.1", 0)
+    assert eventually(lambda: lab.ready, 300)
+    yield lab
+    lab.close()
+
+
+def window(lab: Lab) -> Hand:
+    hand = Hand(lab.server.get_port())
+    assert eventually(lambda: "Play" in hand.page.made or "Pause" in hand.page.made)
+    assert eventually(hand.page.may_drive.is_set)
+    assert eventually(lambda: all(one.window.link.drives or one.window.link.passed for one in lab.visitors.values()))
+    return hand
+
+
+@pytest.fixture
+def one(lab: Lab) -> Iterator[Hand]:
+    lab.shared.workcell.tell(gate.get_ready())
+    assert eventually(lambda: state(lab).command == Hold() and not state(lab).moving)
+    hand = window(lab)
+    yield hand
+    hand.close()
+
+
+@pytest.fixture
+def other(lab: Lab) -> Iterator[Hand]:
+    hand = window(lab)
+    yield hand
+    hand.close()
+
+
+def state(lab: Lab) -> State:
+    return lab.shared.workcell.state
+
+
+def after_ticks(lab: Lab, n: int = 40) -> State:
+    cell = lab.shared.workcell
+    cell.tell(lambda state: replace(state, rested=0.0))
+    now = cell.ticks
+    assert eventually(lambda: cell.ticks >= now + n)
+    return cell.state
+
+
+def busy(lab: Lab) -> None:
+    """The event loop is held up; what comes meanwhile waits."""
+    lab.loop.call_soon_threadsafe(time.sleep, BUSY)
+    time.sleep(0.05)
+
+
+def give(label: str, value: object) -> Ask:
+    return lambda hand: hand.do(hand.page.give(label, value))
+
+
+def drag(hand: Hand) -> None:
+    hand.do(hand.page.gizmo("DragStart"))
+    hand.do(hand.page.gizmo("Update", **HERE))
+
+
+def drag_of_a_plane(hand: Hand) -> None:
+    hand.do(hand.page.gizmo("DragStart", "/handles/plane 0"))
+    hand.do(hand.page.gizmo("Update", "/handles/plane 0", wxyz=(0.0, 1.0, 0.0, 0.0), position=(0.5, 0.0, 0.7)))
+
+
+ASKED: dict[str, Ask] = {
+    "slider": give("1 waist", 40.0),
+    "play": give("Play", True),
+    "target": give("x y z [mm]", (500.0, 100.0, 300.0)),
+    "posture": give("Go to pose", "zero"),
+    "gripper": give("Gripper [%]", 80.0),
+    "drag": drag,
+    "plane": drag_of_a_plane,
+    "time-optimal": give("In the least time", True),
+    "another arm": give("Arm", "SCARA"),
+}
+
+
+def unmoved(lab: Lab, before: State) -> bool:
+    """Whether the arm has been stopped, and neither it nor its planes have changed since."""
+    after = after_ticks(lab)
+    return bool(
+        after.command == Hold(stopped=True)
+        and (after.q == before.q).all()
+        and after.problem is before.problem
+        and after.gripper_target == before.gripper_target
+    )
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_a_window_sent_before_its_stop_does_nothing(lab: Lab, one: Hand, asked: str) -> None:
+    """Stop overtakes the rest on a channel of its own: both wait while the loop is busy."""
+    before = state(lab)
+    busy(lab)
+    ASKED[asked](one)
+    one.do(one.page.stop())
+    assert unmoved(lab, before)
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_another_window_sent_before_it_knew_does_nothing(lab: Lab, one: Hand, other: Hand, asked: str) -> None:
+    other.page.passes = False
+    one.do(one.page.stop())
+    before = state(lab)
+    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    ASKED[asked](other)
+    assert unmoved(lab, before)
+
+
+def test_a_drag_that_was_under_way_stays_dead_until_it_begins_anew(lab: Lab, one: Hand, other: Hand) -> None:
+    drag(other)
+    assert eventually(lambda: state(lab).grasp is not None)
+    one.do(one.page.stop())
+    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    before = state(lab)
+    other.do(other.page.gizmo("Update", wxyz=HERE["wxyz"], position=(0.4, -0.1, 0.3)))
+    other.do(other.page.gizmo("DragEnd"))
+    assert unmoved(lab, before)
+    drag(other)
+    assert eventually(lambda: state(lab).grasp is not None)
+    assert eventually(lambda: state(lab).moving)
+
+
+def test_what_was_made_after_the_stop_was_known_counts(lab: Lab, one: Hand, other: Hand) -> None:
+    one.do(one.page.stop())
+    for hand in (one, other):
+        before = state(lab).command
+        give("1 waist", 5.0 if hand is one else 6.0)(hand)
+        assert eventually(lambda before=before: state(lab).command is not before)  # type: ignore[misc]
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_is_older_than_a_second_does_nothing(lab: Lab, one: Hand, asked: str) -> None:
+    before, one.page.offset = state(lab), one.page.offset - 1100.0
+    ASKED[asked](one)
+    after = after_ticks(lab)
+    assert after.command is before.command
+    assert after.problem is before.problem
+    assert after.robot is before.robot
+
+
+def test_the_time_of_day_of_a_page_does_not_matter(lab: Lab) -> None:
+    hand = Hand(lab.server.get_port(), ahead=86_400.0)
+    assert eventually(hand.page.may_drive.is_set)
+    give("1 waist", 7.0)(hand)
+    assert eventually(lambda: abs(state(lab).q[0] - 0.1222) < 1e-3)
+    hand.close()
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_a_page_without_its_own_channel_drives_nothing(lab: Lab, one: Hand, asked: str) -> None:
+    before = state(lab)
+    one.do(one.page.hang_up())
+    assert eventually(lambda: not any(visitor.window.link.channels for visitor in lab.visitors.values()))
+    ASKED[asked](one)
+    after = after_ticks(lab)
+    assert after.command is before.command
+    assert after.problem is before.problem
+    assert after.robot is before.robot
+
+
+def test_a_drag_ends_when_the_channel_does(lab: Lab, one: Hand) -> None:
+    drag(one)
+    assert eventually(lambda: state(lab).grasp is not None)
+    one.do(one.page.hang_up())
+    assert eventually(lambda: state(lab).grasp is None)
+
+
+def test_a_stop_reaches_every_arm_that_a_real_one_follows(lab: Lab, one: Hand, other: Hand) -> None:
+    give("My own arm", True)(other)
+    assert eventually(lambda: len(lab.workcells) == 2)
+    give("Play", True)(one)
+    assert eventually(lambda: state(lab).moving)
+    other.do(other.page.stop())
+    after_ticks(lab)
+    assert state(lab).command != Hold(stopped=True), "an arm of one's own is stopped alone"
+    lab.shared.workcell.connected = True
+    other.do(other.page.stop())
+    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    assert eventually(lambda: one.page.notice.get("everywhere") is True)
+    lab.shared.workcell.connected = False

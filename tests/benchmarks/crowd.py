@@ -1,7 +1,7 @@
 """Many pages in a process of their own, which is told what to do by lines, so that none of it is measured.
 
-`python -m tests.benchmarks.crowd PORT`: the lines are the methods of `Crowd` with their numbers, such as `join 10 3`; each
-is answered by one of JSON.
+`python -m tests.benchmarks.crowd PORT`: the lines are the methods of `Crowd` with their numbers, such as `join 10 3`;
+each is answered by one of JSON.
 """
 
 from __future__ import annotations

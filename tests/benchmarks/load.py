@@ -76,7 +76,8 @@ def _shared(server: Child, port: str, count: int) -> None:
         after, used, took = server.ask("tell"), server.processor() - used, perf_counter() - began
         ticks = (after["ticks"] - before["ticks"]) / took
         print(
-            f"  {count} windows, joined in {joined:.1f} s: {ticks:.1f} ticks/s, longest gap {1000 * after['gap']:.0f} ms, "
+            f"  {count} windows, joined in {joined:.1f} s: {ticks:.1f} ticks/s, "
+            f"longest gap {1000 * after['gap']:.0f} ms, "
             f"{(after['frames'] - before['frames']) / took:.0f} frames/s, "
             f"{changes.min() / took:.0f} changes/s at the slowest page, "
             f"{1000 * used / max(1, after['ticks'] - before['ticks']):.2f} ms of processor a tick"
@@ -117,7 +118,8 @@ def _private(server: Child, port: str) -> None:
         took = perf_counter() - began
         gap = server.ask("tell")["gap"]
         print(
-            f"  {PRIVATE} arms: longest gap {1000 * gap:.0f} ms, {(server.processor() - used) / took:.0%} of a processor"
+            f"  {PRIVATE} arms: longest gap {1000 * gap:.0f} ms, "
+            f"{(server.processor() - used) / took:.0%} of a processor"
         )
         verdict(
             f"{PRIVATE} arms of one's own: time between changes, slowest", 1000 * took / changes.min(), 1000 / 30, " ms"

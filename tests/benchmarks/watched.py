@@ -1,7 +1,7 @@
 """A lab in a process of its own that tells of itself: a line of JSON for each line that it is sent.
 
-`python -m tests.benchmarks.watched`: ticks of the shared arm, frames, windows, and since the line before the longest time
-between two ticks, s.
+`python -m tests.benchmarks.watched`: ticks of the shared arm, frames, windows, and, since the line before, the longest
+time between two ticks, s.
 """
 
 from __future__ import annotations

@@ -23,6 +23,7 @@ from helicoide.view.serve import serve
 
 STATIC = Path(__file__).parents[2] / "static"
 LABEL = "Helicoide"
+OPENED = count()
 FREE = Text(en="Free to move", pt_BR="Livre para mover")
 LONG = Text(
     en="Blocked: plane 2 (ceiling) is 80 mm from the elbow; move the target down or the plane up to go on.",
@@ -56,7 +57,7 @@ def stops() -> list[bool]:
 
 @pytest.fixture(scope="module")
 def control(stops: list[bool]) -> Control:
-    return Control(on_stop=lambda: stops.append(True))
+    return Control(on_stop=lambda key: stops.append(True))
 
 
 @pytest.fixture(scope="module")
@@ -67,18 +68,19 @@ def server(control: Control) -> Iterator[viser.ViserServer]:
 
 
 def open_lab(control: Control, port: int = 0) -> viser.ViserServer:
-    """Serve a scene and a panel; the windows' seats are seat-0, seat-1, … in the order in which they connect."""
+    """Serve a scene and a panel in every window."""
     served = serve("127.0.0.1", port, STATIC, {PATH: control.serve})
     served.gui.set_panel_label(LABEL)
     served.scene.configure_default_lights(cast_shadow=False)
     served.scene.add_grid("/floor")
     served.scene.add_icosphere("/ball", 0.3, (40, 90, 200))
-    seats = (f"seat-{number}" for number in count())
+    keys = (f"window-{next(OPENED)}" for _ in count())
 
     async def furnish(client: viser.ClientHandle) -> None:
-        seat = next(seats)
-        introduce(client, seat)
-        control.push(seat, Notice("en", FREE, "ok"))
+        key = next(keys)
+        control.open(key)
+        introduce(client, key)
+        control.push(key, Notice("en", FREE, "ok"))
         client.gui.add_text("Name", "q")
         client.gui.add_html(f'<div class="helicoide-formula">{latex2mathml.converter.convert(TALL)}</div>')
         time = np.linspace(0.0, 1.0, 50)
@@ -102,8 +104,8 @@ def open_lab(control: Control, port: int = 0) -> viser.ViserServer:
 
 
 def say(server: viser.ViserServer, control: Control, notice: Notice) -> None:
-    for seat in list(control._notices):
-        server.get_event_loop().call_soon_threadsafe(control.push, seat, notice)
+    for key in list(control._lines):
+        server.get_event_loop().call_soon_threadsafe(control.push, key, notice)
 
 
 @pytest.fixture(scope="module", params=SIZES)
@@ -193,13 +195,13 @@ def test_words_are_never_markup(server: viser.ViserServer, control: Control, pag
     assert page.locator("#helicoide-status *").count() == 0
 
 
-def test_the_seat_is_found_again_when_viser_reconnects_behind_a_folded_panel(
+def test_the_window_is_told_anew_when_viser_reconnects_behind_a_folded_panel(
     server: viser.ViserServer, control: Control, page: Page
 ) -> None:
     fold(page)
-    known = page.evaluate("window.helicoideSeat")
+    known = page.evaluate("window.helicoideWindow")
     server._websock_server.disconnect_all_clients()
-    page.wait_for_function("(known) => window.helicoideSeat !== known", arg=known)
+    page.wait_for_function("(known) => window.helicoideWindow !== known", arg=known)
     say(server, control, Notice("en", LONG, "warn"))
     expect(page.locator("#helicoide-status")).to_have_text(LONG.en)
     fold(page)
@@ -207,10 +209,10 @@ def test_the_seat_is_found_again_when_viser_reconnects_behind_a_folded_panel(
 
 def test_each_window_speaks_its_own_language(server: viser.ViserServer, control: Control, open_page: OpenPage) -> None:
     first, second = open_page(server.get_port()), open_page(server.get_port())
-    *_, seat_of_first, seat_of_second = control._notices
+    *_, first_key, second_key = control._lines
     loop = server.get_event_loop()
-    loop.call_soon_threadsafe(control.push, seat_of_first, Notice("pt_BR", FREE, "ok"))
-    loop.call_soon_threadsafe(control.push, seat_of_second, Notice("en", LONG, "blocked"))
+    loop.call_soon_threadsafe(control.push, first_key, Notice("pt_BR", FREE, "ok"))
+    loop.call_soon_threadsafe(control.push, second_key, Notice("en", LONG, "blocked"))
     expect(first.locator("#helicoide-status")).to_have_text(FREE.pt_BR)
     expect(first.locator("#helicoide-stop-label")).to_have_text("Parar o movimento")
     expect(first.locator("html")).to_have_attribute("lang", "pt-BR")

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
-import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
+from time import monotonic, sleep
+from typing import Any
 
 import pytest
 import viser
@@ -17,13 +18,14 @@ from websockets.sync.connection import Connection
 from websockets.typing import Origin
 
 from helicoide.text import Text
-from helicoide.view.channel import PATH, Control, Notice
+from helicoide.view.channel import PATH, Control, Hello, Notice
+from helicoide.view.link import HelicoideFence, HelicoideMadeAt
 from helicoide.view.serve import CHANNEL_BYTES, serve
 
 FREE = Notice("pt_BR", Text(en="Free to move", pt_BR="Livre para mover"), "ok")
 HELD = Notice("en", Text(en="Stopped", pt_BR="Parado"), "stopped")
 
-Post = Callable[..., None]
+Post = Callable[..., Any]
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +35,7 @@ def stops() -> list[str]:
 
 @pytest.fixture(scope="module")
 def control(stops: list[str]) -> Control:
-    return Control(on_stop=lambda: stops.append(threading.current_thread().name))
+    return Control(on_stop=lambda key: stops.append(str(key)))
 
 
 @pytest.fixture(scope="module")
@@ -47,10 +49,10 @@ def server(control: Control, tmp_path_factory: pytest.TempPathFactory) -> Iterat
 def post(server: viser.ViserServer) -> Post:
     """Run a call on the server's loop and wait for it."""
 
-    def run(call: Callable[..., object], *args: object) -> None:
+    def run(call: Callable[..., object], *args: object) -> object:
         done: Future[object] = Future()
         server.get_event_loop().call_soon_threadsafe(lambda: done.set_result(call(*args)))
-        done.result(5)
+        return done.result(5)
 
     return run
 
@@ -69,7 +71,9 @@ def open_page(server: viser.ViserServer) -> Connection:
 def beat(page: Connection) -> None:
     """Wait until all that was sent before has been read; fails when anything else was answered."""
     page.send('{"beat": true}')
-    assert json.loads(page.recv(5)) == {"heard": "beat"}
+    answer = json.loads(page.recv(5))
+    assert answer["heard"] == "beat"
+    assert answer["at"] == pytest.approx(1000 * monotonic(), abs=60_000)
 
 
 def test_stop_is_called_and_acknowledged(page: Connection, stops: list[str]) -> None:
@@ -92,7 +96,8 @@ def test_stop_is_called_and_acknowledged(page: Connection, stops: list[str]) -> 
         '{"stop": 1}',
         '{"stop": false}',
         '{"Stop": true}',
-        '{"seat": 7}',
+        '{"window": 7}',
+        '{"window": "nobody"}',
         '{"beat": 1}',
         '{"released": 1}',
         b"\xff\x00",
@@ -113,15 +118,93 @@ def test_no_message_costs_the_page_its_stop(page: Connection, message: str | byt
     beat(page)
 
 
-def test_a_released_pointer_is_told_with_its_seat(server: viser.ViserServer, control: Control) -> None:
+def meet(page: Connection, key: str, **said: object) -> dict[str, object]:
+    """Say which window a page is; returns the fence that it is told of first."""
+    page.send(json.dumps({"window": key, **said}))
+    told: dict[str, object] = json.loads(page.recv(5))
+    assert set(told) == {"fence"}
+    return told
+
+
+def test_a_released_pointer_is_told_with_its_window(server: viser.ViserServer, control: Control, post: Post) -> None:
     told: list[str] = []
     control.on_release = told.append
+    post(control.open, "a")
     with open_page(server) as page:
         page.send('{"released": true}')
-        page.send('{"seat": "a"}')
+        meet(page, "a")
         page.send('{"released": true}')
         beat(page)
-    assert told == ["a"]
+        assert told == ["a"]
+    assert eventually(lambda: told == ["a", "a"]), "and so is the end of its last channel"
+
+
+def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
+    end = monotonic() + seconds
+    while not condition() and monotonic() < end:
+        sleep(0.01)
+    return condition()
+
+
+def test_a_stop_is_told_with_its_window(page: Connection, stops: list[str], control: Control, post: Post) -> None:
+    page.send('{"stop": true}')
+    assert json.loads(page.recv(5)) == {"heard": "stop"}
+    post(control.open, "a")
+    meet(page, "a")
+    page.send('{"stop": true}')
+    assert json.loads(page.recv(5)) == {"heard": "stop"}
+    assert stops[-2:] == ["None", "a"]
+
+
+@pytest.mark.parametrize(
+    ("said", "hello"),
+    [
+        ({}, Hello(None, None)),
+        ({"seat": "s", "languages": ["pt-BR", "en"]}, Hello("s", "pt_BR")),
+        ({"seat": 3, "languages": ["de", "en-GB", "pt"]}, Hello(None, "en")),
+        ({"languages": [7, "de"]}, Hello(None, None)),
+        ({"languages": "pt"}, Hello(None, None)),
+    ],
+)
+def test_a_page_says_its_seat_and_its_languages(
+    page: Connection, control: Control, post: Post, said: dict[str, object], hello: Hello
+) -> None:
+    line = post(control.open, "hello")
+    meet(page, "hello", **said)
+    assert line.hello.result() == hello
+
+
+def test_a_window_drives_only_when_its_page_has_passed_the_last_fence(
+    server: viser.ViserServer, control: Control, post: Post
+) -> None:
+    line = post(control.open, "f")
+    with open_page(server) as page:
+        number = meet(page, "f")["fence"]
+        assert isinstance(number, int)
+        line.link.hear(HelicoideMadeAt(1000 * monotonic()))
+        assert not line.link.drives
+        assert line.link.hear(HelicoideFence(number))
+        assert line.link.drives
+        post(control.fence, "f")
+        assert json.loads(page.recv(5)) == {"fence": number + 1}
+        assert not line.link.hear(HelicoideFence(number))
+        assert not line.link.drives
+        assert line.link.hear(HelicoideFence(number + 1))
+        for at in (1000 * (monotonic() - 1.1), float("nan"), "now", None):
+            line.link.hear(HelicoideMadeAt(at))  # type: ignore[arg-type]
+            assert not line.link.drives
+        line.link.hear(HelicoideMadeAt(1000 * (monotonic() - 0.5)))
+        assert line.link.drives
+    assert eventually(lambda: not line.link.drives)
+
+
+def test_who_says_too_much_waits_and_nobody_else(server: viser.ViserServer, page: Connection, stops: list[str]) -> None:
+    with open_page(server) as loud:
+        before = len(stops)
+        for _ in range(2000):
+            loud.send('{"stop": true}')
+        beat(page)
+        assert len(stops) - before < 200
 
 
 def test_an_oversized_message_closes_the_connection(page: Connection, stops: list[str]) -> None:
@@ -134,38 +217,38 @@ def test_an_oversized_message_closes_the_connection(page: Connection, stops: lis
     assert len(stops) == before
 
 
-def test_words_arrive_once_and_only_at_their_seat(
+def test_words_arrive_once_and_only_at_their_window(
     server: viser.ViserServer, page: Connection, control: Control, post: Post
 ) -> None:
     with open_page(server) as other:
-        page.send('{"seat": "a"}')
-        other.send('{"seat": "b"}')
-        beat(page)
-        beat(other)
+        for key, one in (("a", page), ("b", other)):
+            post(control.open, key)
+            meet(one, key)
         post(control.push, "a", FREE)
-        assert json.loads(page.recv(5)) == {"language": "pt_BR", "status": "Livre para mover", "tone": "ok"}
+        said = {"language": "pt_BR", "status": "Livre para mover", "tone": "ok", "everywhere": False}
+        assert json.loads(page.recv(5)) == said
         post(control.push, "a", FREE)
         beat(page)
         post(control.push, "a", HELD)
-        assert json.loads(page.recv(5)) == {"language": "en", "status": "Stopped", "tone": "stopped"}
+        said = {"language": "en", "status": "Stopped", "tone": "stopped", "everywhere": False}
+        assert json.loads(page.recv(5)) == said
         beat(other)
 
 
 def test_words_wait_for_a_page_that_comes_later(page: Connection, control: Control, post: Post) -> None:
+    post(control.open, "late")
     post(control.push, "late", HELD)
-    page.send('{"seat": "late"}')
+    meet(page, "late")
     assert json.loads(page.recv(5))["status"] == "Stopped"
-    post(control.forget, "late")
-    page.send('{"seat": "late"}')
+    post(control.close, "late")
+    page.send('{"window": "late"}')
     beat(page)
 
 
 def test_pages_that_left_are_forgotten(server: viser.ViserServer, control: Control, post: Post) -> None:
+    line = post(control.open, "gone")
     with open_page(server) as page:
-        page.send('{"seat": "gone"}')
-        beat(page)
-        assert "gone" in control._seats.values()
-    with open_page(server) as page:
-        beat(page)
+        meet(page, "gone")
+        assert line.pages
+    assert eventually(lambda: not line.pages)
     post(control.push, "gone", FREE)
-    assert "gone" not in control._seats.values()

@@ -179,3 +179,8 @@ def box(page: Page, index: int, value: str) -> None:
     field = page.locator("input.mantine-NumberInput-input").nth(index)
     field.fill(value)
     field.press("Enter")
+
+
+def press(page: Page, name: str) -> None:
+    """Press the button of that name."""
+    page.get_by_role("button", name=name, exact=True).click()

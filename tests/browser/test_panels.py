@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
-from tests.browser.lab import Lab, box, status, tab, until
+from tests.browser.lab import Lab, box, press, status, tab, until
 
 from helicoide.session.preparing import COMPILATIONS, PREPARED
 from helicoide.state import Along, Hold, ToPose
@@ -30,10 +30,6 @@ def page(shared_page: Page, lab: Lab) -> Page:
 
 def degrees(lab: Lab, joint: int) -> float:
     return float(np.degrees(lab.state.q[joint]))
-
-
-def press(page: Page, name: str) -> None:
-    page.get_by_role("button", name=name, exact=True).click()
 
 
 def test_a_joint_moves_by_its_slider_with_mouse_and_keyboard(lab: Lab, page: Page) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
-from tests.browser.lab import Lab, tab, until
+from tests.browser.lab import Lab, press, tab, until
 from tests.browser.test_arms import canvas
 from tests.browser.test_methods import choose
 
@@ -37,10 +37,6 @@ def page(shared_page: Page, lab: Lab) -> Page:
     if not shared_page.get_by_text("Where the tool can come").is_visible():
         shared_page.get_by_text("Workspace", exact=True).click()
     return shared_page
-
-
-def press(page: Page, name: str) -> None:
-    page.get_by_role("button", name=name, exact=True).click()
 
 
 def different(one: np.ndarray, other: np.ndarray) -> int:

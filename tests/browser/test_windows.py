@@ -1,0 +1,127 @@
+"""Two windows: one's stop reaches the other's hand, and each may have an arm of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from playwright.sync_api import Browser, Page
+from tests.browser.conftest import window
+from tests.browser.lab import Lab, box, press, status, tab, until
+
+from helicoide import gate
+from helicoide.session.workcell import Workcell
+from helicoide.state import Hold, ToJoints
+
+THUMB = ".mantine-Slider-thumb"
+
+
+@pytest.fixture(scope="module")
+def pair(browser: Browser, lab: Lab) -> Iterator[tuple[Page, Page]]:
+    with window(browser, lab.port) as one, window(browser, lab.port, locale="pt-BR") as other:
+        until(one, lambda: lab.session.ready, 300)
+        for page, name in ((one, "Robot"), (other, "Robô")):
+            tab(page, name)
+            page.locator(THUMB).first.wait_for()
+        yield one, other
+
+
+def hold_the_waist(page: Page, lab: Lab) -> tuple[float, float]:
+    """Press on the first joint's slider and drag it, without letting go; returns where the hand is."""
+    spot = page.locator(THUMB).first.bounding_box()
+    assert spot is not None
+    x, y = spot["x"] + spot["width"] / 2, spot["y"] + spot["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 30, y, steps=5)
+    until(page, lambda: isinstance(lab.state.command, ToJoints))
+    return x + 30, y
+
+
+def test_a_slider_that_is_held_is_dead_after_anothers_stop_until_it_is_let_go(
+    lab: Lab, pair: tuple[Page, Page]
+) -> None:
+    one, other = pair
+    x, y = hold_the_waist(one, lab)
+    other.keyboard.press("Escape")
+    until(one, lambda: lab.state.command == Hold(stopped=True))
+    until(one, lambda: "Stopped" in status(one))
+    q = lab.state.q
+    for step in range(20):
+        one.mouse.move(x + 3 * step, y)
+        one.wait_for_timeout(30)
+    assert lab.state.command == Hold(stopped=True)
+    one.mouse.up()
+    lab.ticks(one, 50)
+    assert lab.state.command == Hold(stopped=True)
+    assert (lab.state.q == q).all()
+    shown = "() => document.querySelector('input.mantine-NumberInput-input').value"
+    until(one, lambda: abs(float(one.evaluate(shown)) - np.degrees(q[0])) < 0.11)
+    hold_the_waist(one, lab)
+    one.mouse.up()
+
+
+def test_the_page_speaks_what_its_browser_asks_for(pair: tuple[Page, Page]) -> None:
+    one, other = pair
+    assert one.get_by_role("tab", name="Algebra").count() == 1
+    assert other.get_by_role("tab", name="Álgebra").count() == 1
+
+
+def own(lab: Lab) -> Workcell:
+    (found,) = (cell for cell in lab.session.workcells if cell is not lab.cell)
+    return found
+
+
+def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: Lab, pair: tuple[Page, Page]) -> None:
+    one, other = pair
+    lab.reset(one)
+    press(other, "Meu próprio braço")
+    until(other, lambda: len(lab.session.workcells) == 2)
+    other.get_by_role("button", name="Voltar ao braço comum").wait_for()
+    mine = own(lab)
+    until(other, lambda: len(lab.windows) == 1)
+    shared = lab.state
+    box(other, 0, "25")
+    until(other, lambda: abs(np.degrees(mine.state.q[0]) - 25) < 0.1)
+    assert (lab.state.q == shared.q).all()
+    box(one, 0, "-30")
+    until(one, lambda: abs(np.degrees(lab.state.q[0]) + 30) < 0.1)
+    assert abs(np.degrees(mine.state.q[0]) - 25) < 0.1
+    waist = "() => window.__viserMutable.nodeRefFromName['/arm/waist'].quaternion.toArray()"
+    until(one, lambda: bool(abs(np.array(one.evaluate(waist)) - np.array(other.evaluate(waist))).max() > 0.2))
+    press(other, "Iniciar")
+    until(other, lambda: bool(mine.state.path_s > 0.5))
+    assert lab.state.path_s == 0.0
+    one.keyboard.press("Escape")
+    until(one, lambda: lab.state.command == Hold(stopped=True))
+    assert mine.state.command != Hold(stopped=True)
+    other.keyboard.press("Escape")
+    until(other, lambda: mine.state.command == Hold(stopped=True))
+    lab.session.loop.call_soon_threadsafe(lab.session.posts[mine].arms.change, "planar2r")
+    until(other, lambda: mine.state.robot.name == "planar2r")
+    until(other, lambda: "/arm/waist" not in nodes(other) and any(name.startswith("/arm/") for name in nodes(other)))
+    assert lab.state.robot.name == "movemaster"
+    assert "/arm/waist" in nodes(one)
+
+
+def nodes(page: Page) -> list[str]:
+    return list(page.evaluate("() => Object.keys(window.__viserMutable.nodeRefFromName)"))
+
+
+def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, pair: tuple[Page, Page]) -> None:
+    _, other = pair
+    mine = own(lab)
+    other.reload()
+    other.get_by_role("button", name="Voltar ao braço comum").wait_for()
+    until(other, lambda: any(visitor.post.workcell is mine for visitor in lab.session.visitors.values()))
+    until(other, lambda: any(name.startswith("/arm/") for name in nodes(other)))
+    assert "/arm/waist" not in nodes(other)
+    press(other, "Voltar ao braço comum")
+    until(other, lambda: len(lab.windows) == 2)
+    until(other, lambda: "/arm/waist" in nodes(other))
+    press(other, "Meu próprio braço")
+    until(other, lambda: len(lab.windows) == 1)
+    assert own(lab) is mine
+    assert mine.state.robot.name == "planar2r"
+    lab.post(gate.get_ready())

@@ -238,9 +238,7 @@ NEW = "plane p1 (p1)"
 
 def listed(session: Session) -> tuple[str, ...]:
     """What the only window offers to light up."""
-    (window,) = session.windows.values()
-    handles = [row.handle for row in window.placed if getattr(getattr(row, "handle", None), "label", "") == "Light up"]
-    return tuple(handles[0].options)
+    return tuple(control(session, "Light up").options)
 
 
 def chosen(session: Session) -> str | None:
@@ -265,19 +263,35 @@ def test_the_fixed_plane_and_unknown_names_move_nothing(session: Session, page: 
 def test_a_disabled_control_moves_nothing(session: Session, page: Page) -> None:
     page.give("Park", True)
     assert eventually(lambda: session.state.parked and session.state.command == Hold())
-    assert eventually(lambda: all(row.handle.disabled for row in session_rows(session) if row_label(row) == "1 waist"))
+    assert eventually(lambda: control(session, "1 waist").disabled)
     assert not moved(session, lambda: page.give("1 waist", 20.0))
     assert not moved(session, lambda: page.give("Play", True))
     page.give("Ready", True)
     assert eventually(lambda: not session.state.parked and session.state.command == Hold())
 
 
-def session_rows(session: Session) -> list[Any]:
-    return [row for window in session.windows.values() for row in window.placed if hasattr(row, "handle")]
+def control(session: Session, label: str) -> Any:
+    """The control of the only window with a label."""
+    (window,) = session.windows.values()
+    handles = window.client.gui._gui_input_handle_from_uuid.values()
+    return next(handle for handle in list(handles) if getattr(handle, "label", "") == label)
 
 
-def row_label(row: Any) -> str:
-    return str(getattr(row.handle, "label", ""))
+def test_a_control_that_a_page_breaks_costs_that_page_one_row(
+    session: Session, page: Page, caplog: pytest.LogCaptureFixture
+) -> None:
+    """viser writes whatever attribute a message names into its handle."""
+    session.loop.call_soon_threadsafe(session.post, gate.get_ready())
+    waist = control(session, "1 waist")
+    page.send({"type": "GuiUpdateMessage", "uuid": page.made["1 waist"]["uuid"], "updates": {"props": None}})
+    assert eventually(lambda: waist._impl.props is None)
+    page.give("2 shoulder", 21.0)
+    assert eventually(lambda: abs(math.degrees(session.state.q[1]) - 21) < 0.1)
+    session.loop.call_soon_threadsafe(session.post, gate.set_joint(1, math.radians(25)))
+    assert eventually(lambda: control(session, "2 shoulder").value == 25.0)
+    failed = [record for record in caplog.records if "row" in record.getMessage()]
+    assert [record.getMessage() for record in failed] == ["A row of a panel failed: Slider."]
+    assert failed[0].exc_info is not None
 
 
 def test_messages_that_viser_does_not_know_end_at_most_their_own_connection(session: Session, robot: Robot) -> None:

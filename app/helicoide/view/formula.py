@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 
 import numpy as np
-from latex2mathml.converter import convert
+from markupsafe import Markup
 
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.chain import Array
+from helicoide.view import html
 
 ZERO = 5e-4
-_BLADES = tuple("1" if name == "1" else re.sub(r"e(\d)", r"e<sub>\1</sub>", name) for name in CL031.names)
 
 
-@lru_cache(maxsize=256)
-def mathml(tex: str, display: bool = False) -> str:
-    """A formula for an HTML row."""
-    return f'<div class="helicoide-formula">{convert(tex, display="block" if display else "inline")}</div>'
+def mathml(tex: str, index: str = "") -> Markup:
+    """A formula for an HTML row; index: a name that stands below it."""
+    return Markup('<div class="helicoide-formula">{}</div>').format(html.formula(tex, index))
+
+
+def _blade(name: str) -> Markup:
+    """The name of a basis blade, such as e1e2, with its numbers below the line."""
+    parts = re.split(r"(?<=e)(\d)", name)
+    return Markup("").join(Markup("<sub>{}</sub>").format(part) if part.isdigit() else part for part in parts)
+
+
+BLADES = tuple(Markup("1") if name == "1" else _blade(name) for name in CL031.names)
 
 
 def coefficient(value: float) -> str:
@@ -26,10 +33,12 @@ def coefficient(value: float) -> str:
     return "0" if abs(value) < ZERO else f"{value:.3f}".replace("-", "−")
 
 
-def coefficient_grid(values: Array) -> str:
+def coefficient_grid(values: Array) -> Markup:
     """The 16 coefficients with their blade names, coloured by grade, zero ones faint."""
     cells = (
-        f'<i class="g{grade}{" zero" if abs(value) < ZERO else ""}"><b>{coefficient(value)}</b><u>{blade}</u></i>'
-        for blade, grade, value in zip(_BLADES, CL031.grades, np.asarray(values), strict=True)
+        Markup('<i class="g{}{}"><b>{}</b><u>{}</u></i>').format(
+            grade, " zero" if abs(value) < ZERO else "", coefficient(value), blade
+        )
+        for blade, grade, value in zip(BLADES, CL031.grades, np.asarray(values), strict=True)
     )
-    return f'<div class="helicoide-grid">{"".join(cells)}</div>'
+    return Markup('<div class="helicoide-grid">{}</div>').format(Markup("").join(cells))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import hashlib
-import html
 import json
 import mimetypes
 from collections.abc import Callable, Mapping
@@ -14,6 +13,7 @@ from types import MappingProxyType
 from urllib.parse import parse_qs, unquote
 
 import viser
+from markupsafe import Markup
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
@@ -24,6 +24,14 @@ LOST = Text(
     en="Disconnected: the program does not answer. Trying again…",
     pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
 )
+
+# A list that opens beyond the edge of a phone would widen the page, move itself and push Stop out of view.
+TAGS = Markup(
+    '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
+    '<link rel="stylesheet" href="/static/helicoide.css" />'
+    '<script src="/static/helicoide.js" data-words="{}" defer></script>'
+)
+TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")
 
 # viser's page is one file with inline scripts, blob workers and new Function; everything else stays on this host.
 POLICY = "; ".join(
@@ -98,11 +106,6 @@ def _file(file: Path, request: Request) -> Response:
 def _page() -> str:
     source = Path(viser.__file__).parent / "client" / "build" / "index.html"
     words = {language: {"stop": STOP[language], "lost": LOST[language]} for language in LANGUAGES}
-    tags = (
-        # a list that opens beyond the edge of a phone would widen the page, move itself and push Stop out of view
-        '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
-        '<link rel="stylesheet" href="/static/helicoide.css" />'
-        f'<script src="/static/helicoide.js" data-words="{html.escape(json.dumps(words))}" defer></script>'
-    )
-    titled = source.read_text("utf-8").replace("<title>Viser</title>", "<title>Helicoide</title>", 1)
-    return titled.replace("</head>", f"{tags}</head>", 1)
+    tags = TAGS.format(json.dumps(words))
+    titled = source.read_text("utf-8").replace(*TITLES, 1)
+    return titled.replace(HEAD_ENDS, tags + HEAD_ENDS, 1)

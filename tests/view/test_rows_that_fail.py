@@ -187,16 +187,28 @@ def test_rows_come_back_when_their_key_can_be_read_again(
     """Rows that hang on a key that failed are gone, so that nobody presses what stands for something else."""
     server.gui.reset()
 
-    def rows(shows: tuple[str, ...]) -> list[Row]:
-        return [Words(lambda _: Markup("{}").format(shows))] if shows != ("bad",) else fails()
+    def rows(lesson: str | None) -> list[Row]:
+        return fails() if lesson == "bad" else [Words(lambda _: Markup("{}").format(lesson))]
 
-    (folder,) = place(
-        server.gui, [Folder(NAME, Changing(lambda view: tuple(view.seat.done), rows))], views["en"], fails
-    )
-    for shows in (("a b",), ("bad",), ("a", "b")):
-        seat = replace(views["en"].seat, done=shows)  # type: ignore[arg-type]
+    view = views["en"]
+    (folder,) = place(server.gui, [Folder(NAME, Changing(lambda view: view.seat.lesson, rows))], view, fails)
+    for lesson, shown in (("a b", ["a b"]), ("bad", []), ("a", ["a"])):
         for _ in range(2):
-            folder.refresh(replace(views["en"], seat=seat))
-        assert [page for page in read(server.gui) if page != mark("en")] == (
-            [] if shows == ("bad",) else [str(Markup("{}").format(shows))]
-        )
+            folder.refresh(replace(view, seat=replace(view.seat, lesson=lesson)))
+        assert [page for page in read(server.gui) if page != mark("en")] == shown
+    assert len(told(caplog)) == 1
+
+
+def test_two_that_are_called_alike_can_be_told_apart(server: viser.ViserServer, views: dict[Language, View]) -> None:
+    """The page refuses a list with the same words twice."""
+    server.gui.reset()
+    wishes: list[Wish] = []
+    alike = Choice(NAME, [(key, NAME) for key in "abc"], lambda _: "a", ForLab)
+    (placed,) = place(server.gui, [alike], views["en"], wishes.append)
+    (handle,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiDropdownHandle)]
+    assert len(set(handle.options)) == 3
+    for option in handle.options:
+        handle.value = option
+        touch(handle)
+        placed.refresh(views["en"])
+    assert wishes == [ForLab("a"), ForLab("b"), ForLab("c")]

@@ -121,9 +121,14 @@ class ChoiceControl(Control):
         super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._wish, ask, view)
 
     def _words(self, view: View) -> dict[str, str]:
+        """What is shown for each key; a number tells those apart that are called alike."""
         options = self.row.options
         known = options(view) if callable(options) else options
-        return {key: text[view.seat.language] for key, text in known}
+        words = [text[view.seat.language] for _, text in known]
+        return {
+            key: word if words.index(word) == k else f"{word} ({k + 1})"
+            for k, ((key, _), word) in enumerate(zip(known, words, strict=True))
+        }
 
     def _wish(self, word: str) -> Wish | None:
         keys = {word: key for key, word in self._words(self.view).items()}

@@ -144,18 +144,15 @@ def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> 
     tone, sign = (TONES[found], f"{SIGNS[found]} ") if compared else ("", "")
     unit = Markup(" <i>{}</i>").format(row.unit) if row.unit else ""
     head = Markup("<tr class='quantity {}'><td colspan='3'>{}{}{}</td></tr>")
-    why = Markup("<tr class='{}'><td colspan='3'>{}</td></tr>").format(tone, verdict(row, language))
+    said = verdict(row, language) if compared and found is not Verdict.AGREES else ""
+    why = said and Markup("<tr class='{}'><td colspan='3'>{}</td></tr>").format(tone, said)
     tolerance = row.tolerance if row.relation == "=" else 0.0
     bound = f"{row.relation} " if row.digest is not None and row.relation != "=" else ""
     values = (row.digest, row.ours, *(None if other is None else other.ours for other in others))
     asked, *ours = (NOTHING if v is None else number(v, "", tolerance, DIGITS).replace("-", "−") for v in values)
     printed = [] if others else [source(row, language)]
     numbers = Markup("").join(Markup("<td>{}</td>").format(cell) for cell in (*printed, bound + asked, *ours))
-    return Markup("{}<tr>{}</tr>{}").format(
-        head.format(tone, sign, row.quantity[language], unit),
-        numbers,
-        why if compared and found is not Verdict.AGREES else "",
-    )
+    return head.format(tone, sign, row.quantity[language], unit) + Markup("<tr>{}</tr>{}").format(numbers, why)
 
 
 def charts(view: View) -> Sequence[Chart]:

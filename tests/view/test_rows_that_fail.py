@@ -160,7 +160,8 @@ def test_a_row_whose_wish_cannot_be_made_is_marked(
 def touch(handle: Any) -> None:
     """What viser does when a page changes a control."""
     for callback in handle._impl.update_cb:
-        asyncio.run(callback(viser.GuiEvent(client=handle, client_id=0, target=handle)))
+        event = viser.GuiEvent(client=handle, client_id=0, target=handle)
+        asyncio.run_coroutine_threadsafe(callback(event), handle._impl.gui_api._event_loop).result(60)
 
 
 def test_a_wish_that_cannot_be_granted_marks_its_row(

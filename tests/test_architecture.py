@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Iterator
 from functools import cache
 from graphlib import TopologicalSorter
@@ -147,9 +148,87 @@ def test_no_bare_except() -> None:
     assert lines_with(is_a_bare_except, FILES + LESSON_FILES + BUILD_FILES) == []
 
 
+# HTML: whatever is shown may hold a name that a person, a file or a robot gave, so that all of it is made of Markup.
+HTML_FILE = PACKAGE / "view" / "html.py"
+HTML_ROOMS = [file for file in FILES if room(module(file)) in {"view", "export"}]
+TAG = re.compile(r"</?\w|<!|</?$")
+TO_THE_PAGE = {"add_html", "add_markdown"}
+
+
+def is_markup(node: ast.AST) -> bool:
+    """`Markup(...)`."""
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Markup"
+
+
+def trusts_what_is_no_literal(node: ast.AST) -> bool:
+    """`Markup(text)`, which takes whatever it is given as HTML; also another name for it."""
+    if isinstance(node, ast.ImportFrom | ast.Import):
+        return any("markupsafe" in (alias.name, getattr(node, "module", "")) and alias.asname for alias in node.names)
+    if isinstance(node, ast.Attribute):
+        return node.attr == "Markup"
+    return is_markup(node) and [type(argument) for argument in node.args] != [ast.Constant]  # type: ignore[attr-defined]
+
+
+def writes_to_the_page(node: ast.AST) -> bool:
+    """`gui.add_html(...)` and `handle.content = ...`."""
+    if not isinstance(node, ast.Attribute):
+        return False
+    return node.attr in TO_THE_PAGE or (node.attr == "content" and isinstance(node.ctx, ast.Store))
+
+
+def tags_outside_markup(source: ast.Module) -> list[int]:
+    """The lines of strings that hold a tag, but for docstrings and literals in `Markup(...)`."""
+    nodes = list(ast.walk(source))
+    inside = {id(argument) for node in nodes if is_markup(node) for argument in node.args}  # type: ignore[attr-defined]
+    said = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    strings = [node for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    return [node.lineno for node in strings if TAG.search(node.value) and id(node) not in inside | said]  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("file", HTML_ROOMS, ids=name_of)
+def test_html_is_made_of_markup_alone(file: Path) -> None:
+    assert tags_outside_markup(tree(file)) == []
+
+
+def test_one_file_alone_trusts_html_and_writes_it_to_the_page() -> None:
+    others = [file for file in FILES if file != HTML_FILE]
+    assert lines_with(trusts_what_is_no_literal, others) == []
+    assert lines_with(writes_to_the_page, [file for file in HTML_ROOMS if file != HTML_FILE]) == []
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "f'<b>{name}</b>'",
+        "'<b>{}</b>'.format(name)",
+        "'</p>' + name",
+        "f'<{name}>'",
+        "Text(en='<b>', pt_BR='')",
+        "Markup(f'<p>{name}')",
+        "Markup('<p>' + name)",
+        "Markup('').join(['<p>'])",
+    ],
+)
+def test_the_watch_sees_tags_outside_markup(source: str) -> None:
+    assert tags_outside_markup(ast.parse(f"page = {source}"))
+
+
+def test_the_watch_passes_over_literals_in_markup_and_docstrings() -> None:
+    source = "def f(a):\n    'Tags <b>.'\n    return Markup('<b>' '{}</b>').format(a) if a < 1 else 'a < b'"
+    assert tags_outside_markup(ast.parse(source)) == []
+
+
 @pytest.mark.parametrize(
     ("found", "source"),
     [
+        (trusts_what_is_no_literal, "Markup(name)"),
+        (trusts_what_is_no_literal, "Markup(f'{name}')"),
+        (trusts_what_is_no_literal, "markupsafe.Markup(name)"),
+        (trusts_what_is_no_literal, "map(markupsafe.Markup, names)"),
+        (trusts_what_is_no_literal, "from markupsafe import Markup as M"),
+        (trusts_what_is_no_literal, "import markupsafe as m"),
+        (writes_to_the_page, "gui.add_html(name)"),
+        (writes_to_the_page, "handle.content = name"),
         (writes_to_the_terminal, "print(1)"),
         (writes_to_the_terminal, "import sys\nsys.stdout.write('a')"),
         (is_a_bare_except, "try:\n    pass\nexcept:\n    pass"),

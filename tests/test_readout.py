@@ -121,7 +121,7 @@ def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None
     readings = readout.readings(state)
     assert len({reading.key for reading in readings}) == len(readings) == 1 + 5 + 4 + 5
     assert all(reading.title.en and reading.title.pt_BR and reading.values.shape == (16,) for reading in readings)
-    assert len({reading.symbol for reading in readings}) == len(readings)
+    assert len({(reading.symbol, reading.index) for reading in readings}) == len(readings)
 
 
 def test_the_nearest_point_and_the_zones(state: State) -> None:

@@ -6,7 +6,8 @@ import contextlib
 
 import numpy as np
 import pytest
-from playwright.sync_api import FilePayload, Locator, Page, TimeoutError
+from playwright.sync_api import Browser, FilePayload, Locator, Page, TimeoutError, expect
+from tests.browser.conftest import window
 from tests.browser.lab import Lab, grab, pixels, status, tab, until
 from tests.perception.views import between
 
@@ -65,6 +66,20 @@ def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
     chooser.value.set_files(FilePayload(name="junk.toml", mimeType="text/plain", buffer=b"\x00\xff"))
     until(page, lambda: "junk.toml" in status(page))
     page.get_by_role("button", name="Planes back to the measured ones").click()
+    until(page, lambda: lab.state.problem.planes.names == measured.names)
+
+
+def test_any_name_of_a_plane_is_text_in_a_new_window(lab: Lab, page: Page, browser: Browser) -> None:
+    measured = planes_of(lab.state.robot.panes)
+    names = ["<img src=x onerror='window.ran = true'>", "north wall", *measured.names[2:]]
+    lab.post(gate.take_planes_of(written(names, measured).encode(), "planes.toml"))
+    with window(browser, lab.port) as other:
+        tab(other, "Algebra")
+        other.get_by_text("Planes", exact=True).click()
+        for name in names:
+            expect(other.get_by_text(f"plane {name} ", exact=False).first).to_be_visible()
+        assert not other.evaluate("Boolean(window.ran) || document.querySelectorAll('img[src=x]').length > 0")
+    lab.post(gate.restore_planes())
     until(page, lambda: lab.state.problem.planes.names == measured.names)
 
 

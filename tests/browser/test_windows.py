@@ -82,12 +82,12 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     mine = own(lab)
     until(other, lambda: len(lab.windows) == 1)
     shared = lab.state
-    box(other, 0, "25")
-    until(other, lambda: abs(np.degrees(mine.state.q[0]) - 25) < 0.1)
+    box(other, 0, "20")
+    until(other, lambda: abs(np.degrees(mine.state.q[0]) - 20) < 0.1)
     assert (lab.state.q == shared.q).all()
-    box(one, 0, "-30")
-    until(one, lambda: abs(np.degrees(lab.state.q[0]) + 30) < 0.1)
-    assert abs(np.degrees(mine.state.q[0]) - 25) < 0.1
+    box(one, 0, "-15")
+    until(one, lambda: abs(np.degrees(lab.state.q[0]) + 15) < 0.1)
+    assert abs(np.degrees(mine.state.q[0]) - 20) < 0.1
     waist = "() => window.__viserMutable.nodeRefFromName['/arm/waist'].quaternion.toArray()"
     until(one, lambda: bool(abs(np.array(one.evaluate(waist)) - np.array(other.evaluate(waist))).max() > 0.2))
     press(other, "Iniciar")

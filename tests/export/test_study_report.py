@@ -8,12 +8,13 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
+from tests.hostile import HARMLESS, NAMES, OUTLINE, Page, result_named, study_named
 
 from helicoide import studies
 from helicoide.export.study_report import COLOUR, STYLE, Record, counted, page
 from helicoide.export.study_table import cells, number
 from helicoide.studies.study import FIGURE_ONLY, Chart, Line, Result, Row, Verdict
-from helicoide.text import Language, Text, same
+from helicoide.text import LANGUAGES, Language, Text, same
 
 ROWS = (
     Row(Text(en="right", pt_BR="certo"), 1.0, 1.0, 0.1, "mm", "1.0"),
@@ -102,6 +103,18 @@ def test_a_study_that_failed_says_why_and_counts_as_a_difference() -> None:
 @pytest.mark.parametrize(("rows", "differs"), [(ROWS, True), (ROWS[:3], False), ((), False)])
 def test_doubt_and_assumption_are_no_difference(rows: tuple[Row, ...], differs: bool) -> None:
     assert record(*rows).differs is differs
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", NAMES)
+def test_names_make_no_tags(name: str, language: Language) -> None:
+    study = study_named(name)
+    ran = Record(name, study, study.Options(), True, result_named(name), None, 1.0)
+    failed = replace(ran, result=None, failure=same(name))
+    read = Page(page([ran, failed], 1.0, language))
+    assert read.tags <= HARMLESS | OUTLINE
+    assert not read.active
+    assert read.text.count(name) > 20
 
 
 def test_all_numbers_are_counted() -> None:

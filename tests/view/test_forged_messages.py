@@ -200,9 +200,7 @@ NEW = "plane p1 (p1)"
 
 def listed(session: Lab) -> tuple[str, ...]:
     """What the only window offers to light up."""
-    (window,) = windows(session)
-    handles = [row.handle for row in window.placed if getattr(getattr(row, "handle", None), "label", "") == "Light up"]
-    return tuple(handles[0].options)
+    return tuple(control(session, "Light up").options)
 
 
 def chosen(session: Lab) -> str | None:
@@ -227,19 +225,35 @@ def test_the_fixed_plane_and_unknown_names_move_nothing(session: Lab, page: Page
 def test_a_disabled_control_moves_nothing(session: Lab, page: Page) -> None:
     page.give("Park", True)
     assert eventually(lambda: arm(session).parked and arm(session).command == Hold())
-    assert eventually(lambda: all(row.handle.disabled for row in session_rows(session) if row_label(row) == "1 waist"))
+    assert eventually(lambda: control(session, "1 waist").disabled)
     assert not moved(session, lambda: page.give("1 waist", 20.0))
     assert not moved(session, lambda: page.give("Play", True))
     page.give("Ready", True)
     assert eventually(lambda: not arm(session).parked and arm(session).command == Hold())
 
 
-def session_rows(session: Lab) -> list[Any]:
-    return [row for window in windows(session) for row in window.placed if hasattr(row, "handle")]
+def control(session: Lab, label: str) -> Any:
+    """The control of the only window with a label."""
+    (window,) = windows(session)
+    handles = window.client.gui._gui_input_handle_from_uuid.values()
+    return next(handle for handle in list(handles) if getattr(handle, "label", "") == label)
 
 
-def row_label(row: Any) -> str:
-    return str(getattr(row.handle, "label", ""))
+def test_a_control_that_a_page_breaks_costs_that_page_one_row(
+    session: Lab, page: Page, caplog: pytest.LogCaptureFixture
+) -> None:
+    """viser writes whatever attribute a message names into its handle."""
+    session.shared.workcell.tell(gate.get_ready())
+    waist = control(session, "1 waist")
+    page.send({"type": "GuiUpdateMessage", "uuid": page.made["1 waist"]["uuid"], "updates": {"props": None}})
+    assert eventually(lambda: waist._impl.props is None)
+    page.give("2 shoulder", 21.0)
+    assert eventually(lambda: abs(math.degrees(arm(session).q[1]) - 21) < 0.1)
+    session.shared.workcell.tell(gate.set_joint(1, math.radians(25)))
+    assert eventually(lambda: control(session, "2 shoulder").value == 25.0)
+    failed = [record for record in caplog.records if "row" in record.getMessage()]
+    assert [record.getMessage() for record in failed] == ["A row of a panel failed: Slider."]
+    assert failed[0].exc_info is not None
 
 
 def test_messages_that_viser_does_not_know_end_at_most_their_own_connection(session: Lab) -> None:

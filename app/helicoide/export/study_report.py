@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from html import escape
 from typing import Any
+
+from markupsafe import Markup
 
 from helicoide.export.readable import readable
 from helicoide.export.study_table import HEADINGS, alone, cells
@@ -30,7 +31,7 @@ SHORT = Text(en="short form", pt_BR="forma curta")
 FAILED = Text(en="did not run to its end: {why}", pt_BR="não chegou ao fim: {why}")
 TOOK = Text(en="{robot} · took {seconds:.1f} s", pt_BR="{robot} · levou {seconds:.1f} s")
 COLOUR = {Verdict.AGREES: "agrees", Verdict.DOUBT: "doubt", Verdict.ASSUMED: "assumed", Verdict.DIFFERS: "differs"}
-STYLE = """
+STYLE = Markup("""
 :root { color-scheme: light; font: 16px/1.5 system-ui, sans-serif; color: #1c2430; background: #fff; }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 h2 { margin-top: 3rem; border-top: 1px solid #ccd2da; padding-top: 1rem; }
@@ -55,7 +56,33 @@ svg { width: 100%; height: auto; font-size: 12px; fill: #1c2430; } svg.swatch { 
   svg { font-size: 15px; } }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } h2, figcaption { break-after: avoid; }
   table, figure, tr { break-inside: avoid; } * { print-color-adjust: exact; } }
-""".strip()
+""").strip()
+PAGE = Markup("""\
+<!doctype html>
+<html lang="{language}"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>
+{style}
+</style></head><body>
+<h1>{title}</h1>
+<p>{counted}</p>
+<p>{about}</p>
+<ol>{contents}</ol>
+{sections}
+</body></html>
+""")
+SECTION = Markup("""\
+<section id="{name}"><h2>{title}</h2>
+<p class="source">{source}</p>
+<p>{about}</p>
+{options}{body}
+<p class="took">{took}</p></section>""")
+TABLE = Markup("""\
+<div class="wide"><table><thead><tr>{heads}</tr></thead><tbody>
+{rows}
+</tbody></table></div>
+{charts}""")
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,22 +103,22 @@ class Record:
         return self.result is None or any(row.verdict is Verdict.DIFFERS for row in self.result.rows)
 
 
-def page(records: Sequence[Record], seconds: float, language: Language) -> str:
+def page(records: Sequence[Record], seconds: float, language: Language) -> Markup:
     """The report as an HTML document. Args: seconds: of the full run."""
-    title = escape(TITLE[language])
-    contents = "".join(f'<li><a href="#{r.name}">{escape(r.study.TITLE[language])}</a></li>' for r in records)
-    return "\n".join(
-        [
-            "<!doctype html>",
-            f'<html lang="{"pt-BR" if language == "pt_BR" else "en"}"><head><meta charset="utf-8">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{title}</title>\n<style>\n{STYLE}\n</style></head><body>",
-            f"<h1>{title}</h1>\n<p>{escape(counted(records, seconds)[language])}</p>",
-            f"<p>{escape(ABOUT_VERDICTS[language])}</p>\n<ol>{contents}</ol>",
-            *(_section(record, language) for record in records),
-            "</body></html>\n",
-        ]
+    entry = Markup('<li><a href="#{}">{}</a></li>')
+    return PAGE.format(
+        language="pt-BR" if language == "pt_BR" else "en",
+        title=TITLE[language],
+        style=STYLE,
+        counted=counted(records, seconds)[language],
+        about=ABOUT_VERDICTS[language],
+        contents=_joined(entry.format(record.name, record.study.TITLE[language]) for record in records),
+        sections=Markup("\n").join(_section(record, language) for record in records),
     )
+
+
+def _joined(parts: Iterable[Markup]) -> Markup:
+    return Markup("").join(parts)
 
 
 def counted(records: Sequence[Record], seconds: float) -> Text:
@@ -124,33 +151,34 @@ def _value(setting: object, value: Any, language: Language) -> str:
     return str({True: Text(en="yes", pt_BR="sim"), False: Text(en="no", pt_BR="não")}[value][language])
 
 
-def _section(record: Record, language: Language) -> str:
+def _section(record: Record, language: Language) -> Markup:
     study, short = record.study, f" ({SHORT[language]})" if record.short else ""
-    took = TOOK.format(robot=study.ROBOT, seconds=record.seconds)[language]
     options = chosen(record, language)
-    return "\n".join(
-        [
-            f'<section id="{record.name}"><h2>{escape(study.TITLE[language] + short)}</h2>',
-            f'<p class="source">{escape(study.SOURCE)}</p>\n<p>{escape(study.ABOUT[language])}</p>',
-            *([f'<p class="source">{escape(options)}</p>'] if options else []),
-            _body(record, language),
-            f'<p class="took">{escape(took)}</p></section>',
-        ]
+    return SECTION.format(
+        name=record.name,
+        title=study.TITLE[language] + short,
+        source=study.SOURCE,
+        about=study.ABOUT[language],
+        options=Markup('<p class="source">{}</p>\n').format(options) if options else "",
+        body=_body(record, language),
+        took=TOOK.format(robot=study.ROBOT, seconds=record.seconds)[language],
     )
 
 
-def _body(record: Record, language: Language) -> str:
+def _body(record: Record, language: Language) -> Markup:
     if record.result is None:
         why = record.failure[language] if record.failure else ""
-        return f'<p class="verdict differs">{escape(FAILED.format(why=why)[language])}</p>'
-    heads = "".join(f"<th>{escape(head[language])}</th>" for head in HEADINGS)
-    rows = "\n".join(_row(row, language) for row in record.result.rows)
-    charts = "\n".join(figure(readable(chart), language) for chart in record.result.charts)
-    return f'<div class="wide"><table><thead><tr>{heads}</tr></thead><tbody>\n{rows}\n</tbody></table></div>\n{charts}'
+        return Markup('<p class="verdict differs">{}</p>').format(FAILED.format(why=why)[language])
+    return TABLE.format(
+        heads=_joined(Markup("<th>{}</th>").format(head[language]) for head in HEADINGS),
+        rows=Markup("\n").join(_row(row, language) for row in record.result.rows),
+        charts=Markup("\n").join(figure(readable(chart), language) for chart in record.result.charts),
+    )
 
 
-def _row(row: Row, language: Language) -> str:
-    *plain, verdict = (escape(cell) for cell in cells(row, language))
-    kind = "" if alone(row) else f' class="verdict {COLOUR[row.verdict]}"'
-    said = f"<td><span{kind}>{verdict}</span></td>"
-    return "<tr>" + "".join(f"<td>{cell}</td>" for cell in plain) + said + "</tr>"
+def _row(row: Row, language: Language) -> Markup:
+    *plain, verdict = cells(row, language)
+    kind = "" if alone(row) else f"verdict {COLOUR[row.verdict]}"
+    return Markup('<tr>{}<td><span class="{}">{}</span></td></tr>').format(
+        _joined(Markup("<td>{}</td>").format(cell) for cell in plain), kind, verdict
+    )

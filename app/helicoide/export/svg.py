@@ -7,10 +7,10 @@ text stays text of the page, which can be searched, translated in size, and prin
 from __future__ import annotations
 
 from dataclasses import dataclass
-from html import escape
 from math import ceil, floor, log10
 
 import numpy as np
+from markupsafe import Markup
 
 from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Line
@@ -88,54 +88,60 @@ class Frame:
         return np.asarray(self.floor - (y - self.up[0]) / (self.up[1] - self.up[0]) * (self.floor - TOP))
 
 
-def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> str:
+def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
     """A chart as an SVG element, without words."""
     frame = Frame(*size, span([line.x for line in chart.lines]), span([line.y for line in chart.lines]))
-    return "\n".join(
-        [
-            f'<svg viewBox="0 0 {frame.width} {frame.height}" role="img" aria-label="{escape(chart.title[language])}">',
-            *_grid(frame),
-            *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)),
-            "</svg>",
-        ]
+    inside = (*_grid(frame), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
+    return Markup('<svg viewBox="0 0 {} {}" role="img" aria-label="{}">\n{}\n</svg>').format(
+        frame.width, frame.height, chart.title[language], Markup("\n").join(inside)
     )
 
 
-def caption(chart: Chart, language: Language) -> str:
+def caption(chart: Chart, language: Language) -> Markup:
     """The title of a chart, what is up and what is across, as words of the page, which can wrap."""
-    title, up, across = (escape(text[language]) for text in (chart.title, chart.up, chart.across))
-    return f'<figcaption>{title}</figcaption>\n<p class="axes"><span>↑ {up}</span> <span>→ {across}</span></p>'
+    return Markup('<figcaption>{}</figcaption>\n<p class="axes"><span>↑ {}</span> <span>→ {}</span></p>').format(
+        chart.title[language], chart.up[language], chart.across[language]
+    )
 
 
-def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> str:
+def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
     """A chart with its words above and its curves named below."""
-    names = "".join(f"<li>{_swatch(i)} {escape(line.title[language])}</li>" for i, line in enumerate(chart.lines))
-    return f"<figure>{caption(chart, language)}\n{svg(chart, language, size)}\n<ul>{names}</ul></figure>"
+    names = Markup("").join(
+        Markup("<li>{} {}</li>").format(_swatch(i), line.title[language]) for i, line in enumerate(chart.lines)
+    )
+    return Markup("<figure>{}\n{}\n<ul>{}</ul></figure>").format(
+        caption(chart, language), svg(chart, language, size), names
+    )
 
 
-def _grid(frame: Frame) -> list[str]:
+def _grid(frame: Frame) -> list[Markup]:
     x, y, floor_y, edge = ticks(*frame.across), ticks(*frame.up), frame.floor, frame.width - RIGHT
-    rows = [f'<rect class="frame" x="{LEFT}" y="{TOP}" width="{edge - LEFT}" height="{floor_y - TOP}"/>']
+    frame_of = Markup('<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>')
+    path = Markup('<path class="grid" d="{}"/>')
+    text = Markup('<text x="{}" y="{}" text-anchor="{}">{}</text>')
+    rows = [frame_of.format(LEFT, TOP, edge - LEFT, floor_y - TOP)]
     for at, label in zip(frame.right(x), labels(x), strict=True):
-        rows.append(f'<path class="grid" d="M{at:.1f} {TOP}V{floor_y}"/>')
-        rows.append(f'<text x="{at:.1f}" y="{floor_y + 16}" text-anchor="middle">{label}</text>')
+        rows.append(path.format(f"M{at:.1f} {TOP}V{floor_y}"))
+        rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", label))
     for at, label in zip(frame.down(y), labels(y), strict=True):
-        rows.append(f'<path class="grid" d="M{LEFT} {at:.1f}H{edge}"/>')
-        rows.append(f'<text x="{LEFT - 6}" y="{at + 4:.1f}" text-anchor="end">{label}</text>')
+        rows.append(path.format(f"M{LEFT} {at:.1f}H{edge}"))
+        rows.append(text.format(LEFT - 6, f"{at + 4:.1f}", "end", label))
     return rows
 
 
-def _pen(index: int) -> str:
-    dash = DASHES[index % len(DASHES)]
-    return f'stroke="{COLOURS[index % len(COLOURS)]}"' + (f' stroke-dasharray="{dash}"' if dash else "")
+def _pen(index: int) -> Markup:
+    stroke, dash = COLOURS[index % len(COLOURS)], DASHES[index % len(DASHES)]
+    if not dash:
+        return Markup('stroke="{}"').format(stroke)
+    return Markup('stroke="{}" stroke-dasharray="{}"').format(stroke, dash)
 
 
-def _swatch(index: int) -> str:
-    stroke = f'<path class="line" d="M0 4H28" {_pen(index)}/>'
-    return f'<svg class="swatch" viewBox="0 0 28 8" aria-hidden="true">{stroke}</svg>'
+def _swatch(index: int) -> Markup:
+    stroke = Markup('<path class="line" d="M0 4H28" {}/>').format(_pen(index))
+    return Markup('<svg class="swatch" viewBox="0 0 28 8" aria-hidden="true">{}</svg>').format(stroke)
 
 
-def _polyline(line: Line, index: int, frame: Frame) -> str:
+def _polyline(line: Line, index: int, frame: Frame) -> Markup:
     x, y = thinned(line.x, line.y)
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(frame.right(x), frame.down(y), strict=True))
-    return f'<polyline class="line" points="{points}" {_pen(index)}/>'
+    return Markup('<polyline class="line" points="{}" {}/>').format(points, _pen(index))

@@ -17,12 +17,16 @@ from helicoide.text import Text
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """A multivector of the scene: a key that names its object, a title, a symbol in TeX, and how it is worked out."""
+    """A multivector of the scene: a key that names its object, a title, a symbol, and how it is worked out.
+
+    symbol: in TeX; index: a name, which is not TeX, to stand below it.
+    """
 
     key: str
     title: Text
     symbol: str
     work_out: Callable[[], Array]
+    index: str = ""
 
     @cached_property
     def values(self) -> Array:
@@ -64,8 +68,9 @@ def _planes(state: State) -> list[Reading]:
         Reading(
             f"plane {k}",
             title.format(name=pane.name, pane=pane.title),
-            rf"\pi_{{{pane.name}}}",
+            r"\pi",
             partial(lambda k: rigid.plane(planes.normals[k], planes.offsets[k]), k),
+            pane.name,
         )
         for k, pane in enumerate(state.problem.planes.panes)
     ]

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
+from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate
@@ -51,7 +52,7 @@ def plane_rows(robot: Robot) -> Folder:
             Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"), [*map(_upload, READINGS)], open=False
         ),
         Folder(Text(en="Zones", pt_BR="Zonas"), _zones(), open=False),
-        Folder(Text(en="Take away", pt_BR="Tirar"), Changing(_names, _removable), open=False),
+        Folder(Text(en="Take away", pt_BR="Tirar"), Changing(_movable, _removable), open=False),
         Button(lambda _: Text(en="Save the planes", pt_BR="Salvar os planos"), _save, Icon.DOWNLOAD),
         Upload(
             Text(en="Load planes", pt_BR="Carregar planos"),
@@ -79,10 +80,11 @@ def _free(view: View) -> bool:
     return not view.state.parked
 
 
-def _read(view: View) -> str:
+def _read(view: View) -> Markup:
     """What the last readings found."""
-    lines = "".join(f"<li>{seen.words[view.seat.language]}</li>" for seen in view.state.seen.values())
-    return f"<ul class='helicoide-note'>{lines}</ul>" if lines else ""
+    line, language = Markup("<li>{}</li>"), view.seat.language
+    lines = Markup("").join(line.format(seen.words[language]) for seen in view.state.seen.values())
+    return lines and Markup("<ul class='helicoide-note'>{}</ul>").format(lines)
 
 
 def numbers(text: str, count: int) -> list[float] | None:
@@ -177,13 +179,13 @@ def _zones() -> list[Row]:
     ]
 
 
-def _names(view: View) -> str:
-    panes = view.state.problem.planes.panes
-    return " ".join(f"{k}:{pane.name}" for k, pane in enumerate(panes) if pane.movable)
+def _movable(view: View) -> tuple[tuple[int, str], ...]:
+    """The number and the name of each plane that can be taken away."""
+    return tuple((k, pane.name) for k, pane in enumerate(view.state.problem.planes.panes) if pane.movable)
 
 
-def _removable(names: str) -> list[Row]:
-    return [_remove(int(k), name) for k, _, name in (entry.partition(":") for entry in names.split())]
+def _removable(planes: tuple[tuple[int, str], ...]) -> list[Row]:
+    return [_remove(k, name) for k, name in planes]
 
 
 def _remove(index: int, name: str) -> Button:

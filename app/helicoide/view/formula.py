@@ -3,22 +3,36 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 
 import numpy as np
-from latex2mathml.converter import convert
+from markupsafe import Markup
 
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.chain import Array
+from helicoide.view import html
 
 ZERO = 5e-4
-_BLADES = tuple("1" if name == "1" else re.sub(r"e(\d)", r"e<sub>\1</sub>", name) for name in CL031.names)
 
 
-@lru_cache(maxsize=256)
-def mathml(tex: str, display: bool = False) -> str:
-    """A formula for an HTML row."""
-    return f'<div class="helicoide-formula">{convert(tex, display="block" if display else "inline")}</div>'
+def mathml(tex: str, index: str = "") -> Markup:
+    """A formula for an HTML row; index: a name that stands below it."""
+    return Markup('<div class="helicoide-formula">{}</div>').format(html.formula(tex, index))
+
+
+def _blade(name: str) -> Markup:
+    """The name of a basis blade, such as e1e2, with its numbers below the line."""
+    parts = re.split(r"(?<=e)(\d)", name)
+    return Markup("").join(Markup("<sub>{}</sub>").format(part) if k % 2 else part for k, part in enumerate(parts))
+
+
+def _grid() -> Markup:
+    """The grid with two places left in each cell, %s; it is made once, since panels fill it ten times a second."""
+    cell = Markup('<i class="g{}%s"><b>%s</b><u>{}</u></i>')
+    cells = (cell.format(grade, _blade(name)) for grade, name in zip(CL031.grades, CL031.names, strict=True))
+    return Markup('<div class="helicoide-grid">{}</div>').format(Markup("").join(cells))
+
+
+GRID = _grid()
 
 
 def coefficient(value: float) -> str:
@@ -26,10 +40,7 @@ def coefficient(value: float) -> str:
     return "0" if abs(value) < ZERO else f"{value:.3f}".replace("-", "−")
 
 
-def coefficient_grid(values: Array) -> str:
+def coefficient_grid(values: Array) -> Markup:
     """The 16 coefficients with their blade names, coloured by grade, zero ones faint."""
-    cells = (
-        f'<i class="g{grade}{" zero" if abs(value) < ZERO else ""}"><b>{coefficient(value)}</b><u>{blade}</u></i>'
-        for blade, grade, value in zip(_BLADES, CL031.grades, np.asarray(values), strict=True)
-    )
-    return f'<div class="helicoide-grid">{"".join(cells)}</div>'
+    said = [(" zero" if abs(value) < ZERO else "", coefficient(value)) for value in np.asarray(values)]
+    return GRID % tuple(word for words in said for word in words)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
-from html import escape
+from collections.abc import Iterable
+
+from markupsafe import Markup
 
 from helicoide.ik.methods import named
 from helicoide.readout import Instrument, holding, instruments
@@ -13,25 +15,30 @@ from helicoide.view.formula import mathml
 from helicoide.view.rows import View
 
 
-def instrument_table(view: View) -> str:
+def instrument_table(view: View) -> Markup:
     """The equation, and a table of what can be read off the method and off the one beside it."""
     arms = [state for state in (view.state, view.state.of_beside) if state is not None]
     columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
     lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
-    head = "".join(f"<th>{escape(named(state.drive.method).TITLE[view.seat.language])}</th>" for state in arms)
-    body = "".join(
-        f"<tr><td>{mathml(_tex(symbol))}<span>{escape(instrument.title[view.seat.language])}</span></td>"
-        + "".join(f"<td>{_read(column.get(symbol))}</td>" for column in columns)
-        + "</tr>"
+    head = _cells(Markup("<th>{}</th>"), (named(state.drive.method).TITLE[view.seat.language] for state in arms))
+    body = Markup("").join(
+        Markup("<tr><td>{}<span>{}</span></td>{}</tr>").format(
+            mathml(_tex(symbol)),
+            instrument.title[view.seat.language],
+            _cells(VALUE, (_read(column.get(symbol)) for column in columns)),
+        )
         for symbol, instrument in lines.items()
     )
-    held = "".join(f"<td>{_held(state, view)}</td>" for state in arms)
-    return mathml(named(view.state.drive.method).EQUATION) + (
-        f"<table class='helicoide-instruments'><tr><th></th>{head}</tr>{body}"
-        f"<tr><td>{HELD[view.seat.language]}</td>{held}</tr></table>"
-    )
+    table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>")
+    held = _cells(VALUE, (_held(state, view) for state in arms))
+    return mathml(named(view.state.drive.method).EQUATION) + table.format(head, body, HELD[view.seat.language], held)
 
 
+def _cells(cell: Markup, words: Iterable[str]) -> Markup:
+    return Markup("").join(map(cell.format, words))
+
+
+VALUE = Markup("<td>{}</td>")
 HELD = Text(en="held by", pt_BR="retido por")
 
 
@@ -48,4 +55,4 @@ def _read(instrument: Instrument | None) -> str:
 
 
 def _held(state: State, view: View) -> str:
-    return "<br>".join(escape(text[view.seat.language]) for text in holding(state)) or "–"
+    return Markup("<br>").join(text[view.seat.language] for text in holding(state)) or "–"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from html import escape
 
 import numpy as np
+from markupsafe import Markup
 from numpy.typing import NDArray
 from viser import Icon
 
@@ -16,6 +16,7 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import KINDS, Kind, Map, normal_of
 from helicoide.text import Text
+from helicoide.view import html
 from helicoide.view.rows import Bar, Button, Choice, CountMap, Folder, ForArm, ForSeat, Row, Slider, View, Words
 
 # From low to high, each lighter than the one before, so that they can be told apart without seeing colours.
@@ -150,15 +151,15 @@ def _has_map(view: View) -> bool:
     return view.state.workspace.map is not None
 
 
-def _about(view: View) -> str:
-    return f"<p class='helicoide-note'>{escape(ABOUT[view.state.workspace.kind][view.seat.language])}</p>"
+def _about(view: View) -> Markup:
+    return html.note(ABOUT[view.state.workspace.kind][view.seat.language])
 
 
-def _found(view: View) -> str:
+def _found(view: View) -> Markup:
     """What the map says as a whole, and what its colours stand for."""
     found, language = view.state.workspace.map, view.seat.language
     if found is None:
-        return ""
+        return Markup("")
     words = FOUND.format(
         title=TITLES[found.kind],
         measure=measure(found),
@@ -167,12 +168,10 @@ def _found(view: View) -> str:
     )
     said = scale_of(view.state.robot, found)
     stops = ", ".join(f"rgb({r} {g} {b})" for r, g, b in ANCHORS.astype(int))
-    bounds = "".join(f"<b>{_number(found, bound)}</b>" for bound in (said.least, said.greatest))
-    bar = f"<i style='background: linear-gradient(to right, {stops})'></i>"
-    return (
-        f"<div class='helicoide-note'>{escape(words[language])}"
-        f"<div class='helicoide-scale'>{escape(said.title[language])}{bar}{bounds}</div></div>"
-    )
+    return Markup(
+        "<div class='helicoide-note'>{}<div class='helicoide-scale'>{}"
+        "<i style='background: linear-gradient(to right, {})'></i><b>{}</b><b>{}</b></div></div>"
+    ).format(words[language], said.title[language], stops, _number(found, said.least), _number(found, said.greatest))
 
 
 def measure(found: Map) -> str:

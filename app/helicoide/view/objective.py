@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from html import escape
 
 from helicoide import gate
 from helicoide.ik import objectives
 from helicoide.ik.drive import Secondary
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
+from helicoide.view import html
 from helicoide.view.formula import mathml
 from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, Tick, View, Words
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
@@ -38,7 +38,7 @@ def _chosen(view: View) -> str:
 def _how(robot: Robot, name: str) -> list[Row]:
     """Weight, way and settings of an objective; what it is told after it has been taken away is not heard."""
     if not name:
-        return [Words(lambda view: f"<p class='helicoide-note'>{NOTHING_TO_SET[view.seat.language]}</p>")]
+        return [Words(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
     objective, default = objectives.named(name), Secondary(name, objectives.named(name).Options())
 
     def second(view: View) -> Secondary:
@@ -51,7 +51,7 @@ def _how(robot: Robot, name: str) -> list[Row]:
         lambda on: ForArm(gate.objective_as_row(on)),
     )
     return [
-        Words(lambda view: f"{mathml(objective.EQUATION)}<p class='helicoide-note'>{escape(objective.SOURCE)}</p>"),
+        Words(lambda view: mathml(objective.EQUATION) + html.note(objective.SOURCE)),
         Slider(
             Text(en="weight k₀ [1/s]", pt_BR="peso k₀ [1/s]"),
             0.0,

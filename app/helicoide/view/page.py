@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import hashlib
-import html
 import json
 import mimetypes
 from collections.abc import Callable, Mapping
@@ -14,6 +13,7 @@ from types import MappingProxyType
 from urllib.parse import parse_qs, unquote
 
 import viser
+from markupsafe import Markup
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
@@ -25,6 +25,16 @@ LOST = Text(
     en="Disconnected: the program does not answer. Trying again…",
     pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
 )
+
+# Behind a sub-path, what is addressed from here is found only with a slash at the end. And a list that opens beyond the
+# edge of a phone would widen the page, move itself and push Stop out of view.
+TAGS = Markup(
+    '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/");</script>'
+    '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
+    '<link rel="stylesheet" href="static/helicoide.css" />'
+    '<script src="static/helicoide.js" data-words="{}" defer></script>'
+)
+TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")
 
 # viser's page is one file with inline scripts, blob workers and new Function; everything else stays on this host.
 POLICY = "; ".join(
@@ -100,13 +110,6 @@ def _page() -> str:
     source = Path(viser.__file__).parent / "client" / "build" / "index.html"
     said = {"stop": STOP, "stop_all": STOP_ALL, "lost": LOST}
     words = {language: {key: text[language] for key, text in said.items()} for language in LANGUAGES}
-    tags = (
-        # behind a sub-path, what is addressed from here is found only with a slash at the end
-        '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/");</script>'
-        # a list that opens beyond the edge of a phone would widen the page, move itself and push Stop out of view
-        '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
-        '<link rel="stylesheet" href="static/helicoide.css" />'
-        f'<script src="static/helicoide.js" data-words="{html.escape(json.dumps(words))}" defer></script>'
-    )
-    titled = source.read_text("utf-8").replace("<title>Viser</title>", "<title>Helicoide</title>", 1)
-    return titled.replace("</head>", f"{tags}</head>", 1)
+    tags = TAGS.format(json.dumps(words))
+    titled = source.read_text("utf-8").replace(*TITLES, 1)
+    return titled.replace(HEAD_ENDS, tags + HEAD_ENDS, 1)

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 import viser
+from markupsafe import Markup
 from viser import uplot
 
 from helicoide.export.svg import caption, figure, span
 from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text
+from helicoide.view import html
 from helicoide.view.rows import Plot, View
 
 POINTS, HEIGHT = 400, 170
 AXES, PADDING = (uplot.Axis(size=30), uplot.Axis(size=52)), (10, 16, 0, 0)
 SIZE = (320, 230)
+CHART, CAPTION = Markup("<div class='helicoide-chart'>{}</div>"), Markup("<figure>{}</figure>")
 COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b", "#7f7f7f")
 
 
@@ -59,10 +62,10 @@ class Plotted:
         if chart is self.drawn:
             return
         self.drawn = chart
-        if self.place.visible != (chart is not None):
-            self.place.visible = chart is not None
         if chart is not None:
             self._draw(chart, view.seat.language)
+        if self.place.visible != (chart is not None):
+            self.place.visible = chart is not None
 
     def _draw(self, chart: Chart, language: Language) -> None:
         """Give the chart that stands there other numbers, or put up another one."""
@@ -78,10 +81,9 @@ class Plotted:
         self.handle = None
         with self.place:
             if turns_back(chart):
-                self.words = self.gui.add_html(f"<div class='helicoide-chart'>{figure(chart, language, SIZE)}</div>")
+                self.words = html.add(self.gui, CHART.format(figure(chart, language, SIZE)))
                 return
-            words = f"<figure>{caption(chart, language)}</figure>"
-            self.words = self.gui.add_html(f"<div class='helicoide-chart'>{words}</div>")
+            self.words = html.add(self.gui, CHART.format(CAPTION.format(caption(chart, language))))
             self.handle = self._lines(chart, language)
 
     def _lines(self, chart: Chart, language: Language) -> viser.GuiUplotHandle:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
 
+from markupsafe import Markup
 from viser import IconName
 
 from helicoide.state import Seat, SeatUpdate, State, Update
 from helicoide.studies.desk import EMPTY, Desk, DeskUpdate
 from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text
+
+Key = TypeVar("Key", bound=Hashable)
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,6 +134,9 @@ Wish = (
     | Save
 )
 Act = Callable[[Wish], None]
+"""Hands on a wish."""
+Ask = Callable[[Callable[[], Wish | None]], None]
+"""Makes a wish and hands it on, unless it comes to none."""
 
 
 def always(view: View) -> bool:
@@ -141,7 +148,7 @@ def always(view: View) -> bool:
 class Words:
     """HTML made from the view; computed: with kernels, so that it waits until they are there."""
 
-    html: Callable[[View], str]
+    html: Callable[[View], Markup]
     computed: bool = False
 
 
@@ -232,11 +239,11 @@ class Plot:
 
 
 @dataclass(frozen=True)
-class Changing:
-    """Rows that hang on a key of the view, and are placed anew when that changes."""
+class Changing(Generic[Key]):
+    """Rows that hang on a key of the view, such as a tuple of names, and are placed anew when that changes."""
 
-    key: Callable[[View], str]
-    rows: Callable[[str], Sequence[Row]]
+    key: Callable[[View], Key]
+    rows: Callable[[Key], Sequence[Row]]
 
 
 @dataclass(frozen=True)
@@ -244,7 +251,7 @@ class Folder:
     """Rows under a heading."""
 
     label: Text
-    rows: Sequence[Row] | Changing
+    rows: Sequence[Row] | Changing[Any]
     open: bool = True
 
 

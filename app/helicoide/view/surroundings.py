@@ -21,13 +21,13 @@ def obstacle_rows(robot: Robot) -> Folder:
     return Folder(Text(en="Obstacles", pt_BR="Obstáculos"), Changing(_count, partial(_spheres, robot)), open=False)
 
 
-def _count(view: View) -> str:
-    return str(len(view.state.problem.obstacles.radii))
+def _count(view: View) -> int:
+    return len(view.state.problem.obstacles.radii)
 
 
-def _spheres(robot: Robot, count: str) -> list[Row]:
+def _spheres(robot: Robot, count: int) -> list[Row]:
     add = Button(lambda _: ADD, lambda _: ForArm(gate.add_obstacle()), Icon.PLUS, lambda view: not view.state.parked)
-    return [add, *(row for index in range(int(count)) for row in _sphere(robot, index))]
+    return [add, *(row for index in range(count) for row in _sphere(robot, index))]
 
 
 def _sphere(robot: Robot, index: int) -> list[Row]:
@@ -70,14 +70,14 @@ def entry_rows() -> Folder:
     )
 
 
-def _held(view: View) -> str:
-    return "" if view.state.problem.entry is None else "held"
+def _held(view: View) -> bool:
+    return view.state.problem.entry is not None
 
 
-def _entry(held: str) -> list[Row]:
+def _entry(held: bool) -> list[Row]:
     hold = Tick(
         Text(en="Keep the instrument in the entry point", pt_BR="Manter o instrumento no ponto de entrada"),
-        lambda view: view.state.problem.entry is not None,
+        _held,
         lambda on: ForArm(gate.hold_entry(on)),
     )
     where = Triple(Text(en="entry x y z [mm]", pt_BR="entrada x y z [mm]"), 1.0, _point, _set_point)

@@ -59,13 +59,12 @@ def _record(way: Way) -> Button:
     return Button(lambda _: label, lambda _: ForArm(gate.record(way)), Icon.PLUS)
 
 
-def _names(view: View) -> str:
-    return "\n".join(waypoint.name for waypoint in view.state.waypoints)
+def _names(view: View) -> tuple[str, ...]:
+    return tuple(waypoint.name for waypoint in view.state.waypoints)
 
 
-def _points(names: str) -> Sequence[Row]:
-    listed = names.split("\n") if names else []
-    return [Folder(same(name), _point(place, name), open=False) for place, name in enumerate(listed)]
+def _points(names: tuple[str, ...]) -> Sequence[Row]:
+    return [Folder(same(name), _point(place, name), open=False) for place, name in enumerate(names)]
 
 
 def _point(place: int, name: str) -> list[Row]:

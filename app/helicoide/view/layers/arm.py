@@ -50,7 +50,7 @@ class Placed:
     def write(self, Ts_world_link: Array, gripper: float) -> None:
         """Bring the frames there, those that stand elsewhere."""
         Ts = self.poses(Ts_world_link, gripper)
-        moved = np.flatnonzero((Ts != self.written).any(axis=(1, 2)))
+        moved = np.flatnonzero((Ts != self.written).any(axis=(1, 2))).tolist()
         self.written = Ts
         quats, places = rotation.from_matrix(Ts[moved, :3, :3]).tolist(), Ts[moved, :3, 3].tolist()
         for k, quat, place in zip(moved, quats, places, strict=True):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from html import escape
 
+from markupsafe import Markup
 from viser import Icon
 
 from helicoide import readout
@@ -14,6 +14,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.readout import Reading
 from helicoide.state import State
 from helicoide.text import Text
+from helicoide.view import html
 from helicoide.view.formula import coefficient_grid, mathml
 from helicoide.view.rows import Choice, Folder, ForSeat, Row, View, Words
 
@@ -27,16 +28,20 @@ INTRODUCTION = Text(
     pt_BR="Tudo aqui é multivetor de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador e, 0. Comprimentos em metros.",
 )
 DISTANCE = Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)")
-GRADES = Text(
-    en="Colours: scalar, vector, bivector, trivector, pseudoscalar.",
-    pt_BR="Cores: escalar, vetor, bivetor, trivetor, pseudoescalar.",
+BETWEEN = Text(en="{point} and plane {name} ({pane})", pt_BR="{point} e plano {name} ({pane})")
+GRADES = (
+    Text(en="scalar", pt_BR="escalar"),
+    Text(en="vector", pt_BR="vetor"),
+    Text(en="bivector", pt_BR="bivetor"),
+    Text(en="trivector", pt_BR="trivetor"),
+    Text(en="pseudoscalar", pt_BR="pseudoescalar"),
 )
 
 
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
-        Words(lambda view: f"<p class='helicoide-note'>{INTRODUCTION[view.seat.language]}</p>{_legend(view)}"),
+        Words(lambda view: html.note(INTRODUCTION[view.seat.language]) + _legend(view)),
         Choice(
             Text(en="Light up", pt_BR="Destacar"),
             lambda view: [("", NOTHING), *((one.key, one.title) for one in readout.readings(view.state))],
@@ -67,14 +72,15 @@ FORMULAS = {
 }
 
 
-def _legend(view: View) -> str:
-    words = GRADES[view.seat.language].rstrip(".").split(": ")[1].split(", ")
-    return '<p class="helicoide-legend">' + " ".join(f'<i class="g{k}">{w}</i>' for k, w in enumerate(words)) + "</p>"
+def _legend(view: View) -> Markup:
+    names = (Markup('<i class="g{}">{}</i>').format(k, name[view.seat.language]) for k, name in enumerate(GRADES))
+    return Markup('<p class="helicoide-legend">{}</p>').format(Markup(" ").join(names))
 
 
-def _shown(view: View, reading: Reading) -> str:
-    head = f"{mathml(reading.symbol)}<span>{escape(reading.title[view.seat.language])}</span>"
-    return f'<div class="helicoide-reading"><header>{head}</header>{coefficient_grid(reading.values)}</div>'
+def _shown(view: View, reading: Reading) -> Markup:
+    return Markup('<div class="helicoide-reading"><header>{}<span>{}</span></header>{}</div>').format(
+        mathml(reading.symbol, reading.index), reading.title[view.seat.language], coefficient_grid(reading.values)
+    )
 
 
 def _key(view: View) -> str | None:
@@ -83,14 +89,16 @@ def _key(view: View) -> str | None:
     return None if reading is None else reading.key
 
 
-def _selected(view: View) -> str:
+def _selected(view: View) -> Markup:
     reading = readout.chosen(view.state, view.seat.selected)
-    return "" if reading is None else f'<div class="helicoide-lit">{_shown(view, reading)}</div>'
+    if reading is None:
+        return Markup("")
+    return Markup('<div class="helicoide-lit">{}</div>').format(_shown(view, reading))
 
 
-def _all(kind: str, view: View) -> str:
+def _all(kind: str, view: View) -> Markup:
     readings = [reading for reading in readout.readings(view.state) if reading.key.startswith(kind)]
-    return mathml(FORMULAS[kind]) + "".join(_shown(view, reading) for reading in readings)
+    return mathml(FORMULAS[kind]) + Markup("").join(_shown(view, reading) for reading in readings)
 
 
 def _pair(view: View) -> Contact:
@@ -104,16 +112,12 @@ def _pair(view: View) -> Contact:
     return readout.nearest(view.state)
 
 
-def _distance(view: View) -> str:
+def _distance(view: View) -> Markup:
     state: State = view.state
     pair = _pair(view)
     pane, point = state.problem.planes.panes[pair.plane], state.robot.guarded[pair.point]
     product = readout.distance_product(state, pair.point, pair.plane)
-    words = Text(
-        en="{point} and plane {name} ({pane}): <b>{mm:.1f} mm</b>",
-        pt_BR="{point} e plano {name} ({pane}): <b>{mm:.1f} mm</b>",
-    ).format(point=point.title, name=pane.name, pane=pane.title, mm=500 * product[-1])
-    return (
-        mathml(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e")
-        + f'<div class="helicoide-reading"><p>{words[view.seat.language]}</p>{coefficient_grid(product)}</div>'
-    )
+    pair_said = BETWEEN.format(point=point.title, name=pane.name, pane=pane.title)[view.seat.language]
+    return mathml(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e") + Markup(
+        '<div class="helicoide-reading"><p>{}: <b>{:.1f} mm</b></p>{}</div>'
+    ).format(pair_said, 500 * product[-1], coefficient_grid(product))

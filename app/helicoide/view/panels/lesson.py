@@ -6,14 +6,15 @@ import logging
 from collections.abc import Callable
 from dataclasses import replace
 
-from markdown_it import MarkdownIt
+from markupsafe import Markup
 from viser import Icon
 
 from helicoide import content
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import Lesson, entered, load
+from helicoide.lesson import Lesson, Prose, entered, load
 from helicoide.state import Seat
 from helicoide.text import HelicoideError, Text
+from helicoide.view import html
 from helicoide.view.rows import Button, Choice, ForArm, ForSeat, Row, View, Wish, Words
 
 TITLE = Text(en="Lesson", pt_BR="Lição")
@@ -29,7 +30,6 @@ ENDED = Text(
 TO_DO = Text(en="Not there yet.", pt_BR="Ainda não.")
 
 log = logging.getLogger("helicoide")
-_markdown = MarkdownIt("commonmark", {"html": False})
 
 
 def rows(robot: Robot) -> list[Row]:
@@ -100,34 +100,44 @@ def _turn(by: int) -> Callable[[View], Wish]:
     return wish
 
 
-def _step(view: View) -> str:
+def _step(view: View) -> Markup:
     lesson, language = _lesson(view), view.seat.language
     if lesson is None:
         free = Text(
             en="Drag the target in the scene, move the joints. Choose a lesson for a guided tour.",
             pt_BR="Arraste o alvo na cena, mova as juntas. Escolha uma lição para um passeio guiado.",
         )
-        return f'<p class="helicoide-note">{free[language]}</p>'
+        return html.note(free[language])
     step = lesson.steps[view.seat.step]
     prose = lesson.prose[step.id]
-    hint = f"<blockquote>{_markdown.render(prose.hint[language])}</blockquote>" if view.seat.hint_open else ""
-    return (
-        f'<div class="helicoide-lesson">{_dots(lesson, view.seat)}'
-        f"<h3>{view.seat.step + 1}. {prose.title[language]}</h3>{_markdown.render(prose.body[language])}"
-        f"{_verdict(lesson, view)}{hint}</div>"
+    return Markup('<div class="helicoide-lesson">{}<h3>{}. {}</h3>{}{}{}</div>').format(
+        _dots(lesson, view.seat),
+        view.seat.step + 1,
+        prose.title[language],
+        html.markdown(prose.body[language]),
+        _verdict(lesson, view),
+        _hint(prose, view),
     )
 
 
-def _dots(lesson: Lesson, seat: Seat) -> str:
+def _hint(prose: Prose, view: View) -> Markup:
+    if not view.seat.hint_open:
+        return Markup("")
+    return Markup("<blockquote>{}</blockquote>").format(html.markdown(prose.hint[view.seat.language]))
+
+
+def _dots(lesson: Lesson, seat: Seat) -> Markup:
     marks = (
-        f'<i class="{"done" if step.id in seat.done else ""}{" here" if k == seat.step else ""}"></i>'
+        Markup('<i class="{}{}"></i>').format("done" if step.id in seat.done else "", " here" if k == seat.step else "")
         for k, step in enumerate(lesson.steps)
     )
-    return f'<div class="helicoide-dots">{"".join(marks)}</div>'
+    return Markup('<div class="helicoide-dots">{}</div>').format(Markup("").join(marks))
 
 
-def _verdict(lesson: Lesson, view: View) -> str:
+def _verdict(lesson: Lesson, view: View) -> Markup:
     done = lesson.steps[view.seat.step].id in view.seat.done
     last = view.seat.step + 1 == len(lesson.steps)
     text = (ENDED if last else DONE) if done else TO_DO
-    return f'<p class="helicoide-verdict {"done" if done else ""}">{"✓ " if done else ""}{text[view.seat.language]}</p>'
+    return Markup('<p class="helicoide-verdict {}">{}{}</p>').format(
+        "done" if done else "", "✓ " if done else "", text[view.seat.language]
+    )

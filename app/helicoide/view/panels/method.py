@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import inspect
 from functools import cache, partial
-from html import escape
 from types import FunctionType
 from typing import cast
 
+from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate
@@ -16,6 +16,7 @@ from helicoide.ik.method import Promise, settings
 from helicoide.ik.methods import named, names
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
+from helicoide.view import html
 from helicoide.view.instruments import instrument_table
 from helicoide.view.objective import objective_rows
 from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, View, Words
@@ -61,14 +62,15 @@ def _beside(view: View) -> str:
     return "" if view.state.beside is None else view.state.beside.drive.method
 
 
-def _about(view: View) -> str:
+def _about(view: View) -> Markup:
     """The source, the promises and the memory of the method."""
     method, language = named(view.state.drive.method), view.seat.language
-    promises = "".join(f"<li>{escape(promise.value[language])}</li>" for promise in _in_order(method.PROMISES))
-    remembers = f"<li>{escape(REMEMBERS.format(what=method.REMEMBERS)[language])}</li>" if method.REMEMBERS else ""
-    return (
-        f"<div class='helicoide-note'><p>{escape(method.SOURCE)}</p>"
-        f"<p>{PROMISES[language]}</p><ul>{promises}{remembers}</ul></div>"
+    said = [promise.value for promise in _in_order(method.PROMISES)]
+    if method.REMEMBERS:
+        said.append(REMEMBERS.format(what=method.REMEMBERS))
+    points = Markup("").join(Markup("<li>{}</li>").format(words[language]) for words in said)
+    return Markup("<div class='helicoide-note'><p>{}</p><p>{}</p><ul>{}</ul></div>").format(
+        method.SOURCE, PROMISES[language], points
     )
 
 
@@ -83,7 +85,7 @@ def _in_order(promises: frozenset[Promise]) -> list[Promise]:
 def _settings(robot: Robot, method: str) -> list[Row]:
     """A row for each setting of a method."""
     if not method or not settings(named(method).Options):
-        return [Words(lambda view: f"<p class='helicoide-note'>{NOTHING_TO_SET[view.seat.language]}</p>")]
+        return [Words(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
     return rows_of(
         named(method).Options,
         robot.reach,
@@ -112,9 +114,9 @@ def _gain(index: int) -> Slider:
     )
 
 
-def _listing(view: View) -> str:
+def _listing(view: View) -> Markup:
     """The source of the method's step, as it runs."""
-    return f"<pre class='helicoide-listing'>{escape(listing(view.state.drive.method))}</pre>"
+    return Markup("<pre class='helicoide-listing'>{}</pre>").format(listing(view.state.drive.method))
 
 
 @cache

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from html import escape
 
 import numpy as np
+from markupsafe import Markup
 from viser import Icon
 
 from helicoide import studies
@@ -21,6 +21,7 @@ from helicoide.studies.desk import Desk, Run
 from helicoide.studies.study import Chart, Line, Verdict
 from helicoide.studies.study import Row as Quantity
 from helicoide.text import Language, Text
+from helicoide.view import html
 from helicoide.view.rows import Bar, Button, Changing, Choice, Folder, ForDesk, Play, Plot, Row, Tick, View, Words
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
@@ -70,15 +71,14 @@ def rows(robot: Robot) -> list[Row]:
     ]
 
 
-def _about(view: View) -> str:
+def _about(view: View) -> Markup:
     """What the study is about, and why it has no result."""
     desk, language = view.desk, view.seat.language
     if not desk.study:
-        return f"<p class='helicoide-note'>{escape(CHOOSE[language])}</p>"
+        return html.note(CHOOSE[language])
     study = studies.named(desk.study)
-    failure = "" if desk.failure is None else f"<p class='helicoide-note'>{escape(desk.failure[language])}</p>"
-    about = f"<p>{escape(study.ABOUT[language])}</p><p>{escape(study.SOURCE)}</p>"
-    return f"<div class='helicoide-note'>{about}</div>{failure}"
+    about = Markup("<div class='helicoide-note'><p>{}</p><p>{}</p></div>").format(study.ABOUT[language], study.SOURCE)
+    return about if desk.failure is None else about + html.note(desk.failure[language])
 
 
 CHOOSE = Text(
@@ -89,7 +89,7 @@ CHOOSE = Text(
 
 def _settings(name: str) -> Sequence[Row]:
     if not name or not settings(studies.named(name).Options):
-        return [Words(lambda view: f"<p class='helicoide-note'>{NOTHING_TO_SET[view.seat.language]}</p>")]
+        return [Words(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
     options = studies.named(name).Options
 
     def chosen(view: View) -> object:
@@ -108,49 +108,51 @@ def _play(view: View) -> Play:
     return Play(motion)
 
 
-def _table(view: View) -> str:
+def _table(view: View) -> Markup:
     """The quantities of the runs shown, beside the source's and the digest's."""
     runs, language = view.desk.shown, view.seat.language
     if not runs:
-        return ""
+        return Markup("")
     return _written(runs, language)
 
 
 @lru_cache(maxsize=16)
-def _written(runs: tuple[Run, ...], language: Language) -> str:
+def _written(runs: tuple[Run, ...], language: Language) -> Markup:
     heads = [head[language] for head in (HEADINGS[1:4] if len(runs) == 1 else (*HEADINGS[2:4], BEFORE))]
     others = [{row.quantity: row for row in run.result.rows} for run in runs[1:]]
     rows = runs[0].result.rows
-    body = "".join(_lines(row, [other.get(row.quantity) for other in others], language) for row in rows)
-    named = "".join(f"<th>{escape(head)}</th>" for head in heads)
-    return f"{_counted(rows, language)}<table class='helicoide-study'><tr>{named}</tr>{body}</table>"
+    body = Markup("").join(_lines(row, [other.get(row.quantity) for other in others], language) for row in rows)
+    named = Markup("").join(Markup("<th>{}</th>").format(head) for head in heads)
+    table = Markup("<table class='helicoide-study'><tr>{}</tr>{}</table>").format(named, body)
+    return _counted(rows, language) + table
 
 
-def _counted(rows: Sequence[Quantity], language: Language) -> str:
+def _counted(rows: Sequence[Quantity], language: Language) -> Markup:
     """How many numbers there are of each verdict."""
     compared = [row.verdict for row in rows if not alone(row)]
-    said = "".join(
-        f"<span class='{TONES[verdict]}'>{SIGNS[verdict]} {escape(verdict.value[language])}: {n}</span>"
+    said = Markup("").join(
+        Markup("<span class='{}'>{} {}: {}</span>").format(TONES[verdict], SIGNS[verdict], verdict.value[language], n)
         for verdict in Verdict
         if (n := compared.count(verdict))
     )
-    return f"<p class='helicoide-counted'>{said}</p>"
+    return Markup("<p class='helicoide-counted'>{}</p>").format(said)
 
 
-def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> str:
+def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> Markup:
     """A quantity over its numbers, and under them why one differs. A run before takes the place of the source."""
-    wide, compared, found = "<td colspan='3'>", not alone(row), row.verdict
+    compared, found = not alone(row), row.verdict
     tone, sign = (TONES[found], f"{SIGNS[found]} ") if compared else ("", "")
-    unit = f" <i>{escape(row.unit)}</i>" if row.unit else ""
-    head = f"<tr class='quantity {tone}'>{wide}{sign}{escape(row.quantity[language])}{unit}</td></tr>"
+    unit = Markup(" <i>{}</i>").format(row.unit) if row.unit else ""
+    head = Markup("<tr class='quantity {}'><td colspan='3'>{}{}{}</td></tr>")
+    said = verdict(row, language) if compared and found is not Verdict.AGREES else ""
+    why = said and Markup("<tr class='{}'><td colspan='3'>{}</td></tr>").format(tone, said)
     tolerance = row.tolerance if row.relation == "=" else 0.0
     bound = f"{row.relation} " if row.digest is not None and row.relation != "=" else ""
     values = (row.digest, row.ours, *(None if other is None else other.ours for other in others))
     asked, *ours = (NOTHING if v is None else number(v, "", tolerance, DIGITS).replace("-", "−") for v in values)
     printed = [] if others else [source(row, language)]
-    numbers = "".join(f"<td>{escape(cell)}</td>" for cell in (*printed, bound + asked, *ours))
-    why = f"<tr class='{tone}'>{wide}{escape(verdict(row, language))}</td></tr>"
-    return f"{head}<tr>{numbers}</tr>{why if compared and found is not Verdict.AGREES else ''}"
+    numbers = Markup("").join(Markup("<td>{}</td>").format(cell) for cell in (*printed, bound + asked, *ours))
+    return head.format(tone, sign, row.quantity[language], unit) + Markup("<tr>{}</tr>{}").format(numbers, why)
 
 
 def charts(view: View) -> Sequence[Chart]:

@@ -1,0 +1,186 @@
+"""The rows with which a person wishes something, as controls of viser.
+
+A control that a person has just touched is left alone for a moment, so that it is never pulled from under their hand.
+Each works out everything that it shows before it is put up, so that a row that raises leaves nothing behind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import monotonic
+from typing import Any
+
+import viser
+from viser import Icon
+
+from helicoide.text import Text
+from helicoide.view import bind
+from helicoide.view.rows import Ask, Button, Choice, Entry, Slider, Tick, Triple, Upload, View, Wish, always
+
+UNTOUCHED = 0.7
+
+
+class Control:
+    """A control with a value: written when it differs, unless it was touched a moment ago; deaf while disabled."""
+
+    def __init__(
+        self,
+        handle: Any,
+        value: Callable[[View], Any],
+        wish: Callable[[Any], Wish | None],
+        ask: Ask,
+        view: View,
+        enabled: Callable[[View], bool] = always,
+        label: Callable[[View], str] | None = None,
+    ) -> None:
+        self.handle, self.value, self.enabled, self.view, self.label = handle, value, enabled, view, label
+        self.touched = 0.0
+
+        def touched(given: Any) -> None:
+            self.touched = monotonic()
+            ask(lambda: wish(given) if self.enabled(self.view) else None)
+
+        bind.on_value(handle, touched)
+
+    def refresh(self, view: View) -> None:
+        """Show what the view says now."""
+        self.view = view
+        disabled = not self.enabled(view)
+        if disabled != self.handle.disabled:
+            self.handle.disabled = disabled
+        if self.label is not None and self.label(view) != self.handle.label:
+            self.handle.label = self.label(view)
+        value = self.value(view)
+        if value != self.handle.value and monotonic() - self.touched > UNTOUCHED:
+            self.handle.value = value
+
+    def remove(self) -> None:
+        """Take it out of the window."""
+        self.handle.remove()
+
+
+class ButtonControl:
+    """A button; deaf while disabled."""
+
+    def __init__(self, gui: viser.GuiApi, row: Button, view: View, ask: Ask) -> None:
+        self.row, self.view = row, view
+        self.handle = gui.add_button(icon=row.icon, **self._shown(view))
+        bind.on_press(self.handle, lambda: ask(lambda: row.wish(self.view) if row.enabled(self.view) else None))
+
+    def _shown(self, view: View) -> dict[str, Any]:
+        row = self.row
+        return {
+            "label": row.label(view)[view.seat.language],
+            "disabled": not row.enabled(view),
+            "visible": row.shown(view),
+        }
+
+    def refresh(self, view: View) -> None:
+        """Show what the view says now."""
+        self.view = view
+        for name, value in self._shown(view).items():
+            if value != getattr(self.handle, name):
+                setattr(self.handle, name, value)
+
+    def remove(self) -> None:
+        """Take it out of the window."""
+        self.handle.remove()
+
+
+def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> Control:
+    """A slider, whose value keeps to its steps."""
+
+    def value(view: View) -> float:
+        steps = round((row.value(view) - row.lower) / row.step)
+        return round(min(max(row.lower + steps * row.step, row.lower), row.upper), 6)
+
+    def label(view: View) -> str:
+        text = row.label if isinstance(row.label, Text) else row.label(view)
+        return text[view.seat.language]
+
+    disabled = not row.enabled(view)
+    handle = gui.add_slider(label(view), row.lower, row.upper, row.step, value(view), disabled=disabled)
+    return Control(handle, value, row.wish, ask, view, row.enabled, label)
+
+
+def tick(gui: viser.GuiApi, row: Tick, view: View, ask: Ask) -> Control:
+    """A box to tick."""
+    handle = gui.add_checkbox(row.label[view.seat.language], row.value(view))
+    return Control(handle, row.value, row.wish, ask, view)
+
+
+class ChoiceControl(Control):
+    """A list to choose from, which shows what can be chosen now."""
+
+    def __init__(self, gui: viser.GuiApi, row: Choice, view: View, ask: Ask) -> None:
+        self.row = row
+        words = self._words(view)
+        handle = gui.add_dropdown(
+            row.label[view.seat.language], tuple(words.values()), initial_value=words[row.value(view)]
+        )
+        super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._wish, ask, view)
+
+    def _words(self, view: View) -> dict[str, str]:
+        """What is shown for each key; a number tells those apart that are called alike."""
+        options = self.row.options
+        known = options(view) if callable(options) else options
+        words = [text[view.seat.language] for _, text in known]
+        return {
+            key: word if words.index(word) == k else f"{word} ({k + 1})"
+            for k, ((key, _), word) in enumerate(zip(known, words, strict=True))
+        }
+
+    def _wish(self, word: str) -> Wish | None:
+        keys = {word: key for key, word in self._words(self.view).items()}
+        return self.row.wish(keys[word]) if word in keys else None
+
+    def refresh(self, view: View) -> None:
+        """Show what can be chosen, and what is."""
+        words = tuple(self._words(view).values())
+        if words != self.handle.options:
+            self.handle.options = words
+        super().refresh(view)
+
+
+def triple(gui: viser.GuiApi, row: Triple, view: View, ask: Ask) -> Control:
+    """Three boxes for numbers."""
+    handle = gui.add_vector3(row.label[view.seat.language], row.value(view), step=row.step)
+    placed = Control(handle, row.value, lambda given: row.wish(placed.view, given), ask, view)
+    return placed
+
+
+class EntryControl:
+    """A line to type in with its button."""
+
+    def __init__(self, gui: viser.GuiApi, row: Entry, view: View, ask: Ask) -> None:
+        self.row, language = row, view.seat.language
+        self.said = row.shown(view)
+        self.text: Any = gui.add_text(row.label[language], self.said)
+        self.button = gui.add_button(row.button[language])
+        bind.on_press(self.button, lambda: ask(lambda: row.wish(self.text.value)))
+
+    def refresh(self, view: View) -> None:
+        """What is typed stays until the view says something else than before."""
+        said = self.row.shown(view)
+        if said != self.said:
+            self.said = self.text.value = said
+
+    def remove(self) -> None:
+        """Take it out of the window."""
+        self.text.remove()
+        self.button.remove()
+
+
+class UploadControl:
+    """A button that asks for a file."""
+
+    def __init__(self, gui: viser.GuiApi, row: Upload, view: View, ask: Ask) -> None:
+        self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD)
+        bind.on_upload(self.handle, lambda name, content: ask(lambda: row.wish(name, content)))
+
+    def refresh(self, view: View) -> None:
+        """It is the same in every view."""
+
+    def remove(self) -> None:
+        """Take it out of the window."""
+        self.handle.remove()

@@ -1,0 +1,87 @@
+"""Names that a person, a file or a robot may bring along, put into every sentence, and what a page makes of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass, make_dataclass, replace
+from html.parser import HTMLParser
+from types import MappingProxyType, SimpleNamespace
+from typing import Annotated, Any
+
+import numpy as np
+
+from helicoide.ik.method import OneOf
+from helicoide.studies.study import Chart, Line, Result, Row
+from helicoide.text import Text, same
+
+NAMES = (
+    "<img src=x onerror=alert(1)>",
+    "\"><script>alert('x')</script>",
+    "' onmouseover='alert(1)",
+    r"}\text{<img src=x onerror=alert(1)>}",
+    "{0}",
+    "{x.__class__}",
+    "&amp;<b>",
+    "a\nb <i>",
+    "north: wall",
+)
+HARMLESS = {
+    "b", "blockquote", "br", "div", "em", "figcaption", "figure", "h3", "header", "i", "li", "p", "path", "polyline",
+    "pre", "rect", "span", "strong", "sub", "svg", "table", "td", "text", "th", "tr", "u", "ul", "math",
+    "mfrac", "mi", "mn", "mo", "mover", "mrow", "mspace", "mstyle", "msub", "msubsup", "msup", "mtext", "munder",
+}  # fmt: skip
+OUTLINE = {"a", "body", "h1", "h2", "head", "html", "meta", "ol", "section", "style", "tbody", "thead", "title"}
+AROUND = np.linspace(0, 2 * np.pi, 50)
+
+
+def renamed(thing: Any, name: str) -> Any:
+    """The same thing, in which every sentence is that name, however deep it lies."""
+    if isinstance(thing, Text):
+        return same(name)
+    if isinstance(thing, Mapping):
+        return MappingProxyType({key: renamed(value, name) for key, value in thing.items()})
+    if isinstance(thing, tuple):
+        return tuple(renamed(part, name) for part in thing)
+    if is_dataclass(thing) and not isinstance(thing, type):
+        return replace(thing, **{each.name: renamed(getattr(thing, each.name), name) for each in fields(thing)})
+    return thing
+
+
+def study_named(name: str) -> Any:
+    """A study and its choice, all of that name."""
+    way = Annotated[str, OneOf(same(name), {name: same(name), "other": same("other")})]
+    options = make_dataclass("Options", [("way", way, name)], frozen=True)
+    return SimpleNamespace(TITLE=same(name), ABOUT=same(name), SOURCE=name, ROBOT=name, Options=options)
+
+
+def result_named(name: str) -> Result:
+    """A row of each kind, a chart of each kind, all of that name."""
+    row = Row(same(name), 2.0, 1.0, 0.1, name, name, assumed=same(name))
+    lines = Line(same(name), AROUND, np.sin(AROUND)), Line(same(name), np.cos(AROUND), np.sin(AROUND))
+    charts = [Chart(same(name), same(name), same(name), (line,)) for line in lines]
+    return Result((row, replace(row, assumed=None, doubt=name), Row(same(name), 1.0)), tuple(charts))
+
+
+class Page(HTMLParser):
+    """What a browser reads in HTML: its tags, the names of their attributes, and its text."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.tags: set[str] = set()
+        self.attributes: set[str] = set()
+        self.text = ""
+        self.feed(str(html))
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.add(tag)
+        self.attributes |= {name for name, _ in attrs}
+        self.text += "".join(f" {value} " for name, value in attrs if name == "aria-label")
+
+    @property
+    def active(self) -> set[str]:
+        """The attributes that fetch or run something."""
+        return {name for name in self.attributes if name == "src" or name.startswith("on")}
+
+    def handle_data(self, data: str) -> None:
+        self.text += data

@@ -1,16 +1,17 @@
-"""The command line: a subcommand for each file of commands/; without one the lab is served."""
+"""The command line: a subcommand for each file of commands/; without one the lab is served.
+
+It ends with 2 for wrong input, and with 141 when the reader of what it prints has gone; commands/ has all codes.
+"""
 
 from __future__ import annotations
 
 import importlib
-import locale
 import pkgutil
 import sys
 
 import tyro
 
 from helicoide import commands
-from helicoide.text import HelicoideError, Language
 
 
 def main() -> None:
@@ -22,14 +23,8 @@ def main() -> None:
     # only the command that is asked for is imported: fk needs no browser, serve no tests
     chosen = [name for name in names if name == arguments[0]] or names
     functions = {name: importlib.import_module(f"{commands.__name__}.{name}").run for name in chosen}
-    try:
+    with commands.ending():
         tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", args=arguments)
-    except HelicoideError as error:
-        sys.exit(f"helicoide: {error.text[_language()]}")
-
-
-def _language() -> Language:
-    return "pt_BR" if (locale.getlocale()[0] or "").startswith("pt") else "en"
 
 
 if __name__ == "__main__":

@@ -6,12 +6,15 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 from tests.kinematics.urdfs import MISTAKES, write
 
 from helicoide import __main__
+from helicoide.kinematics.library import load
 
 APP = Path(__file__).parents[2] / "app"
 
@@ -38,7 +41,7 @@ def test_the_example_of_the_source_by_all_roads() -> None:
 def test_wrong_input_ends_in_one_line_without_a_traceback(tmp_path: Path) -> None:
     path = write(tmp_path, 'velocity="0.5"/>', 'velocity="0.5"/><mimic joint="three"/>')
     done = fk(str(path), "--q", "0", "0")
-    assert done.returncode != 0
+    assert done.returncode == 2
     assert done.stdout == ""
     assert len(done.stderr.splitlines()) == 1
     assert str(path) in done.stderr
@@ -48,7 +51,7 @@ def test_wrong_input_ends_in_one_line_without_a_traceback(tmp_path: Path) -> Non
 @pytest.mark.parametrize("arguments", [["movemaster", "--q", "one"], ["movemaster"]])
 def test_what_cannot_be_read_ends_without_a_traceback(arguments: list[str]) -> None:
     done = fk(*arguments)
-    assert done.returncode != 0
+    assert done.returncode == 2
     assert "Traceback" not in done.stderr
 
 
@@ -63,27 +66,13 @@ def test_the_words_for_people_carry_the_same_numbers(
     assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines)
 
 
-def ended(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> str:
-    """The words with which the command ends."""
-    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments])
-    with pytest.raises(SystemExit) as caught:
-        __main__.main()
-    return str(caught.value.code)
-
-
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_every_mistake_in_a_urdf_ends_the_command_alike(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capfd: pytest.CaptureFixture[str],
-    caplog: pytest.LogCaptureFixture,
-    mistake: str,
+    tmp_path: Path, refused: Callable[..., str], caplog: pytest.LogCaptureFixture, mistake: str
 ) -> None:
     old, new, place = MISTAKES[mistake]
-    said = ended(monkeypatch, str(write(tmp_path, old, new)), "--tip", "tool", "--q", "0", "0")
-    assert len(said.splitlines()) == 1
+    said = refused("fk", str(write(tmp_path, old, new)), "--tip", "tool", "--q", "0", "0")
     assert [word for word in place if word not in said] == []
-    assert capfd.readouterr() == ("", "")
     assert caplog.records == []
 
 
@@ -105,11 +94,10 @@ def test_every_mistake_in_a_urdf_ends_the_command_alike(
     ],
 )
 def test_options_that_do_not_fit_end_in_one_line(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
+    tmp_path: Path, refused: Callable[..., str], arguments: list[str], words: list[str]
 ) -> None:
     arm = str(write(tmp_path))
-    said = ended(monkeypatch, *(argument.format(arm=arm) for argument in arguments))
-    assert len(said.splitlines()) == 1
+    said = refused("fk", *(argument.format(arm=arm) for argument in arguments))
     assert [word for word in words if word.format(arm=arm) not in said] == []
 
 
@@ -136,3 +124,40 @@ def test_degrees_leave_a_slide_in_metres(
 def test_lengths_are_set_in_millimetres(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     straight = printed(monkeypatch, capsys, "planar2r", "--set", "l1=1500", "l2=250", "--q", "0", "0")
     assert straight == pytest.approx([1.75, 0, 0])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["movemaster", "--deg", "--q", "0", "300", "-75", "-15", "0"], ["J2 is at 300°", "-30° … 100°"]),
+        (["scara", "--q", "0", "-3", "0.5", "0"], ["J2 is at -3 rad", "-2.35619 rad", "J3 is at 0.5 m", "0 m … 0.2 m"]),
+    ],
+)
+def test_joints_outside_their_limits_are_named_beside_the_pose(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], arguments: list[str], words: list[str]
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments])
+    __main__.main()
+    out, err = capsys.readouterr()
+    assert len(out.splitlines()) == 3
+    assert [word for word in words if word not in err] == []
+    assert "is at" not in out
+    monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")
+    __main__.main()
+    out, err = capsys.readouterr()
+    assert "posição" in out
+    assert "fora dos limites" in err
+
+
+def test_json_lists_the_joints_that_are_outside(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arm = load("scara")
+    for values, expected in ((arm.upper, []), (arm.lower, []), (arm.upper + np.array([0, 0.1, 0, 0.1]), ["J2", "J4"])):
+        monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "scara", "--json", "--q", *map(str, values)])
+        __main__.main()
+        out, err = capsys.readouterr()
+        outside = json.loads(out)["outside"]
+        assert [one["joint"] for one in outside] == expected
+        assert all(one["lower"] < one["upper"] < one["value"] for one in outside)
+        assert err == ""

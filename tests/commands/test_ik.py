@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -34,14 +35,6 @@ def answered(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     return answer
 
 
-def ended(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> str:
-    """The words with which the command ends."""
-    monkeypatch.setattr(sys, "argv", ["helicoide", "ik", *arguments])
-    with pytest.raises(SystemExit) as caught:
-        __main__.main()
-    return str(caught.value.code)
-
-
 def test_the_example_of_the_source_from_the_shell() -> None:
     """Cerbaro 2022, eqs. 4-6: the pose of (30, 60, -90, -30, 90)°."""
     environment = {**os.environ, "PYTHONPATH": str(APP), "LC_ALL": "C.UTF-8"}
@@ -62,8 +55,9 @@ def test_the_json_has_its_keys_and_the_numbers_lead_to_the_goal(
 ) -> None:
     goal = ("--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
     answer = answered(monkeypatch, capsys, "puma560", *goal, "--all")
-    keys = {"robot", "joints", "goal", "solved", "moved", "turned", "short", "status", "words", "branches"}
+    keys = {"robot", "joints", "goal", "solved", "moved", "turned", "reached", "short", "status", "words", "branches"}
     assert set(answer) == keys
+    assert answer["reached"] is True
     assert answer["robot"] == "puma560"
     assert answer["joints"] == [joint.name for joint in arm("puma560").variables]
     assert answer["goal"]["position"] == [0.4, 0.2, 0.3]
@@ -138,18 +132,44 @@ def test_a_method_by_its_name(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Ca
     np.testing.assert_allclose(tool_at(arm("puma560"), np.array(answer["branches"][0]["q"])), T, atol=2e-5)
 
 
+def test_infinitely_many_postures_are_said(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    goal = ("panda", "--position", "0.4", "0.2", "0.3", "--quat", "0", "1", "0", "0", "--all")
+    assert "infinitely many" in printed(monkeypatch, capsys, *goal)
+
+
+BEYOND = ("puma560", "--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2", "--method", "pseudoinverse")
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         (("puma560", "--position", "9", "0", "0"), "out of reach by 8"),
+        (("puma560", "--position", "9", "0", "0", "--all"), "out of reach by 8"),
         (("movemaster", "--position", "0.5", "0.1", "0.3", "--quat", "1", "0", "0", "0"), "projected by 11.310°"),
-        (("panda", "--position", "0.4", "0.2", "0.3", "--quat", "0", "1", "0", "0", "--all"), "infinitely many"),
+        ((*BEYOND, "--from", "-6", "-2", "3", "4", "3", "6"), "reached only beyond the joint limits"),
     ],
 )
-def test_the_status_is_said(
+def test_what_is_not_reached_is_said_and_ends_with_three(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], words: str
 ) -> None:
-    assert words in printed(monkeypatch, capsys, *arguments)
+    outputs: list[str] = []
+    for form in ((), ("--json",)):
+        with pytest.raises(SystemExit) as caught:
+            printed(monkeypatch, capsys, *arguments, *form)
+        out, err = capsys.readouterr()
+        assert (caught.value.code, err) == (3, "")
+        outputs.append(out)
+    answer = json.loads(outputs[1])
+    assert words in outputs[0]
+    assert words in answer["status"]["en"]
+    assert answer["reached"] is False
+
+
+def test_the_answer_is_there_in_portuguese(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")
+    out = printed(monkeypatch, capsys, "puma560", "--position", "0.4", "0.2", "0.3")
+    for words in ("alcançado", "postura 1:", "para o alvo; dentro dos limites das juntas"):
+        assert words in out
 
 
 @pytest.mark.parametrize(
@@ -178,11 +198,10 @@ def test_the_status_is_said(
     ],
 )
 def test_wrong_input_ends_in_one_line(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
+    tmp_path: Path, refused: Callable[..., str], arguments: list[str], words: list[str]
 ) -> None:
     path = str(write(tmp_path))
-    said = ended(monkeypatch, *(argument.format(arm=path) for argument in arguments))
-    assert len(said.splitlines()) == 1
+    said = refused("ik", *(argument.format(arm=path) for argument in arguments))
     assert [word for word in words if word.format(arm=path) not in said] == []
 
 
@@ -191,5 +210,5 @@ def test_lengths_and_tips_are_set(
 ) -> None:
     goal = ("planar2r", "--set", "l1=1500", "l2=250", "--position", "1.75", "0", "0")
     assert answered(monkeypatch, capsys, *goal)["branches"][0]["q"] == pytest.approx([0, 0], abs=3e-3)
-    answer = answered(monkeypatch, capsys, str(write(tmp_path)), "--tip", "lower", "--position", "0", "0", "1")
+    answer = answered(monkeypatch, capsys, str(write(tmp_path)), "--tip", "lower", "--position", "0.3", "0", "0.3")
     assert answer["joints"] == ["one", "two"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -112,13 +113,13 @@ def test_what_is_excused_ends_well(
     assert "differs, " in study(NAME)[0]
 
 
-def test_a_study_that_refuses_is_reported_and_ends_with_one(
+def test_a_study_that_does_not_end_is_reported_and_ends_with_three(
     study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     put(monkeypatch, HelicoideError(Text(en="out of metal", pt_BR="sem metal")))
     with pytest.raises(SystemExit) as caught:
         study(NAME)
-    assert caught.value.code == 1
+    assert caught.value.code == 3
     assert "did not run to its end: out of metal" in capsys.readouterr().out
 
 
@@ -139,35 +140,30 @@ def test_all_are_run_in_processes_and_reported(
 
 
 @dataclass(frozen=True)
-class Refused:
+class Wrong:
     """Arguments that are refused, and what the one line says."""
 
     arguments: tuple[str, ...]
     words: str
 
 
-REFUSED = [
-    Refused((), rf"--list.*{NAME}"),
-    Refused(("nothing",), rf"'nothing'.*{NAME}"),
-    Refused((NAME, "--set", "speed=3"), r"speed.*factor"),
-    Refused((NAME, "--set", "factor"), r"0\.1 … 1"),
-    Refused((NAME, "--set", "factor=fast"), r"0\.1 … 1.*'fast'"),
-    Refused((NAME, "--set", "factor=7"), r"0\.1 … 1.*7"),
-    Refused((NAME, "--set", "factor=nan"), r"0\.1 … 1"),
-    Refused(("cerbaro_confined_line", "--set", "case=4"), r"1, 2, 3.*'4'"),
-    Refused(("--all", "--set", "factor=1"), r"--all"),
-    Refused((NAME, "--all"), r"--all"),
-    Refused((NAME, "--workers", "0"), r"1 … 64"),
-    Refused((NAME, "--report", "."), r"cannot be written"),
-    Refused((NAME, "--report", "no/such/folder/report.html"), r"cannot be written"),
+WRONG = [
+    Wrong((), rf"--list.*{NAME}"),
+    Wrong(("nothing",), rf"'nothing'.*{NAME}"),
+    Wrong((NAME, "--set", "speed=3"), r"speed.*factor"),
+    Wrong((NAME, "--set", "factor"), r"0\.1 … 1"),
+    Wrong((NAME, "--set", "factor=fast"), r"0\.1 … 1.*'fast'"),
+    Wrong((NAME, "--set", "factor=7"), r"0\.1 … 1.*7"),
+    Wrong((NAME, "--set", "factor=nan"), r"0\.1 … 1"),
+    Wrong(("cerbaro_confined_line", "--set", "case=4"), r"1, 2, 3.*'4'"),
+    Wrong(("--all", "--set", "factor=1"), r"--all"),
+    Wrong((NAME, "--all"), r"--all"),
+    Wrong((NAME, "--workers", "0"), r"1 … 64"),
+    Wrong((NAME, "--report", "."), r"cannot be written"),
+    Wrong((NAME, "--report", "no/such/folder/report.html"), r"cannot be written"),
 ]
 
 
-@pytest.mark.parametrize("refused", REFUSED, ids=lambda refused: " ".join(refused.arguments) or "nothing")
-def test_what_is_refused_is_one_line_that_says_what_is_valid(
-    study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, refused: Refused
-) -> None:
-    monkeypatch.setattr(__main__, "_language", lambda: "en")
-    with pytest.raises(SystemExit, match=refused.words) as caught:
-        study(*refused.arguments)
-    assert len(str(caught.value.code).splitlines()) == 1
+@pytest.mark.parametrize("wrong", WRONG, ids=lambda wrong: " ".join(wrong.arguments) or "nothing")
+def test_what_is_refused_is_one_line_that_says_what_is_valid(refused: Callable[..., str], wrong: Wrong) -> None:
+    assert re.search(wrong.words, refused("study", *wrong.arguments))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import multiprocessing
 from collections.abc import Callable, Coroutine
 from pathlib import Path
 
@@ -204,6 +205,24 @@ def test_a_failure_is_said_in_words(
     assert arm.state.notice == mapping.FAILED
     assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
     assert "no such map" in caplog.text
+
+
+def test_a_killed_process_is_said_in_words(
+    arm: _Arm, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    of_size(monkeypatch, ENDLESS)
+
+    async def run() -> None:
+        arm.mapping.begin()
+        await arm.until(lambda: arm.counts)
+        for child in multiprocessing.active_children():
+            child.kill()
+        await arm.over()
+
+    live(arm, run)
+    assert arm.state.notice == mapping.FAILED
+    assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
+    assert "ended from outside" in caplog.text
 
 
 @pytest.mark.parametrize("name", ["movemaster", "scara", "planar3r", "polar_rp"])

@@ -7,9 +7,11 @@ import gzip
 import http.client
 import inspect
 import logging
+import queue
 import socket
+import struct
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from http.client import HTTPMessage
 from pathlib import Path
 from typing import NamedTuple
@@ -18,7 +20,7 @@ import pytest
 import viser
 import websockets.asyncio.server
 from websockets.asyncio.server import ServerConnection
-from websockets.exceptions import InvalidStatus
+from websockets.exceptions import ConnectionClosedError, InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
@@ -41,6 +43,14 @@ async def echo(connection: ServerConnection) -> None:
         await connection.send(message)
 
 
+async def broken(connection: ServerConnection) -> None:
+    raise ValueError("a mistake of ours")
+
+
+async def unplugged(connection: ServerConnection) -> None:
+    raise ConnectionResetError("the robot's wire")
+
+
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("site")
@@ -54,7 +64,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def server(site: Path) -> Iterator[viser.ViserServer]:
-    served = serve("127.0.0.1", 0, site, {"/echo": echo})
+    served = serve("127.0.0.1", 0, site, {"/echo": echo, "/broken": broken, "/unplugged": unplugged})
     yield served
     served.stop()
 
@@ -217,10 +227,114 @@ def test_a_viser_that_escapes_the_checks_is_refused(site: Path, monkeypatch: pyt
         serve("127.0.0.1", 0, site, {})
 
 
-def test_spare_connections_leave_no_traceback(port: int, caplog: pytest.LogCaptureFixture) -> None:
-    with caplog.at_level(logging.ERROR):
-        socket.create_connection(("127.0.0.1", port)).close()
-        with socket.create_connection(("127.0.0.1", port)) as page:
-            page.sendall(b"no http at all\r\n\r\n")
-        time.sleep(0.3)
-    assert not caplog.records
+REQUEST = "GET {} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n"
+UPGRADE = (
+    "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+    "Sec-WebSocket-Key: aGVsaWNvaWRlIGRvb3IhIQ==\r\nOrigin: http://127.0.0.1:{}\r\n\r\n"
+)
+TLS_HELLO = bytes.fromhex("16030100c8010000c40303") + bytes(range(194))
+MESSAGE = b"\x81\x85\x00\x00\x00\x00hello"
+
+
+def closes(page: socket.socket) -> None:
+    page.close()
+
+
+def says_no_more(page: socket.socket) -> None:
+    page.shutdown(socket.SHUT_WR)
+    while page.recv(4096):
+        pass
+    page.close()
+
+
+def resets(page: socket.socket) -> None:
+    page.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    page.close()
+
+
+def resets_later(page: socket.socket) -> None:
+    page.recv(4096)
+    resets(page)
+
+
+@pytest.fixture
+def logged(monkeypatch: pytest.MonkeyPatch) -> queue.Queue[logging.LogRecord]:
+    """The errors that websockets has told, whether they were dropped or not."""
+    found: queue.Queue[logging.LogRecord] = queue.Queue()
+    logger = logging.getLogger("websockets.server")
+    handle = logger.handle
+
+    def heard(record: logging.LogRecord) -> None:
+        handle(record)
+        if record.levelno >= logging.ERROR:
+            found.put(record)
+
+    monkeypatch.setattr(logger, "handle", heard)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("said", "leaves"),
+    [
+        (b"", closes),
+        (b"", resets),
+        (b"GET / HT", closes),
+        (b"GET / HTTP/1.1\r\nHost: there", resets),
+        (b"\x00\xff no http at all\r\n\r\n", says_no_more),
+        (b"GET / HTTP/1.1\r\nno header\r\n\r\n", closes),
+        (b"POST / HTTP/1.1\r\n\r\n", closes),
+        (TLS_HELLO, closes),
+        (TLS_HELLO, resets),
+        (f"{REQUEST}\r\n", closes),
+        (REQUEST + UPGRADE, closes),
+        (REQUEST + UPGRADE, resets_later),
+        (REQUEST + UPGRADE, says_no_more),
+    ],
+)
+def test_who_talks_nonsense_or_leaves_is_no_news(
+    port: int,
+    logged: queue.Queue[logging.LogRecord],
+    caplog: pytest.LogCaptureFixture,
+    said: bytes | str,
+    leaves: Callable[[socket.socket], None],
+) -> None:
+    words = said if isinstance(said, bytes) else said.format("/echo", port, port).encode()
+    while logged.empty():  # who leaves may have had the answer before
+        page = socket.create_connection(("127.0.0.1", port), timeout=30)
+        page.sendall(words)
+        leaves(page)
+        time.sleep(0.01)
+    assert logged.get().exc_info is not None
+    assert caplog.records == []
+
+
+def test_who_leaves_in_the_middle_of_a_channel_is_no_news(
+    port: int, logged: queue.Queue[logging.LogRecord], caplog: pytest.LogCaptureFixture
+) -> None:
+    page = socket.create_connection(("127.0.0.1", port), timeout=30)
+    page.sendall((REQUEST + UPGRADE).format("/echo", port, port).encode() + 500 * MESSAGE)
+    resets_later(page)
+    assert logged.get(timeout=30).getMessage() == "connection handler failed"
+    assert caplog.records == []
+
+
+@pytest.mark.parametrize("path", ["/broken", "/unplugged"])
+def test_errors_of_our_own_are_news(port: int, caplog: pytest.LogCaptureFixture, path: str) -> None:
+    with (
+        connect(f"ws://127.0.0.1:{port}{path}", origin=Origin(f"http://127.0.0.1:{port}")) as page,
+        pytest.raises(ConnectionClosedError),
+    ):
+        page.recv(30)
+    assert [record.getMessage() for record in caplog.records] == ["connection handler failed"]
+
+
+def test_an_error_of_the_door_is_news(
+    port: int, logged: queue.Queue[logging.LogRecord], caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(request: object) -> str:
+        raise OSError("no such file")
+
+    monkeypatch.setattr(door, "_path", fails)
+    assert handshake_status(port, "/echo", f"http://127.0.0.1:{port}") == 500
+    logged.get(timeout=30)
+    assert [record.getMessage() for record in caplog.records] == ["opening handshake failed"]

@@ -1,1 +1,56 @@
-"""The subcommands of `helicoide`, a file each, each with a `run` function."""
+"""The subcommands of `helicoide`, a file each, each with a `run` function; and what they share.
+
+A command ends with 0 when it came to what was asked for, with WRONG_INPUT when it cannot use what was typed, with
+NOT_REACHED when it worked and the answer is no, and with CLOSED when nobody reads any more what it prints.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from helicoide.text import HelicoideError, Language
+
+WRONG_INPUT = 2
+NOT_REACHED = 3
+CLOSED = 141  # what a shell says of a program that a closed pipe has ended, 128 + SIGPIPE
+
+
+@contextmanager
+def ending() -> Iterator[None]:
+    """End a command: with one line on the error output for a HelicoideError, and quietly when its reader has gone.
+
+    The reader goes in `helicoide study --list | head`, for instance.
+    """
+    try:
+        try:
+            yield
+        except HelicoideError as error:
+            print(f"helicoide: {error.text[language()]}", file=sys.stderr)
+            sys.exit(WRONG_INPUT)
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        _drop_what_is_left()
+        sys.exit(CLOSED)
+
+
+def _drop_what_is_left() -> None:
+    """Let what is not written yet go nowhere: the interpreter writes it when it ends, and would fail once more."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (sys.stdout, sys.stderr):
+        os.dup2(nowhere, stream.fileno())
+
+
+def language() -> Language:
+    """The language of the terminal: the first of LANGUAGE that we speak, else that of LC_ALL, LC_MESSAGES or LANG.
+
+    As in other programs, LANGUAGE counts for nothing where these say C. Whether the system has the locale does not
+    matter. English where nothing is said.
+    """
+    chosen = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), "")
+    wishes = [] if chosen in ("C", "POSIX") else os.environ.get("LANGUAGE", "").split(":")
+    known = (wish[:2].lower() for wish in (*wishes, chosen) if wish[:2].lower() in ("pt", "en"))
+    return "pt_BR" if next(known, "en") == "pt" else "en"

@@ -8,30 +8,44 @@ from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 
 from helicoide import __version__, content, kernels
+from helicoide.commands import language
+from helicoide.text import Text, same
 
 PACKAGES = ("viser", "numpy", "numba", "trimesh", "yourdfpy", "tyro", "latex2mathml")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+INSTALLED = Text(en="packages: {names}", pt_BR="pacotes: {names}")
+MISSING = Text(en="missing", pt_BR="faltando")
+KERNELS = Text(
+    en="kernels: {n} of {count} compiled in {folder}", pt_BR="kernels: {n} de {count} compilados em {folder}"
+)
+BROWSER = Text(en="browser for the tests: {found}", pt_BR="navegador para os testes: {found}")
+NO_BROWSER = Text(en="not found (install chromium)", pt_BR="não encontrado (instale o chromium)")
+FOUND: dict[content.Kind, Text] = {
+    "robots": Text(en="robots: {names}  ({folder})", pt_BR="robôs: {names}  ({folder})"),
+    "lessons": Text(en="lessons: {names}  ({folder})", pt_BR="lições: {names}  ({folder})"),
+}
+YOURS = Text(en="your own robots and lessons: {folder}", pt_BR="seus robôs e lições: {folder}")
 
 
 def run() -> None:
     """Print versions, kernels compiled or not, the browser for the tests, robots and lessons."""
+    spoken = language()
     print(f"helicoide {__version__} · Python {platform.python_version()} · {platform.system()}")
-    print("packages: " + ", ".join(f"{name} {_version(name)}" for name in PACKAGES))
+    print(INSTALLED.format(names=", ".join(f"{name} {_version(name)[spoken]}" for name in PACKAGES))[spoken])
     import_module("helicoide.advance")  # makes the kernels known
     compiled = sum(map(kernels.is_cached, kernels.KERNELS))
-    print(f"kernels: {compiled} of {len(kernels.KERNELS)} compiled in {kernels.CACHE_FOLDER}")
+    print(KERNELS.format(n=compiled, count=len(kernels.KERNELS), folder=kernels.CACHE_FOLDER)[spoken])
     if kernels.CACHE_NOTE is not None:
-        print(f"         {kernels.CACHE_NOTE.en}")
+        print(f"         {kernels.CACHE_NOTE[spoken]}")
     found = next(filter(None, map(shutil.which, BROWSERS)), None)
-    print(f"browser for the tests: {found or 'not found (install chromium)'}")
-    for kind in ("robots", "lessons"):
-        names = content.found(kind)
-        print(f"{kind}: {', '.join(names) or 'none'}  ({content.SHIPPED / kind})")
-    print(f"your own robots and lessons: {content.user_folder()}")
+    print(BROWSER.format(found=found or NO_BROWSER)[spoken])
+    for kind, words in FOUND.items():
+        print(words.format(names=", ".join(content.found(kind)) or "-", folder=content.SHIPPED / kind)[spoken])
+    print(YOURS.format(folder=content.user_folder())[spoken])
 
 
-def _version(name: str) -> str:
+def _version(name: str) -> Text:
     try:
-        return version(name)
+        return same(version(name))
     except PackageNotFoundError:
-        return "missing"
+        return MISSING

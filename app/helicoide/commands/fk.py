@@ -3,16 +3,30 @@
 from __future__ import annotations
 
 import json as json_format
-from typing import Annotated
+import sys
+from typing import Annotated, Any
 
 import numpy as np
 import tyro
 
+from helicoide.commands import language
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.chain import Array
+from helicoide.kinematics.chain import Array, Joint
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+
+POSE = Text(
+    en="{road:>16}: position {position} m; quaternion wxyz {quaternion}",
+    pt_BR="{road:>16}: posição {position} m; quatérnio wxyz {quaternion}",
+)
+OUTSIDE = Text(
+    en="{joint} is at {value}, outside its limits: {lower} … {upper}",
+    pt_BR="{joint} está em {value}, fora dos limites: {lower} … {upper}",
+)
+ROUNDING = 1e-9  # of a joint that is put on its limit, rad or m
 
 
 def described(T_world_tool: Array) -> dict[str, object]:
@@ -26,6 +40,12 @@ def described(T_world_tool: Array) -> dict[str, object]:
     }
 
 
+def outside(robot: Robot, q: Array) -> list[tuple[Joint, float]]:
+    """The joints whose values, q (n,), rad or m, are outside their limits, with these values."""
+    pairs = zip(robot.variables, map(float, q), strict=True)
+    return [(joint, x) for joint, x in pairs if not joint.lower - ROUNDING <= x <= joint.upper + ROUNDING]
+
+
 def run(
     robot: tyro.conf.Positional[str],
     q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values: rad, or m where a joint slides")],
@@ -35,6 +55,9 @@ def run(
     json: bool = False,
 ) -> None:
     """Print where the tool is, by DH rows, successive screws and dual quaternions (SI units).
+
+    A joint outside its limits is told of on the error output; the pose is printed all the same, and the command ends
+    with 0. It ends with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -49,13 +72,34 @@ def run(
     if deg:
         values = np.where([joint.slides for joint in arm.variables], values, np.radians(values))
     if json:
-        roads = {name: described(road(arm, values)) for name, road in ROADS.items()}
-        print(json_format.dumps({"robot": arm.name, "q": values.tolist(), "roads": roads}, indent=1))
+        print(json_format.dumps(_told(arm, values), indent=1))
         return
+    spoken = language()
     for name, road in ROADS.items():
         pose = road(arm, values)
         position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
-        print(f"{name:>16}: position {position} m; quaternion wxyz {quat}")
+        print(POSE.format(road=name, position=position, quaternion=quat)[spoken])
+    for joint, value in outside(arm, values):
+        print(_warning(joint, value, deg)[spoken], file=sys.stderr)
+
+
+def _told(robot: Robot, q: Array) -> dict[str, Any]:
+    """What --json prints: the pose by each road, and the joints that are outside their limits."""
+    return {
+        "robot": robot.name,
+        "q": q.tolist(),
+        "roads": {name: described(road(robot, q)) for name, road in ROADS.items()},
+        "outside": [
+            {"joint": joint.name, "value": value, "lower": joint.lower, "upper": joint.upper}
+            for joint, value in outside(robot, q)
+        ],
+    }
+
+
+def _warning(joint: Joint, value: float, deg: bool) -> Text:
+    scale, unit = (1.0, " m") if joint.slides else (180 / np.pi, "°") if deg else (1.0, " rad")
+    given, lower, upper = (f"{scale * x:.6g}{unit}" for x in (value, joint.lower, joint.upper))
+    return OUTSIDE.format(joint=joint.name, value=given, lower=lower, upper=upper)
 
 
 def _decimals(values: Array) -> str:

@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 import json as json_format
+import sys
 from typing import Annotated, Any
 
 import numpy as np
 import tyro
 
+from helicoide.commands import NOT_REACHED, language
 from helicoide.geometry import euler, rotation
 from helicoide.ik.postures.branch import Answer, Branch
-from helicoide.ik.postures.solve import solve, solve_by, status
+from helicoide.ik.postures.solve import REACHED, solve, solve_by, status
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Language, Text
 
 URDF = euler.EXTRINSIC + "xyz"
+LEFT = Text(
+    en="   misses the goal by {mm:.4f} mm and {turned}; {limits}",
+    pt_BR="   faltam {mm:.4f} mm e {turned} para o alvo; {limits}",
+)
+WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas")
+BEYOND = Text(en="beyond the joint limits", pt_BR="além dos limites das juntas")
 
 
 def run(
@@ -33,6 +41,9 @@ def run(
     json: bool = False,
 ) -> None:
     """Print the joint values that bring the tool to a pose, or to a position where no orientation is given.
+
+    Ends with 0 when a posture within the joint limits reaches what was asked for, with 3 when none does (the nearest
+    that was found is printed), and with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -56,16 +67,23 @@ def run(
     answer = solve(*asked) if method is None else solve_by(method, *asked)
     if json:
         print(json_format.dumps(described(arm, answer, T, R is not None), indent=1))
-        return
-    for line in _lines(arm, answer, deg):
-        print(line)
+    else:
+        print("\n".join(_lines(arm, answer, deg, language())))
+    if not is_reached(answer):
+        sys.exit(NOT_REACHED)
+
+
+def is_reached(answer: Answer) -> bool:
+    """Whether a posture within the joint limits reaches the goal itself, and not only what it was projected to."""
+    return status(answer) == REACHED
 
 
 def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientation: bool) -> dict[str, Any]:
     """An answer in SI units; words in both languages.
 
     goal is what was asked for, solved what was solved for: other than the goal by moved and turned where it was
-    projected; short: how far it lies beyond the workspace; missed and turned: what each branch leaves of it.
+    projected; reached: whether the command ends with 0; short: how far the goal lies beyond the workspace; missed and
+    turned: what each branch leaves of it.
     """
     return {
         "robot": robot.name,
@@ -75,6 +93,7 @@ def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientatio
         "moved": answer.moved,
         "turned": answer.turned,
         "short": answer.short,
+        "reached": is_reached(answer),
         "status": _words(status(answer)),
         "words": _words(answer.words),
         "branches": [
@@ -99,23 +118,23 @@ def _words(text: Text) -> dict[str, str]:
     return {"en": text.en, "pt_BR": text.pt_BR}
 
 
-def _lines(robot: Robot, answer: Answer, deg: bool) -> list[str]:
+def _lines(robot: Robot, answer: Answer, deg: bool, spoken: Language) -> list[str]:
     """The answer as people read it."""
     return [
-        f"{robot.name}: {status(answer).en}",
-        *([f"   {answer.words.en}"] if answer.words.en else []),
-        *(line for branch in answer.branches for line in _of_branch(robot, branch, deg)),
+        f"{robot.name}: {status(answer)[spoken]}",
+        *([f"   {answer.words[spoken]}"] if answer.words[spoken] else []),
+        *(line for branch in answer.branches for line in _of_branch(robot, branch, deg, spoken)),
     ]
 
 
-def _of_branch(robot: Robot, branch: Branch, deg: bool) -> tuple[str, str]:
+def _of_branch(robot: Robot, branch: Branch, deg: bool, spoken: Language) -> tuple[str, str]:
     values = ", ".join(
         f"{joint.name} {_value(float(x), joint.slides, deg)}"
         for joint, x in zip(robot.variables, branch.q, strict=True)
     )
     turned = f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad"
-    limits = "within the joint limits" if branch.within else "beyond the joint limits"
-    return f"{branch.name.en}: {values}", f"   misses the goal by {1000 * branch.missed:.4f} mm and {turned}; {limits}"
+    left = LEFT.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else BEYOND)
+    return f"{branch.name[spoken]}: {values}", left[spoken]
 
 
 def _value(x: float, slides: bool, deg: bool) -> str:

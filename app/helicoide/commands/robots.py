@@ -9,12 +9,25 @@ import numpy as np
 import tyro
 
 from helicoide import content
+from helicoide.commands import language
 from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.forward import disagreement
 from helicoide.kinematics.library import load, packaged
 from helicoide.kinematics.robot import Robot
+from helicoide.text import Language, Text
 
 POSTURES = 100
+HEAD = Text(
+    en="{name}: {title}; {n} joints; reach {reach:.3f} m", pt_BR="{name}: {title}; {n} juntas; alcance {reach:.3f} m"
+)
+SOURCE = Text(en="   from {source}{ours}", pt_BR="   de {source}{ours}")
+OURS = Text(en=" (ours: {fields})", pt_BR=" (por nossa conta: {fields})")
+AGREEMENT = Text(
+    en="   the roads agree to {error:.1e} over {n} random postures",
+    pt_BR="   as três maneiras diferem no máximo em {error:.1e}, em {n} posturas aleatórias",
+)
+PACKAGED = Text(en="by name from installed packages: {names}", pt_BR="pelo nome, de pacotes instalados: {names}")
+NONE = Text(en="none", pt_BR="nenhum")
 
 
 def described(robot: Robot) -> dict[str, Any]:
@@ -51,15 +64,24 @@ def run(
     if json:
         print(json_format.dumps([described(robot) for robot in robots], indent=1))
         return
+    spoken = language()
     for robot in robots:
-        table = described(robot)
-        print(f"{robot.name}: {robot.title.en}; {len(robot.variables)} joints; reach {robot.reach:.3f} m")
-        print("   " + ", ".join(map(_limits, robot.variables)))
-        ours = f" (ours: {', '.join(robot.ours)})" if robot.ours else ""
-        print(f"   from {robot.source}{ours}")
-        print(f"   the roads agree to {table['disagreement']:.1e} over {POSTURES} random postures")
+        print("\n".join(_lines(robot, spoken)))
     if not names:
-        print(f"by name from installed packages: {', '.join(sorted(packaged())) or 'none'}")
+        print(PACKAGED.format(names=", ".join(sorted(packaged())) or NONE)[spoken])
+
+
+def _lines(robot: Robot, spoken: Language) -> list[str]:
+    """What is said of a robot, as people read it."""
+    head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.reach)
+    ours = OURS.format(fields=", ".join(robot.ours)) if robot.ours else ""
+    agreement = AGREEMENT.format(error=described(robot)["disagreement"], n=POSTURES)
+    return [
+        head[spoken],
+        "   " + ", ".join(map(_limits, robot.variables)),
+        SOURCE.format(source=robot.source, ours=ours)[spoken],
+        agreement[spoken],
+    ]
 
 
 def _limits(joint: Joint) -> str:

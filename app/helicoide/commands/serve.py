@@ -7,6 +7,7 @@ import threading
 from typing import Literal
 
 from helicoide import kernels
+from helicoide.commands import language
 from helicoide.kinematics.library import load, welcome
 from helicoide.lesson import load as read_lesson
 from helicoide.session.lab import Lab
@@ -31,7 +32,7 @@ def run(
         host: address to listen on.
         port: port to listen on; 0 takes any free one.
         origin: further addresses at which browsers find the page, such as https://lab.example.org behind a proxy.
-        lang: language of new windows; what their browser asks for if none.
+        lang: language of new windows, else what their browser asks for, and of this terminal.
         lesson: name of the lesson to begin with.
     """
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
@@ -39,7 +40,7 @@ def run(
     welcome(arm)
     lab = Lab(arm, lang, lesson)
     if kernels.CACHE_NOTE is not None:
-        print(kernels.CACHE_NOTE[lang or "en"])
+        print(kernels.CACHE_NOTE[lang or language()])
     stopped = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())

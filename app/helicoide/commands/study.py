@@ -17,6 +17,7 @@ import tyro
 from tqdm import tqdm
 
 from helicoide import studies
+from helicoide.commands import NOT_REACHED, language
 from helicoide.export.study_report import FAILED, Record, chosen, counted, page
 from helicoide.export.study_table import HEADINGS, cells
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
@@ -45,11 +46,15 @@ def run(
     report: Path | None = None,
     json: bool = False,
     workers: int = 2,
-    lang: Annotated[Literal["en", "pt_BR"], tyro.conf.arg(help="language of what is printed and reported")] = "en",
+    lang: Annotated[
+        Literal["en", "pt_BR"] | None,
+        tyro.conf.arg(help="language of what is printed and reported; that of the terminal if none"),
+    ] = None,
 ) -> None:
     """Run an experiment of the sources, or all of them, and print its numbers beside those of the source.
 
-    Ends with 1 where a number differs without a doubt of the digest or something that the source does not give.
+    Ends with 0 when all is well, with 1 where a number differs without a doubt of the digest or something that the
+    source does not give, with 3 when a study did not run to its end, and with 2 for wrong input.
 
     Args:
         list: print the names of all studies and their options.
@@ -60,8 +65,9 @@ def run(
         json: print JSON (with the curves).
         workers: how many studies run at a time with --all.
     """
+    spoken = lang or language()
     if list:
-        _print_list(lang)
+        _print_list(spoken)
         return
     asked = _asked(name, all, set, short)
     _check(report, workers)
@@ -69,11 +75,13 @@ def run(
     records = _run(asked, workers)
     seconds = time.perf_counter() - began
     if report is not None:
-        _write(report, page(records, seconds, lang))
+        _write(report, page(records, seconds, spoken))
     if json:
         print(json_format.dumps([described(record) for record in records], indent=1, allow_nan=False))
     else:
-        _print(records, seconds, lang)
+        _print(records, seconds, spoken)
+    if any(record.result is None for record in records):
+        sys.exit(NOT_REACHED)
     if any(record.differs for record in records):
         sys.exit(1)
 

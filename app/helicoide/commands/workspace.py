@@ -11,14 +11,29 @@ from typing import Annotated, Any
 import numpy as np
 import tyro
 
+from helicoide.commands import language
 from helicoide.jobs import chunks
 from helicoide.jobs.chunks import Backend
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Kind, Map, planned
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Language, Text
 
 WIDTH = 40
+REACHED = Text(
+    en="{robot}: {what} {measure:.4g} m{power} reached, by {samples} postures",
+    pt_BR="{robot}: alcança {what} de {measure:.4g} m{power}, em {samples} posturas",
+)
+AREA, VOLUME = Text(en="area", pt_BR="uma área"), Text(en="volume", pt_BR="um volume")
+CELLS = Text(en="   {reached} of {count} cells of {mm:.1f} mm", pt_BR="   {reached} de {count} células de {mm:.1f} mm")
+DEXTEROUS = Text(
+    en="   at best {value:.1%} of all orientations, at {position} m; mean {mean:.1%}",
+    pt_BR="   no melhor lugar, {value:.1%} de todas as orientações, em {position} m; média {mean:.1%}",
+)
+MANIPULABILITY = Text(
+    en="   at best w = {value:.4g}, at {position} m; mean {mean:.4g}",
+    pt_BR="   no melhor lugar, w = {value:.4g}, em {position} m; média {mean:.4g}",
+)
 
 
 def run(
@@ -33,6 +48,8 @@ def run(
     out: Path | None = None,
 ) -> None:
     """Map what the tool of a robot reaches, by random postures within its joint limits.
+
+    Ends with 0 when the map is there, and with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -53,8 +70,7 @@ def run(
     if json:
         print(json_format.dumps(described(arm, found), indent=1))
         return
-    for line in _lines(arm, found):
-        print(line)
+    print("\n".join(_lines(arm, found, language())))
 
 
 def arrays(found: Map) -> chunks.Arrays:
@@ -81,21 +97,21 @@ def described(robot: Robot, found: Map) -> dict[str, Any]:
     }
 
 
-def _lines(robot: Robot, found: Map) -> list[str]:
+def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
     """The numbers as people read them."""
     said = described(robot, found)
-    what, power = ("area", "²") if said["dimensions"] == 2 else ("volume", "³")
+    what, power = (AREA, "²") if said["dimensions"] == 2 else (VOLUME, "³")
     position = ", ".join(f"{x + 0.0:.3f}" for x in said["best"]["position"])
     value, mean = said["best"]["value"], said["mean"]
     lines = [
-        f"{robot.name}: {what} {said['measure']:.4g} m{power} reached, by {found.samples} postures",
-        f"   {said['reached']} of {found.cells.count} cells of {1000 * found.cells.size:.1f} mm",
+        REACHED.format(robot=robot.name, what=what, measure=said["measure"], power=power, samples=found.samples),
+        CELLS.format(reached=said["reached"], count=found.cells.count, mm=1000 * found.cells.size),
     ]
     if found.kind == "dexterous":
-        lines.append(f"   at best {value:.1%} of all orientations, at {position} m; mean {mean:.1%}")
+        lines.append(DEXTEROUS.format(value=value, position=position, mean=mean))
     if found.kind == "manipulability":
-        lines.append(f"   at best w = {value:.4g}, at {position} m; mean {mean:.4g}")
-    return lines
+        lines.append(MANIPULABILITY.format(value=value, position=position, mean=mean))
+    return [line[spoken] for line in lines]
 
 
 def _show(share: float) -> None:

@@ -9,6 +9,8 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import Any
 
+from helicoide.jobs.thinned import thinned
+
 Report = Callable[[Any], None]
 Work = Callable[..., object]
 
@@ -56,7 +58,7 @@ class Apart:
 
 def _call(sender: Connection, work: Work, arguments: tuple[object, ...]) -> None:
     try:
-        result = work(lambda what: sender.send(("report", what)), *arguments)
+        result = work(thinned(lambda what: sender.send(("report", what))), *arguments)
         sender.send(("result", result))
     except Exception:
         sender.send(("failed", traceback.format_exc()))

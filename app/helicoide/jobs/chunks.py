@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
+from helicoide.jobs.thinned import thinned
 from helicoide.kinematics import workspace
 from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
@@ -100,7 +101,7 @@ def workspace_map(
         return there
     workspace.counted(replace(plan, samples=1), 0)  # compiles the kernels once, and not in every process
     with closing(each(workspace.counted, plan, plan.chunks, workers, backend)) as parts:
-        found = workspace.gathered(plan, parts, progress)
+        found = workspace.gathered(plan, parts, thinned(progress))
     with suppress(OSError):  # what cannot be kept is counted again the next time
         write(_file(plan), {"hits": found.hits, "values": found.values})
     return found

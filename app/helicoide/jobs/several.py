@@ -10,12 +10,13 @@ from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any, Generic, TypeVar
 
+from helicoide.jobs.thinned import thinned
+
 Given = TypeVar("Given")
 Value = TypeVar("Value")
 Progress = Callable[[float], None]
 
 TOLD_EVERY = 0.1
-NOTICEABLE = 0.005
 
 _told: Any = None
 
@@ -30,11 +31,11 @@ class Outcome(Generic[Value]):
 
 
 def timed(work: Callable[[Given, Progress], Value], given: Given, progress: Progress) -> Outcome[Value]:
-    """Do a piece of work here, and take whatever goes wrong in it as its outcome."""
+    """Do a piece of work here, and take whatever goes wrong in it as its outcome; its progress is thinned."""
     began = time.perf_counter()
     value, failure = None, None
     try:
-        value = work(given, progress)
+        value = work(given, thinned(progress))
     except Exception as error:
         failure = error
     return Outcome(value, failure, time.perf_counter() - began)
@@ -81,15 +82,7 @@ def _begin(reports: Any) -> None:
 
 
 def _work(index: int, work: Callable[[Given, Progress], Value], given: Given) -> Outcome[Value]:
-    last = 0.0
-
-    def progress(share: float) -> None:
-        nonlocal last
-        if share - last >= NOTICEABLE:
-            last = share
-            _told.put((index, share))
-
-    outcome = timed(work, given, progress)
+    outcome = timed(work, given, lambda share: _told.put((index, share)))
     return outcome if outcome.failure is None else replace(outcome, failure=_portable(outcome.failure))
 
 

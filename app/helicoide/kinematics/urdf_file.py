@@ -18,6 +18,7 @@ from helicoide.text import HelicoideError, Text
 _PLAIN: Mapping[str, float] = MappingProxyType({})
 _KINDS = {"link": Text(en="link", pt_BR="elo"), "joint": Text(en="joint", pt_BR="junta")}
 _NUMBERS = {"xyz": 3, "rpy": 3, "lower": 1, "upper": 1, "velocity": 1, "multiplier": 1, "offset": 1}
+_SIZES = {"size": 3, "radius": 1, "length": 1}
 
 
 def broken(path: Path, reason: Text | str) -> HelicoideError:
@@ -104,7 +105,7 @@ def _check_part(path: Path, part: ElementTree.Element) -> None:
         if (element := part.find(end)) is None or not element.get("link"):
             raise broken(path, _of(part, f"has no {end} link", f"não tem o elo {end}"))
     for element in part.iter():
-        for attribute, count in _NUMBERS.items():
+        for attribute, count in (_NUMBERS | _SIZES).items():
             if not _are_numbers(words := element.get(attribute, "0 " * count), count):
                 given = f'{element.tag} {attribute}="{words}"'
                 raise broken(

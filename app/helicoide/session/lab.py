@@ -244,7 +244,7 @@ class Lab:
             self.control.close(line.link.key)
         visitor = self.visitors.pop(client.client_id, None)
         if visitor is not None:
-            visitor.window.gone = True
+            visitor.window.leave()
             self.seats.leave(visitor.place)
             self._detach(visitor)
             if visitor.place.windows == 0:
@@ -349,9 +349,7 @@ class Lab:
         place = visitor.place
         if own and place.own is None:
             if len(self.posts) > MOST_OWN:
-                title, said = Text(en="No arm left", pt_BR="Nenhum braço livre"), FULL.format(n=MOST_OWN)
-                language = place.seat.language
-                visitor.window.client.add_notification(title[language], said[language], auto_close_seconds=10.0)
+                visitor.window.tell(FULL.format(n=MOST_OWN))
                 return
             post = self._post(replace(commanded(self.shared.workcell.state, Hold()), grasp=None, goal=None))
             place.own = post.workcell

@@ -66,6 +66,8 @@ class Mapping:
             found = await asyncio.to_thread(chunks.kept, plan)
             if found is None:
                 found = await self._counted(robot, plan)
+            if found is None and self._is_counting(robot):
+                log.error("the process that counts the map of %s was ended from outside", robot.name)
         except Failed as failure:
             log.error("the map of %s failed:\n%s", robot.name, failure)
             found = None

@@ -59,8 +59,8 @@ class Studies:
 
     def close(self) -> None:
         """End everything."""
-        for job in self._running.values():
-            job.stop()
+        while self._running:
+            self._running.popitem()[1].stop()
 
     def _put(self, place: Place, desk: Desk) -> None:
         place.desk = desk
@@ -73,24 +73,31 @@ class Studies:
         task.add_done_callback(self._tasks.discard)
 
     async def _follow(self, place: Place, job: Apart, desk: Desk) -> None:
-        """Tell the desk what a run reports, and what it came to, unless it was ended."""
+        """Tell the desk what a run reports, and what it came to, unless the person ended it."""
         loop = asyncio.get_running_loop()
 
+        def is_wanted() -> bool:
+            return self._running.get(place) is job
+
         def tell(update: DeskUpdate) -> None:
-            if self._running.get(place) is job:
+            if is_wanted():
                 self._put(place, update(place.desk))
 
         def listen() -> None:
             for share in job.progress():
                 loop.call_soon_threadsafe(tell, desks.told(share))
 
+        ended = desks.failed(FAILED)
         try:
             await asyncio.to_thread(listen)
-            run = None if job.result is None else Run(desk.study, desk.chosen(), desk.short, job.result)
-            ended = desks.failed(FAILED) if run is None else desks.done(run)
+            if job.result is not None:
+                ended = desks.done(Run(desk.study, desk.chosen(), desk.short, job.result))
+            elif is_wanted():
+                log.error("the process of the study %s was ended from outside", desk.study)
         except Failed as failure:
             log.error("the study %s failed:\n%s", desk.study, failure)
-            ended = desks.failed(FAILED)
+        except Exception:  # it could not be started, or was killed in the middle of a message
+            log.exception("the study %s failed", desk.study)
         tell(ended)
-        if self._running.get(place) is job:
+        if is_wanted():
             del self._running[place]

@@ -18,7 +18,7 @@ import viser
 import websockets.asyncio.server
 from viser._messages import ShareUrlRequest
 from websockets.asyncio.server import ServerConnection
-from websockets.exceptions import InvalidHandshake
+from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.http11 import Request, Response
 
 from helicoide.text import HelicoideError, Text
@@ -182,5 +182,5 @@ def _refuses_foreign_pages(address: str, port: int) -> bool:
 
 
 def _is_news(record: logging.LogRecord) -> bool:
-    """Drop the tracebacks of broken handshakes: browsers open spare connections and close them unused."""
-    return record.exc_info is None or not isinstance(record.exc_info[1], InvalidHandshake)
+    """Drop the tracebacks of what others do: they talk no HTTP, open connections to spare, and leave when they like."""
+    return record.exc_info is None or not isinstance(record.exc_info[1], (InvalidHandshake, ConnectionClosed))

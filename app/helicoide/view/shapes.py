@@ -45,7 +45,8 @@ def load(robot: Robot) -> list[Shape]:
             raise urdf_file.broken(robot.urdf, f"gripper joint {robot.gripper.joint!r}: {known}")
         upper = float(opened.joint_map[robot.gripper.joint].limit.upper)
         opened.update_cfg({robot.gripper.joint: upper})
-    return [_shape(robot, closed, opened, link.name) for link in closed.robot.links if link.visuals]
+    drawn = {link.name: _visuals(closed, link.name) for link in closed.robot.links if link.visuals}
+    return [_shape(robot, closed, opened, name, scene) for name, scene in drawn.items() if not scene.is_empty]
 
 
 def _carrier(robot: Robot, urdf: yourdfpy.URDF, link: str) -> int:
@@ -57,25 +58,30 @@ def _carrier(robot: Robot, urdf: yourdfpy.URDF, link: str) -> int:
     return numbers.get(link, 0)
 
 
-def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str) -> Shape:
+def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str, scene: trimesh.Scene) -> Shape:
     link = _carrier(robot, closed, name)
     T_link_shape = np.array(closed.get_transform(name))
     slide = opened.get_transform(name)[:3, 3] - T_link_shape[:3, 3]
     if link > 0:
         T_link_shape[:3, 3] -= robot.points[link - 1]
-    scene = _visuals(closed, name)
     glb = bytes(scene.export(file_type="glb", include_normals=True))
     return Shape(name, glb, _edges(scene, SHORTEST_EDGE * robot.reach), link, T_link_shape, slide)
 
 
 def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
-    """The meshes of one URDF link, in its frame."""
+    """The meshes of one URDF link, in its frame; what has no surface is left out."""
     tree, scene = urdf.scene.graph, trimesh.Scene()
     for node in tree.nodes_geometry:
         if tree.transforms.parents[node] == name:
             mesh = urdf.scene.geometry[tree[node][1]]
-            scene.add_geometry(mesh, transform=urdf.get_transform(node, name))
+            if isinstance(mesh, trimesh.Trimesh) and mesh.area > 0:
+                scene.add_geometry(_plain(mesh), transform=urdf.get_transform(node, name))
     return scene
+
+
+def _plain(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A box, cylinder or sphere as a mesh that can be changed, with edges that look sharp; any other mesh as it is."""
+    return mesh.smooth_shaded if isinstance(mesh, trimesh.primitives.Primitive) else mesh
 
 
 def _edges(scene: trimesh.Scene, shortest: float) -> Array:

@@ -28,12 +28,14 @@ from helicoide.view.placed import Placed, place
 from helicoide.view.rows import Button, Choice, ForArm, ForLab, ForSeat, OwnArm, Row, Stop, View, Wish
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
+from helicoide.view.uploads import Uploads
 
 Client = viser.ClientHandle
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
 PANEL = same("Helicoide")
 OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
 SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
+TOLD_FOR = 10.0
 AT_A_TIME = 0.004  # s of rows that are written before others may come in between
 # On an upright page the panel is a sheet over the lower half: look from farther in front, and below the arm.
 UPRIGHT_POSITION, UPRIGHT_LOOK_AT = np.array([1.89, -1.22, 1.18]), np.array([-0.15, -0.06, -0.6])
@@ -59,7 +61,22 @@ class Window:
         self.top: list[Placed] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
+        self.uploads = Uploads(client, self.tell)
         self._busy = asyncio.Lock()
+
+    def leave(self) -> None:
+        """The page is gone."""
+        self.gone = True
+        self.uploads.close()
+
+    def tell(self, text: Text) -> None:
+        """Say something to this person alone."""
+        self.client.add_notification(PANEL[self.language], text[self.language], auto_close_seconds=TOLD_FOR)
+
+    @property
+    def language(self) -> Language:
+        """What the person speaks."""
+        return self.view.seat.language
 
     def act(self, wish: Wish) -> None:
         """Hand on what the person wishes; what the page shows of it is put right later, whatever comes of it."""

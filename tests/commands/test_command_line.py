@@ -1,0 +1,116 @@
+"""What all subcommands share: the language of the terminal, and a reader that goes away."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from helicoide import __main__, commands
+
+APP = Path(__file__).parents[2] / "app"
+GOAL = ("--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
+
+
+def begun(*arguments: str, **streams: int) -> subprocess.Popen[str]:
+    command = [sys.executable, "-m", "helicoide", *arguments]
+    return subprocess.Popen(command, text=True, env={**os.environ, "PYTHONPATH": str(APP)}, **streams)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("study", "--list"),
+        ("robots", "scara"),
+        ("ik", "puma560", *GOAL, "--all", "--json"),
+        ("ik", "puma560", "--position", "9", "0", "0"),
+        ("fk", "planar2r", "--q", "0", "0"),
+        ("doctor",),
+        ("--help",),
+        ("fk", "--help"),
+    ],
+    ids=" ".join,
+)
+def test_a_reader_that_has_gone_ends_a_command_quietly(arguments: tuple[str, ...]) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    with begun(*arguments, stdout=writer, stderr=subprocess.PIPE) as command:
+        os.close(writer)
+        assert command.communicate(timeout=120) == (None, "")
+    assert command.returncode == 141
+
+
+def test_a_reader_of_both_outputs_may_go_too() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    with begun("study", "cerbaro_orca_convergence", "--short", stdout=writer, stderr=writer) as command:
+        os.close(writer)
+        assert command.wait(timeout=120) == 141
+
+
+def test_the_beginning_of_a_list_can_be_read_alone() -> None:
+    with begun("study", "--list", stdout=subprocess.PIPE, stderr=subprocess.PIPE) as command:
+        assert command.stdout is not None
+        assert "(" in command.stdout.readline()
+        command.stdout.close()
+        assert command.wait(timeout=120) in (0, 141)  # 0 where all was written before the pipe was closed
+        assert command.stderr is not None
+        assert command.stderr.read() == ""
+
+
+@pytest.mark.parametrize(
+    ("environment", "language"),
+    [
+        ({}, "en"),
+        ({"LANG": "pt_BR.UTF-8"}, "pt_BR"),
+        ({"LANG": "pt_PT"}, "pt_BR"),
+        ({"LANG": "de_DE.UTF-8"}, "en"),
+        ({"LANG": "en_US.UTF-8", "LC_ALL": "pt_BR.UTF-8"}, "pt_BR"),
+        ({"LANG": "pt_BR.UTF-8", "LC_ALL": "en_US.UTF-8"}, "en"),
+        ({"LANG": "pt_BR.UTF-8", "LC_ALL": "C"}, "en"),
+        ({"LANG": "pt_BR.UTF-8", "LC_ALL": ""}, "pt_BR"),
+        ({"LANG": "en_US.UTF-8", "LC_MESSAGES": "pt_BR"}, "pt_BR"),
+        ({"LANG": "en_US.UTF-8", "LC_CTYPE": "pt_BR.UTF-8"}, "en"),
+        ({"LANG": "en_US.UTF-8", "LANGUAGE": "pt_BR:en"}, "pt_BR"),
+        ({"LANG": "pt_BR.UTF-8", "LANGUAGE": "en_GB"}, "en"),
+        ({"LANG": "en_US.UTF-8", "LANGUAGE": "de:pt:en"}, "pt_BR"),
+        ({"LANG": "pt_BR.UTF-8", "LANGUAGE": "de"}, "pt_BR"),
+        ({"LC_ALL": "C", "LANGUAGE": "pt_BR"}, "en"),
+        ({"LC_ALL": "C.UTF-8", "LANGUAGE": "pt_BR"}, "pt_BR"),
+    ],
+)
+def test_the_terminal_says_which_language(
+    monkeypatch: pytest.MonkeyPatch, environment: dict[str, str], language: str
+) -> None:
+    for name in ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LC_CTYPE", "LANG"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    assert commands.language() == language
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("doctor",), ("pacotes: viser", "compilados em", "lições: ")),
+        (("robots", "scara"), ("4 juntas; alcance", "as três maneiras diferem")),
+        (("study", "--list"), ("fator de passo",)),
+        (("workspace", "planar2r", "--samples", "1000", "--kind", "dexterous"), ("uma área", "células", "média")),
+    ],
+)
+def test_commands_speak_the_language_of_the_terminal(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    arguments: tuple[str, ...],
+    words: tuple[str, ...],
+) -> None:
+    monkeypatch.setattr("helicoide.jobs.chunks.user_cache_path", lambda name: tmp_path / name)
+    monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")
+    monkeypatch.setattr(sys, "argv", ["helicoide", *arguments])
+    __main__.main()
+    out = capsys.readouterr().out
+    assert [word for word in words if word not in out] == []

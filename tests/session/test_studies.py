@@ -1,0 +1,214 @@
+"""Studies that people run: however a run ends, the desk says so, and another one may begin."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import multiprocessing
+import time
+from collections.abc import Callable, Coroutine, Iterator
+from typing import Any
+
+import pytest
+
+from helicoide import studies as all_studies
+from helicoide.jobs.apart import Apart, Report
+from helicoide.session import studies
+from helicoide.session.seats import Place
+from helicoide.session.studies import FAILED, Studies
+from helicoide.state import Seat
+from helicoide.studies import desk as desks
+from helicoide.studies.desk import Desk
+
+NAME = "cerbaro_orca_convergence"
+PATIENCE = 300.0
+
+
+def endless(report: Report, name: str, options: Any, short: bool) -> object:
+    report(0.5)
+    time.sleep(10 * PATIENCE)
+    return None
+
+
+def breaks(report: Report, name: str, options: Any, short: bool) -> object:
+    report(0.5)
+    raise ValueError("no such study")
+
+
+class Torn(Apart):
+    """A run whose pipe breaks in the middle of a message."""
+
+    def progress(self) -> Iterator[Any]:
+        yield 0.5
+        raise OSError("got end of file during message")
+
+
+@pytest.fixture
+def running(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
+    """Runs are of this work instead of a study."""
+    return lambda work: monkeypatch.setattr(studies, "study", work)
+
+
+class Person:
+    """A person with a desk, and what they see there."""
+
+    def __init__(self) -> None:
+        self.studies = Studies(lambda: None)
+        self.place = Place(Seat("token", "en"))
+
+    @property
+    def desk(self) -> Desk:
+        return self.place.desk
+
+    def begin(self) -> None:
+        self.studies.redesk(self.place, desks.choose(NAME))
+        self.studies.redesk(self.place, desks.start)
+        assert self.desk.progress == 0
+
+    async def until(self, condition: Callable[[], object]) -> None:
+        while not condition():
+            await asyncio.sleep(0.01)
+
+    async def over(self) -> None:
+        """Wait until what runs is not followed any more."""
+        await self.until(lambda: not self.studies._tasks)
+
+
+def live(run: Callable[[Person], Coroutine[object, object, None]]) -> Person:
+    """Let something run, generously: what is slow is not wrong, what never comes must end."""
+    person = Person()
+
+    async def patient() -> None:
+        try:
+            await asyncio.wait_for(run(person), PATIENCE)
+        finally:
+            person.studies.close()
+
+    asyncio.run(patient())
+    return person
+
+
+def is_free(person: Person) -> bool:
+    """Whether nothing runs and nothing seems to."""
+    return person.desk.progress is None and not person.studies._running
+
+
+def test_a_study_comes_to_its_result() -> None:
+    async def run(person: Person) -> None:
+        person.begin()
+        await person.over()
+
+    person = live(run)
+    assert person.desk.failure is None
+    assert person.desk.last is not None
+    assert person.desk.last.study == NAME
+    assert len(person.desk.last.result.rows) == len(
+        all_studies.named(NAME).run(person.desk.last.options, True, lambda share: None).rows
+    )
+    assert is_free(person)
+
+
+def test_a_killed_process_is_said_and_another_run_may_begin(
+    running: Callable[..., None], caplog: pytest.LogCaptureFixture
+) -> None:
+    running(endless)
+
+    async def run(person: Person) -> None:
+        for _ in range(studies.MOST + 1):
+            person.begin()
+            await person.until(lambda: person.desk.progress == 0.5)
+            [child] = multiprocessing.active_children()
+            child.kill()
+            await person.over()
+            assert person.desk.failure == FAILED
+            assert is_free(person)
+
+    live(run)
+    assert "ended from outside" in caplog.text
+    assert NAME in caplog.text
+
+
+def test_a_process_that_is_killed_before_it_says_anything_is_said(running: Callable[..., None]) -> None:
+    running(endless)
+
+    async def run(person: Person) -> None:
+        person.begin()
+        await person.until(multiprocessing.active_children)
+        for child in multiprocessing.active_children():
+            child.kill()
+        await person.over()
+
+    person = live(run)
+    assert person.desk.failure == FAILED
+    assert is_free(person)
+
+
+def test_a_pipe_that_breaks_is_said(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
+    monkeypatch.setattr(studies, "Apart", Torn)
+
+    async def run(person: Person) -> None:
+        person.begin()
+        await person.over()
+
+    person = live(run)
+    assert person.desk.failure == FAILED
+    assert is_free(person)
+    assert "end of file during message" in caplog.text
+
+
+def test_a_process_that_cannot_be_started_is_said(
+    running: Callable[..., None], caplog: pytest.LogCaptureFixture
+) -> None:
+    running(lambda *_: None)  # no function of a module: it cannot be sent
+
+    async def run(person: Person) -> None:
+        person.begin()
+        await person.over()
+
+    person = live(run)
+    assert person.desk.failure == FAILED
+    assert is_free(person)
+    assert NAME in caplog.text
+
+
+def test_a_study_that_breaks_is_said_with_its_traceback_in_the_log(
+    running: Callable[..., None], caplog: pytest.LogCaptureFixture
+) -> None:
+    running(breaks)
+
+    async def run(person: Person) -> None:
+        person.begin()
+        await person.over()
+
+    person = live(run)
+    assert person.desk.failure == FAILED
+    assert is_free(person)
+    assert "no such study" in caplog.text
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda person: person.studies.redesk(person.place, desks.end),
+        lambda person: person.studies.redesk(person.place, desks.choose("")),
+        lambda person: person.studies.forget(person.place),
+        lambda person: person.studies.close(),
+    ],
+    ids=["end", "another study", "the last window closes", "the program ends"],
+)
+def test_what_is_ended_on_purpose_has_not_failed(
+    running: Callable[..., None], caplog: pytest.LogCaptureFixture, end: Callable[[Person], None]
+) -> None:
+    running(endless)
+
+    async def run(person: Person) -> None:
+        person.begin()
+        await person.until(lambda: person.desk.progress == 0.5)
+        end(person)
+        await person.over()
+
+    with caplog.at_level(logging.WARNING):
+        person = live(run)
+    assert person.desk.failure is None
+    assert caplog.records == []
+    assert not person.studies._running

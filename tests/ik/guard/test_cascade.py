@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.linalg import norm
 
 from helicoide.ik.guard import qp
-from helicoide.ik.guard.cascade import descend, null_space
+from helicoide.ik.guard.cascade import DEPENDENT, descend, null_space
 from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)
@@ -44,14 +44,12 @@ def missed(task: Task, rows: slice, x: Array) -> float:
 def test_a_null_space_is_what_the_rows_do_not_feel(seed: int, n: int, r: int, rank: int) -> None:
     rng, rank = np.random.default_rng(seed), min(rank, n, r)
     J = rng.normal(size=(r, rank)) @ rng.normal(size=(rank, n))
+    sigma = np.linalg.svd(J, compute_uv=False)
+    assume(not ((sigma > 1e-10 * sigma[0]) & (sigma < 1e-4 * sigma[0])).any())  # its rank is not a matter of opinion
     Z = null_space(J)
     assert Z.shape == (n, n - np.linalg.matrix_rank(J, tol=1e-6 * max(1e-300, np.linalg.norm(J, axis=1).max())))
     np.testing.assert_allclose(J @ Z, 0, atol=1e-8 * max(1.0, np.abs(J).max()))
     np.testing.assert_allclose(Z.T @ Z, np.eye(Z.shape[1]), atol=1e-12)
-
-
-# What is left of a bound after three levels, each in the null space of those before; the tick cuts the rest off.
-ROUNDING = 1e-7
 
 
 @settings(max_examples=100)
@@ -64,9 +62,14 @@ def test_a_level_takes_nothing_from_those_before_it(seed: int, n: int, size: flo
     alone, _, _ = descend(first_rows(task, 2), begins[:0], *rows)
     two, _, _ = descend(first_rows(task, 4), begins[:1], *rows)
     assert verdict == qp.SOLVED
-    assert (np.abs(x) <= size + ROUNDING).all()
-    assert abs(missed(task, slice(2), x) - missed(task, slice(2), alone)) < 1e-6
-    assert abs(missed(task, slice(2, 4), x) - missed(task, slice(2, 4), two)) < 1e-6
+    J, v, weights, damping = task
+    felt = norm(weights[:, None] * J, 2)
+    # the softer the damping, the more of a bound is lost by rounding; the tick cuts the rest off
+    rounding = qp.ROUNDING * (1 + norm(x) + felt * (norm(weights * v) + felt * norm(x)) / damping.min())
+    assert (np.abs(x) <= size + rounding).all()
+    unfelt = DEPENDENT * (1 + felt * norm(x))
+    assert abs(missed(task, slice(2), x) - missed(task, slice(2), alone)) < unfelt
+    assert abs(missed(task, slice(2, 4), x) - missed(task, slice(2, 4), two)) < unfelt
     assert multipliers.shape == (3, n)
 
 

@@ -1,4 +1,4 @@
-# make run · make test · make soak · make bench · make docs-pictures · make clean
+# make run · make check · make test · make soak · make bench · make docs-pictures · make clean
 # make run ARGS="--port 8090 --lang pt_BR"        make run PYTHON=python3.13
 
 PYTHON ?= python3
@@ -6,29 +6,28 @@ ARGS ?=
 VENV := .venv
 IN_VENV := $(VENV)/bin/python
 PIP := $(IN_VENV) -m pip install -qq --disable-pip-version-check -c constraints.txt
-# With ARGS="-k word" one of the two runs may have no test to choose from.
-OR_NONE := $(if $(ARGS), || test $$? = 5)
-BROWSERS := chromium chromium-browser google-chrome
+# Words pick tests by name; an option or a path goes to pytest as it is.
+PICKED := $(if $(filter -% tests/%,$(firstword $(ARGS))),$(ARGS),$(if $(ARGS),-k "$(ARGS)"))
 
-.PHONY: run test soak bench docs-pictures browser clean
+.PHONY: run check test soak bench docs-pictures clean
 
 run: $(VENV)/ready-to-run
 	@exec $(IN_VENV) -m helicoide $(ARGS)
 
-test: $(VENV)/ready-to-test browser
-	$(IN_VENV) -m ruff check
-	$(IN_VENV) -m ruff format --check
-	$(IN_VENV) -m mypy --strict app lessons robots
-	$(IN_VENV) -m pytest -n 2 --dist loadfile --ignore=tests/browser $(ARGS)$(OR_NONE)
-	$(IN_VENV) -m pytest tests/browser -n 2 --dist loadfile $(ARGS)$(OR_NONE)
+check: $(VENV)/ready-to-test
+	@$(IN_VENV) -m tests.parts check $(PICKED)
 
-soak: $(VENV)/ready-to-test browser
-	$(IN_VENV) -m pytest tests/soak -m soak -n 2 $(ARGS)
+test: $(VENV)/ready-to-test
+	@$(IN_VENV) -m tests.parts test $(PICKED)
+
+soak: $(VENV)/ready-to-test
+	$(IN_VENV) -m pytest -m "soak or hypothesis" --hypothesis-profile search -n 2 $(PICKED)
 
 bench: $(VENV)/ready-to-test
 	$(IN_VENV) -m tests.benchmarks $(ARGS)
 
-docs-pictures: $(VENV)/ready-to-test browser
+docs-pictures: $(VENV)/ready-to-test
+	@$(IN_VENV) -m tests.system browser
 	$(IN_VENV) -m tests.browser.pictures
 
 # The build backend is installed first and pinned like the rest, so that pip does not fetch another one to build with.
@@ -44,19 +43,6 @@ $(VENV)/ready-to-test: $(VENV)/ready-to-run
 	@echo "Installing what the tests need."
 	@$(PIP) --no-build-isolation --editable '.[test]'
 	@touch $@
-
-# Debian's Chromium: installed where that is allowed, named where it is not.
-browser:
-	@for name in $(BROWSERS); do command -v $$name >/dev/null && exit 0; done; \
-	if [ "$$(id -u)" = 0 ]; then root=; else root="sudo -n"; fi; \
-	if command -v apt-get >/dev/null && $$root true 2>/dev/null; then \
-		echo "Installing Chromium for the tests."; \
-		$$root apt-get update -qq && \
-		$$root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends \
-			chromium fonts-dejavu-core >/dev/null; \
-	else \
-		echo "The tests need a Chromium: install the package chromium, then run this again." >&2; exit 1; \
-	fi
 
 clean:
 	rm -rf $(VENV) .venv-bench .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,17 +1,76 @@
-"""The arm that most tests drive, fresh at `ready`."""
+"""The arm that most tests drive, fresh at `ready`; which tests run, and on how many examples."""
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, is_hypothesis_test, settings
+from hypothesis.internal.conjecture import providers
+from tests.sample import sampled
 
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State, initial
 
-# the first call of a kernel compiles it, which takes longer than any example may
-settings.register_profile("kernels", deadline=None)
-settings.load_profile("kernels")
+# No clock may fail a test: the first call of a kernel compiles it, which takes longer than any example may.
+CLOCKLESS = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True)
+settings.register_profile("test", CLOCKLESS, derandomize=True, database=None)
+settings.register_profile("search", CLOCKLESS, derandomize=False)
+settings.load_profile("test")
+SEARCHED = 20  # times as many examples as a test asks for
+
+BROWSER = Path(__file__).parent / "browser"
+SAMPLE = pytest.StashKey[tuple[int, int]]()
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--sample", type=int, metavar="N", help="of each file at most N tests, evenly spaced")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_configure() -> None:
+    """Hypothesis also tries numbers from the modules imported so far: examples would depend on what else runs."""
+    if settings().derandomize:
+        providers._get_local_constants = lambda: providers._local_constants
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    if item.path.is_relative_to(BROWSER):
+        item.add_marker("browser")
+    if settings.get_current_profile_name() == "search" and is_hypothesis_test(getattr(item, "obj", None)):
+        item.extra_keyword_matches.add("search")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """What the other options have left: sampled, or searched for counter-examples."""
+    if most := config.getoption("sample"):
+        kept = sampled(items, most)
+        config.stash[SAMPLE] = len(kept), len(items)
+        items[:] = kept
+    if settings.get_current_profile_name() == "search":
+        for test in {item.obj for item in items if is_hypothesis_test(item.obj)}:
+            own = test._hypothesis_internal_use_settings
+            test._hypothesis_internal_use_settings = settings(own, max_examples=SEARCHED * own.max_examples)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A process of pytest-xdist tells of its sample to the one that started it."""
+    if hasattr(session.config, "workeroutput") and SAMPLE in session.config.stash:
+        session.config.workeroutput["sample"] = session.config.stash[SAMPLE]
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    if told := getattr(node, "workeroutput", {}).get("sample"):
+        node.config.stash[SAMPLE] = told
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    if SAMPLE in config.stash:
+        terminalreporter.write_line("check: {} of {} tests".format(*config.stash[SAMPLE]))
 
 
 @pytest.fixture(scope="session")

@@ -12,6 +12,7 @@ from tests.driving import after, at, clear_posture, quaternion
 
 from helicoide import gate
 from helicoide.confinement import Obstacles, Zone, Zones, distances, from_pieces, last_clear, planes_of
+from helicoide.confinement.obstacles import LOOKED_AT
 from helicoide.geometry import rigid
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
@@ -126,13 +127,13 @@ def test_what_is_moved_rests_before_the_first_body_in_its_way(seed: int) -> None
     assume((from_pieces(start[None], ends)[0] > apart).all())
     rests = last_clear(start, asked, ends, apart)
     way = start + np.linspace(0, 1, 4001)[:, None] * (asked - start)
-    blocked = (from_pieces(way, ends) < apart - 1e-3).any(axis=1)
-    share = np.linalg.norm(rests - start) / np.linalg.norm(asked - start)
+    left = (from_pieces(way, ends) - apart).min(axis=1)
+    length = np.linalg.norm(asked - start)
+    share = np.linalg.norm(rests - start) / length
     assert (from_pieces(rests[None], ends)[0] >= apart - 1e-9).all()
-    if not blocked.any():
-        assert share == pytest.approx(1, abs=0.1)
-    else:
-        assert share <= blocked.argmax() / 4000 + 1e-3
+    # it may pass where it only grazes a body between two looks, and may rest there
+    touched, entered = (np.append(np.flatnonzero(left < depth), 4000)[0] / 4000 for depth in (1e-3, -1e-3))
+    assert touched - LOOKED_AT / length - 1e-9 <= share <= entered + 1e-9
 
 
 def test_obstacles_are_replaced_and_taken_away() -> None:

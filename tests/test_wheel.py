@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
+import threading
 import urllib.request
 import venv
 import zipfile
@@ -21,6 +22,7 @@ import pytest
 from helicoide import content
 
 CHECKOUT = Path(__file__).parents[1]
+PATIENCE = 60  # seconds, for what takes one or two
 PIP = (sys.executable, "-m", "pip", "--disable-pip-version-check", "-qq")
 
 
@@ -122,6 +124,8 @@ def test_serves_and_stops_cleanly(installed: Installed) -> None:
         stderr=subprocess.PIPE,
         encoding="utf-8",
     )
+    guard = threading.Timer(PATIENCE, server.kill)  # whatever waits for the server then ends
+    guard.start()
     try:
         assert server.stdout is not None
         address = server.stdout.readline().removeprefix("Helicoide: ").strip()
@@ -131,8 +135,9 @@ def test_serves_and_stops_cleanly(installed: Installed) -> None:
         with urllib.request.urlopen(f"{address}/") as page:
             assert b"helicoide.css" in gzip.decompress(page.read())
         server.send_signal(signal.SIGTERM)
-        said = server.communicate()
+        said = server.communicate(timeout=PATIENCE)
     finally:
+        guard.cancel()
         server.kill()
         server.wait()
     assert server.returncode == 0, said

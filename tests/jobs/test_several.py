@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import time
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 
@@ -18,9 +19,13 @@ def doubled(given: int, progress: Progress) -> int:
     return 2 * given
 
 
-def slow_first(given: int, progress: Progress) -> tuple[int, int]:
-    time.sleep(0.5 if given == 0 else 0.0)
-    return given, os.getpid()
+def waiting_for_the_second(given: tuple[int, Path], progress: Progress) -> tuple[int, int]:
+    """The first piece ends only after another has begun, which another process must have taken."""
+    number, begun = given
+    while number == 0 and not begun.exists():
+        time.sleep(0.01)
+    begun.touch()
+    return number, os.getpid()
 
 
 def refusing(given: int, progress: Progress) -> int:
@@ -48,8 +53,9 @@ def nothing(share: float) -> None:
     pass
 
 
-def test_values_come_in_the_order_of_what_was_given() -> None:
-    found = [outcome.value for outcome in in_processes(slow_first, [0, 1, 2, 3], 2, nothing)]
+def test_values_come_in_the_order_of_what_was_given(tmp_path: Path) -> None:
+    given = [(number, tmp_path / "begun") for number in range(4)]
+    found = [outcome.value for outcome in in_processes(waiting_for_the_second, given, 2, nothing)]
     assert [value[0] for value in found if value] == [0, 1, 2, 3]
     processes = {value[1] for value in found if value}
     assert len(processes) == 2

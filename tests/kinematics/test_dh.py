@@ -35,6 +35,8 @@ def joint(direction: Array, point: Array, slides: bool = False, mimic: Mimic | N
 def next_axis(relation: str, before: Joint, draw: np.random.Generator) -> tuple[Array, Array]:
     """Direction and point of an axis that stands in a relation to the one before."""
     s, point, other = before.direction, before.point, draw.uniform(-1, 1, 3)
+    while np.linalg.norm(np.cross(s, unit(other))) < 0.01:  # the common normal of almost parallel axes is far away
+        other = draw.uniform(-1, 1, 3)
     on_axis = point + draw.uniform(-1, 1) * s
     match relation:
         case "skew":

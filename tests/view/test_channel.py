@@ -111,7 +111,7 @@ def test_malformed_messages_are_ignored(page: Connection, stops: list[str], mess
     assert len(stops) == before
 
 
-@settings(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(st.one_of(st.text(max_size=500), st.binary(max_size=500)))
 def test_no_message_costs_the_page_its_stop(page: Connection, message: str | bytes) -> None:
     page.send(message)

@@ -60,10 +60,12 @@ def test_each_step_follows_from_those_before(x: float, y: float, phi: float) -> 
     assert len(answer.values) == max(1, len(answer.branches))
     for branch, steps in zip(answer.branches, answer.values, strict=False):
         one, two, three = steps["θ₁"], steps["θ₂"], steps["θ₃"]
-        assert elbow.end_of(one, two, elbow.Annulus(1, 0.7)) == pytest.approx((x, y), abs=1e-9)
+        # on an edge θ₂ is exactly 0 or π, and near one it keeps half of its digits
+        near = 1e-12 / max(abs(np.sin(two)), 1e-6)
+        assert elbow.end_of(one, two, elbow.Annulus(1, 0.7)) == pytest.approx((x, y), abs=1e-11)
         assert np.exp(1j * (one + two + three)) == pytest.approx(np.exp(1j * phi), abs=1e-12)
         psi = steps["ψ"] if two < 0 else -steps["ψ"]
-        assert np.exp(1j * (steps["β"] + psi)) == pytest.approx(np.exp(1j * one), abs=1e-9)
+        assert np.exp(1j * (steps["β"] + psi)) == pytest.approx(np.exp(1j * one), abs=near)
         np.testing.assert_allclose(np.exp(1j * branch.q), np.exp(1j * np.array([one, two, three])), atol=1e-12)
 
 

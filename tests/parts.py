@@ -1,0 +1,61 @@
+"""The parts of `make check` and `make test`: each runs to its end, and the last lines say how each of them ended.
+
+Tests that need a package of the system carry its mark (`system.py`). Where it is missing all others run, these are
+listed, and the end is an error.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+from tests import system
+
+Parts = dict[str, list[str]]
+CODE: Parts = {
+    "lint": ["ruff", "check"],
+    "format": ["ruff", "format", "--check"],
+    "types": ["mypy", "--strict", "app", "lessons", "robots"],
+}
+PYTEST = ["pytest", "-n", "2", "--dist", "loadfile"]
+NO_TEST_CHOSEN = 5  # the exit code of pytest whose arguments leave it nothing to run
+
+
+def to_check(arguments: list[str]) -> Parts:
+    """At most eight tests of every file; none in a browser."""
+    return {**CODE, "tests": [*PYTEST, "-m", "not soak and not browser", "--sample", "8", *arguments]}
+
+
+def to_test(arguments: list[str], lacking: dict[str, str]) -> Parts:
+    """Everything that can run; the browser apart, because two of them keep two processors busy."""
+    others = " and ".join(f"not {mark}" for mark in sorted({"soak", "browser", *lacking}))
+    parts = {**CODE, "tests": [*PYTEST, "-m", others, *arguments]}
+    if "browser" not in lacking:
+        parts["browser"] = [*PYTEST, "-m", "browser", *arguments]
+    return parts
+
+
+def run(parts: Parts, lacking: dict[str, str], some_chosen: bool) -> int:
+    """Run every part; 1 if one failed or tests were left out."""
+    fine = {0: "passed", **({NO_TEST_CHOSEN: "no test chosen"} if some_chosen else {})}
+    ends: dict[str, int] = {}
+    for name, command in parts.items():
+        print(f"\n{name}: {' '.join(command)}", flush=True)
+        ends[name] = subprocess.run([sys.executable, "-m", *command], check=False).returncode
+    for mark in lacking:
+        print(f"\nNot run for want of {lacking[mark]}, files and numbers of tests:", flush=True)
+        subprocess.run([sys.executable, "-m", "pytest", "--collect-only", "-qq", "-m", mark], check=False)
+    print()
+    for name, end in ends.items():
+        print(f"{name}: {fine.get(end, 'FAILED')}")
+    for mark, packages in lacking.items():
+        print(f"{mark}: NOT RUN, install {packages}")
+    return int(bool(lacking) or any(end not in fine for end in ends.values()))
+
+
+if __name__ == "__main__":
+    which, *arguments = sys.argv[1:]
+    if which == "check":
+        sys.exit(run(to_check(arguments), {}, bool(arguments)))
+    lacking = system.missing(*system.MARKS)
+    sys.exit(run(to_test(arguments, lacking), lacking, bool(arguments)))

@@ -26,11 +26,8 @@ class Sender(Page):
     def __init__(self, port: int) -> None:
         self.heard: list[dict[str, Any]] = []
         super().__init__(port)
+        self.page.heard = self.heard.append
         assert eventually(lambda: {"Send", "Height"} <= set(self.made))
-
-    def _take(self, message: dict[str, Any]) -> None:
-        super()._take(message)
-        self.heard.append(message)
 
     def announce(self, transfer: object, size: object, parts: object, label: str = "Send", **other: object) -> None:
         start = {
@@ -119,7 +116,7 @@ def desk(windows: Desk) -> Desk:
 def page(server: viser.ViserServer, desk: Desk, caplog: pytest.LogCaptureFixture) -> Iterator[Sender]:
     page = Sender(server.get_port())
     yield page
-    page.socket.close()
+    page.close()
     assert eventually(lambda: not desk.windows)
     assert caplog.records == []
 
@@ -255,7 +252,7 @@ def test_what_is_on_its_way_leaves_with_its_window(server: viser.ViserServer, de
     page.part("one", 0, b"ab")
     assert eventually(lambda: "one" in desk.on_the_way)
     [(client, of_window)] = desk.windows.values()
-    page.socket.close()
+    page.close()
     assert eventually(lambda: not desk.windows)
     assert client.gui._current_file_upload_states == {}
     assert of_window._deadline is None

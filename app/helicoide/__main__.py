@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import locale
 import pkgutil
+import signal
 import sys
 
 import tyro
@@ -26,6 +27,8 @@ def main() -> None:
         tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", args=arguments)
     except HelicoideError as error:
         sys.exit(f"helicoide: {error.text[_language()]}")
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
 
 
 def _language() -> Language:

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import atexit
+import os
 import signal
+import sys
 import threading
-from typing import Annotated, Literal
+from typing import Annotated, Literal, NoReturn
 
 import tyro
 
 from helicoide import kernels
+from helicoide.jobs.apart import end_all
 from helicoide.kinematics.library import load, welcome
 from helicoide.lesson import load as read_lesson
 from helicoide.session import Session
 from helicoide.text import Language
+
+ENDS_WITHIN = 1.5
 
 
 def run(
@@ -47,4 +53,20 @@ def run(
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{session.open(host, port)}", flush=True)
     stopped.wait()
+    _end(session)
+
+
+def _end(session: Session) -> NoReturn:
+    """End the program, and do not wait for threads that are busy, as Python would: those that compile take minutes."""
+    closing = threading.Thread(target=_close, args=(session,), daemon=True)
+    closing.start()
+    closing.join(ENDS_WITHIN)
+    end_all()
+    sys.stdout.flush()
+    os._exit(0)
+
+
+def _close(session: Session) -> None:
     session.close()
+    end_all()
+    atexit._run_exitfuncs()

@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any, Generic, TypeVar
 
+from helicoide.jobs.apart import end_with_parent
+
 Given = TypeVar("Given")
 Value = TypeVar("Value")
 Progress = Callable[[float], None]
@@ -78,6 +80,7 @@ def _ended(future: Future[Outcome[Value]]) -> Outcome[Value]:
 def _begin(reports: Any) -> None:
     global _told
     _told = reports
+    end_with_parent()
 
 
 def _work(index: int, work: Callable[[Given, Progress], Value], given: Given) -> Outcome[Value]:

@@ -76,7 +76,7 @@ class Session:
         self._compilation.stop()
         self.studies.close()
         self.mapping.close()
-        self.loop.call_soon_threadsafe(self._starting.cancel)
+        self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
         self.server.stop()
 
     def post(self, update: Update) -> None:

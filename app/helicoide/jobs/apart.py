@@ -9,11 +9,13 @@ import signal
 import threading
 import traceback
 from collections.abc import Callable, Iterator
-from multiprocessing.connection import Connection, wait
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from typing import Any
 
 Report = Callable[[Any], None]
 Work = Callable[..., object]
+LOOK = 1.0
 
 
 class Failed(Exception):
@@ -29,7 +31,7 @@ class Apart:
 
     def __init__(self, work: Work, *arguments: object) -> None:
         self._asked = pickle.dumps((work, arguments))
-        self._child: Any = None
+        self._child: BaseProcess | None = None
         self.stopped = False
         self.result: Any = None
 
@@ -43,22 +45,22 @@ class Apart:
             return
         receiver, sender = multiprocessing.Pipe(duplex=False)
         spawn = multiprocessing.get_context("spawn")
-        self._child = spawn.Process(target=_call, args=(sender, self._asked), daemon=True)
-        self._child.start()
+        self._child = child = spawn.Process(target=_call, args=(sender, self._asked), daemon=True)
+        child.start()
         sender.close()
         if self.stopped:
-            self._child.terminate()
+            child.terminate()
         last = ""
-        for last, what in _messages(receiver, self._child.sentinel):
+        for last, what in _messages(receiver, child):
             if last == "report":
                 yield what
             elif last == "failed":
                 raise Failed(what)
             else:
                 self.result = what
-        self._child.join()
+        child.join()
         if last != "result" and not self.stopped:
-            raise Killed(f"the process was ended from outside, with exit code {self._child.exitcode}")
+            raise Killed(f"the process was ended from outside, with exit code {child.exitcode}")
 
     def stop(self) -> None:
         """End the work where it is; a later start ends at once."""
@@ -73,14 +75,17 @@ def end_all() -> None:
         child.kill()
 
 
-def _messages(receiver: Connection, ended: int) -> Iterator[tuple[str, Any]]:
-    """What a process sends, until it ends; a message that breaks off in the middle is none."""
-    while receiver in wait([receiver, ended]):
+def _messages(receiver: Connection, child: BaseProcess) -> Iterator[tuple[str, Any]]:
+    """What a process sends, until it ends; a message that breaks off in the middle is none.
+
+    Its end of the pipe may outlive it, in a process that it started itself.
+    """
+    while receiver.poll(LOOK) or child.is_alive() or receiver.poll():
         try:
-            message = receiver.recv()
+            if receiver.poll():
+                yield receiver.recv()
         except (EOFError, OSError):
             return
-        yield message
 
 
 def end_with_parent() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable
+from contextlib import suppress
 
 import numpy as np
 
@@ -81,17 +82,17 @@ def _look(state: State) -> None:
 
 
 def compiled(report: Callable[[int], None]) -> None:
-    """Compile every kernel of the lab and report how many are done; one that cannot be kept on disk ends it.
+    """Compile every kernel of the lab and report how many are done; ends when one cannot be kept on disk.
 
-    Raises `kernels.NotKept` then: whoever has it compiled in another process would have nothing of it.
+    This is for a process of its own, of whose work only what is kept remains.
     """
 
     def told(done: int) -> None:
         report(done)
         if kernels.Kept.refusal is not None:
-            raise kernels.NotKept(str(kernels.Kept.refusal))
+            raise kernels.NotKept
 
-    with kernels.counted(told):
+    with suppress(kernels.NotKept), kernels.counted(told):
         exercise()
 
 
@@ -158,3 +159,5 @@ def _compile_here(say: Say) -> None:
 
     with kernels.counted(told):
         exercise()
+    if kernels.Kept.refusal is not None:
+        log.warning("the kernels cannot be kept: %s", kernels.Kept.refusal)

@@ -12,7 +12,7 @@ import numpy as np
 import viser
 from tests.driving import rough_ride
 
-from helicoide import gate
+from helicoide import content, gate, lesson
 from helicoide.advance import advance, foreseen
 from helicoide.ik import methods, objectives
 from helicoide.kinematics import workspace
@@ -182,8 +182,8 @@ def drags(lab: Lab) -> None:
         here = lab.state.T_world_tool[:3, 3]
         for phase, share in (("start", 0.0), ("update", 0.3), ("update", 1.0), ("end", 1.0)):
             lab.post(gate.drag_target("", phase, here + share * reach * way, wxyz))  # type: ignore[arg-type]
-            lab.pass_time(20)
-        lab.pass_time(100)
+            lab.pass_time(11)
+        lab.pass_time(60)
     for index in range(len(lab.state.problem.planes.panes)):
         centre = lab.state.problem.planes.centres[index]
         for phase in ("start", "update", "end"):
@@ -197,9 +197,9 @@ def paths(lab: Lab) -> None:
     for name in gate.presets(lab.state.robot):
         for update in (gate.choose_path(name), gate.play(), gate.pause(), gate.scrub(0.4), gate.play()):
             lab.post(update)
-            lab.pass_time(40)
+            lab.pass_time(21)
         lab.post(along_fastest(lab.state))
-        lab.pass_time(40)
+        lab.pass_time(21)
 
 
 def waypoints(lab: Lab) -> None:
@@ -247,11 +247,29 @@ def ways_to_drive(lab: Lab) -> None:
                 lab.pass_time(5)
 
 
+def lessons(lab: Lab) -> None:
+    """Every step of every lesson with this arm, begun and judged."""
+    for name in content.found("lessons"):
+        read = lesson.load(name)
+        if read.robot == lab.state.robot.name:
+            for step in read.steps:
+                lab.post(step.setup)
+                lab.pass_time(11)
+                step.goal(lab.state, lab.seat)
+
+
+def panels_pressed(lab: Lab) -> None:
+    """Every row of every panel."""
+    press(lab, [row for panel in lab.panels for row in panel])
+
+
+def ride(lab: Lab) -> None:
+    """Wishes at random moments, also limits that change; of an arm with planes that can be dragged."""
+    if lab.state.robot.panes:
+        rough_ride(lab.state, np.random.default_rng(0), 500)
+
+
 def everything(name: str, server: viser.ViserServer) -> None:
     """All of it with one arm."""
-    for do in (drags, paths, waypoints, postures, surroundings, ways_to_drive):
-        lab = opened(name, server)
-        do(lab)
-    lab = opened(name, server)
-    press(lab, [row for panel in lab.panels for row in panel])
-    rough_ride(initial(lab.state.robot), np.random.default_rng(0), 500)
+    for do in (drags, paths, waypoints, postures, surroundings, ways_to_drive, lessons, panels_pressed, ride):
+        do(opened(name, server))

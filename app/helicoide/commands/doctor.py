@@ -17,7 +17,7 @@ def run() -> None:
     """Print versions, kernels compiled or not, the browser for the tests, robots and lessons."""
     print(f"helicoide {__version__} · Python {platform.python_version()} · {platform.system()}")
     print("packages: " + ", ".join(f"{name} {_version(name)}" for name in PACKAGES))
-    import_module("helicoide.advance")  # makes the kernels known
+    import_module("helicoide.session")  # makes the kernels known
     compiled = sum(map(kernels.is_cached, kernels.KERNELS))
     print(f"kernels: {compiled} of {len(kernels.KERNELS)} compiled in {kernels.CACHE_FOLDER}")
     if kernels.CACHE_NOTE is not None:

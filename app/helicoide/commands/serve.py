@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import threading
+import warnings
 from typing import Annotated, Literal, NoReturn
 
 import tyro
@@ -67,6 +68,7 @@ def _end(session: Session) -> NoReturn:
 
 
 def _close(session: Session) -> None:
+    warnings.simplefilter("ignore")  # viser's, about what is still drawn while its server stops
     session.close()
     end_all()
     atexit._run_exitfuncs()

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from helicoide import kernels
 from helicoide.kernels import Kept, Kernel, NotKept, only_kept
 from helicoide.kernels.folder import ENDING
 
@@ -116,6 +117,19 @@ def test_a_file_that_cannot_be_written_in_full_is_not_kept(tmp_path: Path) -> No
     assert list(tmp_path.iterdir()) == []
     assert fresh(tmp_path)(NUMBERS) == 6.0
     assert len(os.listdir(tmp_path)) == 1, "there is room again"
+
+
+def test_what_is_on_disk_counts_as_done(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And what is damaged there does not."""
+    here, other, done = fresh(file.parent), Kernel(lambda: 1.0), list[int]()
+    monkeypatch.setattr(kernels, "KERNELS", {"total": here})
+    with kernels.counted(done.append):
+        here(NUMBERS)
+        other()
+    file.write_bytes(b"")
+    with kernels.counted(done.append):
+        fresh(file.parent)(NUMBERS)
+    assert done == [2, 1]
 
 
 def test_what_is_only_to_be_loaded_is_not_compiled(tmp_path: Path) -> None:

@@ -32,6 +32,7 @@ def exercised(monkeypatch: pytest.MonkeyPatch) -> list[str]:
             raise kernels.NotKept
 
     monkeypatch.setattr(preparing, "exercise", exercise)
+    monkeypatch.setattr(kernels, "KERNELS", {})
     monkeypatch.setattr(kernels.Kept, "refusal", None)
     return asked
 

@@ -14,7 +14,19 @@ from numba.core.registry import CPUDispatcher
 from helicoide.kernels import folder
 from helicoide.kernels.kept import Kept, NotKept, only_kept, read
 
-__all__ = ["CACHE_FOLDER", "CACHE_NOTE", "KERNELS", "Kept", "NotKept", "counted", "is_cached", "kernel", "only_kept"]
+__all__ = [
+    "CACHE_FOLDER",
+    "CACHE_NOTE",
+    "KERNELS",
+    "Kept",
+    "Kernel",
+    "NotKept",
+    "counted",
+    "is_cached",
+    "kernel",
+    "only_kept",
+    "plain",
+]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -78,8 +90,8 @@ def is_cached(name: str) -> bool:
 
 @contextmanager
 def counted(report: Callable[[int], None]) -> Iterator[None]:
-    """Call `report` with the number of kernels compiled so far, each time another one is done."""
-    done = set()
+    """Call `report` with the number of kernels that there are, on disk or compiled, each time another one is."""
+    done = {one for name, one in KERNELS.items() if is_cached(name)}
 
     class Listener(event.Listener):
         def on_start(self, event: object) -> None:

@@ -24,11 +24,11 @@ ENDING = ".kernel"
 
 
 def _digest() -> str:
-    """Digest of the sources of all kernels of the package."""
-    digest = hashlib.sha256()
-    for file in sorted(Path(__file__).parents[1].rglob("*.py")):
+    """Digest of the sources of all kernels of the package, and of how they are compiled and kept."""
+    digest, here = hashlib.sha256(), Path(__file__).parent
+    for file in sorted(here.parent.rglob("*.py")):
         source = file.read_bytes()
-        if b"@kernel" in source:
+        if file.parent == here or b"@kernel" in source:
             digest.update(source)
     return digest.hexdigest()[:12]
 

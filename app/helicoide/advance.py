@@ -47,7 +47,7 @@ def _advanced(state: State, dt: float) -> State:
         case Hold():
             return _still(state)
         case ToJoints(q, yielding):
-            return _stepped(state, joint_task(state.q.copy(), q, yielding, dt), dt)
+            return _stepped(state, joint_task(state.q, q, yielding, dt), dt)
         case Park() | GetReady():
             return _to_ready(state, dt)
         case ToPose(T):
@@ -81,7 +81,7 @@ def _beside(state: State, moved: State, dt: float) -> Beside:
         case Hold():
             other = _still(other)
         case _:
-            other = _stepped(other, joint_task(other.q.copy(), moved.q, EVERY, dt), dt)
+            other = _stepped(other, joint_task(other.q, moved.q, EVERY, dt), dt)
     return Beside(other.q, other.speeds, other.poses, other.drive, other.held)
 
 
@@ -90,11 +90,9 @@ def _still(state: State) -> State:
 
 
 def _stepped(state: State, task: Task, dt: float, begins: Indices = ONE_LEVEL) -> State:
-    """The guarded tick towards a task. (Copies keep the kernels to one type: numba tells read-only arrays apart.)"""
+    """The guarded tick towards a task."""
     guard = drives.guard(state.problem, state.drive)
-    q, poses, multipliers, _ = guarded_tick(
-        guard, state.q.copy(), state.speeds.copy(), state.poses.copy(), task, begins, dt
-    )
+    q, poses, multipliers, _ = guarded_tick(guard, state.q, state.speeds, state.poses, task, begins, dt)
     state = replace(state, held=Held(multipliers, float(np.linalg.norm(task[2] * task[1]))))
     if np.max(np.abs(q - state.q)) < IMPERCEPTIBLE:
         return _still(state)
@@ -109,13 +107,13 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
     if state.detour is not None:
         blocked = state.rested > RESTS and not state.moving
         if not blocked and np.max(np.abs(state.detour - state.q)) > ARRIVED_JOINTS:
-            return _stepped(state, joint_task(state.q.copy(), state.detour, EVERY, dt), dt)
+            return _stepped(state, joint_task(state.q, state.detour, EVERY, dt), dt)
         state = replace(state, detour=None)
     if state.drive.method != GUARDED:
         return _by_method(state, T_world_target, ahead, dt)
     robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
     tool = (robot.T_link_tool, T_world_target, allowed, state.with_orientation, robot.reach)
-    task = pose_task(state.poses.copy(), robot.chain, tool, ahead, dt)
+    task = pose_task(state.poses, robot.chain, tool, ahead, dt)
     task, begins = drives.levels(state.problem, state.q, state.poses, task, state.drive, dt)
     return _stepped(state, task, dt, begins)
 
@@ -169,7 +167,7 @@ def _replayed(state: State, command: Replay, dt: float) -> State:
     path = command.path
     here = path.q(command.s)
     if not command.arrived:
-        state = _stepped(state, joint_task(state.q.copy(), here, EVERY, dt), dt)
+        state = _stepped(state, joint_task(state.q, here, EVERY, dt), dt)
         near = np.max(np.abs(here - state.q)) < ARRIVED_JOINTS
         arrived = bool(near) or (state.rested > RESTS and not state.moving)
         return replace(state, command=replace(command, arrived=arrived))
@@ -191,7 +189,7 @@ def _to_ready(state: State, dt: float) -> State:
             return _still(replace(state, command=Hold()))
         if _is_clear(state, ready):
             return _parked(replace(state, parked=True), dt)
-    return _stepped(state, joint_task(state.q.copy(), ready, EVERY, dt), dt)
+    return _stepped(state, joint_task(state.q, ready, EVERY, dt), dt)
 
 
 def _is_clear(state: State, q: Array) -> bool:

@@ -17,7 +17,7 @@ from helicoide.foresight import foreseen
 from helicoide.ik.guard import guarded
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
-from helicoide.session import TICK, exercise
+from helicoide.session.preparing import TICK, exercise
 from helicoide.state import Command, State, ToJoints, ToPose, commanded, initial
 
 TITLE = "One tick of the Movemaster with its planes"

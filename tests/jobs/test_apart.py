@@ -2,29 +2,21 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import psutil
 import pytest
+from tests.jobs.works import breaks_off, counts, fails, has_a_child_of_its_own, is_killed, returns_nothing, waits
 
-from helicoide.jobs.apart import Apart, Failed, Report
+from helicoide.jobs.apart import Apart, Failed, Killed, end_all
 
-
-def counts(report: Report, upto: int) -> int:
-    for k in range(upto):
-        report(k)
-    return 10 * upto
-
-
-def fails(report: Report) -> None:
-    report("before")
-    raise ValueError("no such thing")
-
-
-def waits(report: Report, file: str) -> None:
-    report("begun")
-    time.sleep(600)
-    Path(file).write_text("too late")
+ROOT = Path(__file__).parents[2]
 
 
 def test_reports_come_in_order_and_the_result_at_the_end() -> None:
@@ -44,7 +36,7 @@ def test_a_failure_comes_with_its_traceback() -> None:
 def test_work_is_ended_where_it_is(tmp_path: Path) -> None:
     job = Apart(waits, str(tmp_path / "done"))
     for said in job.progress():
-        assert said == "begun"
+        assert said == 0
         job.stop()
     assert job.result is None
     assert not (tmp_path / "done").exists()
@@ -53,5 +45,66 @@ def test_work_is_ended_where_it_is(tmp_path: Path) -> None:
 def test_what_was_ended_before_it_began_ends_at_once(tmp_path: Path) -> None:
     job = Apart(waits, str(tmp_path / "done"))
     job.stop()
-    assert list(job.progress()) in ([], ["begun"])
+    assert list(job.progress()) in ([], [0])
     assert job.result is None
+
+
+def test_work_that_returns_nothing_has_ended_well() -> None:
+    job = Apart(returns_nothing)
+    assert list(job.progress()) == [0]
+    assert job.result is None
+
+
+def until_killed(job: Apart, hear: Callable[[Any], object]) -> None:
+    """Take up what is reported until the process is killed."""
+    with pytest.raises(Killed, match="-9"):
+        list(map(hear, job.progress()))
+
+
+def test_a_process_that_is_killed_is_noticed_at_once_and_can_be_started_again(tmp_path: Path) -> None:
+    job, heard = Apart(is_killed, str(tmp_path / "lives"), 1), list[float]()
+    until_killed(job, lambda report: heard.append(time.monotonic()))
+    took = time.monotonic() - heard[-1]
+    print(f"noticed after {took:.2f} s")
+    assert took < 20
+    assert list(job.progress()) == [1, 2]
+
+
+def test_half_a_message_is_none() -> None:
+    heard: list[Any] = []
+    until_killed(Apart(breaks_off), heard.append)
+    assert heard == [0]
+
+
+def test_a_process_is_missed_though_a_child_of_its_own_lives_on() -> None:
+    others: list[int] = []
+    until_killed(Apart(has_a_child_of_its_own), others.append)
+    (other,) = map(psutil.Process, others)
+    assert other.is_running()
+    other.kill()
+
+
+def test_every_process_is_ended_together(tmp_path: Path) -> None:
+    until_killed(Apart(waits, str(tmp_path / "done")), lambda report: end_all())
+
+
+ORPHANED = """
+from helicoide.jobs.apart import Apart
+from tests.jobs.works import waits
+
+if __name__ == "__main__":
+    job = Apart(waits, "")
+    for _ in job.progress():
+        print(job._child.pid, flush=True)
+"""
+
+
+def test_work_ends_with_the_process_that_asked_for_it(tmp_path: Path) -> None:
+    script = tmp_path / "orphaned.py"
+    script.write_text(ORPHANED)
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "app"), str(ROOT)])}
+    with subprocess.Popen([sys.executable, str(script)], env=environment, stdout=subprocess.PIPE, text=True) as parent:
+        assert parent.stdout is not None
+        child = psutil.Process(int(parent.stdout.readline()))
+        parent.kill()
+    child.wait(20)

@@ -7,6 +7,7 @@ NOT_REACHED when it worked and the answer is no, and with CLOSED when nobody rea
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -30,6 +31,8 @@ def ending() -> Iterator[None]:
         except HelicoideError as error:
             print(f"helicoide: {error.text[language()]}", file=sys.stderr)
             sys.exit(WRONG_INPUT)
+        except KeyboardInterrupt:
+            sys.exit(128 + signal.SIGINT)
         finally:
             sys.stdout.flush()
     except BrokenPipeError:

@@ -32,7 +32,7 @@ def run() -> None:
     spoken = language()
     print(f"helicoide {__version__} · Python {platform.python_version()} · {platform.system()}")
     print(INSTALLED.format(names=", ".join(f"{name} {_version(name)[spoken]}" for name in PACKAGES))[spoken])
-    import_module("helicoide.advance")  # makes the kernels known
+    import_module("helicoide.session.lab")  # makes the kernels known
     compiled = sum(map(kernels.is_cached, kernels.KERNELS))
     print(KERNELS.format(n=compiled, count=len(kernels.KERNELS), folder=kernels.CACHE_FOLDER)[spoken])
     if kernels.CACHE_NOTE is not None:

@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import atexit
+import os
 import signal
+import sys
 import threading
-from typing import Literal
+import warnings
+from typing import Literal, NoReturn
 
 from helicoide import kernels
 from helicoide.commands import language
+from helicoide.jobs.apart import end_all
 from helicoide.kinematics.library import load, welcome
 from helicoide.lesson import load as read_lesson
 from helicoide.session.lab import Lab
+
+ENDS_WITHIN = 1.5
 
 
 def run(
@@ -46,4 +53,21 @@ def run(
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
     stopped.wait()
+    _end(lab)
+
+
+def _end(lab: Lab) -> NoReturn:
+    """End the program, and do not wait for threads that are busy, as Python would: those that compile take minutes."""
+    closing = threading.Thread(target=_close, args=(lab,), daemon=True)
+    closing.start()
+    closing.join(ENDS_WITHIN)
+    end_all()
+    sys.stdout.flush()
+    os._exit(0)
+
+
+def _close(lab: Lab) -> None:
+    warnings.simplefilter("ignore")  # viser's, about what is still drawn while its server stops
     lab.close()
+    end_all()
+    atexit._run_exitfuncs()

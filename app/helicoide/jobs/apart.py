@@ -3,61 +3,110 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
+import pickle
+import signal
+import threading
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from typing import Any
 
 from helicoide.jobs.thinned import thinned
 
 Report = Callable[[Any], None]
 Work = Callable[..., object]
+LOOK = 1.0
 
 
 class Failed(Exception):
     """The work ended with an exception; its traceback as text."""
 
 
+class Killed(Failed):
+    """The process was ended, but not by `stop`: killed, perhaps for want of memory, or crashed."""
+
+
 class Apart:
     """A call `work(report, *arguments)`; both are sent to the process, so that work is a function of a module."""
 
     def __init__(self, work: Work, *arguments: object) -> None:
-        self._receiver, self._sender = multiprocessing.Pipe(duplex=False)
-        spawn = multiprocessing.get_context("spawn")
-        self._child = spawn.Process(target=_call, args=(self._sender, work, arguments), daemon=True)
-        self._stopped = False
+        self._asked = pickle.dumps((work, arguments))
+        self._child: BaseProcess | None = None
+        self.stopped = False
         self.result: Any = None
 
     def progress(self) -> Iterator[Any]:
         """Start, and yield what the work reports until it is done or stopped; `result` then holds what it returned.
 
-        Raises Failed, with the traceback, when the work raised.
+        Raises Failed, with the traceback, when the work raised, and Killed when its process ended otherwise; it may
+        then be started again.
         """
-        self._child.start()
-        self._sender.close()
-        if self._stopped:
-            self._child.terminate()
-        with suppress(EOFError):
-            while True:
-                kind, what = self._receiver.recv()
-                if kind == "failed":
-                    raise Failed(what)
-                if kind == "result":
-                    self.result = what
-                else:
-                    yield what
-        self._child.join()
+        if self.stopped:
+            return
+        receiver, sender = multiprocessing.Pipe(duplex=False)
+        spawn = multiprocessing.get_context("spawn")
+        self._child = child = spawn.Process(target=_call, args=(sender, self._asked), daemon=True)
+        child.start()
+        sender.close()
+        if self.stopped:
+            child.terminate()
+        last = ""
+        for last, what in _messages(receiver, child):
+            if last == "report":
+                yield what
+            elif last == "failed":
+                raise Failed(what)
+            else:
+                self.result = what
+        child.join()
+        if last != "result" and not self.stopped:
+            raise Killed(f"the process was ended from outside, with exit code {child.exitcode}")
 
     def stop(self) -> None:
         """End the work where it is; a later start ends at once."""
-        self._stopped = True
-        if self._child.pid is not None:
+        self.stopped = True
+        if self._child is not None and self._child.pid is not None:
             self._child.terminate()
 
 
-def _call(sender: Connection, work: Work, arguments: tuple[object, ...]) -> None:
+def end_all() -> None:
+    """End every process that was started from this one."""
+    for child in multiprocessing.active_children():
+        child.kill()
+
+
+def _messages(receiver: Connection, child: BaseProcess) -> Iterator[tuple[str, Any]]:
+    """What a process sends, until it ends; a message that breaks off in the middle is none.
+
+    Its end of the pipe may outlive it, in a process that it started itself.
+    """
+    while receiver.poll(LOOK) or child.is_alive() or receiver.poll():
+        try:
+            if receiver.poll():
+                yield receiver.recv()
+        except (EOFError, OSError):
+            return
+
+
+def end_with_parent() -> None:
+    """End this process, whatever it does, when the one that started it is gone, even if that was killed."""
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+
+    def end() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=end, daemon=True).start()
+
+
+def _call(sender: Connection, asked: bytes) -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C in a terminal reaches every process: the first one decides
+    end_with_parent()
     try:
+        work, arguments = pickle.loads(asked)
         result = work(thinned(lambda what: sender.send(("report", what))), *arguments)
         sender.send(("result", result))
     except Exception:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from multiprocessing import get_context
 from typing import Any, Generic, TypeVar
 
+from helicoide.jobs.apart import end_with_parent
 from helicoide.jobs.thinned import thinned
 
 Given = TypeVar("Given")
@@ -79,6 +80,7 @@ def _ended(future: Future[Outcome[Value]]) -> Outcome[Value]:
 def _begin(reports: Any) -> None:
     global _told
     _told = reports
+    end_with_parent()
 
 
 def _work(index: int, work: Callable[[Given, Progress], Value], given: Given) -> Outcome[Value]:

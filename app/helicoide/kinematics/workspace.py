@@ -174,8 +174,8 @@ def counted(plan: Plan, chunk: int) -> Part:
     postures = np.random.default_rng([plan.seed, chunk]).uniform(plan.lower, plan.upper, (size, len(plan.lower)))
     cells, shape = plan.cells, np.array(plan.cells.shape, dtype=np.int64)
     swept(
-        np.array(plan.chain), np.array(plan.T_link_tool), postures, np.array(cells.origin), np.array(cells.axes),
-        cells.size, shape, part.hits, part.sectors, part.best,
+        plan.chain, plan.T_link_tool, postures, cells.origin, cells.axes, cells.size, shape,
+        part.hits, part.sectors, part.best,
     )  # fmt: skip
     return part
 

@@ -20,7 +20,7 @@ Bytes = NDArray[np.uint8]
 def unpacked(packed: bytes, size: int) -> bytes:
     """The bytes that were packed; raises Broken unless they are so many."""
     out = np.empty(size, dtype=np.uint8)
-    if unpack(np.frombuffer(bytearray(packed), dtype=np.uint8), out) != size:
+    if unpack(np.frombuffer(packed, dtype=np.uint8), out) != size:
         raise Broken(Text(en="its compressed points are damaged", pt_BR="os pontos comprimidos estão danificados"))
     return out.tobytes()
 

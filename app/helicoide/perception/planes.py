@@ -72,10 +72,10 @@ def find(
             en="{k} points are too few for a plane: {fewest} are needed.",
             pt_BR="{k} pontos são poucos para um plano: são necessários {fewest}.",
         ).format(k=len(points), fewest=FEWEST)
-    point, n0 = np.asarray(inside, dtype=np.float64), np.asarray(towards, dtype=np.float64)
+    point, n0 = np.array(inside, dtype=np.float64), np.asarray(towards, dtype=np.float64)
     _check(n0, point, distance, angle)
     n0 = n0 / np.linalg.norm(n0)
-    points = np.array(points, dtype=np.float64, order="C")  # kernels compile once, for arrays that can be written
+    points = np.ascontiguousarray(points, dtype=np.float64)  # kernels are compiled for one order
     rng = np.random.default_rng(seed)
     triples = points[rng.integers(len(points), size=(DRAWS, 3))]
     judges = points[rng.permutation(len(points))[:JUDGES]]

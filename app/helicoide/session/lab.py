@@ -108,7 +108,7 @@ class Lab:
         if self.clock.is_alive():
             self.clock.end()
         self.searcher.shutdown(wait=False, cancel_futures=True)
-        self.loop.call_soon_threadsafe(self._starting.cancel)
+        self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
         self.server.stop()
 
     def _post(self, state: State) -> Post:

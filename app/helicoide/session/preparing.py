@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import sys
+import logging
 from collections.abc import Callable
 from contextlib import suppress
 
@@ -11,54 +11,91 @@ import numpy as np
 
 from helicoide import gate, kernels
 from helicoide.advance import advance
+from helicoide.confinement.planes import distances
 from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
+from helicoide.ik.closed import puma560
+from helicoide.ik.postures import numeric
+from helicoide.ik.postures.nearest import nearest
 from helicoide.ik.postures.subspace import project
-from helicoide.jobs.apart import Apart
+from helicoide.jobs.apart import Apart, Failed, Killed
+from helicoide.kinematics import tool, workspace
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.perception.lzf import unpacked
 from helicoide.perception.planes import find
 from helicoide.session.workcell import TICK
 from helicoide.state import State, ToJoints, ToPose, commanded, initial
 from helicoide.text import Text
 
-# How many compilations `exercise` takes: a test counts them. Where it is written down that they are done, Python by
-# Python, as numba keeps them.
-COMPILATIONS = 79
-PREPARED = kernels.CACHE_FOLDER / f"prepared.{sys.implementation.cache_tag}"
 COMPILING = Text(
     en="Preparing the kernels: {done} of {total}. This happens once.",
     pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
 )
+AGAIN = Text(
+    en="The preparation was ended from outside, perhaps for want of memory; it begins again.",
+    pt_BR="A preparação foi encerrada de fora, talvez por falta de memória; ela recomeça.",
+)
+HERE = Text(
+    en="Preparing the kernels: {done} of {total}. The page is slow meanwhile.",
+    pt_BR="Preparando os kernels: {done} de {total}. Enquanto isso, a página fica lenta.",
+)
+NOT_KEPT = Text(
+    en="Preparing the kernels: {done} of {total}. They cannot be kept in {folder}, so this happens at every start; the "
+    "page is slow meanwhile.",
+    pt_BR="Preparando os kernels: {done} de {total}. Não é possível guardá-los em {folder}, então isso acontece a cada "
+    "início; enquanto isso, a página fica lenta.",
+)
+log = logging.getLogger("helicoide")
+Say = Callable[[Text], None]
 
 
-def exercise(robot_name: str = "movemaster") -> State:
-    """Run everything that the loop runs once, so that every kernel is compiled or loaded, for whatever robot."""
+def exercise(robot_name: str = "movemaster") -> None:
+    """Call what calls the kernels of the lab, so that each is compiled or loaded, for whatever robot."""
     state = initial(load(robot_name))
+    _drive(state)
+    _look(state)
+
+
+def _drive(state: State) -> None:
+    """What is asked while the arm moves."""
     asked = commanded(state, ToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = search(asked)(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
+    foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
+
+
+def _look(state: State) -> None:
+    """What is asked now and then: multivectors, distances, postures, clouds and maps."""
+    robot, T, q = state.robot, state.T_world_tool, state.q
+    CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
+    distances(*state.problem.plane_arrays[:2], state.guarded_points)
+    numeric.posture(robot, T, q)
+    nearest(robot, T, q, with_orientation=True)
+    tool.tool_pose(tool.packed(robot), q)
+    tool.tool_jacobian(tool.packed(robot), q)
+    puma560.postures(np.ones(4), T, np.zeros(6))
     find(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
-    CL031.sandwich(rigid.motor_from_pose(state.T_world_tool), rigid.point(state.T_world_tool[:3, 3]))
-    return foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
+    unpacked(bytes(2), 1)
+    workspace.counted(workspace.planned(robot, "reachable", 1), 0)
 
 
 def compiled(report: Callable[[int], None]) -> None:
-    """Compile every kernel that the loop needs, report how many are done, and leave word of it in the cache."""
-    done = 0
+    """Compile every kernel of the lab and report how many are done; ends when one cannot be kept on disk.
 
-    def told(count: int) -> None:
-        nonlocal done
-        done = count
-        report(count)
+    This is for a process of its own, of whose work only what is kept remains.
+    """
 
-    with kernels.counted(told):
+    def told(done: int) -> None:
+        report(done)
+        if kernels.Kept.refusal is not None:
+            raise kernels.NotKept
+
+    with suppress(kernels.NotKept), kernels.counted(told):
         exercise()
-    with suppress(OSError):  # they are looked for again at the next start
-        PREPARED.write_text(f"{done}\n")
 
 
 def rehearse(robot: Robot) -> None:
@@ -67,20 +104,62 @@ def rehearse(robot: Robot) -> None:
     project(robot, state.T_world_tool, state.q)
 
 
-def compiling(done: int) -> Text:
+def compiling(done: int, words: Text = COMPILING) -> Text:
     """What is said while so many kernels are compiled."""
-    return COMPILING.format(done=done, total=COMPILATIONS)
+    return words.format(done=done, total=len(kernels.KERNELS), folder=kernels.CACHE_FOLDER)
 
 
-async def prepare(robot: Robot, compilation: Apart, say: Callable[[Text], None]) -> None:
-    """Compile in another process what is not compiled yet, say how far it is, and load it all in a thread."""
+async def prepare(robot: Robot, compilation: Apart, say: Say) -> None:
+    """Load the kernels in a thread; where one is not on disk, have them compiled first, and say how far that is."""
     loop = asyncio.get_running_loop()
 
-    def listen() -> None:
-        for done in compilation.progress():
-            loop.call_soon_threadsafe(say, compiling(done))
+    def tell(text: Text) -> None:
+        loop.call_soon_threadsafe(say, text)
 
-    if not PREPARED.exists():
-        await asyncio.to_thread(listen)
-    await asyncio.to_thread(exercise)
-    await asyncio.to_thread(rehearse, robot)
+    await asyncio.to_thread(_prepare, robot, compilation, tell)
+
+
+def _prepare(robot: Robot, compilation: Apart, say: Say) -> None:
+    if not _loaded():
+        _compile_apart(compilation, say)
+        if compilation.stopped:
+            return
+        _compile_here(say)
+    rehearse(robot)
+
+
+def _loaded() -> bool:
+    """Load every kernel; false as soon as one is not on disk, or damaged there."""
+    try:
+        with kernels.only_kept():
+            exercise()
+    except kernels.NotKept:
+        return False
+    return True
+
+
+def _compile_apart(compilation: Apart, say: Say) -> None:
+    """Have the kernels compiled in another process; where that is killed, once more."""
+    for words in (AGAIN, HERE):
+        try:
+            for done in compilation.progress():
+                say(compiling(done))
+            return
+        except Killed as killed:
+            log.warning("the kernels are compiled: %s", killed)
+            say(compiling(0, words))
+        except Failed as failure:
+            log.warning("the kernels cannot be compiled apart:\n%s", failure)
+            return
+
+
+def _compile_here(say: Say) -> None:
+    """Load what was compiled apart, and compile what was not, or could not be kept."""
+
+    def told(done: int) -> None:
+        say(compiling(done, HERE if kernels.Kept.refusal is None else NOT_KEPT))
+
+    with kernels.counted(told):
+        exercise()
+    if kernels.Kept.refusal is not None:
+        log.warning("the kernels cannot be kept: %s", kernels.Kept.refusal)

@@ -45,7 +45,7 @@ LEAST_DAMPING = 1e-9
 
 
 def indices(values: Any, *shape: int) -> Indices:
-    """A read-only array of indices; the kernels take its kind only."""
+    """A read-only array of indices."""
     array = np.array(values, dtype=np.int64).reshape(shape or -1)
     array.flags.writeable = False
     return array

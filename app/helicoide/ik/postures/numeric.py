@@ -66,7 +66,7 @@ class Searcher:
 
 @lru_cache(maxsize=16)
 def searcher(robot: Robot) -> Searcher:
-    """The arrays of a robot; writable, as the kernels are compiled for."""
+    """The arrays of a robot."""
     n = len(robot.variables)
     turns = robot.turns_whole
     ranges = np.empty((n, 6))
@@ -98,8 +98,9 @@ def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool 
     """
     of = searcher(robot)
     weights = (1.0 / of.reach, float(with_orientation))
-    # copies: a kernel is compiled anew for arrays that are read-only or not in the usual order
-    return search(of.arm, of.ranges, T_world_tool.copy(), q.copy(), weights, WITHIN, STEPS, SEARCHES)
+    # a kernel is compiled anew for arrays that are not in the usual order
+    goal, start = np.ascontiguousarray(T_world_tool), np.ascontiguousarray(q)
+    return search(of.arm, of.ranges, goal, start, weights, WITHIN, STEPS, SEARCHES)
 
 
 def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:

@@ -1,0 +1,107 @@
+"""The one decorator of compiled functions, what is kept of them on disk, and the progress of compilation."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar, cast
+
+import numba
+from numba.core import event, sigutils, types
+from numba.core.registry import CPUDispatcher
+
+from helicoide.kernels import folder
+from helicoide.kernels.kept import Kept, NotKept, only_kept, read
+
+__all__ = [
+    "CACHE_FOLDER",
+    "CACHE_NOTE",
+    "KERNELS",
+    "Kept",
+    "Kernel",
+    "NotKept",
+    "counted",
+    "is_cached",
+    "kernel",
+    "only_kept",
+    "plain",
+]
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+CACHE_FOLDER, CACHE_NOTE = folder.choose()
+os.environ["NUMBA_CACHE_DIR"] = str(CACHE_FOLDER)
+
+KERNELS: dict[str, Kernel] = {}
+
+
+class Kernel(CPUDispatcher):
+    """A compiled function, whose machine code is the same whether or not the arrays that it is given may be written.
+
+    numba by itself compiles anew for each combination of the two, of which four arrays have sixteen; one that is met
+    for the first time in the middle of a motion would stop it for seconds. A kernel that writes into an array must
+    therefore be given one that may be written: nothing else keeps it from that.
+    """
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__(function, targetoptions={"nopython": True, "error_model": "numpy"})
+        self._cache = Kept(CACHE_FOLDER, function)
+        self._met: set[tuple[Any, ...]] = set()
+
+    def compile(self, sig: Any) -> Any:
+        """The machine code for these types of arguments: loaded, or compiled and kept."""
+        given, _ = sigutils.normalize_signature(sig)
+        taken = tuple(map(_writable, given))
+        code = super().compile(taken)
+        if given != taken and given not in self._met:
+            cast(Any, self)._insert([kind._code for kind in given], code, False)
+            self._met.add(given)
+        return code
+
+
+def _writable(kind: Any) -> Any:
+    """The type of the same arguments when their arrays may be written."""
+    if isinstance(kind, types.Array):
+        return kind.copy(readonly=False)
+    if isinstance(kind, types.BaseTuple):
+        return types.BaseTuple.from_types([_writable(one) for one in cast(Any, kind)])
+    return kind
+
+
+def kernel(function: Function) -> Function:
+    """Compile a function of numbers and arrays on its first call, and keep the machine code on disk."""
+    if cast(Any, numba.config).DISABLE_JIT:
+        return function
+    compiled = KERNELS[f"{function.__module__}.{function.__qualname__}"] = Kernel(function)
+    return cast(Function, compiled)
+
+
+def plain(compiled: Function) -> Function:
+    """The Python function behind a kernel: slow, but there before anything is compiled."""
+    return cast(Function, getattr(compiled, "py_func", compiled))
+
+
+def is_cached(name: str) -> bool:
+    """Whether machine code for a kernel of `KERNELS` lies undamaged in the cache folder."""
+    files = KERNELS[name]._cache.files
+    return bool(files) and all(read(file) is not None for file in files)
+
+
+@contextmanager
+def counted(report: Callable[[int], None]) -> Iterator[None]:
+    """Call `report` with the number of kernels that there are, on disk or compiled, each time another one is."""
+    done = {one for name, one in KERNELS.items() if is_cached(name)}
+
+    class Listener(event.Listener):
+        def on_start(self, event: object) -> None:
+            pass
+
+        def on_end(self, event: event.Event) -> None:
+            compiled = event.data["dispatcher"]
+            if isinstance(compiled, Kernel) and compiled not in done:
+                done.add(compiled)
+                report(len(done))
+
+    with event.install_listener("numba:compile", Listener()):
+        yield

@@ -1,0 +1,114 @@
+"""Compiled kernels on disk: what is damaged counts as missing, and what cannot be written is not kept.
+
+A file begins with the digest of the rest: machine code in which a bit has changed would bring the program down or,
+worse, count wrong.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import inspect
+import os
+import pickle
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numba
+from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
+
+from helicoide.kernels.folder import ENDING
+
+SEAL = hashlib.sha256().digest_size
+VERSIONS = (sys.implementation.cache_tag, numba.__version__)
+
+_only_kept: ContextVar[bool] = ContextVar("only_kept", default=False)
+
+
+class NotKept(Exception):
+    """A kernel is not on disk, and was not to be compiled."""
+
+
+@contextmanager
+def only_kept() -> Iterator[None]:
+    """Within, in this thread, kernels are loaded and not compiled: one that is not on disk raises `NotKept`."""
+    before = _only_kept.set(True)
+    try:
+        yield
+    finally:
+        _only_kept.reset(before)
+
+
+def read(file: Path) -> bytes | None:
+    """What was written into a file; None where there is none or it has been damaged since."""
+    try:
+        sealed = file.read_bytes()
+    except OSError:
+        return None
+    return sealed[SEAL:] if hashlib.sha256(sealed[SEAL:]).digest() == sealed[:SEAL] else None
+
+
+def write(file: Path, data: bytes) -> None:
+    """Write a file whole or not at all: beside it first, then in its place. Makes the folder."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    handle, beside = tempfile.mkstemp(dir=file.parent, suffix=".part")
+    try:
+        with open(handle, "wb") as stream:
+            stream.write(hashlib.sha256(data).digest() + data)
+        os.replace(beside, file)
+    except BaseException:
+        os.unlink(beside)
+        raise
+
+
+class Kept(NullCache):
+    """The compiled versions of one function, a file for each; what numba asks for by the types of the arguments."""
+
+    refusal: ClassVar[OSError | None] = None
+    """Why the last kernel that could not be written could not."""
+
+    def __init__(self, folder: Path, function: Callable[..., Any]) -> None:
+        self._folder, self._function = folder, function
+        self._stem = f"{function.__module__}.{function.__qualname__}".replace("<locals>", "locals")
+
+    @property
+    def files(self) -> list[Path]:
+        """Those that lie on disk."""
+        return [*self._folder.glob(f"{self._stem}-*{ENDING}")]
+
+    def load_overload(self, sig: Any, target_context: Any) -> Any:
+        """The compiled version for the types of the arguments, if it is kept."""
+        target_context.refresh()
+        data = read(self._file(sig, target_context.codegen()))
+        if data is not None:
+            return CompileResult._rebuild(target_context, *pickle.loads(data))
+        if _only_kept.get():
+            raise NotKept(self._stem)
+        return None
+
+    def save_overload(self, sig: Any, cres: Any) -> None:
+        """Keep a compiled version, if it can be kept."""
+        if cres.library.has_dynamic_globals:  # addresses of this process
+            return
+        try:
+            write(self._file(sig, cres.codegen), dumps(cres._reduce()))
+        except OSError as error:
+            Kept.refusal = error
+
+    def _file(self, sig: Any, codegen: Any) -> Path:
+        source = _digest_of(inspect.getfile(self._function))
+        line = self._function.__code__.co_firstlineno
+        key = repr((VERSIONS, codegen.magic_tuple(), source, line, str(sig)))
+        return self._folder / f"{self._stem}-{hashlib.sha256(key.encode()).hexdigest()[:16]}{ENDING}"
+
+
+@lru_cache
+def _digest_of(file: str) -> str:
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()

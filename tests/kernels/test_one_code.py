@@ -1,0 +1,101 @@
+"""A kernel has one machine code whether or not its arrays may be written, and leaves alone those that may not."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from itertools import product
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from helicoide import kernels
+from helicoide.kernels import Kernel, counted, kernel, plain
+
+Array = NDArray[np.float64]
+ROOT = Path(__file__).parents[2]
+
+
+def blend(a: Array, pair: tuple[Array, tuple[Array, float]]) -> float:
+    b, (c, share) = pair
+    return float(a[0] + b[0] + share * c[0])
+
+
+def array(value: float, writable: bool) -> Array:
+    made = np.full(3, value)
+    made.flags.writeable = writable
+    return made
+
+
+def test_arrays_that_may_be_written_and_those_that_may_not_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kernels, "KERNELS", {})
+    blending, compiled = Kernel(blend), list[int]()
+    with counted(compiled.append):
+        for x, y, z in product((True, False), repeat=3):
+            assert blending(array(1.0, x), (array(2.0, y), (array(3.0, z), 0.5))) == 4.5
+    assert compiled == [1]
+    assert len(blending.signatures) == 1
+
+
+def test_another_order_of_the_numbers_is_another_machine_code() -> None:
+    """Elements that do not lie side by side are read right, at the price of one more compilation."""
+    blending = Kernel(blend)
+    for step in (1, 2):
+        a = np.arange(1.0, 7.0)[::step]
+        assert blending(a[1:], (a, (a, 1.0))) == 2 + a[1]
+    assert len(blending.signatures) == 2
+
+
+def test_what_a_kernel_returns_of_what_it_was_given_stays_as_it_was() -> None:
+    same: Any = Kernel(itself)
+    given = array(1.0, writable=False)
+    assert same(given) is given
+    assert not given.flags.writeable
+
+
+def itself(a: Array) -> Array:
+    return a
+
+
+def test_the_python_function_is_there() -> None:
+    assert plain(kernel(blend)) is blend
+    assert plain(blend) is blend
+
+
+DRIVE = """
+import numpy as np
+from helicoide import gate
+from helicoide.advance import advance
+from helicoide.ik import methods
+from helicoide.kinematics.library import load
+from helicoide.session.preparing import exercise
+from helicoide.session.workcell import TICK
+from helicoide.state import initial
+
+exercise()
+for name in ("movemaster", "dia10_rod", "polar_rp"):
+    start = initial(load(name))
+    begun = [gate.add_obstacle(), gate.get_ready(), gate.set_joint(0, start.q[0] + 0.1)]
+    begun += [gate.choose_path(path) for path in gate.presets(start.robot)]
+    if "rcm" in start.robot.frames:
+        begun.append(gate.hold_entry(True))
+    for method in methods.names():
+        for update in begun:
+            state = gate.play()(update(gate.choose_method(method)(start)))
+            for _ in range(2):
+                state = advance(state, TICK)
+print("done")
+"""
+
+
+def test_no_kernel_writes_into_what_may_not_be_written() -> None:
+    """As plain Python they are held to it by numpy; machine code is not."""
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": str(ROOT / "app")}
+    done = subprocess.run(
+        [sys.executable, "-c", DRIVE], env=environment, capture_output=True, text=True, timeout=600, check=False
+    )
+    assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr

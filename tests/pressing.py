@@ -1,0 +1,276 @@
+"""Every control of the page pressed, as a person would, on one arm without a page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+import viser
+from tests.driving import rough_ride
+
+from helicoide import content, gate, lesson
+from helicoide.foresight import foreseen, lived
+from helicoide.ik import methods, objectives
+from helicoide.kinematics import workspace
+from helicoide.kinematics.library import load
+from helicoide.perception.camera import SimulatedCamera
+from helicoide.perception.tour import found_in, readings, seen_by
+from helicoide.session.mapping import plan_of
+from helicoide.session.preparing import rehearse
+from helicoide.session.replaying import along_fastest, through
+from helicoide.session.workcell import TICK
+from helicoide.state import Seat, State, Update, initial
+from helicoide.text import HelicoideError
+from helicoide.trajectory.waypoints import WAYS
+from helicoide.view import layers, panels, shapes
+from helicoide.view.layers import Stage
+from helicoide.view.rows import (
+    Button,
+    Changing,
+    Choice,
+    CountMap,
+    Entry,
+    Folder,
+    ForArm,
+    ForSeat,
+    PlayFastest,
+    PlayTaught,
+    Row,
+    Slider,
+    Tick,
+    Tour,
+    Triple,
+    View,
+    Wish,
+    Words,
+)
+
+FAR = 3.0
+
+
+@dataclass
+class Lab:
+    """An arm with one person before it."""
+
+    state: State
+    seat: Seat
+    layers: list[Any]
+    panels: list[list[Row]]
+    shown: View | None = None
+
+    def view(self) -> View:
+        return View(self.state, self.seat)
+
+    def act(self, wish: Wish) -> None:
+        """What the lab makes of a wish; what it does in other processes is left out."""
+        match wish:
+            case ForArm(update):
+                self.post(update)
+            case ForSeat(update):
+                self.seat = update(self.seat)
+            case PlayTaught():
+                self.post(through(self.state))
+            case PlayFastest():
+                self.post(along_fastest(self.state))
+            case CountMap():
+                workspace.counted(replace(plan_of(self.state.robot, self.state.workspace.kind), samples=1), 0)
+            case Tour():
+                self.tour()
+            case _:
+                return
+        self.pass_time(3)
+
+    def post(self, update: Update) -> None:
+        self.state = update(self.state)
+
+    def pass_time(self, ticks: int) -> None:
+        """The arm moves, and its goal is foreseen and drawn as often as the lab does that."""
+        for tick in range(ticks):
+            self.state = lived(self.state, TICK)
+            if tick % 10 == 0:
+                self.state = foreseen(self.state)
+                self.draw()
+
+    def draw(self) -> None:
+        """All layers and words."""
+        view = self.view()
+        for layer in self.layers:
+            layer.update(self.shown, view)
+        self.shown = view
+        for row in leaves(self.panels, view):
+            match row:
+                case Words():
+                    row.html(view)
+                case Slider() | Triple() | Tick() | Choice():
+                    row.value(view)
+
+    def tour(self) -> None:
+        camera = SimulatedCamera(noise=0.002, outliers=0.1, resolution=(40, 30))
+        for reading in readings(self.state.robot):
+            inside = self.state.T_world_tool[:3, 3]
+            found = found_in(seen_by(camera, self.state), reading, inside)
+            self.post(gate.see(reading.name, *found))
+
+
+def leaves(rows: Sequence[Any], view: View) -> Iterator[Any]:
+    """The rows that are shown now, also those in folders."""
+    for row in rows:
+        if isinstance(row, list):
+            yield from leaves(row, view)
+        elif isinstance(row, Folder):
+            inner = row.rows
+            yield from leaves(inner.rows(inner.key(view)) if isinstance(inner, Changing) else inner, view)
+        else:
+            yield row
+
+
+def wishes(row: Row, view: View) -> list[Callable[[], Wish]]:
+    """What a person may ask of a row: ends and middle of a slider, every choice, far away and back."""
+    match row:
+        case Slider(lower=low, upper=high, value=value):
+            return [lambda x=x: row.wish(x) for x in (low, high, (low + high) / 2, value(view))]
+        case Button(enabled=enabled, shown=shown):
+            return [lambda: row.wish(view)] if enabled(view) and shown(view) else []
+        case Tick(value=value):
+            return [lambda on=on: row.wish(on) for on in (not value(view), value(view))]
+        case Choice(options=options):
+            return [lambda key=key: row.wish(key) for key, _ in (options(view) if callable(options) else options)]
+        case Triple(value=value):
+            here = value(view)
+            there = (here[0] + 50.0, here[1] - 2000.0, here[2] + 900.0)
+            return [lambda xyz=xyz: row.wish(view, xyz) for xyz in (there, here)]
+        case Entry():
+            return [lambda: row.wish("1"), lambda: row.wish("0 0 1 900")]
+    return []
+
+
+def press(lab: Lab, rows: Sequence[Row]) -> None:
+    """Every row once; what a press brings is pressed as well, once."""
+    pressed: set[str] = set()
+    while fresh := [row for row in leaves(rows, lab.view()) if _name(row, lab.view()) not in pressed]:
+        row, view = fresh[0], lab.view()
+        pressed.add(_name(row, view))
+        for wish in wishes(row, view):
+            with suppress(HelicoideError):
+                lab.act(wish())
+
+
+def _name(row: Any, view: View) -> str:
+    label = getattr(row, "label", "")
+    return f"{type(row).__name__} {label(view) if callable(label) else label}"
+
+
+def opened(name: str, server: viser.ViserServer) -> Lab:
+    """An arm at `ready` before a person who sees every layer."""
+    robot = load(name)
+    rehearse(robot)
+    shows = MappingProxyType({layer.NAME: True for layer in layers.optional()})
+    lab = Lab(initial(robot), Seat("", "en", shows=shows), [], [panel.rows(robot) for panel in panels.found()])
+    server.scene.reset()
+    stage = Stage(server.scene, robot, shapes.load(robot), lab.act, "")
+    lab.layers = [layer.build(stage) for layer in layers.found()]
+    return lab
+
+
+def drags(lab: Lab) -> None:
+    """The target dragged far out in every direction, through each plane and under the bench, by every phase."""
+    reach, wxyz = FAR * lab.state.robot.reach, [1.0, 0.0, 0.0, 0.0]
+    for way in (*np.eye(3), *-np.eye(3)):
+        here = lab.state.T_world_tool[:3, 3]
+        for phase, share in (("start", 0.0), ("update", 0.3), ("update", 1.0), ("end", 1.0)):
+            lab.post(gate.drag_target("", phase, here + share * reach * way, wxyz))  # type: ignore[arg-type]
+            lab.pass_time(11)
+        lab.pass_time(60)
+    for index in range(len(lab.state.problem.planes.panes)):
+        centre = lab.state.problem.planes.centres[index]
+        for phase in ("start", "update", "end"):
+            lab.post(gate.drag_plane("", phase, index, 0.3 * centre, wxyz))  # type: ignore[arg-type]
+            lab.pass_time(5)
+    lab.post(gate.restore_planes())
+
+
+def paths(lab: Lab) -> None:
+    """Every path that the arm has: played, paused, scrubbed, and in the least time."""
+    for name in gate.presets(lab.state.robot):
+        for update in (gate.choose_path(name), gate.play(), gate.pause(), gate.scrub(0.4), gate.play()):
+            lab.post(update)
+            lab.pass_time(21)
+        lab.post(along_fastest(lab.state))
+        lab.pass_time(21)
+
+
+def waypoints(lab: Lab) -> None:
+    """Waypoints of every way, and the way through them."""
+    for way, posture in zip(WAYS, [*lab.state.robot.poses, *WAYS], strict=False):
+        lab.post(gate.record(way))
+        lab.post(gate.go_to(posture if posture in lab.state.robot.poses else "ready"))
+        lab.pass_time(60)
+    lab.post(through(lab.state))
+    lab.pass_time(300)
+
+
+def postures(lab: Lab) -> None:
+    """Every posture, parked and ready again."""
+    for posture in lab.state.robot.poses:
+        lab.post(gate.go_to(posture))
+        lab.pass_time(100)
+    for update in (gate.park(), gate.get_ready()):
+        lab.post(update)
+        lab.pass_time(900)
+
+
+def surroundings(lab: Lab) -> None:
+    """An obstacle in the way, a second arm beside, and where there is one an entry point that is kept."""
+    for update in (gate.add_obstacle(), gate.add_obstacle(), gate.compare_with("damped")):
+        lab.post(update)
+        drags(lab)
+    if "rcm" in lab.state.robot.frames:
+        lab.post(gate.hold_entry(True))
+        lab.post(gate.drag_entry("", "start", lab.state.problem.entry.point))  # type: ignore[union-attr]
+        lab.post(gate.drag_entry("", "end", lab.state.problem.entry.point + 0.02))  # type: ignore[union-attr]
+        drags(lab)
+
+
+def ways_to_drive(lab: Lab) -> None:
+    """Every method, with every setting of it, and every objective beside; alone and with an entry point."""
+    (rows,) = [panel.rows(lab.state.robot) for panel in panels.found() if panel.__name__.endswith(".method")]
+    for name in methods.names():
+        lab.post(gate.choose_method(name))
+        press(lab, [row for row in rows if not isinstance(row, Choice)])
+        for objective in objectives.names():
+            for update in (gate.choose_objective(objective), gate.objective_as_row(True), gate.grow_weights(True)):
+                lab.post(update)
+                lab.post(gate.set_target(lab.state.T_world_tool[:3, 3] + 0.05, [1.0, 0.0, 0.0, 0.0]))
+                lab.pass_time(5)
+
+
+def lessons(lab: Lab) -> None:
+    """Every step of every lesson with this arm, begun and judged."""
+    for name in content.found("lessons"):
+        read = lesson.load(name)
+        if read.robot == lab.state.robot.name:
+            for step in read.steps:
+                lab.post(step.setup)
+                lab.pass_time(11)
+                step.goal(lab.state, lab.seat)
+
+
+def panels_pressed(lab: Lab) -> None:
+    """Every row of every panel."""
+    press(lab, [row for panel in lab.panels for row in panel])
+
+
+def ride(lab: Lab) -> None:
+    """Wishes at random moments, also limits that change; of an arm with planes that can be dragged."""
+    if lab.state.robot.panes:
+        rough_ride(lab.state, np.random.default_rng(0), 500)
+
+
+def everything(name: str, server: viser.ViserServer) -> None:
+    """All of it with one arm."""
+    for do in (drags, paths, waypoints, postures, surroundings, ways_to_drive, lessons, panels_pressed, ride):
+        do(opened(name, server))

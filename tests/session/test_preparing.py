@@ -1,0 +1,127 @@
+"""What becomes of the preparation when its process is killed, when nothing can be kept, when somebody stops it."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.jobs.works import counts, fails, is_killed, waits
+
+from helicoide import kernels
+from helicoide.jobs.apart import Apart
+from helicoide.kinematics.robot import Robot
+from helicoide.session import preparing
+from helicoide.session.preparing import AGAIN, HERE, NOT_KEPT, compiling, prepare
+from helicoide.text import LANGUAGES, Text
+
+Words = list[Text]
+
+
+@pytest.fixture
+def exercised(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """An `exercise` that finds nothing on disk the first time, and writes down what is asked of it."""
+    asked: list[str] = []
+
+    def exercise() -> None:
+        asked.append("load" if not asked else "rest")
+        if asked == ["load"]:
+            raise kernels.NotKept
+
+    monkeypatch.setattr(preparing, "exercise", exercise)
+    monkeypatch.setattr(kernels, "KERNELS", {})
+    monkeypatch.setattr(kernels.Kept, "refusal", None)
+    return asked
+
+
+def said(robot: Robot, compilation: Apart, hear: Callable[[Text], None] = lambda text: None) -> Words:
+    words: Words = []
+
+    def say(text: Text) -> None:
+        words.append(text)
+        hear(text)
+
+    asyncio.run(prepare(robot, compilation, say))
+    return words
+
+
+def test_what_is_on_disk_is_loaded_and_nothing_is_said(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(preparing, "exercise", lambda: None)
+    assert said(robot, Apart(fails)) == []
+
+
+def test_what_is_not_on_disk_is_compiled_apart(robot: Robot, exercised: list[str]) -> None:
+    assert said(robot, Apart(counts, 3)) == [compiling(0), compiling(1), compiling(2)]
+    assert exercised == ["load", "rest"]
+
+
+def test_a_preparation_that_is_killed_begins_again(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
+    words = said(robot, Apart(is_killed, str(tmp_path / "lives"), 1))
+    assert words == [compiling(1), compiling(0, AGAIN), compiling(1), compiling(2)]
+    assert exercised == ["load", "rest"]
+
+
+def test_one_that_is_killed_twice_goes_on_in_this_process(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
+    words = said(robot, Apart(is_killed, str(tmp_path / "lives"), 2))
+    assert words == [compiling(1), compiling(0, AGAIN), compiling(1), compiling(0, HERE)]
+    assert exercised == ["load", "rest"]
+
+
+def test_a_killed_preparation_is_noticed_at_once(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
+    heard = dict[Text, float]()
+    said(robot, Apart(is_killed, str(tmp_path / "lives"), 1), lambda text: heard.setdefault(text, time.monotonic()))
+    took = heard[compiling(0, AGAIN)] - heard[compiling(1)]
+    print(f"noticed after {took:.2f} s")
+    assert took < 20
+
+
+def test_one_that_fails_goes_on_in_this_process(robot: Robot, exercised: list[str]) -> None:
+    assert said(robot, Apart(fails)) == [compiling(0)]
+    assert exercised == ["load", "rest"]
+
+
+def test_one_that_is_stopped_leaves_it_at_that(robot: Robot, exercised: list[str]) -> None:
+    compilation = Apart(waits, "")
+    assert said(robot, compilation, lambda text: compilation.stop()) == [compiling(0)]
+    assert exercised == ["load"]
+
+
+def test_what_is_compiled_here_is_counted_and_why_is_said(
+    robot: Robot, exercised: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without room on the disk it happens at every start, and the page says so."""
+    beginning = preparing.exercise
+
+    def exercise() -> None:
+        beginning()
+        monkeypatch.setattr(kernels.Kept, "refusal", OSError(errno.ENOSPC, "No space left on device"))
+        kernels.Kernel(twice)(1.0)
+
+    monkeypatch.setattr(preparing, "exercise", exercise)
+    assert said(robot, Apart(fails)) == [compiling(0), compiling(1, NOT_KEPT)]
+    for language in LANGUAGES:
+        assert str(kernels.CACHE_FOLDER) in compiling(1, NOT_KEPT)[language]
+
+
+def twice(number: float) -> float:
+    return 2.0 * number
+
+
+def test_a_process_of_its_own_stops_compiling_when_nothing_can_be_kept(
+    exercised: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    done = list[int]()
+
+    def exercise() -> None:
+        kernels.Kernel(twice)(1.0)
+        monkeypatch.setattr(kernels.Kept, "refusal", OSError(errno.ENOSPC, "No space left on device"))
+        kernels.Kernel(twice)(1)
+        raise AssertionError("it was not stopped")
+
+    monkeypatch.setattr(preparing, "exercise", exercise)
+    monkeypatch.setattr(kernels.Kept, "load_overload", lambda *_: None)
+    preparing.compiled(done.append)
+    assert done == [1, 2]

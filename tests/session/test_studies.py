@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import multiprocessing
 import time
 from collections.abc import Callable, Coroutine, Iterator
 from typing import Any
@@ -43,6 +42,13 @@ class Torn(Apart):
         raise OSError("got end of file during message")
 
 
+class Unstarted(Apart):
+    """A run for which the system has no process left."""
+
+    def progress(self) -> Iterator[Any]:
+        raise OSError("Cannot allocate memory")
+
+
 @pytest.fixture
 def running(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     """Runs are of this work instead of a study."""
@@ -68,6 +74,12 @@ class Person:
     async def until(self, condition: Callable[[], object]) -> None:
         while not condition():
             await asyncio.sleep(0.01)
+
+    async def killed(self) -> None:
+        """Kill the process of what runs, as soon as there is one."""
+        job = self.studies._running["token"]
+        await self.until(lambda: job._child is not None and job._child.pid is not None)
+        job._child.kill()
 
     async def over(self) -> None:
         """Wait until what runs is not followed any more."""
@@ -117,8 +129,7 @@ def test_a_killed_process_is_said_and_another_run_may_begin(
         for _ in range(studies.MOST + 1):
             person.begin()
             await person.until(lambda: person.desk.progress == 0.5)
-            [child] = multiprocessing.active_children()
-            child.kill()
+            await person.killed()
             await person.over()
             assert person.desk.failure == FAILED
             assert is_free(person)
@@ -133,9 +144,7 @@ def test_a_process_that_is_killed_before_it_says_anything_is_said(running: Calla
 
     async def run(person: Person) -> None:
         person.begin()
-        await person.until(multiprocessing.active_children)
-        for child in multiprocessing.active_children():
-            child.kill()
+        await person.killed()
         await person.over()
 
     person = live(run)
@@ -143,23 +152,13 @@ def test_a_process_that_is_killed_before_it_says_anything_is_said(running: Calla
     assert is_free(person)
 
 
-def test_a_pipe_that_breaks_is_said(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
-    monkeypatch.setattr(studies, "Apart", Torn)
-
-    async def run(person: Person) -> None:
-        person.begin()
-        await person.over()
-
-    person = live(run)
-    assert person.desk.failure == FAILED
-    assert is_free(person)
-    assert "end of file during message" in caplog.text
-
-
-def test_a_process_that_cannot_be_started_is_said(
-    running: Callable[..., None], caplog: pytest.LogCaptureFixture
+@pytest.mark.parametrize(
+    ("way", "words"), [(Torn, "end of file during message"), (Unstarted, "Cannot allocate memory")]
+)
+def test_a_pipe_that_breaks_and_a_process_that_does_not_start_are_said(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture, way: type[Apart], words: str
 ) -> None:
-    running(lambda *_: None)  # no function of a module: it cannot be sent
+    monkeypatch.setattr(studies, "Apart", way)
 
     async def run(person: Person) -> None:
         person.begin()
@@ -168,7 +167,7 @@ def test_a_process_that_cannot_be_started_is_said(
     person = live(run)
     assert person.desk.failure == FAILED
     assert is_free(person)
-    assert NAME in caplog.text
+    assert words in caplog.text
 
 
 def test_a_study_that_breaks_is_said_with_its_traceback_in_the_log(

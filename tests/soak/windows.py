@@ -1,0 +1,97 @@
+"""A window of Firefox or WebKit on a lab, and what a person does in it by hand."""
+
+from __future__ import annotations
+
+import io
+from base64 import b64decode
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+from PIL import Image
+from tests.soak.engines import Ask, opened, until
+
+CONTROL, ENTER, ESCAPE = "\ue009", "\ue007", "\ue00c"
+DRAWN = "() => Boolean(window.__viserMutable?.nodeRefFromName['/arm/wrist'])"
+# Where the middle of an element is: the first that fits a selector, and holds this text and no other if any is given.
+MIDDLE = """([selector, text]) => {
+  const fits = (e) => e.checkVisibility() && (!text || e.textContent.trim() === text);
+  const found = [...document.querySelectorAll(selector)].find(fits);
+  found?.scrollIntoView({block: 'nearest'});
+  const box = found?.getBoundingClientRect();
+  return box && [Math.round(box.left + box.width / 2), Math.round(box.top + box.height / 2)];
+}"""
+
+
+@dataclass(frozen=True)
+class Window:
+    """A page, as it is seen and touched."""
+
+    ask: Ask
+
+    def evaluate(self, function: str, argument: object = None) -> Any:
+        """Call a function of JavaScript on the page."""
+        return self.ask("ExecuteScript", script=f"return ({function})(...arguments)", args=[argument])
+
+    def text(self, selector: str) -> str:
+        """The words of an element that is there."""
+        return str(self.evaluate("(selector) => document.querySelector(selector).textContent", selector))
+
+    def picture(self) -> Image.Image:
+        """What the window shows."""
+        return Image.open(io.BytesIO(b64decode(self.ask("TakeScreenshot")))).convert("RGB")
+
+    def middle(self, selector: str, text: str = "") -> tuple[int, int]:
+        """Where an element has come to rest."""
+        seen: list[Any] = [None]
+
+        def rests() -> bool:
+            seen.append(self.evaluate(MIDDLE, [selector, text]))
+            return seen[-1] is not None and seen[-1] == seen[-2]
+
+        until(rests, f"{selector} {text} is there and rests")
+        x, y = seen[-1]
+        return x, y
+
+    def drag(self, start: tuple[int, int], right: int = 0) -> None:
+        """Press the mouse, move it to the right by some pixels, and let go."""
+        x, y = start
+        path = [
+            {"type": "pointerMove", "x": x, "y": y},
+            {"type": "pointerDown", "button": 0},
+            {"type": "pointerMove", "x": x + right, "y": y},
+            {"type": "pointerUp", "button": 0},
+        ]
+        self.ask("PerformActions", actions=[{"type": "pointer", "id": "mouse", "actions": path}])
+
+    def press(self, selector: str, text: str = "") -> None:
+        """Press an element."""
+        self.drag(self.middle(selector, text))
+
+    def keys(self, *keys: str) -> None:
+        """Press keys together, and let go."""
+        path = [{"type": "keyDown", "value": key} for key in keys] + [{"type": "keyUp", "value": key} for key in keys]
+        self.ask("PerformActions", actions=[{"type": "key", "id": "keyboard", "actions": path}])
+
+    def fill(self, selector: str, words: str) -> None:
+        """Write into a box in place of what it holds."""
+        self.press(selector)
+        self.keys(CONTROL, "a")
+        for key in (*words, ENTER):
+            self.keys(key)
+
+    def connected(self) -> None:
+        """Wait until the page's own channel is open."""
+        until(lambda: self.evaluate("() => document.querySelector('#helicoide-stop[data-link=up]')"), "connected")
+
+
+@contextmanager
+def window(engine: str, port: int, language: str = "en_US") -> Iterator[Window]:
+    """Open a window on a port, drawn and connected."""
+    with opened(engine, language) as ask:
+        page = Window(ask)
+        ask("Navigate", url=f"http://127.0.0.1:{port}/")
+        until(lambda: page.evaluate(DRAWN), "the arm is in the scene")
+        page.connected()
+        yield page

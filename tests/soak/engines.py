@@ -22,7 +22,7 @@ from time import monotonic, sleep
 from typing import IO, Any
 
 PATIENCE_S = 300.0  # what is slow is not wrong
-SIZE = "1280x800"
+WIDTH, HEIGHT = 1280, 800
 # Debian's packages, and the program or library by which each is known.
 SCREEN = {"xvfb": "Xvfb", "libegl1": "EGL"}
 NEEDS = {
@@ -31,6 +31,7 @@ NEEDS = {
 }
 MINIBROWSER = "/usr/lib/*/webkit2gtk-4.1/MiniBrowser"
 ROUTES = {
+    "SetWindowRect": "POST /window/rect",
     "Navigate": "POST /url",
     "ExecuteScript": "POST /execute/sync",
     "PerformActions": "POST /actions",
@@ -81,7 +82,7 @@ def running(command: list[str], **options: Any) -> Iterator[subprocess.Popen[str
 @contextmanager
 def screen() -> Iterator[str]:
     """A virtual screen, by its name."""
-    command = ["Xvfb", "-displayfd", "1", "-screen", "0", f"{SIZE}x24", "-nolisten", "tcp"]
+    command = ["Xvfb", "-displayfd", "1", "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"]
     with running(command, stdout=subprocess.PIPE) as server:
         assert server.stdout is not None
         yield f":{int(server.stdout.readline())}"
@@ -127,7 +128,7 @@ def webkit(home: Path, language: str, environment: dict[str, str]) -> Iterator[A
     """WebKit in its own small browser."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
-    options = {"binary": glob(MINIBROWSER)[0], "args": ["--automation", f"--geometry={SIZE}"]}
+    options = {"binary": glob(MINIBROWSER)[0], "args": ["--automation"]}
     with running(["WebKitWebDriver", f"--port={port}"], env=environment):
         until(lambda: listens(port), "WebKit listens")
         wished = {"capabilities": {"alwaysMatch": {"webkitgtk:browserOptions": options}}}
@@ -138,6 +139,7 @@ def webkit(home: Path, language: str, environment: dict[str, str]) -> Iterator[A
             return http(port, method, session + path, **parameters)
 
         try:
+            ask("SetWindowRect", width=WIDTH, height=HEIGHT)
             yield ask
         finally:
             http(port, "DELETE", session)

@@ -33,7 +33,7 @@ def page(request: pytest.FixtureRequest, lab: Lab) -> Iterator[Window]:
     """A window in which the arm runs, its Robot tab in front."""
     with window(request.param, lab.port) as page:
         until(lambda: lab.session.ready, "the kernels are ready")
-        page.press("[role=tab]", "Robot")
+        page.tab("Robot")
         yield page
 
 

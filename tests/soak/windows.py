@@ -14,14 +14,18 @@ from tests.soak.engines import Ask, opened, until
 
 CONTROL, ENTER, ESCAPE = "\ue009", "\ue007", "\ue00c"
 DRAWN = "() => Boolean(window.__viserMutable?.nodeRefFromName['/arm/wrist'])"
-# Where the middle of an element is: the first that fits a selector, and holds this text and no other if any is given.
+# The middle of the first element that fits a selector, and holds this text and no other if any is given; nothing while
+# something else covers it.
 MIDDLE = """([selector, text]) => {
   const fits = (e) => e.checkVisibility() && (!text || e.textContent.trim() === text);
   const found = [...document.querySelectorAll(selector)].find(fits);
-  found?.scrollIntoView({block: 'nearest'});
-  const box = found?.getBoundingClientRect();
-  return box && [Math.round(box.left + box.width / 2), Math.round(box.top + box.height / 2)];
+  if (!found) return null;
+  found.scrollIntoView({block: 'nearest'});
+  const box = found.getBoundingClientRect();
+  const [x, y] = [Math.round(box.left + box.width / 2), Math.round(box.top + box.height / 2)];
+  return found.contains(document.elementFromPoint(x, y)) ? [x, y] : null;
 }"""
+IN_FRONT = "(name) => document.querySelector('[role=tab][aria-selected=true]').textContent.trim() === name"
 
 
 @dataclass(frozen=True)
@@ -68,6 +72,15 @@ class Window:
     def press(self, selector: str, text: str = "") -> None:
         """Press an element."""
         self.drag(self.middle(selector, text))
+
+    def tab(self, name: str) -> None:
+        """Bring a panel to the front; a press that a page misses while its panels unfold is made again."""
+
+        def in_front() -> object:
+            self.press("[role=tab]", name)
+            return self.evaluate(IN_FRONT, name)
+
+        until(in_front, f"{name} is in front")
 
     def keys(self, *keys: str) -> None:
         """Press keys together, and let go."""

@@ -9,8 +9,9 @@ PIP := $(IN_VENV) -m pip install -qq --disable-pip-version-check -c constraints.
 # With ARGS="-k word" one of the two runs may have no test to choose from.
 OR_NONE := $(if $(ARGS), || test $$? = 5)
 BROWSERS := chromium chromium-browser google-chrome
+OTHER_BROWSERS := firefox-esr webkit2gtk-driver xvfb libegl1
 
-.PHONY: run test soak bench docs-pictures browser clean
+.PHONY: run test soak bench docs-pictures browser other-browsers clean
 
 run: $(VENV)/ready-to-run
 	@exec $(IN_VENV) -m helicoide $(ARGS)
@@ -22,7 +23,7 @@ test: $(VENV)/ready-to-test browser
 	$(IN_VENV) -m pytest -n 2 --dist loadfile --ignore=tests/browser $(ARGS)$(OR_NONE)
 	$(IN_VENV) -m pytest tests/browser -n 2 --dist loadfile $(ARGS)$(OR_NONE)
 
-soak: $(VENV)/ready-to-test browser
+soak: $(VENV)/ready-to-test browser other-browsers
 	$(IN_VENV) -m pytest tests/soak -m soak -n 2 $(ARGS)
 
 bench: $(VENV)/ready-to-test
@@ -56,6 +57,22 @@ browser:
 			chromium fonts-dejavu-core >/dev/null; \
 	else \
 		echo "The tests need a Chromium: install the package chromium, then run this again." >&2; exit 1; \
+	fi
+
+# Debian's Firefox and WebKit, and a screen that nobody sees: installed where that is allowed. Where it is not, the rest
+# of the long counts can still be had, and the tests of a browser that is missing fail.
+other-browsers:
+	@absent=; for name in $(OTHER_BROWSERS); do \
+		dpkg -s $$name 2>/dev/null | grep -q '^Status: .* installed' || absent="$$absent $$name"; \
+	done; \
+	test -n "$$absent" || exit 0; \
+	if [ "$$(id -u)" = 0 ]; then root=; else root="sudo -n"; fi; \
+	if command -v apt-get >/dev/null && $$root true 2>/dev/null; then \
+		echo "Installing for the tests:$$absent."; \
+		$$root apt-get update -qq && \
+		$$root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $$absent >/dev/null; \
+	else \
+		echo "Some tests need Firefox and WebKit: install the packages$$absent." >&2; \
 	fi
 
 clean:

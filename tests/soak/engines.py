@@ -66,7 +66,9 @@ def opened(engine: str, language: str) -> Iterator[Ask]:
             "WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS": "1",  # root can have no sandbox; the only page seen is ours
         }
         start = {"firefox": firefox, "webkit": webkit}[engine]
-        yield stack.enter_context(start(Path(home), language, environment))
+        ask = stack.enter_context(start(Path(home), language, environment))
+        ask("SetWindowRect", x=0, y=0, width=WIDTH, height=HEIGHT)
+        yield ask
 
 
 @contextmanager
@@ -139,7 +141,6 @@ def webkit(home: Path, language: str, environment: dict[str, str]) -> Iterator[A
             return http(port, method, session + path, **parameters)
 
         try:
-            ask("SetWindowRect", width=WIDTH, height=HEIGHT)
             yield ask
         finally:
             http(port, "DELETE", session)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from base64 import b64decode
+from collections import deque
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -25,6 +26,8 @@ MIDDLE = """([selector, text]) => {
   const [x, y] = [Math.round(box.left + box.width / 2), Math.round(box.top + box.height / 2)];
   return found.contains(document.elementFromPoint(x, y)) ? [x, y] : null;
 }"""
+FRAMES = 5
+NEXT_FRAME = "() => new Promise((drawn) => requestAnimationFrame(() => drawn(true)))"
 IN_FRONT = "(name) => document.querySelector('[role=tab][aria-selected=true]').textContent.trim() === name"
 
 
@@ -47,12 +50,13 @@ class Window:
         return Image.open(io.BytesIO(b64decode(self.ask("TakeScreenshot")))).convert("RGB")
 
     def middle(self, selector: str, text: str = "") -> tuple[int, int]:
-        """Where an element has come to rest."""
-        seen: list[Any] = [None]
+        """Where an element is, once it stays there while the page is drawn."""
+        seen: deque[Any] = deque(maxlen=FRAMES)
 
         def rests() -> bool:
             seen.append(self.evaluate(MIDDLE, [selector, text]))
-            return seen[-1] is not None and seen[-1] == seen[-2]
+            self.evaluate(NEXT_FRAME)
+            return seen[-1] is not None and seen.count(seen[-1]) == FRAMES
 
         until(rests, f"{selector} {text} is there and rests")
         x, y = seen[-1]

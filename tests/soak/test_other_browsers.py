@@ -50,7 +50,7 @@ def test_the_page_is_up(page: Window) -> None:
 def test_the_arm_is_drawn(lab: Lab, page: Window) -> None:
     x, y = page.evaluate(PROJECT, [float(value) for value in lab.state.poses[2, :3, 3]])
     around = (int(x) - NEAR, int(y) - NEAR, int(x) + NEAR, int(y) + NEAR)
-    until(lambda: len(page.picture().crop(around).getcolors(maxcolors=10**5) or ()) > 500, "the elbow is painted")
+    until(lambda: len(page.picture().crop(around).getcolors(maxcolors=10**5) or ()) > 400, "the elbow is painted")
 
 
 def test_a_joint_moves_by_its_slider(lab: Lab, page: Window) -> None:

@@ -23,7 +23,11 @@ class System:
         return any(map(shutil.which, self.commands))
 
 
-MARKS = {"browser": System(("chromium", "chromium-browser", "google-chrome"), ("chromium", "fonts-dejavu-core"))}
+MARKS = {
+    "browser": System(("chromium", "chromium-browser", "google-chrome"), ("chromium", "fonts-dejavu-core")),
+    "firefox": System(("firefox-esr", "firefox"), ("firefox-esr", "xvfb", "libegl1")),
+    "webkit": System(("WebKitWebDriver",), ("webkit2gtk-driver", "xvfb", "libegl1")),
+}
 
 
 def install(packages: tuple[str, ...]) -> None:

@@ -77,7 +77,7 @@ class Person:
 
     async def killed(self) -> None:
         """Kill the process of what runs, as soon as there is one."""
-        job = self.studies._running["token"]
+        job = self.studies._running[self.place]
         await self.until(lambda: job._child is not None and job._child.pid is not None)
         job._child.kill()
 

@@ -53,7 +53,7 @@ def until(condition: Callable[[], object], what: str) -> None:
 def opened(engine: str, language: str) -> Iterator[Ask]:
     """Start a browser for a person who reads a language, such as pt_BR."""
     absent = [package for package, name in NEEDS[engine].items() if not (shutil.which(name) or find_library(name))]
-    assert not absent, f"{engine} needs the Debian packages {' '.join(absent)}: `make other-browsers` installs them"
+    assert not absent, f"{engine} needs the Debian packages {' '.join(absent)}: `make soak` installs them"
     with TemporaryDirectory(ignore_cleanup_errors=True) as home, ExitStack() as stack:
         display = stack.enter_context(screen())
         environment = {

@@ -197,9 +197,9 @@ def _origin(port: int) -> Origin:
 
 @asynccontextmanager
 async def opened(
-    port: int, seat: str | None = None, languages: tuple[str, ...] = (), ahead: float = 0.0
+    port: int, seat: str | None = None, languages: tuple[str, ...] = (), ahead: float = 0.0, silent: bool = False
 ) -> AsyncIterator[Page]:
-    """A page on a port, listening while it is open."""
+    """A page on a port, listening while it is open; silent: it never says which window it is, as without our script."""
     async with connect(
         f"ws://127.0.0.1:{port}/",
         origin=_origin(port),
@@ -210,7 +210,8 @@ async def opened(
         page = Page(socket, port, ahead)
         page.seat = seat
         await page.send(CAMERA)
-        tasks = [asyncio.create_task(work) for work in (page.listen(), page.drive(languages))]
+        working = [page.listen()] if silent else [page.listen(), page.drive(languages)]
+        tasks = [asyncio.create_task(work) for work in working]
         try:
             yield page
         finally:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 import pytest
 from tests.pages import Hand
+from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate
-from helicoide.kinematics.robot import Robot
 from helicoide.session.lab import Lab
 from helicoide.state import Hold, State
 
@@ -19,28 +18,10 @@ HERE = {"wxyz": (0.0, 1.0, 0.0, 0.0), "position": (0.5, 0.1, 0.3)}
 Ask = Callable[[Hand], None]
 
 
-def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
-    end = time.monotonic() + seconds
-    while not condition() and time.monotonic() < end:
-        time.sleep(0.01)
-    return condition()
-
-
 @pytest.fixture(scope="module")
-def lab(robot: Robot) -> Iterator[Lab]:
-    lab = Lab(robot, "en", None)
-    lab.open("127.0.0.1", 0)
-    assert eventually(lambda: lab.ready, 300)
-    yield lab
-    lab.close()
-
-
-def window(lab: Lab) -> Hand:
-    hand = Hand(lab.server.get_port())
-    assert eventually(lambda: "Play" in hand.page.made or "Pause" in hand.page.made)
-    assert eventually(hand.page.may_drive.is_set)
-    assert eventually(lambda: all(one.window.link.drives or one.window.link.passed for one in lab.visitors.values()))
-    return hand
+def lab() -> Iterator[Lab]:
+    with running() as lab:
+        yield lab
 
 
 @pytest.fixture
@@ -57,18 +38,6 @@ def other(lab: Lab) -> Iterator[Hand]:
     hand = window(lab)
     yield hand
     hand.close()
-
-
-def state(lab: Lab) -> State:
-    return lab.shared.workcell.state
-
-
-def after_ticks(lab: Lab, n: int = 40) -> State:
-    cell = lab.shared.workcell
-    cell.tell(lambda state: replace(state, rested=0.0))
-    now = cell.ticks
-    assert eventually(lambda: cell.ticks >= now + n)
-    return cell.state
 
 
 def busy(lab: Lab) -> None:

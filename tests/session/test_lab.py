@@ -1,0 +1,151 @@
+"""Who comes to the lab, who goes, and what it costs while nobody asks anything."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import pytest
+from tests.pages import Hand
+from tests.session.labs import after_ticks, eventually, running, state, window
+
+from helicoide import gate, lesson
+from helicoide.kinematics.library import load
+from helicoide.session import lab as labs
+from helicoide.session.lab import Lab
+from helicoide.session.seats import KEPT, LIVES_ON, Seats
+from helicoide.session.workcell import Workcell
+from helicoide.state import Hold, initial
+
+SILENT = 30
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    with running() as lab:
+        yield lab
+
+
+@pytest.fixture
+def hand(lab: Lab) -> Iterator[Hand]:
+    hand = window(lab)
+    yield hand
+    hand.close()
+    assert eventually(lambda: not lab.visitors)
+
+
+def test_a_lab_at_rest_does_nothing(lab: Lab, hand: Hand) -> None:
+    """No tick, no frame and no word: counted over a second, after all that was left to say has been said."""
+    hand.do(hand.page.give("1 waist", 3.0))
+    assert eventually(lambda: abs(state(lab).q[0] - 0.05236) < 1e-3)
+    assert eventually(lambda: lab.clock.rests)
+    time.sleep(1.5)
+    display = lab.shared.display
+    assert display is not None
+
+    def done() -> tuple[int, int, int]:
+        return lab.shared.workcell.ticks, display.frames, hand.page.frames
+
+    before = done()
+    time.sleep(1.0)
+    assert done() == before
+    hand.do(hand.page.give("1 waist", 4.0))
+    assert eventually(lambda: all(new > old for new, old in zip(done(), before, strict=True)))
+
+
+def test_windows_that_never_answer_hold_nobody_up(lab: Lab) -> None:
+    silent = [Hand(lab.server.get_port(), silent=True) for _ in range(SILENT)]
+    assert eventually(lambda: len(lab.lines) == SILENT)
+    hand = window(lab)
+    assert len(lab.visitors) == 1, "it was furnished before any of those was given up"
+    for one in (*silent, hand):
+        one.close()
+    assert eventually(lambda: not lab.lines and not lab.visitors)
+
+
+def test_the_browsers_language_is_spoken_and_a_seat_found_again(lab: Lab) -> None:
+    first = window(lab, languages=("pt-BR", "en"))
+    assert eventually(lambda: "Iniciar" in first.page.made)
+    token = first.page.seat
+    assert token in lab.seats.places
+    first.close()
+    again = window(lab, seat=token, languages=("en",))
+    assert again.page.seat == token
+    assert eventually(lambda: "Iniciar" in again.page.made)
+    again.close()
+
+
+def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
+    """While its arm is on its way another one still stands there, whose state its goals do not know."""
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
+    assert eventually(lambda: state(lab).robot.name == "planar2r")
+    (visitor,) = lab.visitors.values()
+    in_lesson = lesson.entered(visitor.place.seat, "drive_the_arm")
+    found = lesson.load("drive_the_arm")
+    for step in range(len(found.steps)):
+        seat = replace(in_lesson, step=step)
+        assert lesson.progressed(found, state(lab), seat) is seat
+    hand.do(hand.page.give("Lesson", found.title.en))
+    assert eventually(lambda: state(lab).robot.name == "movemaster")
+    assert eventually(lambda: visitor.place.seat.lesson == "drive_the_arm")
+    visitor.place.seat = replace(visitor.place.seat, done=frozenset({"joint"}))
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "movemaster")
+    assert eventually(lambda: not visitor.place.seat.done), "what was done was done on an arm that has gone"
+    hand.do(hand.page.give("Lesson", "Free play"))
+    assert eventually(lambda: visitor.place.seat.lesson is None)
+
+
+def test_an_arm_of_ones_own_is_refused_in_words_when_there_are_too_many(
+    lab: Lab, hand: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(labs, "MOST_OWN", 0)
+    heard: list[str] = []
+    hand.page.heard = lambda message: heard.append(str(message))
+    hand.do(hand.page.give("My own arm", True))
+    assert eventually(lambda: any("0 arms of somebody's own" in message for message in heard))
+    assert len(lab.workcells) == 1
+
+
+def test_a_window_that_fails_to_be_drawn_costs_nobody_else(
+    lab: Lab, hand: Hand, caplog: pytest.LogCaptureFixture
+) -> None:
+    other = window(lab)
+    broken = list(lab.visitors.values())[-1].window
+    assert broken.layers is not None
+    broken.layers.layers["target"].update = lambda old, new: 1 / 0  # type: ignore[method-assign]
+    before = hand.page.frames
+    lab.shared.workcell.tell(gate.set_joint(0, 0.2))
+    assert eventually(lambda: hand.page.frames > before + 5)
+    failed = [record for record in caplog.records if "layer target" in record.getMessage()]
+    assert len(failed) == 1
+    other.close()
+
+
+def test_what_takes_longer_than_a_tick_is_no_part_of_one(lab: Lab, hand: Hand) -> None:
+    """A target that is let go out of reach is searched for elsewhere, and then settles on what the arm can do."""
+    hand.do(hand.page.gizmo("DragStart"))
+    hand.do(hand.page.gizmo("Update", wxyz=(0.0, 1.0, 0.0, 0.0), position=(1.2, 0.0, 0.4)))
+    hand.do(hand.page.gizmo("DragEnd"))
+    assert eventually(lambda: state(lab).searched)
+    assert state(lab).command.T_world_target[0, 3] < 1.0  # type: ignore[union-attr]
+    lab.shared.workcell.tell(gate.get_ready())
+    assert eventually(lambda: state(lab).command == Hold())
+    after_ticks(lab)
+
+
+def test_seats_that_nobody_uses_are_forgotten_and_their_arms_rest() -> None:
+    seats = Seats(None)
+    cell = Workcell(initial(load("movemaster")), lambda: None, ThreadPoolExecutor(1))
+    used, left = seats.take(None, "en"), seats.take(None, "pt_BR")
+    used.own = left.own = cell
+    seats.leave(left)
+    seats.tidy(left.left + LIVES_ON - 1)
+    assert not cell.paused
+    seats.tidy(left.left + LIVES_ON + 1)
+    assert cell.paused
+    assert seats.take(left.seat.token, "en") is left
+    seats.leave(left)
+    seats.tidy(left.left + KEPT + 1)
+    assert list(seats.places.values()) == [used]

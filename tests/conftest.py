@@ -19,7 +19,7 @@ CLOCKLESS = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow]
 settings.register_profile("test", CLOCKLESS, derandomize=True, database=None)
 settings.register_profile("search", CLOCKLESS, derandomize=False)
 settings.load_profile("test")
-SEARCHED = 20  # times as many examples as a test asks for
+SEARCHED = 50  # times as many examples as a test asks for
 
 BROWSER = Path(__file__).parent / "browser"
 SAMPLE = pytest.StashKey[tuple[int, int]]()

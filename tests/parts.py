@@ -6,6 +6,7 @@ listed, and the end is an error.
 
 from __future__ import annotations
 
+import shlex
 import subprocess
 import sys
 
@@ -40,7 +41,7 @@ def run(parts: Parts, lacking: dict[str, str], some_chosen: bool) -> int:
     fine = {0: "passed", **({NO_TEST_CHOSEN: "no test chosen"} if some_chosen else {})}
     ends: dict[str, int] = {}
     for name, command in parts.items():
-        print(f"\n{name}: {' '.join(command)}", flush=True)
+        print(f"\n{name}: {shlex.join(command)}", flush=True)
         ends[name] = subprocess.run([sys.executable, "-m", *command], check=False).returncode
     for mark in lacking:
         print(f"\nNot run for want of {lacking[mark]}, files and numbers of tests:", flush=True)

@@ -214,18 +214,19 @@ def test_points_lie_evenly_on_the_line_through_the_arm(name: str) -> None:
     What moves them is their Jacobian.
     """
     here = problem(name)
+    rounding = 8 * np.finfo(float).eps * max(1.0, here.robot.reach)
     q = postures(here.robot, 1, seed=8)[0].copy()
     three, one = along_links(here.robot, 3), along_links(here.robot, 1)
     poses = link_poses(here.robot.chain, q)
     points, ends = three.at(poses), one.at(poses)
-    np.testing.assert_allclose(points[2::3], ends, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(points[2::3], ends, rtol=0, atol=rounding)
     corners = np.vstack([poses[1, :3, 3], ends])
     for origin in poses[2:, :3, 3]:
         assert np.linalg.norm(corners - origin, axis=1).min() < 1e-12
-    np.testing.assert_allclose(ends[-1], (poses[-1] @ here.robot.T_link_tool)[:3, 3], rtol=0, atol=1e-15)
-    np.testing.assert_allclose(points[1::3] - points[::3], points[2::3] - points[1::3], rtol=0, atol=1e-15)
+    np.testing.assert_allclose(ends[-1], (poses[-1] @ here.robot.T_link_tool)[:3, 3], rtol=0, atol=rounding)
+    np.testing.assert_allclose(points[1::3] - points[::3], points[2::3] - points[1::3], rtol=0, atol=rounding)
     p, J = three.moving(here, poses)
-    np.testing.assert_allclose(p * here.length, points, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(p * here.length, points, rtol=0, atol=rounding)
     by_differences = derivative(lambda x: three.at(link_poses(here.robot.chain, x)), q) * here.joint_units
     np.testing.assert_allclose(J * here.length, by_differences, rtol=0, atol=1e-9)
 

@@ -10,10 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
-from helicoide import kernels
 from helicoide.kernels import Kernel, counted, kernel, plain
 
 Array = NDArray[np.float64]
@@ -31,8 +29,7 @@ def array(value: float, writable: bool) -> Array:
     return made
 
 
-def test_arrays_that_may_be_written_and_those_that_may_not_share_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kernels, "KERNELS", {})
+def test_arrays_that_may_be_written_and_those_that_may_not_share_it() -> None:
     blending, compiled = Kernel(blend), list[int]()
     with counted(compiled.append):
         for x, y, z in product((True, False), repeat=3):

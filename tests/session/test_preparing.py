@@ -22,7 +22,7 @@ Words = list[Text]
 
 
 @pytest.fixture
-def exercised(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def exercised(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
     """An `exercise` that finds nothing on disk the first time, and writes down what is asked of it."""
     asked: list[str] = []
 
@@ -33,6 +33,7 @@ def exercised(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
     monkeypatch.setattr(preparing, "exercise", exercise)
     monkeypatch.setattr(kernels, "KERNELS", {})
+    monkeypatch.setattr(kernels, "CACHE_FOLDER", tmp_path)
     monkeypatch.setattr(kernels.Kept, "refusal", None)
     return asked
 
@@ -122,6 +123,5 @@ def test_a_process_of_its_own_stops_compiling_when_nothing_can_be_kept(
         raise AssertionError("it was not stopped")
 
     monkeypatch.setattr(preparing, "exercise", exercise)
-    monkeypatch.setattr(kernels.Kept, "load_overload", lambda *_: None)
     preparing.compiled(done.append)
     assert done == [1, 2]

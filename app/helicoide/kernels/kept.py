@@ -33,7 +33,7 @@ _only_kept: ContextVar[bool] = ContextVar("only_kept", default=False)
 
 
 class NotKept(Exception):
-    """A kernel is not on disk, and was not to be compiled."""
+    """A kernel is not on disk and was not to be compiled, or cannot be kept there and was to be."""
 
 
 @contextmanager

@@ -146,7 +146,7 @@ def _compile_apart(compilation: Apart, say: Say) -> None:
                 say(compiling(done))
             return
         except Killed as killed:
-            log.warning("the kernels are compiled: %s", killed)
+            log.warning("while kernels were compiled, %s", killed)
             say(compiling(0, words))
         except Failed as failure:
             log.warning("the kernels cannot be compiled apart:\n%s", failure)

@@ -1,0 +1,54 @@
+"""A process of the lab that is killed from outside: the person is told, and the terminal says what happened."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from tests.jobs.works import dies
+
+from helicoide.session import mapping, studies
+from helicoide.session.mapping import Mapping
+from helicoide.session.studies import Studies
+from helicoide.state import State, Update
+from helicoide.studies import desk, names
+
+PATIENCE = 120.0
+
+
+def test_a_study_that_is_killed_has_failed(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
+    monkeypatch.setattr(studies, "study", dies)
+    desks = Studies(lambda: None)
+
+    async def run() -> None:
+        for update in (desk.choose(names()[0]), desk.start):
+            desks.redesk("", update)
+        await asyncio.wait(desks._tasks, timeout=PATIENCE)
+
+    asyncio.run(run())
+    assert desks.desk("").failure == studies.FAILED
+    assert desks.desk("").progress is None
+    assert "ended from outside" in caplog.text
+
+
+def test_a_map_that_is_killed_has_failed(
+    state: State, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(mapping, "counted", dies)
+    monkeypatch.setattr("helicoide.jobs.chunks.kept", lambda plan: None)
+
+    def post(update: Update) -> None:
+        nonlocal state
+        state = update(state)
+
+    maps = Mapping(lambda: state, post)
+
+    async def run() -> None:
+        maps.begin()
+        assert maps._task is not None
+        await asyncio.wait([maps._task], timeout=PATIENCE)
+
+    asyncio.run(run())
+    assert state.notice == mapping.FAILED
+    assert state.workspace.progress is None
+    assert "ended from outside" in caplog.text

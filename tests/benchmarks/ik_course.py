@@ -10,7 +10,7 @@ from tests.benchmarks.children.turns import following
 from tests.benchmarks.ik_arm import points_on_links, standard_rows, urdf_with_limits
 from tests.benchmarks.ik_turns import Turn
 
-from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick, indices
+from helicoide.ik.guard.guarded import guarded_tick, indices
 from helicoide.ik.guard.rows import DAMPER_GAIN, Arm, LimitArrays, PlaneArrays
 from helicoide.ik.task import rotation_vector
 from helicoide.kernels import kernel
@@ -53,7 +53,7 @@ def follow(
     J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), T[:, 3], chain.shape[0])
     guard = (arm, limits, planes, (arm[1].shape[0], NO_PAIRS, NOTHING), NO_ENTRY, DAMPER_GAIN)
     task = (J, v, weights, damping)
-    q_after, poses_after, _, _ = guarded_tick(guard, q, np.zeros(q.size), poses, task, ONE_LEVEL, dt)
+    q_after, poses_after, _, _ = guarded_tick(guard, q, np.zeros(q.size), poses, task, np.empty(0, dtype=np.int64), dt)
     return q_after, poses_after
 
 

@@ -10,7 +10,7 @@ from tests.kinematics.arms import arm
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import clearances
-from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
+from helicoide.ik.guard.guarded import guarded_tick
 from helicoide.ik.guard.rows import Guard
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel
@@ -69,7 +69,7 @@ def walk(guard: Guard, q: Array, T_link_tool: Array, reach: float, steps: int, s
             T[a, 3] += drift[a] * dt
         tool = (T_link_tool, T, T[:3, 3].copy(), step % (5 * STAY) > STAY, reach)
         task = joint_task(q, q_target, -1, dt) if kind == 3 else pose_task(poses, chain, tool, drift, dt)
-        q_after, poses, _, share = guarded_tick(guard, q, rates, poses, task, ONE_LEVEL, dt)
+        q_after, poses, _, share = guarded_tick(guard, q, rates, poses, task, np.empty(0, dtype=np.int64), dt)
         after, _, _ = clearances(poses, guard[0], planes, pairs)
         now, sharpest = (q_after - q) / dt, 0.0
         for i in range(n):

@@ -80,7 +80,8 @@ class Page:
     """One connected page: what viser's client and our script do, and a hand that sends anything.
 
     shown: called with the time and each point that a scene message carries; heard: with each message of viser; made:
-    the controls by their label; frames: how many times the scene has changed; notice: what the status line says.
+    the controls by their first label; labels: what each reads now; frames: how many times the scene has changed;
+    notice: what the status line says.
     """
 
     def __init__(self, socket: ClientConnection, port: int, ahead: float = 0.0) -> None:
@@ -95,6 +96,7 @@ class Page:
         self.seat: str | None = None
         self.notice: Message = {}
         self.made: dict[str, Message] = {}
+        self.labels: dict[str, str] = {}
         self.frames = 0
         self.offset = float("-inf")
         self.shown: Callable[[float, Point], None] = lambda when, point: None
@@ -128,6 +130,12 @@ class Page:
             await asyncio.sleep(0.01)
         await self.say("GuiUpdateMessage", uuid=self.made[label]["uuid"], updates={"value": value})
 
+    async def press(self, label: str) -> None:
+        """Press a button once it reads like this."""
+        while (uuid := next((uuid for uuid, said in self.labels.items() if said == label), None)) is None:
+            await asyncio.sleep(0.01)
+        await self.say("GuiUpdateMessage", uuid=uuid, updates={"value": True})
+
     async def stop(self) -> float:
         """Press Stop; returns how long it took until it was heard, s."""
         began = perf_counter()
@@ -160,6 +168,9 @@ class Page:
                 self.window.set_result(found[1])
             case kind if kind.startswith("Gui") and "label" in message.get("props", {}):
                 self.made[message["props"]["label"]] = message
+                self.labels[message["uuid"]] = message["props"]["label"]
+            case "GuiUpdateMessage" if "label" in message["updates"]:
+                self.labels[message["uuid"]] = message["updates"]["label"]
 
     async def drive(self, languages: tuple[str, ...] = ()) -> None:
         """Keep the page's own channel, as our script does."""

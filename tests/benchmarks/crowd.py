@@ -15,8 +15,6 @@ from time import perf_counter
 
 from tests.pages import Page, opened
 
-PLAY, PAUSE = "Play", "Pause"
-
 
 class Crowd:
     """The pages, and what may be asked of them."""
@@ -54,13 +52,7 @@ class Crowd:
             await page.stop()
         await asyncio.sleep(0.5)
         for page in self.pages if everybody else self.pages[:1]:
-            await self._play(page)
-
-    async def _play(self, page: Page) -> None:
-        while PLAY not in page.made and PAUSE not in page.made:
-            await asyncio.sleep(0.01)
-        page.made["play"] = page.made.get(PLAY) or page.made[PAUSE]
-        await page.give("play", True)
+            await page.press("Play")
 
     async def stop(self, times: int) -> list[float]:
         """How long each of so many stops took to be heard, s; the arm plays on after each."""
@@ -69,7 +61,7 @@ class Crowd:
             page = self.pages[number % len(self.pages)]
             took.append(await page.stop())
             await asyncio.sleep(0.2)
-            await self._play(page)
+            await page.press("Play")
             await asyncio.sleep(0.1)
         return took
 

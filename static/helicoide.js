@@ -30,6 +30,7 @@
   let fence = null; // the stop that this page has been told of, and has not yet let go of everything since
   let settling = null;
   let offsets = []; // the server's clock minus ours, by the last beats; an answer that was slow makes it too small
+  let shown = -1; // the tab in front, as the server knows it
   const held = new Set(); // pointers and keys that are down
 
   function element(tag, id, attributes = {}) {
@@ -71,7 +72,17 @@
 
   function introduce() {
     if (!window.helicoideWindow) return;
+    shown = -1;
     send({ window: window.helicoideWindow, seat: remembered(), languages: [...navigator.languages] });
+  }
+
+  // Words in tabs that nobody looks at need not be written: which one is in front, of those at the top of the panel.
+  function look() {
+    const tabs = [...document.querySelectorAll("[role=tab]")];
+    const front = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
+    if (front === shown || front < 0) return;
+    shown = front;
+    send({ tab: front });
   }
 
   function remembered() {
@@ -214,4 +225,5 @@
   connect();
   setInterval(beat, BEAT_MS);
   setInterval(stand, 50);
+  setInterval(look, 100);
 })();

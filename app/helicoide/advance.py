@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import dist, hypot
 
 import numpy as np
 
@@ -93,7 +94,7 @@ def _stepped(state: State, task: Task, dt: float, begins: Indices = ONE_LEVEL) -
     """The guarded tick towards a task."""
     guard = drives.guard(state.problem, state.drive)
     q, poses, multipliers, _ = guarded_tick(guard, state.q, state.speeds, state.poses, task, begins, dt)
-    state = replace(state, held=Held(multipliers, float(np.linalg.norm(task[2] * task[1]))))
+    state = replace(state, held=Held(multipliers, hypot(*(task[2] * task[1]))))
     if np.max(np.abs(q - state.q)) < IMPERCEPTIBLE:
         return _still(state)
     speeds = (q - state.q) / dt
@@ -150,7 +151,7 @@ def _approached(state: State, command: Along, target: Array, dt: float) -> Along
     """Whether the arm has come to the path, or can come no nearer: there a method of the sources may tremble."""
     if command.arrived:
         return command
-    away = float(np.linalg.norm(state.T_world_tool[:3, 3] - target[:3, 3]))
+    away = dist(state.T_world_tool[:3, 3], target[:3, 3])
     if away < command.nearest - NEARER * state.robot.reach:
         command = replace(command, nearest=away, waited=0.0)
     waited = command.waited + dt

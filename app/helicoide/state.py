@@ -216,7 +216,7 @@ class State:
     @property
     def axes(self) -> Array:
         """The joint axes where they are, (m, 3), unit, world frame."""
-        return np.asarray(np.einsum("mij,mj->mi", self.poses[1:, :3, :3], self.robot.directions))
+        return np.asarray((self.poses[1:, :3, :3] @ self.robot.directions[:, :, None])[:, :, 0])
 
     @cached_property
     def of_beside(self) -> State | None:
@@ -247,7 +247,7 @@ Update = Callable[[State], State]
 def points_on(robot: Robot, poses: Array) -> Array:
     """The guarded points for given link poses (m + 1, 4, 4), (p, 3), m, world frame; without a kernel, for the view."""
     carriers = poses[robot.guarded_joints]
-    return np.asarray(np.einsum("pij,pj->pi", carriers[:, :3, :3], robot.guarded_points) + carriers[:, :3, 3])
+    return np.asarray((carriers[:, :3, :3] @ robot.guarded_points[:, :, None])[:, :, 0] + carriers[:, :3, 3])
 
 
 def initial(robot: Robot) -> State:

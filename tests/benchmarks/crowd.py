@@ -15,6 +15,8 @@ from time import perf_counter
 
 from tests.pages import Page, opened
 
+ALGEBRA = 2  # the number of its tab
+
 
 class Crowd:
     """The pages, and what may be asked of them."""
@@ -44,7 +46,8 @@ class Crowd:
             await page.give("My own arm", True)
         await asyncio.sleep(3.0)
         for page in self.pages:
-            await page.give("Light up", "tool")
+            await page.tell(tab=ALGEBRA)
+            await page.give("Light up", "tool motor")
 
     async def play(self, everybody: int = 0) -> None:
         """Play on the shared arm, or on everybody's."""

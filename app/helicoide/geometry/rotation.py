@@ -115,7 +115,7 @@ def from_matrix(R: Array) -> Array:
     outer = np.moveaxis(np.array(_four_q_q_transposed(R)), (0, 1), (-2, -1))
     largest = np.argmax(np.diagonal(outer, axis1=-2, axis2=-1), axis=-1)[..., None, None]
     row = np.take_along_axis(outer, largest, axis=-2)[..., 0, :]
-    q = row / np.linalg.norm(row, axis=-1, keepdims=True)
+    q = row / np.sqrt((row * row).sum(axis=-1, keepdims=True))
     return np.asarray(q * hemisphere(q))
 
 

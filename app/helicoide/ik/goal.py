@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import dist, hypot
 
 import numpy as np
 
@@ -59,8 +60,8 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
     poses = frozen(link_poses(problem.robot.chain, q))
     T = tool_pose(problem, poses)
     wished = T_world_target[:3, 3]
-    short = float(np.linalg.norm(wished - T[:3, 3]))
-    turned = float(np.linalg.norm(rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3]))))
+    short = dist(wished, T[:3, 3])
+    turned = hypot(*rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3])))
     reach = problem.robot.reach
     turn = (ORIENTATION_LENGTH * reach) ** 2 * min(GAIN * turned, TOOL_TURN)
     pull = min(GAIN * short, TOOL_SPEED * reach) + turn
@@ -68,7 +69,7 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
         q=frozen(q),
         poses=poses,
         T_world_tool=T,
-        reached=bool(np.linalg.norm(allowed_point(problem, wished) - T[:3, 3]) < REACHED),
+        reached=dist(allowed_point(problem, wished), T[:3, 3]) < REACHED,
         short=short,
         turned=turned,
         reasons=tuple(

@@ -11,7 +11,7 @@ from time import monotonic
 from helicoide.session.workcell import TICK, Workcell
 
 # s: for how long Python lets another thread run on, once this one is due
-SWITCH = 0.001
+SWITCH = 0.0001
 FORESIGHT = 0.3  # of a tick: what may be spent on where commands lead
 
 

@@ -19,8 +19,8 @@ from helicoide.view.window import Window
 # s: the shortest time between two frames, and between two writings of words; and how long a browser needs to take a
 # scene away, since a node that is put back in the same message keeps its old pose
 FRAME, WORDS, CLEARED = 0.016, 0.2, 0.15
-# How much longer than drawing and writing took is waited before it is done again.
-SPARE, SPARE_WORDS = 1.0, 3.0
+# How much is waited after drawing and writing, as a share of what it took.
+SPARE, SPARE_WORDS = 0.3, 3.0
 
 log = logging.getLogger("helicoide")
 

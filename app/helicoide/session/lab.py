@@ -78,7 +78,7 @@ class Lab:
         self.seats = Seats(lesson_name)
         self.visitors: dict[int, Visitor] = {}
         self.lines: dict[int, Line] = {}
-        self.control = Control(self._stopped, self._released)
+        self.control = Control(self._stopped, self._released, self._turned)
         self.ready = False
         self.clock = Clock(lambda: self.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
@@ -336,6 +336,13 @@ class Lab:
         for visitor in self.visitors.values():
             if visitor.window.link.key == key:
                 self.loop.call_later(LET_GO, self._let_go, visitor, visitor.post.workcell.state.grasp)
+
+    def _turned(self, key: str, tab: int) -> None:
+        """Another tab is in front of a window."""
+        for visitor in self.visitors.values():
+            if visitor.window.link.key == key:
+                visitor.window.tab = tab
+                self._rewrite(visitor)
 
     def _let_go(self, visitor: Visitor, grasp: Grasp | None = None) -> None:
         """End what a window holds; only that grasp, where one is given."""

@@ -12,10 +12,12 @@ from threading import Lock
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.foresight import foreseen, leads_elsewhere, rests, search, wants_search
-from helicoide.state import State, Update
+from helicoide.state import Along, State, Update
 from helicoide.text import Text
 
 TICK = 0.01
+# ticks from one look at where the command leads to the next, where that is drawn and where it is not
+SEEN, UNSEEN = 3, 20
 FAILED = Text(
     en="Something went wrong inside; see the terminal.",
     pt_BR="Algo deu errado por dentro; veja o terminal.",
@@ -39,6 +41,7 @@ class Workcell:
         self._inbox: deque[tuple[Update, bool]] = deque()
         self._lock = Lock()
         self._foreseen: State | None = None
+        self._foreseen_at = -UNSEEN
         self._searching = False
 
     def ask(self, update: Update) -> None:
@@ -91,8 +94,12 @@ class Workcell:
         self.resting = rests(before, self.state)
 
     def foresee(self) -> None:
-        """Work out where the command leads, where that may have changed."""
+        """Work out where the command leads, where that may have changed; of a path that plays, only words tell."""
+        plays = isinstance(self.state.command, Along) and self.state.command.playing
+        if self.ticks - self._foreseen_at < (UNSEEN if plays else SEEN):
+            return
         if leads_elsewhere(self._foreseen, self.state):
+            self._foreseen_at = self.ticks
             self._foreseen = self.state = self._tried(foreseen, lambda state: replace(state, goal=None))
 
     def _search(self, state: State) -> None:

@@ -28,6 +28,7 @@ class Audience:
         self._websock_connection = self
         self.clients: list[Client] = []
         self._said = AsyncMessageBuffer(server.get_event_loop(), persistent_messages=True)
+        self._said.atomic_start()  # nobody waits for it: each message would wake the event loop else
         self.scene = viser.SceneApi(cast(Any, self), server._thread_executor, server.get_event_loop())
         self.scene.world_axes.visible = False
 

@@ -73,11 +73,12 @@ class Control:
     """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
 
     on_stop: told the key of the window that stops, None before a page has said which it is; on_release: told the key of
-    the window whose pointer was let go, or whose last channel has closed.
+    the window whose pointer was let go, or whose last channel has closed; on_tab: told the number of the tab in front.
     """
 
     on_stop: Callable[[str | None], None]
     on_release: Callable[[str], None] = lambda key: None
+    on_tab: Callable[[str, int], None] = lambda key, tab: None
     _lines: dict[str, Line] = field(default_factory=dict)
 
     def open(self, key: str) -> Line:
@@ -133,6 +134,10 @@ class Control:
         if message.get("released") is True:
             if here:
                 self.on_release(here[-1])
+            return []
+        if (tab := message.get("tab")) is not None:
+            if here and isinstance(tab, int):
+                self.on_tab(here[-1], tab)
             return []
         key = message.get("window")
         line = self._lines.get(key) if isinstance(key, str) else None

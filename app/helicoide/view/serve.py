@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import errno
 import http.client
 import io
 import logging
 import socket
+import threading
 from collections.abc import Awaitable, Callable, Collection, Iterator, Mapping
 from http import HTTPStatus
 from pathlib import Path
@@ -82,9 +84,21 @@ def serve(
         server.stop()
         listener.close()
         raise HelicoideError(UNGUARDED.format(version=viser.__version__))
+    _woken_once(server.get_event_loop())
     server._websock_server.unregister_handler(ShareUrlRequest)  # any page could ask for a tunnel to a public host
     server.gui.configure_theme(show_share_button=False, control_width="large")
     return server
+
+
+def _woken_once(loop: asyncio.AbstractEventLoop) -> None:
+    """Let the loop not wake itself: viser does so at every message, and lets another thread run each time."""
+    from_elsewhere = loop.call_soon_threadsafe
+
+    def call(*args: Any, **options: Any) -> asyncio.Handle:
+        here = threading.get_ident() == getattr(loop, "_thread_id", None)
+        return (loop.call_soon if here else from_elsewhere)(*args, **options)
+
+    loop.call_soon_threadsafe = call  # type: ignore[method-assign, assignment]
 
 
 def _listen(host: str, port: int) -> socket.socket:

@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from time import perf_counter
 from types import MappingProxyType
 
@@ -57,7 +58,8 @@ class Window:
         self.client, self.link, self.view, self.hand_on = client, link, view, hand_on
         self.written: View | None = None
         self.layers: Layers | None = None
-        self.placed: list[Placed] = []
+        self.placed: list[list[Placed]] = []
+        self.tab: int | None = None
         self.top: list[Placed] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
@@ -122,7 +124,7 @@ class Window:
     async def fill(self, view: View) -> None:
         """Put the rows and commands for the arm of a view in place of those that are there."""
         async with self._busy:
-            for row in self.placed:
+            for row in chain.from_iterable(self.placed):
                 row.remove()
             for command in self.commands:
                 command.remove()
@@ -132,11 +134,12 @@ class Window:
         robot, self.view, self.written = view.state.robot, view, None
         self.placed, self.commands = [], [self._command(text, wish) for text, wish in _commands(robot)]
         for tab, panel in zip(self.tabs, panels.found(), strict=True):
+            self.placed.append([])
             for row in panel.rows(robot):
                 if self.gone:
                     return
                 with tab:
-                    self.placed += place(self.client.gui, [row], view, self.act)
+                    self.placed[-1] += place(self.client.gui, [row], view, self.act)
                 await asyncio.sleep(0)
 
     async def write(self, view: View) -> None:
@@ -147,13 +150,19 @@ class Window:
             await self.furnish(view)
         self.view = self.written = view
         began = perf_counter()
-        for row in (*self.top, *self.placed):
+        for row in (*self.top, *self._in_front()):
             if self.view is not view or self._busy.locked() or self.gone:  # it is being put up anew
                 return
-            row.refresh(view)
+            with self.client.atomic():
+                row.refresh(view)
             if perf_counter() - began > AT_A_TIME:
                 await asyncio.sleep(0)
                 began = perf_counter()
+
+    def _in_front(self) -> list[Placed]:
+        """The rows that the person may see: of the tab in front, of all while the page has not said which that is."""
+        known = self.tab is not None and 0 <= self.tab < len(self.placed)
+        return self.placed[self.tab or 0] if known else [*chain.from_iterable(self.placed)]
 
     def restore(self) -> None:
         """Say again where every handle and control stands: a hand that did not count may have moved some of them."""

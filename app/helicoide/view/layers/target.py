@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import dist
+
 import numpy as np
 import viser
 
@@ -65,7 +67,7 @@ class Target:
         """From the tool to the wish."""
         wished = _shown_pose(state)[:3, 3]
         tool = state.T_world_tool[:3, 3]
-        away = bool(np.linalg.norm(wished - tool) > SHORT)
+        away = dist(wished, tool) > SHORT
         if away:
             self.line.points = np.array([[tool, wished]], dtype=np.float32)
             colour = FAR if state.goal is not None and state.goal.short > SHORT else NEAR

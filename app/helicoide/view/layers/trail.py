@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import dist
+
 import numpy as np
 import viser
 
@@ -40,7 +42,7 @@ class Trail:
         if old is not None and old.state.q is new.state.q:
             return
         tool = new.state.T_world_tool[:3, 3].astype(np.float32)
-        if self.points and np.linalg.norm(tool - self.points[-1]) < self.apart:
+        if self.points and dist(tool, self.points[-1]) < self.apart:
             return
         self.points = [*self.points[-LENGTH:], tool]
         if shown and len(self.points) > 1:

@@ -7,7 +7,7 @@ import subprocess
 import sys
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +36,21 @@ def test_arrays_that_may_be_written_and_those_that_may_not_share_it() -> None:
             assert blending(array(1.0, x), (array(2.0, y), (array(3.0, z), 0.5))) == 4.5
     assert compiled == [1]
     assert len(blending.signatures) == 1
+
+
+CONSTANT = np.arange(3.0)
+blended = kernel(blend)
+
+
+def with_a_constant(a: Array) -> float:
+    return blended(a, (CONSTANT, (a, 1.0))) + blended(a, (a, (CONSTANT, 1.0)))
+
+
+def test_a_kernel_hands_on_an_array_of_its_module_without_another_version() -> None:
+    blended(np.ones(3), (np.ones(3), (np.ones(3), 1.0)))
+    both: Any = Kernel(with_a_constant)
+    assert both(np.ones(3)) == 4.0
+    assert len(cast(Any, blended).signatures) == 1
 
 
 def test_another_order_of_the_numbers_is_another_machine_code() -> None:

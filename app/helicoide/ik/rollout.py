@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.ik.guard.collision import clearances
-from helicoide.ik.guard.guarded import guarded_tick
+from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
 from helicoide.ik.guard.rows import Guard
 from helicoide.ik.task import joint_task, pose_task
 from helicoide.kernels import kernel
@@ -43,11 +43,11 @@ def settle(
     """
     q, chain = q.copy(), guard[0][0]
     poses, still, ahead = link_poses(chain, q), np.zeros(q.shape[0]), np.zeros(3)
-    multipliers, one_level = np.zeros(0), np.empty(0, dtype=np.int64)
+    multipliers = np.zeros(0)
     for _ in range(ticks):
         before = q
         task = joint_task(q, joints[1], joints[2], dt) if joints[0] else pose_task(poses, chain, tool, ahead, dt)
-        q, poses, multipliers, _ = guarded_tick(guard, q, still, poses, task, one_level, dt)
+        q, poses, multipliers, _ = guarded_tick(guard, q, still, poses, task, ONE_LEVEL, dt)
         if np.max(np.abs(q - before)) < AT_REST:
             break
     return q, multipliers

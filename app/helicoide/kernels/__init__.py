@@ -59,6 +59,10 @@ class Kernel(CPUDispatcher):
             self._met.add(given)
         return code
 
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """The same for a call from another kernel, also with an array of its module, which cannot be written."""
+        return super().get_call_template([*map(_writable, args)], {name: _writable(kind) for name, kind in kws.items()})
+
 
 def _writable(kind: Any) -> Any:
     """The type of the same arguments when their arrays may be written."""

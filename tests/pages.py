@@ -98,7 +98,7 @@ class Page:
         self.made: dict[str, Message] = {}
         self.labels: dict[str, str] = {}
         self.frames = 0
-        self.offset = float("-inf")
+        self.offset, self.old = float("-inf"), 0.0  # ms; old: how long ago its hand made what it sends
         self.shown: Callable[[float, Point], None] = lambda when, point: None
         self.heard: Callable[[Message], None] = lambda message: None
 
@@ -117,7 +117,7 @@ class Page:
 
     async def say(self, kind: str, **fields: object) -> None:
         """Send what a hand has made, with the time when it was made."""
-        await self.send({"type": "HelicoideMadeAt", "at": self.now + self.offset})
+        await self.send({"type": "HelicoideMadeAt", "at": self.now + self.offset - self.old})
         await self.send({"type": kind, **fields})
 
     async def gizmo(self, event: str, name: str = "/target", **pose: object) -> None:
@@ -180,8 +180,19 @@ class Page:
             self.control.set_result(control)
             await self.tell(beat=True)
             await self.tell(window=key, seat=self.seat, languages=languages)
-            async for raw in control:
-                await self._hear(json.loads(raw))
+            beating = asyncio.create_task(self._beat())
+            try:
+                async for raw in control:
+                    await self._hear(json.loads(raw))
+            finally:
+                beating.cancel()
+
+    async def _beat(self) -> None:
+        """Ask for the server's clock again and again: an answer that was slow says little."""
+        with suppress(ConnectionClosed):
+            while True:
+                await asyncio.sleep(0.5)
+                await self.tell(beat=True)
 
     async def _hear(self, message: Message) -> None:
         if "at" in message:

@@ -128,7 +128,7 @@ def test_what_was_made_after_the_stop_was_known_counts(lab: Lab, one: Hand, othe
 
 @pytest.mark.parametrize("asked", ASKED)
 def test_what_is_older_than_a_second_does_nothing(lab: Lab, one: Hand, asked: str) -> None:
-    before, one.page.offset = state(lab), one.page.offset - 1100.0
+    before, one.page.old = state(lab), 1100.0
     ASKED[asked](one)
     after = after_ticks(lab)
     assert after.command is before.command

@@ -101,15 +101,19 @@ class Surveying:
         return False
 
     async def _from_file(self, name: str, content: bytes, reading: Reading) -> None:
-        """Numbers that would be farther than any room, were they metres, are millimetres."""
-        cloud = await asyncio.to_thread(cloud_file.read, name, content)
-        if np.median(np.abs(cloud.points).max(axis=1)) > ROOM:
-            cloud = await asyncio.to_thread(cloud_file.read, name, content, "mm")
+        cloud = await asyncio.to_thread(_cloud_of, name, content)
         await self._find(cloud, reading, self.state().T_world_tool[:3, 3], 0)
 
     async def _find(self, cloud: Cloud, reading: Reading, inside: Array, seed: int) -> None:
         seen, pane = await asyncio.to_thread(found_in, cloud, reading, inside, seed)
         self.post(gate.see(reading.name, seen, pane))
+
+
+def _cloud_of(name: str, content: bytes) -> Cloud:
+    """The cloud of a file; numbers that would be farther than any room, were they metres, are millimetres."""
+    cloud = cloud_file.read(name, content)
+    far = np.median(np.abs(cloud.points).max(axis=1)) > ROOM
+    return cloud_file.read(name, content, "mm") if far else cloud
 
 
 async def _let_go(opening: asyncio.Task[DepthCamera], opened: AbstractContextManager[DepthCamera]) -> None:

@@ -1,0 +1,118 @@
+"""Whatever is under way, the loop has short turns and Stop is heard: studies, maps, clouds, tours, another arm.
+
+A busy machine may be late by the clock; what counts here is how much processor time the longest turn takes. The clock's
+figures stand in `make bench ARGS=load` and in the long form of these tests.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+from tests.pages import Hand
+from tests.session.labs import after_ticks, eventually, running, state, window
+from tests.session.turns import Turns, counted
+
+from helicoide import gate, studies
+from helicoide.jobs import chunks
+from helicoide.kinematics.workspace import KINDS
+from helicoide.session import mapping
+from helicoide.session.lab import Lab
+from helicoide.state import Hold
+from helicoide.view.mapping import TITLES
+
+LONGEST = 0.1
+# Those that report most often; all of them run in the long form.
+TALKATIVE = ("vargas_01", "vargas_02", "cerbaro_confined_line")
+
+
+@pytest.fixture(scope="module")
+def lab() -> Iterator[Lab]:
+    with running() as lab:
+        yield lab
+
+
+@pytest.fixture(scope="module")
+def hand(lab: Lab) -> Iterator[Hand]:
+    hand = window(lab)
+    yield hand
+    hand.close()
+
+
+def under_way(lab: Lab, hand: Hand, over: Callable[[], bool]) -> Turns:
+    """What the loop does until something is over, while somebody presses Stop again and again."""
+    with counted(lab.loop) as turns:
+        heard = 0
+        end = time.monotonic() + 600
+        while not over():
+            assert time.monotonic() < end
+            hand.do(hand.page.stop())
+            heard += 1
+            time.sleep(0.2)
+    assert heard > 0
+    return turns
+
+
+@pytest.mark.parametrize("name", TALKATIVE)
+def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
+    (visitor,) = lab.visitors.values()
+    before = visitor.place.desk.last
+    hand.do(hand.page.give("Study", studies.named(name).TITLE.en))
+    assert eventually(lambda: visitor.place.desk.study == name)
+
+    def begun() -> bool:
+        """The button can be pressed once the page has heard that there is a study."""
+        hand.do(hand.page.press("Run"))
+        return eventually(lambda: visitor.place.desk.progress is not None, 1.0) or visitor.place.desk.last is not before
+
+    assert eventually(begun)
+    turns = under_way(lab, hand, lambda: visitor.place.desk.last is not before)
+    assert turns.longest < LONGEST, turns.what
+    assert state(lab).command == Hold(stopped=True)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_map_holds_nothing_up(lab: Lab, hand: Hand, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(chunks, "kept", lambda plan: None)
+    monkeypatch.setattr(mapping, "SAMPLES", {one: {2: 150_000, 3: 700_000} for one in KINDS})
+    hand.do(hand.page.give("Map", TITLES[kind].en))
+    assert eventually(lambda: state(lab).workspace.kind == kind)
+    hand.do(hand.page.press("Work out the map"))
+    assert eventually(lambda: state(lab).workspace.progress is not None)
+    turns = under_way(lab, hand, lambda: state(lab).workspace.progress is None)
+    assert state(lab).workspace.map is not None
+    assert turns.longest < LONGEST, turns.what
+
+
+def test_another_arm_holds_nothing_up(lab: Lab, hand: Hand) -> None:
+    for name in ("puma560", "movemaster"):
+        lab.loop.call_soon_threadsafe(lab.shared.arms.change, name)
+        turns = under_way(lab, hand, lambda name=name: state(lab).robot.name == name)  # type: ignore[misc]
+        assert turns.longest < LONGEST, turns.what
+    assert eventually(lambda: lab.shared.display is not None and lab.shared.display._drawn[0] is state(lab).robot)
+
+
+def test_a_cloud_of_a_million_points_holds_nothing_up(lab: Lab, hand: Hand) -> None:
+    rng = np.random.default_rng(0)
+    points = np.column_stack([rng.uniform(0.2, 0.9, (1_000_000, 2)), rng.normal(0.8, 1e-3, 1_000_000)])
+    content = points.astype("<f4").tobytes()
+    header = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1000000\nHEIGHT 1\n"
+    file = f"{header}VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 1000000\nDATA binary\n".encode() + content
+    lab.shared.workcell.tell(gate.clear_planes())
+    lab.loop.call_soon_threadsafe(lab.shared.survey.read, "room.pcd", file, "+z")
+    turns = under_way(lab, hand, lambda: "+z" in state(lab).seen)
+    assert turns.longest < LONGEST, turns.what
+    lab.shared.workcell.tell(gate.restore_planes())
+
+
+def test_a_stop_ends_a_tour_and_what_is_worked_out(lab: Lab, hand: Hand) -> None:
+    for begin in ("Measure with the camera", "In the least time"):
+        hand.do(hand.page.press(begin))
+        hand.do(hand.page.stop())
+        stopped = after_ticks(lab, 20)
+        later = after_ticks(lab, 200)
+        assert later.command == Hold(stopped=True)
+        assert (later.q == stopped.q).all()
+    lab.shared.workcell.tell(gate.restore_planes())

@@ -7,28 +7,11 @@ import asyncio
 import pytest
 from tests.jobs.works import dies
 
-from helicoide.session import mapping, studies
+from helicoide.session import mapping
 from helicoide.session.mapping import Mapping
-from helicoide.session.studies import Studies
 from helicoide.state import State, Update
-from helicoide.studies import desk, names
 
 PATIENCE = 120.0
-
-
-def test_a_study_that_is_killed_has_failed(monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
-    monkeypatch.setattr(studies, "study", dies)
-    desks = Studies(lambda: None)
-
-    async def run() -> None:
-        for update in (desk.choose(names()[0]), desk.start):
-            desks.redesk("", update)
-        await asyncio.wait(desks._tasks, timeout=PATIENCE)
-
-    asyncio.run(run())
-    assert desks.desk("").failure == studies.FAILED
-    assert desks.desk("").progress is None
-    assert "ended from outside" in caplog.text
 
 
 def test_a_map_that_is_killed_has_failed(

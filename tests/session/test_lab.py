@@ -91,10 +91,11 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
     assert eventually(lambda: state(lab).robot.name == "movemaster")
     assert eventually(lambda: visitor.place.seat.lesson == "drive_the_arm")
     visitor.place.seat = replace(visitor.place.seat, done=frozenset({"joint"}))
-    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "movemaster")
-    assert eventually(lambda: not visitor.place.seat.done), "what was done was done on an arm that has gone"
-    hand.do(hand.page.give("Lesson", "Free play"))
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
     assert eventually(lambda: visitor.place.seat.lesson is None)
+    assert not visitor.place.seat.done, "what was done was done on an arm that has gone"
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "movemaster")
+    assert eventually(lambda: state(lab).robot.name == "movemaster")
 
 
 def test_an_arm_of_ones_own_is_refused_in_words_when_there_are_too_many(
@@ -113,6 +114,7 @@ def test_a_window_that_fails_to_be_drawn_costs_nobody_else(
 ) -> None:
     other = window(lab)
     broken = list(lab.visitors.values())[-1].window
+    assert eventually(lambda: broken.layers is not None)
     assert broken.layers is not None
     broken.layers.layers["target"].update = lambda old, new: 1 / 0  # type: ignore[method-assign]
     before = hand.page.frames

@@ -9,9 +9,10 @@ import signal
 import threading
 import traceback
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
-from typing import Any
+from typing import Any, cast
 
 from helicoide.jobs.thinned import thinned
 
@@ -74,7 +75,8 @@ class Apart:
 def end_all() -> None:
     """End every process that was started from this one."""
     for child in multiprocessing.active_children():
-        child.kill()
+        with suppress(ProcessLookupError):
+            os.kill(cast(int, child.pid), signal.SIGKILL)  # joblib's have no way of their own
 
 
 def _messages(receiver: Connection, child: BaseProcess) -> Iterator[tuple[str, Any]]:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable
+from dataclasses import replace
 
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import status
 from helicoide.session.workcell import Workcell
+from helicoide.state import State
 from helicoide.view import shapes
 from helicoide.view.audience import Audience, Server
 from helicoide.view.channel import Control, Notice
@@ -70,10 +72,11 @@ class Display:
         async with self._putting_up:
             await self._up_to_date()
             self.audience.enter(window.client)
-            view = self.view(window)
-            window.stage(view, shapes.load(view.state.robot))
-            window.draw(view)
             self.windows.append(window)
+            view = self.view(window)
+            if view.state.robot is self._drawn[0]:  # else it is put up with the others
+                window.stage(view, shapes.load(view.state.robot))
+                window.draw(view)
         self.redraw()
 
     def leave(self, window: Window) -> None:
@@ -92,30 +95,29 @@ class Display:
             if self.windows:
                 try:
                     async with self._putting_up:
-                        await self._up_to_date()
-                        await self._frame()
+                        await self._frame(await self._up_to_date())
                 except Exception:
                     log.exception("a frame could not be drawn")
             took = clock() - began
             await asyncio.sleep(max(FRAME - took, SPARE * took))
 
-    async def _frame(self) -> None:
-        """The scene of all, then what each window has for itself."""
-        state = self.workcell.state
-        self._drawn = self._drawn[0], state
+    async def _frame(self, state: State) -> None:
+        """The scene of all, then what each window has for itself, unless another arm has come meanwhile."""
+        self._drawn = state.robot, state
         self.frames += 1
         assert self._scene is not None
         with self.audience.atomic():
             self._scene.update(View(state, NOBODY))
         self.audience.flush()
         for window in tuple(self.windows):
-            if self.workcell.state.robot is state.robot and window in self.windows:
-                window.draw(self.view(window))
+            view = self.view(window) if window in self.windows else None
+            if view is not None and view.state.robot is state.robot:
+                window.draw(view)
             await asyncio.sleep(0)
 
-    async def _up_to_date(self) -> None:
-        """Put up the arm that stands there now, when it is another one than is drawn."""
-        while (robot := self.workcell.state.robot) is not self._drawn[0]:
+    async def _up_to_date(self) -> State:
+        """Put up the arm that stands there now, when it is another one than is drawn; its state."""
+        while (robot := (state := self.workcell.state).robot) is not self._drawn[0]:
             if self._scene is not None:
                 self.audience.scene.reset()
                 for window in self.windows:
@@ -126,12 +128,13 @@ class Display:
             drawn = await asyncio.to_thread(shapes.load, robot)
             with self.audience.atomic():
                 self._scene = Scene(self.audience.scene, robot, drawn)
-                self._scene.update(View(self.workcell.state, NOBODY))
+                self._scene.update(View(state, NOBODY))
             self._drawn = robot, None
             for window in tuple(self.windows):
-                view = self.view(window)
+                view = replace(self.view(window), state=state)
                 window.stage(view, drawn)
                 await window.fill(view)
+        return state
 
     async def _write(self) -> None:
         """Bring the words to what there is, window by window; then others have three times as long."""

@@ -60,12 +60,16 @@ class Control:
 
 
 class ButtonControl:
-    """A button; deaf while disabled."""
+    """A button; deaf while disabled or hidden."""
 
     def __init__(self, gui: viser.GuiApi, row: Button, view: View, ask: Ask) -> None:
         self.row, self.view = row, view
         self.handle = gui.add_button(icon=row.icon, **self._shown(view))
-        bind.on_press(self.handle, lambda: ask(lambda: row.wish(self.view) if row.enabled(self.view) else None))
+
+        def wished() -> Wish | None:
+            return row.wish(self.view) if row.enabled(self.view) and row.shown(self.view) else None
+
+        bind.on_press(self.handle, lambda: ask(wished))
 
     def _shown(self, view: View) -> dict[str, Any]:
         row = self.row

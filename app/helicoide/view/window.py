@@ -60,6 +60,7 @@ class Window:
         self.layers: Layers | None = None
         self.placed: list[list[Placed]] = []
         self.tab: int | None = None
+        self.robot = view.state.robot  # the one that the rows are about
         self.top: list[Placed] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
@@ -131,7 +132,8 @@ class Window:
             await self._fill(view)
 
     async def _fill(self, view: View) -> None:
-        robot, self.view, self.written = view.state.robot, view, None
+        robot = self.robot = view.state.robot
+        self.view, self.written = view, None
         self.placed, self.commands = [], [self._command(text, wish) for text, wish in _commands(robot)]
         for tab, panel in zip(self.tabs, panels.found(), strict=True):
             self.placed.append([])
@@ -144,7 +146,12 @@ class Window:
 
     async def write(self, view: View) -> None:
         """Bring the words and controls to a view, where it is another one; in another language all is built anew."""
-        if self._busy.locked() or self.gone or (self.written is not None and _same(self.written, view)):
+        if (
+            self._busy.locked()
+            or self.gone
+            or view.state.robot is not self.robot
+            or (self.written is not None and _same(self.written, view))
+        ):
             return
         if self.view.seat.language != view.seat.language:
             await self.furnish(view)

@@ -61,11 +61,13 @@ def optional() -> list[ModuleType]:
 
 
 class Layers:
-    """All layers of a scene, and the view that they show; one that fails is left as it is, and the others go on."""
+    """All layers of a scene, and the view that they show; one that fails is tried again, and the others go on."""
 
     def __init__(self, stage: Stage, shared: bool) -> None:
         self.shown: View | None = None
         self.layers: dict[str, Layer] = {}
+        self.failed: set[str] = set()
+        self.told: set[str] = set()
         for layer in found():
             if shared == layer.SHARED:
                 try:
@@ -75,10 +77,13 @@ class Layers:
 
     def update(self, view: View) -> None:
         """Bring every layer to a view."""
-        for name, layer in tuple(self.layers.items()):
+        for name, layer in self.layers.items():
             try:
-                layer.update(self.shown, view)
+                layer.update(None if name in self.failed else self.shown, view)
+                self.failed.discard(name)
             except Exception:
-                log.exception("the layer %s failed and stays as it is", name)
-                del self.layers[name]
+                self.failed.add(name)
+                if name not in self.told:
+                    self.told.add(name)
+                    log.exception("the layer %s failed", name)
         self.shown = view

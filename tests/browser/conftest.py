@@ -45,7 +45,12 @@ def browser() -> Iterator[Browser]:
 
 @contextmanager
 def window(
-    browser: Browser, port: int, size: str = "desk", locale: str = "en-US", log: list[str] | None = None
+    browser: Browser,
+    port: int,
+    size: str = "desk",
+    locale: str = "en-US",
+    log: list[str] | None = None,
+    path: str = "/",
 ) -> Iterator[Page]:
     """Open a window on a port: desk (1280 × 800) or phone (390 × 844, touch), drawn, connected and free of toasts.
 
@@ -61,7 +66,7 @@ def window(
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))
         page.on("pageerror", lambda error: lines.append(f"pageerror: {error}"))
-        page.goto(f"http://127.0.0.1:{port}/?fixedDpr=0.25")
+        page.goto(f"http://127.0.0.1:{port}{path}?fixedDpr=0.25")
         page.wait_for_function("() => window.__viserMutable?.nodeRefFromName['']")
         page.wait_for_selector("#helicoide-stop[data-link=up]")
         page.locator(SLOW_GL_TOAST).evaluate(HIDE)

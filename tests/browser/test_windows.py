@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Iterator
+from contextlib import ExitStack
 
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
-from tests.browser.lab import Lab, box, press, status, tab, until
+from tests.browser.lab import Lab, Session, box, press, status, tab, until
+from tests.browser.proxy import PREFIX, behind
 
 from helicoide import gate
+from helicoide.kinematics.library import load
 from helicoide.session.workcell import Workcell
 from helicoide.state import Hold, ToJoints
 
@@ -125,3 +129,23 @@ def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, 
     assert own(lab) is mine
     assert mine.state.robot.name == "planar2r"
     lab.post(gate.get_ready())
+
+
+def test_behind_a_sub_path_the_page_drives_and_stops(browser: Browser) -> None:
+    """Without its Stop it could not drive: all of its addresses hang on where the page is."""
+    session = Session(load("movemaster"), None, None)
+    with ExitStack() as stack:
+        listener = stack.enter_context(socket.create_server(("127.0.0.1", 0)))
+        port = listener.getsockname()[1]
+        listener.close()
+        proxy = stack.enter_context(behind(port))
+        session.open("127.0.0.1", port, (f"http://127.0.0.1:{proxy}",))
+        stack.callback(session.close)
+        page = stack.enter_context(window(browser, proxy, path=PREFIX.decode()))
+        lab = Lab(session)
+        until(page, lambda: session.ready, 300)
+        tab(page, "Robot")
+        box(page, 0, "12")
+        until(page, lambda: abs(np.degrees(lab.state.q[0]) - 12) < 0.1)
+        page.locator("#helicoide-stop").click()
+        until(page, lambda: lab.state.command == Hold(stopped=True))

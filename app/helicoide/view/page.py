@@ -29,7 +29,7 @@ LOST = Text(
 # Behind a sub-path, what is addressed from here is found only with a slash at the end. And a list that opens beyond the
 # edge of a phone would widen the page, move itself and push Stop out of view.
 TAGS = Markup(
-    '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/");</script>'
+    '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/helicoide.css" />'
     '<script src="static/helicoide.js" data-words="{}" defer></script>'

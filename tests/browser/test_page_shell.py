@@ -57,7 +57,15 @@ def stops() -> list[bool]:
 
 @pytest.fixture(scope="module")
 def control(stops: list[bool]) -> Control:
-    return Control(on_stop=lambda key: stops.append(True))
+    """As the lab's: every page is told of a stop, and lets its hand go."""
+
+    def stopped(key: str | None) -> None:
+        stops.append(True)
+        for known in control._lines:
+            control.fence(known)
+
+    control = Control(on_stop=stopped)
+    return control
 
 
 @pytest.fixture(scope="module")

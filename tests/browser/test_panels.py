@@ -132,7 +132,7 @@ def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
     page.get_by_role("option", name="axis of joint 3 (elbow)").click()
     shown = "() => window.__viserMutable.nodeRefFromName['/lit/lines'].visible"
     until(page, lambda: bool(page.evaluate(shown)))
-    assert page.locator(".helicoide-lit .helicoide-grid i").count() == 16
+    until(page, lambda: page.locator(".helicoide-lit .helicoide-grid i").count() == 16)
     tab(page, "Robot")
     box(page, 1, "35")
     until(page, lambda: abs(degrees(lab, 1) - 35) < 0.01)

@@ -110,7 +110,9 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
 
 
 def nodes(page: Page) -> list[str]:
-    return list(page.evaluate("() => Object.keys(window.__viserMutable.nodeRefFromName)"))
+    """What stands in its scene."""
+    found = "() => Object.entries(window.__viserMutable.nodeRefFromName).filter(([_, node]) => node).map(([n]) => n)"
+    return list(page.evaluate(found))
 
 
 def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, pair: tuple[Page, Page]) -> None:

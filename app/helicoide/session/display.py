@@ -149,13 +149,18 @@ class Display:
             took = clock() - began
             await asyncio.sleep(max(WORDS - took, SPARE_WORDS * took))
 
+    def _say(self, window: Window, view: View) -> None:
+        """The status line; until the arms live it is the lab that says how far that is."""
+        if view.ready:
+            said = status(view.state)
+            notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected)
+            self.control.push(window.link.key, notice)
+
     async def _written(self, window: Window) -> None:
         try:
             view = self.view(window)
             if view.state.robot is self._drawn[0]:
-                said = status(view.state)
-                notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected)
-                self.control.push(window.link.key, notice)
+                self._say(window, view)
                 await window.write(view)
         except Exception:
             log.exception("the words of a window could not be written")

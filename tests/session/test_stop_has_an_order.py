@@ -9,9 +9,8 @@ import pytest
 from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
-from helicoide import gate
 from helicoide.session.lab import Lab
-from helicoide.state import Hold, State
+from helicoide.state import Hold, State, initial
 
 BUSY = 0.3
 HERE = {"wxyz": (0.0, 1.0, 0.0, 0.0), "position": (0.5, 0.1, 0.3)}
@@ -26,7 +25,7 @@ def lab() -> Iterator[Lab]:
 
 @pytest.fixture
 def one(lab: Lab) -> Iterator[Hand]:
-    lab.shared.workcell.tell(gate.get_ready())
+    lab.shared.workcell.tell(lambda state: initial(state.robot))
     assert eventually(lambda: state(lab).command == Hold() and not state(lab).moving)
     hand = window(lab)
     yield hand
@@ -86,12 +85,14 @@ def unmoved(lab: Lab, before: State) -> bool:
 
 @pytest.mark.parametrize("asked", ASKED)
 def test_what_a_window_sent_before_its_stop_does_nothing(lab: Lab, one: Hand, asked: str) -> None:
-    """Stop overtakes the rest on a channel of its own: both wait while the loop is busy."""
-    before = state(lab)
+    """Stop overtakes the rest on a channel of its own: both wait while the loop is busy. What comes in before it counts
+    before it; what comes in after it, not at all.
+    """
     busy(lab)
     ASKED[asked](one)
     one.do(one.page.stop())
-    assert unmoved(lab, before)
+    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    assert unmoved(lab, state(lab))
 
 
 @pytest.mark.parametrize("asked", ASKED)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import multiprocessing
 import os
 import pickle
@@ -9,6 +10,7 @@ import signal
 import threading
 import traceback
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
@@ -70,6 +72,24 @@ class Apart:
         self.stopped = True
         if self._child is not None and self._child.pid is not None:
             self._child.terminate()
+
+
+async def followed(job: Apart, tell: Callable[[Any], object]) -> None:
+    """Run a job, and call `tell` on this event loop with each of its reports; raises as `progress` does.
+
+    It is listened to in a thread of its own: those that others wait for are never all taken.
+    """
+    loop = asyncio.get_running_loop()
+
+    def listen() -> None:
+        for what in job.progress():
+            loop.call_soon_threadsafe(tell, what)
+
+    ear = ThreadPoolExecutor(1, "helicoide job")
+    try:
+        await loop.run_in_executor(ear, listen)
+    finally:
+        ear.shutdown(wait=False)
 
 
 def end_all() -> None:

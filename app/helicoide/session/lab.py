@@ -34,7 +34,7 @@ from helicoide.view.scene import lit
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window
 
-MOST_OWN = 64
+MOST_OWN, MAPS = 64, 2  # arms of somebody's own; maps that are counted at once
 UNTIDY = 10  # times that garbage stays where it is while an arm moves
 # s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
 # control that a person touched is put right, which is left alone as long as a hand may be on it
@@ -83,6 +83,7 @@ class Lab:
         self.clock = Clock(lambda: self.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
         self.studies = Studies(self._news)
+        self.maps = asyncio.Semaphore(MAPS)
         self.shared = self._post(initial(robot))
         self.posts = {self.shared.workcell: self.shared}
         self.workcells: tuple[Workcell, ...] = (self.shared.workcell,)
@@ -117,7 +118,7 @@ class Lab:
         def now() -> State:
             return workcell.state
 
-        return Post(workcell, Arms(workcell), Surveying(now, workcell.tell), Mapping(now, workcell.tell))
+        return Post(workcell, Arms(workcell), Surveying(now, workcell.tell), Mapping(now, workcell.tell, self.maps))
 
     def _begin(self) -> None:
         lit(self.server)

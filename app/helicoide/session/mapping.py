@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from helicoide import gate
 from helicoide.jobs import chunks
-from helicoide.jobs.apart import Apart, Failed, Report
+from helicoide.jobs.apart import Apart, Failed, Report, followed
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Kind, Map, Plan, normal_of, planned
 from helicoide.state import State, Update
@@ -38,10 +38,15 @@ def counted(report: Report, plan: Plan) -> Map:
 
 
 class Mapping:
-    """What counts maps; `state` tells what is wanted, `post` hands on a wish. Only on the event loop."""
+    """What counts maps; `state` tells what is wanted, `post` hands on a wish. Only on the event loop.
 
-    def __init__(self, state: Callable[[], State], post: Callable[[Update], None]) -> None:
-        self.state, self.post = state, post
+    turns: how many maps of the lab may be counted at once; others wait until it is their turn.
+    """
+
+    def __init__(
+        self, state: Callable[[], State], post: Callable[[Update], None], turns: asyncio.Semaphore | None = None
+    ) -> None:
+        self.state, self.post, self.turns = state, post, turns or asyncio.Semaphore(1)
         self._job: Apart | None = None
         self._task: asyncio.Task[None] | None = None
 
@@ -65,7 +70,8 @@ class Mapping:
         try:
             found = await asyncio.to_thread(chunks.kept, plan)
             if found is None:
-                found = await self._counted(robot, plan)
+                async with self.turns:
+                    found = await self._counted(robot, plan)
             if found is None and self._is_counting(robot):
                 log.error("the process that counts the map of %s was ended from outside", robot.name)
         except Failed as failure:
@@ -78,18 +84,13 @@ class Mapping:
 
     async def _counted(self, robot: Robot, plan: Plan) -> Map | None:
         """Count in another process, which ends as soon as nobody wants the map any more."""
-        loop = asyncio.get_running_loop()
         self._job = job = Apart(counted, plan)
 
         def tell(share: float) -> None:
             if self._job is job:
                 self.post(gate.tell_map(robot, share))
 
-        def listen() -> None:
-            for share in job.progress():
-                loop.call_soon_threadsafe(tell, share)
-
-        listening = loop.create_task(asyncio.to_thread(listen))
+        listening = asyncio.create_task(followed(job, tell))
         begun = False
         while not listening.done():
             await asyncio.wait([listening], timeout=LOOK)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from helicoide import studies
-from helicoide.jobs.apart import Apart, Failed, Report
+from helicoide.jobs.apart import Apart, Failed, Report, followed
 from helicoide.session.seats import Place
 from helicoide.studies import desk as desks
 from helicoide.studies.desk import Desk, DeskUpdate, Run
@@ -74,7 +74,6 @@ class Studies:
 
     async def _follow(self, place: Place, job: Apart, desk: Desk) -> None:
         """Tell the desk what a run reports, and what it came to, unless the person ended it."""
-        loop = asyncio.get_running_loop()
 
         def is_wanted() -> bool:
             return self._running.get(place) is job
@@ -83,13 +82,9 @@ class Studies:
             if is_wanted():
                 self._put(place, update(place.desk))
 
-        def listen() -> None:
-            for share in job.progress():
-                loop.call_soon_threadsafe(tell, desks.told(share))
-
         ended = desks.failed(FAILED)
         try:
-            await asyncio.to_thread(listen)
+            await followed(job, lambda share: tell(desks.told(share)))
             if job.result is not None:
                 ended = desks.done(Run(desk.study, desk.chosen(), desk.short, job.result))
             elif is_wanted():

@@ -102,7 +102,7 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     assert mine.state.command != Hold(stopped=True)
     other.keyboard.press("Escape")
     until(other, lambda: mine.state.command == Hold(stopped=True))
-    lab.session.loop.call_soon_threadsafe(lab.session.posts[mine].arms.change, "planar2r")
+    lab.session.loop.call_soon_threadsafe(lab.session.bays[mine].arms.change, "planar2r")
     until(other, lambda: mine.state.robot.name == "planar2r")
     until(other, lambda: "/arm/waist" not in nodes(other) and any(name.startswith("/arm/") for name in nodes(other)))
     assert lab.state.robot.name == "movemaster"
@@ -120,7 +120,7 @@ def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, 
     mine = own(lab)
     other.reload()
     other.get_by_role("button", name="Voltar ao braço comum").wait_for()
-    until(other, lambda: any(visitor.post.workcell is mine for visitor in lab.session.visitors.values()))
+    until(other, lambda: any(visitor.bay.workcell is mine for visitor in lab.session.visitors.values()))
     until(other, lambda: any(name.startswith("/arm/") for name in nodes(other)))
     assert "/arm/waist" not in nodes(other)
     press(other, "Voltar ao braço comum")

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
-from time import monotonic, sleep
+from time import monotonic
 from typing import Any
 
 import pytest
 import viser
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from tests.session.labs import eventually
 from websockets.exceptions import ConnectionClosedError
 from websockets.sync.client import connect
 from websockets.sync.connection import Connection
@@ -137,13 +138,6 @@ def test_a_released_pointer_is_told_with_its_window(server: viser.ViserServer, c
         beat(page)
         assert told == ["a"]
     assert eventually(lambda: told == ["a", "a"]), "and so is the end of its last channel"
-
-
-def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
-    end = monotonic() + seconds
-    while not condition() and monotonic() < end:
-        sleep(0.01)
-    return condition()
 
 
 def test_a_stop_is_told_with_its_window(page: Connection, stops: list[str], control: Control, post: Post) -> None:

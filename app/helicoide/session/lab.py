@@ -14,17 +14,15 @@ from time import monotonic
 from helicoide import content, gate, lesson
 from helicoide.jobs.apart import Apart
 from helicoide.kinematics.robot import Robot
-from helicoide.session.arms import Arms
+from helicoide.session import lessons
+from helicoide.session.bay import Bay
 from helicoide.session.clock import Clock
 from helicoide.session.display import CLEARED, Display
-from helicoide.session.mapping import Mapping
 from helicoide.session.preparing import compiled, compiling, prepare
-from helicoide.session.replaying import along_fastest, through
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
-from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import FAILED, Workcell
-from helicoide.state import Grasp, Hold, Seat, SeatUpdate, State, commanded, initial
+from helicoide.state import Grasp, Hold, SeatUpdate, State, commanded, initial
 from helicoide.text import Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, Control, Hello, Line, Notice, introduce
@@ -47,23 +45,12 @@ log = logging.getLogger("helicoide")
 
 
 @dataclass(eq=False)
-class Post:
-    """A workcell with what works for it, and what its windows show, None while it has none."""
-
-    workcell: Workcell
-    arms: Arms
-    survey: Surveying
-    mapping: Mapping
-    display: Display | None = None
-
-
-@dataclass(eq=False)
 class Visitor:
     """A window, where its person sits, and in front of which workcell."""
 
     window: Window
     place: Place
-    post: Post
+    bay: Bay
     moving: asyncio.Task[None] | None = None
 
 
@@ -84,8 +71,8 @@ class Lab:
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
         self.studies = Studies(self._news)
         self.maps = asyncio.Semaphore(MAPS)
-        self.shared = self._post(initial(robot))
-        self.posts = {self.shared.workcell: self.shared}
+        self.shared = self._bay(initial(robot))
+        self.bays = {self.shared.workcell: self.shared}
         self.workcells: tuple[Workcell, ...] = (self.shared.workcell,)
         self.said = compiling(0)
         self._compilation = Apart(compiled)
@@ -104,21 +91,16 @@ class Lab:
         """Stop the arms, the work and the server. From any other thread."""
         self._compilation.stop()
         self.studies.close()
-        for post in self.posts.values():
-            post.mapping.close()
+        for bay in self.bays.values():
+            bay.mapping.close()
         if self.clock.is_alive():
             self.clock.end()
         self.searcher.shutdown(wait=False, cancel_futures=True)
         self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
         self.server.stop()
 
-    def _post(self, state: State) -> Post:
-        workcell = Workcell(state, self.clock.wake, self.searcher)
-
-        def now() -> State:
-            return workcell.state
-
-        return Post(workcell, Arms(workcell), Surveying(now, workcell.tell), Mapping(now, workcell.tell, self.maps))
+    def _bay(self, state: State) -> Bay:
+        return Bay(Workcell(state, self.clock.wake, self.searcher), self.maps)
 
     def _begin(self) -> None:
         lit(self.server)
@@ -152,8 +134,8 @@ class Lab:
     def _tidy(self) -> None:
         self.seats.tidy(monotonic())
         kept = {place.own for place in self.seats.places.values()} | {self.shared.workcell}
-        self.posts = {workcell: post for workcell, post in self.posts.items() if workcell in kept}
-        self.workcells = tuple(self.posts)
+        self.bays = {workcell: bay for workcell, bay in self.bays.items() if workcell in kept}
+        self.workcells = tuple(self.bays)
         self._untidy = 0 if self.clock.rests else self._untidy + 1
         if self._untidy in (0, UNTIDY):
             self._untidy = 0
@@ -170,18 +152,18 @@ class Lab:
 
     def _told(self) -> None:
         self._signalled = False
-        for post in self.posts.values():
-            if post.display is not None:
-                post.display.tell()
+        for bay in self.bays.values():
+            if bay.display is not None:
+                bay.display.tell()
         if monotonic() - self._judged > JUDGED:
             self._judged = monotonic()
             self._judge()
 
     def _news(self) -> None:
         """What windows show besides their arm may be something else."""
-        for post in self.posts.values():
-            if post.display is not None:
-                post.display.news.set()
+        for bay in self.bays.values():
+            if bay.display is not None:
+                bay.display.news.set()
 
     # Who comes and goes.
 
@@ -203,37 +185,37 @@ class Lab:
         await self._furnish(client, line, place)
 
     async def _furnish(self, client: Client, line: Line, place: Place) -> None:
-        post = self._post_of(place)
-        window = Window(client, line.link, self._view(place, post), self.act)
-        visitor = self.visitors[client.client_id] = Visitor(window, place, post)
+        bay = self._bay_of(place)
+        window = Window(client, line.link, self._view(place, bay), self.act)
+        visitor = self.visitors[client.client_id] = Visitor(window, place, bay)
         if not self.ready:
             self._say_to(visitor)
         await window.furnish(window.view)
-        await self._attach(visitor, visitor.post)
+        await self._attach(visitor, visitor.bay)
 
-    async def _attach(self, visitor: Visitor, post: Post) -> None:
+    async def _attach(self, visitor: Visitor, bay: Bay) -> None:
         """Put a window in front of a workcell."""
-        visitor.post, robot = post, post.workcell.state.robot
-        seat = visitor.place.seat
-        if seat.lesson and lesson.load(seat.lesson).robot != robot.name:
-            visitor.place.seat = _seated_at(robot, seat)
-        post.workcell.pause(False)
-        if post.display is None:
-            post.display = Display(self.server, self.control, post.workcell, self.view, self._arrived)
+        visitor.bay, robot = bay, bay.workcell.state.robot
+        if not lessons.is_about(visitor.place.seat, robot):
+            visitor.place.seat = lessons.seated_at(robot, visitor.place.seat)
+        bay.workcell.pause(False)
+        if bay.display is None:
+            bay.display = Display(self.server, self.control, bay.workcell, self.view, self._arrived)
         if self._is_here(visitor):
-            await post.display.enter(visitor.window)
+            await bay.display.enter(visitor.window)
         if not self._is_here(visitor):
             self._detach(visitor)
 
     def _detach(self, visitor: Visitor) -> None:
         """Take a window away from its workcell; what it held is let go where it is."""
-        post = visitor.post
-        if post.display is not None:
-            post.display.leave(visitor.window)
-            if not post.display.windows:
-                post.display.close()
-                post.display = None
-        self._let_go(visitor)
+        bay = visitor.bay
+        if bay.display is not None:
+            bay.display.leave(visitor.window)
+            if not bay.display.windows:
+                bay.display.close()
+                bay.display = None
+        if (grasp := _held(visitor)) is not None:
+            bay.workcell.tell(gate.let_go(grasp))
 
     def _is_here(self, visitor: Visitor) -> bool:
         return self.visitors.get(visitor.window.client.client_id) is visitor
@@ -251,16 +233,16 @@ class Lab:
             if visitor.place.windows == 0:
                 self.studies.forget(visitor.place)
 
-    def _post_of(self, place: Place) -> Post:
-        return self.shared if place.own is None or not place.at_own else self.posts[place.own]
+    def _bay_of(self, place: Place) -> Bay:
+        return self.shared if place.own is None or not place.at_own else self.bays[place.own]
 
     def view(self, window: Window) -> View:
         """What a window shows."""
         visitor = self.visitors[window.client.client_id]
-        return self._view(visitor.place, visitor.post)
+        return self._view(visitor.place, visitor.bay)
 
-    def _view(self, place: Place, post: Post) -> View:
-        return View(post.workcell.state, place.seat, place.desk, self.ready, post is not self.shared)
+    def _view(self, place: Place, bay: Bay) -> View:
+        return View(bay.workcell.state, place.seat, place.desk, self.ready, bay is not self.shared)
 
     # What windows say.
 
@@ -271,8 +253,8 @@ class Lab:
             self._write(visitor)
 
     def _write(self, visitor: Visitor) -> None:
-        if visitor.post.display is not None:
-            visitor.post.display.news.set()
+        if visitor.bay.display is not None:
+            visitor.bay.display.news.set()
 
     def act(self, window: Window, wish: Wish) -> None:
         """Do what a person wishes, if it counts; what their page shows of it is put right in any case."""
@@ -291,52 +273,38 @@ class Lab:
         self._write(visitor)
 
     def _act(self, visitor: Visitor, wish: Wish) -> None:
-        post, place = visitor.post, visitor.place
         match wish:
-            case rows.ForArm(update):
-                post.workcell.ask(update)
             case rows.ForSeat(update):
                 self.reseat(visitor, update)
-            case rows.ForLab(robot):
-                post.arms.change(robot)
             case rows.ForDesk(update):
-                self.studies.redesk(place, update)
-            case rows.Play(motion):
-                post.arms.play(motion)
-            case rows.Tour(real):
-                post.survey.tour(real)
-            case rows.ReadCloud(name, content, plane):
-                post.survey.read(name, content, plane)
-            case rows.CountMap():
-                post.mapping.begin()
-            case rows.PlayTaught():
-                post.arms.work_out(through)
-            case rows.PlayFastest():
-                post.arms.work_out(along_fastest)
+                self.studies.redesk(visitor.place, update)
             case rows.OwnArm(on):
                 self._move(visitor, on)
             case rows.Save(name, content):
                 visitor.window.client.send_file_download(name, content)
+            case _:
+                visitor.bay.do(wish)
 
     def _stopped(self, key: str | None) -> None:
         """Stop the workcell of that window, else the shared one, and every one that a real arm follows.
 
         Of the windows in front of them nothing counts that was made before their pages know of it.
         """
-        mine = next((one.post for one in self.visitors.values() if one.window.link.key == key), self.shared)
-        stopped = {post.workcell for post in self.posts.values() if post is mine or post.workcell.connected}
+        mine = next((one.bay for one in self.visitors.values() if one.window.link.key == key), self.shared)
+        stopped = {bay.workcell for bay in self.bays.values() if bay is mine or bay.workcell.connected}
         for workcell in stopped:
             workcell.stop()
         for number, line in self.lines.items():
             visitor = self.visitors.get(number)
-            if visitor is None or visitor.post.workcell in stopped:
+            if visitor is None or visitor.bay.workcell in stopped:
                 self.control.fence(line.link.key)
 
     def _released(self, key: str) -> None:
         """A pointer was let go: what it held ends soon, also when the drag's own end gets lost on its way."""
         for visitor in self.visitors.values():
-            if visitor.window.link.key == key:
-                self.loop.call_later(LET_GO, self._let_go, visitor, visitor.post.workcell.state.grasp)
+            grasp = _held(visitor)
+            if visitor.window.link.key == key and grasp is not None:
+                self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
 
     def _turned(self, key: str, tab: int) -> None:
         """Another tab is in front of a window."""
@@ -345,83 +313,68 @@ class Lab:
                 visitor.window.tab = tab
                 self._rewrite(visitor)
 
-    def _let_go(self, visitor: Visitor, grasp: Grasp | None = None) -> None:
-        """End what a window holds; only that grasp, where one is given."""
-        workcell = visitor.post.workcell
-        held = workcell.state.grasp
-        if held is not None and held.seat == str(visitor.window.client.client_id) and grasp in (None, held):
-            workcell.tell(gate.let_go(held))
-
     def _move(self, visitor: Visitor, own: bool) -> None:
         """A person goes to their own arm, which begins as a copy of the shared one, or back."""
         place = visitor.place
         if own and place.own is None:
-            if len(self.posts) > MOST_OWN:
+            if len(self.bays) > MOST_OWN:
                 visitor.window.tell(FULL.format(n=MOST_OWN))
                 return
-            post = self._post(replace(commanded(self.shared.workcell.state, Hold()), grasp=None, goal=None))
-            place.own = post.workcell
-            self.posts = {**self.posts, post.workcell: post}
-            self.workcells = tuple(self.posts)
+            bay = self._bay(replace(commanded(self.shared.workcell.state, Hold()), grasp=None, goal=None))
+            place.own = bay.workcell
+            self.bays = {**self.bays, bay.workcell: bay}
+            self.workcells = tuple(self.bays)
         place.at_own = own
-        post = self._post_of(place)
-        if post is not visitor.post and (visitor.moving is None or visitor.moving.done()):
-            visitor.moving = self.loop.create_task(self._moved(visitor, post))
+        bay = self._bay_of(place)
+        if bay is not visitor.bay and (visitor.moving is None or visitor.moving.done()):
+            visitor.moving = self.loop.create_task(self._moved(visitor, bay))
 
-    async def _moved(self, visitor: Visitor, post: Post) -> None:
+    async def _moved(self, visitor: Visitor, bay: Bay) -> None:
         self._detach(visitor)
-        robot, visitor.post = visitor.post.workcell.state.robot, post
+        robot, visitor.bay = visitor.bay.workcell.state.robot, bay
         visitor.window.clear()
         visitor.window.client.flush()
         await asyncio.sleep(CLEARED)
-        if post.workcell.state.robot is not robot:
-            await visitor.window.fill(self._view(visitor.place, post))
-        await self._attach(visitor, post)
+        if bay.workcell.state.robot is not robot:
+            await visitor.window.fill(self._view(visitor.place, bay))
+        await self._attach(visitor, bay)
 
     # Seats and lessons.
 
     def reseat(self, visitor: Visitor, update: SeatUpdate) -> None:
         """A person changed something about their own window; a lesson brings its robot with it."""
-        place, post = visitor.place, visitor.post
+        place, bay = visitor.place, visitor.bay
         before, seat = place.seat, update(place.seat)
         place.seat = seat
         if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
             chosen = lesson.load(seat.lesson)
-            if chosen.robot != post.workcell.state.robot.name:
-                post.arms.change(chosen.robot)
+            if chosen.robot != bay.workcell.state.robot.name:
+                bay.arms.change(chosen.robot)
             else:
-                post.workcell.ask(chosen.steps[seat.step].setup)
+                bay.workcell.ask(chosen.steps[seat.step].setup)
         self._news()
-        if post.display is not None:
-            post.display.redraw()
+        if bay.display is not None:
+            bay.display.redraw()
 
     def _arrived(self, display: Display) -> None:
         """Another arm stands in a workcell: lessons about it begin, others are left."""
         robot = display.workcell.state.robot
         for visitor in self.visitors.values():
-            if visitor.post.display is display:
-                seat = visitor.place.seat = _seated_at(robot, visitor.place.seat)
+            if visitor.bay.display is display:
+                seat = visitor.place.seat = lessons.seated_at(robot, visitor.place.seat)
                 if seat.lesson:
                     display.workcell.ask(lesson.load(seat.lesson).steps[seat.step].setup)
 
     def _judge(self) -> None:
-        """See whether the goals of lessons are met, each on the arm that it is about."""
+        """See whether the goals of lessons are met."""
         for visitor in self.visitors.values():
-            seat, state = visitor.place.seat, visitor.post.workcell.state
-            if seat.lesson is None:
-                continue
-            try:
-                judged = lesson.progressed(lesson.load(seat.lesson), state, seat)
-            except Exception:
-                log.exception("the goal of lesson %s failed", seat.lesson)
-                judged = lesson.entered(seat, None)
-            if judged is not seat:
+            judged = lessons.judged(visitor.place.seat, visitor.bay.workcell.state)
+            if judged is not visitor.place.seat:
                 visitor.place.seat = judged
                 self._write(visitor)
 
 
-def _seated_at(robot: Robot, seat: Seat) -> Seat:
-    """The seat in front of another robot: nothing selected, and in a lesson only where that is about this robot."""
-    stays = seat.lesson is not None and lesson.load(seat.lesson).robot == robot.name
-    seat = replace(seat, done=frozenset()) if stays else lesson.entered(seat, None)
-    return replace(seat, selected=None, picked=None)
+def _held(visitor: Visitor) -> Grasp | None:
+    """What a window holds with the pointer."""
+    grasp = visitor.bay.workcell.state.grasp
+    return grasp if grasp is not None and grasp.seat == str(visitor.window.client.client_id) else None

@@ -1,0 +1,34 @@
+"""Lessons in front of an arm: each is judged on its own arm, and left when another one comes."""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import replace
+
+from helicoide import lesson
+from helicoide.kinematics.robot import Robot
+from helicoide.state import Seat, State
+
+log = logging.getLogger("helicoide")
+
+
+def is_about(seat: Seat, robot: Robot) -> bool:
+    """Whether a seat is in no lesson, or in one about this robot."""
+    return seat.lesson is None or lesson.load(seat.lesson).robot == robot.name
+
+
+def seated_at(robot: Robot, seat: Seat) -> Seat:
+    """The seat in front of another robot: nothing selected or done, and in a lesson only where that is about it."""
+    seat = replace(seat, done=frozenset()) if is_about(seat, robot) else lesson.entered(seat, None)
+    return replace(seat, selected=None, picked=None)
+
+
+def judged(seat: Seat, state: State) -> Seat:
+    """The seat with its step done where the goal is met; a lesson whose goal fails is left."""
+    if seat.lesson is None:
+        return seat
+    try:
+        return lesson.progressed(lesson.load(seat.lesson), state, seat)
+    except Exception:
+        log.exception("the goal of lesson %s failed", seat.lesson)
+        return lesson.entered(seat, None)

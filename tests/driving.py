@@ -34,7 +34,7 @@ def after(state: State, seconds: float, dt: float = 0.01) -> State:
 def at(state: State, q: Array) -> State:
     """The same state with the arm put somewhere else."""
     robot = state.robot
-    return replace(state, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q))))
+    return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
 
 
 def quaternion(rng: Random) -> Array:
@@ -55,7 +55,7 @@ def clear_posture(rng: Random, state: State, clearance: float) -> Array:
 def apart(state: State) -> float:
     """What is left until two bodies of the arm are too near, m."""
     points, _, planes, pairs, _, _ = state.problem.guard
-    left, _, _ = clearances(state.poses.copy(), points, planes, pairs)
+    left, _, _ = clearances(state.arm.poses.copy(), points, planes, pairs)
     return float(left[state.guarded_points.shape[0] * len(planes[0]) :].min(initial=np.inf))
 
 
@@ -95,7 +95,7 @@ def turning_z_to(direction: Array) -> Array:
 
 def joint(rng: Random, state: State) -> Update:
     limits = state.problem.limits
-    i = int(rng.integers(len(state.q)))
+    i = int(rng.integers(len(state.arm.q)))
     return gate.set_joint(i, rng.uniform(limits.lower[i], limits.upper[i]))
 
 
@@ -109,7 +109,7 @@ def limits(rng: Random, state: State) -> Update:
     if rng.random() < 0.3:
         changed = Limits(robot.lower, robot.upper, robot.speed)
     else:
-        inward, outward = rng.uniform(-0.3, 0.8, (2, len(state.q)))
+        inward, outward = rng.uniform(-0.3, 0.8, (2, len(state.arm.q)))
         changed = Limits(
             frozen(robot.lower + inward), frozen(robot.upper - outward), frozen(robot.speed * rng.uniform(0.1, 2))
         )
@@ -164,16 +164,16 @@ def beside(robot: Robot, q: Array) -> float:
 def watch(worst: Worst, old: State, new: State, dt: float) -> None:
     """Every promise of one tick."""
     worst.ticks += 1
-    arrays = (new.q, new.speeds, new.poses, new.problem.planes.normals, new.problem.planes.centres)
+    arrays = (new.arm.q, new.arm.speeds, new.arm.poses, new.problem.planes.normals, new.problem.planes.centres)
     assert all(np.isfinite(array).all() and not array.flags.writeable for array in arrays)
-    np.testing.assert_allclose(new.q - old.q, new.speeds * dt, rtol=0, atol=1e-12)
-    worst.too_fast = max(worst.too_fast, float((np.abs(new.speeds) - new.problem.limits.speed).max()))
-    if old.parked or new.parked:
-        worst.beside = max(worst.beside, beside(new.robot, new.q))
+    np.testing.assert_allclose(new.arm.q - old.arm.q, new.arm.speeds * dt, rtol=0, atol=1e-12)
+    worst.too_fast = max(worst.too_fast, float((np.abs(new.arm.speeds) - new.problem.limits.speed).max()))
+    if old.arm.parked or new.arm.parked:
+        worst.beside = max(worst.beside, beside(new.robot, new.arm.q))
         assert worst.beside <= ON_THE_WAY
     else:
-        worst.beyond = max(worst.beyond, float((beyond(new, new.q) - beyond(new, old.q)).max()))
-    if not new.parked:
+        worst.beyond = max(worst.beyond, float((beyond(new, new.arm.q) - beyond(new, old.arm.q)).max()))
+    if not new.arm.parked:
         worst.clearance = min(
             worst.clearance, float(plane_distances(new).min(initial=np.inf)) - new.problem.zones.critical
         )

@@ -76,8 +76,8 @@ class Lab:
                 self.post(through(self.state))
             case PlayFastest():
                 self.post(along_fastest(self.state))
-            case CountMap():
-                workspace.counted(replace(plan_of(self.state.robot, self.state.workspace.kind), samples=1), 0)
+            case CountMap(kind):
+                workspace.counted(replace(plan_of(self.state.robot, kind), samples=1), 0)
             case Tour():
                 self.tour()
             case _:

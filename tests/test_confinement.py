@@ -75,7 +75,7 @@ def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
     asked = float(((state.guarded_points - centre) @ normal).min())
     np.testing.assert_allclose(moved.problem.planes.normals[index], normal, rtol=0, atol=1e-12)
     assert plane_distances(moved)[:, index].min() == pytest.approx(max(0.080, asked), abs=1e-9)
-    assert moved.grasp is None
+    assert moved.request.grasp is None
     # along its normal only: what was asked sideways is kept
     sideways = moved.problem.planes.centres[index] - centre
     np.testing.assert_allclose(sideways - (sideways @ normal) * normal, 0, atol=1e-12)
@@ -87,9 +87,11 @@ def test_the_arm_does_not_move_because_of_a_plane(robot: Robot, seed: int) -> No
     rng = np.random.default_rng(seed)
     state = initial(robot)
     state = at(state, clear_posture(rng, state, 0.08))
-    resting = replace(state, command=rng.choice([state.command, ToJoints(state.q)]))
+    resting = replace(
+        state, request=replace(state.request, command=rng.choice([state.request.command, ToJoints(state.arm.q)]))
+    )
     moved = dragged(resting, int(rng.integers(3)), rng.uniform(-0.8, 0.8, 3), quaternion(rng))
-    np.testing.assert_array_equal(after(moved, 0.3).q, state.q)
+    np.testing.assert_array_equal(after(moved, 0.3).arm.q, state.arm.q)
 
 
 def test_restored_planes_are_those_of_the_file(state: State) -> None:

@@ -95,7 +95,7 @@ def test_a_drag_is_held_by_one_seat(state: State) -> None:
     held = gate.drag_target("one", "start", HERE, UP)(state)
     assert gate.drag_target("two", "update", [0.3, 0, 0.3], UP)(held) is held
     assert gate.drag_plane("one", "update", 0, [0.5, 0, 0.7], UP)(held) is held
-    assert gate.drag_target("one", "end", HERE, UP)(held).grasp is None
+    assert gate.drag_target("one", "end", HERE, UP)(held).request.grasp is None
 
 
 def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
@@ -104,8 +104,8 @@ def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
     assert wants_search(released)
     settled = search(released)(released)
-    assert isinstance(settled.command, ToPose)
-    np.testing.assert_allclose(settled.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
+    assert isinstance(settled.request.command, ToPose)
+    np.testing.assert_allclose(settled.request.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
     assert not wants_search(settled)
 
 
@@ -136,9 +136,9 @@ def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
     later = stopped
     for _ in range(200):
         later = lived(later, 0.01)
-        assert later.q is stopped.q
-        assert not later.speeds.any()
-    assert later.command == Hold(stopped=True)
+        assert later.arm.q is stopped.arm.q
+        assert not later.arm.speeds.any()
+    assert later.request.command == Hold(stopped=True)
 
 
 @pytest.mark.parametrize("phase", ["update", "end"])
@@ -155,7 +155,7 @@ def test_what_is_left_of_a_drag_does_nothing_after_a_stop(state: State, phase: g
 def test_a_new_press_works_at_once_after_a_stop(state: State, wish: str) -> None:
     stopped = gate.stop()(after(gate.go_to("zero")(state), 0.3))
     again = after(WISHES[wish](stopped), 0.1)
-    assert again.q is not stopped.q
+    assert again.arm.q is not stopped.arm.q
 
 
 def parked(state: State) -> State:
@@ -166,22 +166,22 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
     robot = state.robot
     state = after(gate.set_target([0.5, 0.15, 0.25], UP)(state), 3)
     state = gate.park()(state)
-    assert isinstance(state.command, Park)
+    assert isinstance(state.request.command, Park)
     clear_before = []
-    while not state.parked:
+    while not state.arm.parked:
         clear_before.append(plane_distances(state).min())
         state = lived(state, 0.01)
     assert min(clear_before) >= 0.080 - 1e-9
-    assert np.abs(state.q - robot.poses["ready"]).max() < 0.02
+    assert np.abs(state.arm.q - robot.poses["ready"]).max() < 0.02
     nearest = []
-    while isinstance(state.command, Park):
+    while isinstance(state.request.command, Park):
         state = lived(state, 0.01)
         nearest.append(plane_distances(state).min())
-        assert beside(robot, state.q) < 1e-3
-        assert (np.abs(state.speeds) <= robot.speed + 1e-9).all()
-    np.testing.assert_array_equal(state.q, robot.poses["home"])
-    assert state.command == Hold()
-    assert state.parked
+        assert beside(robot, state.arm.q) < 1e-3
+        assert (np.abs(state.arm.speeds) <= robot.speed + 1e-9).all()
+    np.testing.assert_array_equal(state.arm.q, robot.poses["home"])
+    assert state.request.command == Hold()
+    assert state.arm.parked
     # the digest of Cerbaro 2022, section 8: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
     assert nearest[-1] == pytest.approx(0.02109, abs=3e-5)
     assert min(nearest) < nearest[-1]
@@ -190,7 +190,7 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
     """The ceiling touches the arm a thousandth of a radian beside `ready`, which may lie on its wrong side."""
-    beside_ready = at(state, state.q + side * np.array([0, 0.9e-3, 0.9e-3, 0, 0]))
+    beside_ready = at(state, state.arm.q + side * np.array([0, 0.9e-3, 0.9e-3, 0, 0]))
     ceiling = state.problem.planes
     wxyz = turning_z_to(ceiling.normals[0])
     down = gate.drag_plane("seat", "start", 0, ceiling.centres[0] + 0.5 * ceiling.normals[0], wxyz)(beside_ready)
@@ -198,16 +198,16 @@ def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
     state = gate.get_ready()(after(gate.park()(down), 0.3))
     for _ in range(200):
         state = lived(state, 0.01)
-        assert state.parked or plane_distances(state).min() >= 0.080 - 1e-9
-    assert not state.parked
+        assert state.arm.parked or plane_distances(state).min() >= 0.080 - 1e-9
+    assert not state.arm.parked
 
 
 def test_ready_from_home_ends_exactly_at_ready_with_the_planes_on(state: State) -> None:
     state = gate.get_ready()(parked(state))
-    assert isinstance(state.command, GetReady)
+    assert isinstance(state.request.command, GetReady)
     state = after(state, 20)
-    np.testing.assert_array_equal(state.q, state.robot.poses["ready"])
-    assert not state.parked
+    np.testing.assert_array_equal(state.arm.q, state.robot.poses["ready"])
+    assert not state.arm.parked
     assert plane_distances(state).min() >= 0.080
 
 
@@ -229,23 +229,23 @@ def test_a_parked_arm_refuses_to_be_driven(state: State, wish: str) -> None:
     state = parked(state)
     refused = unchanged(DRIVING[wish], state)
     assert refused.notice == gate.PARKED
-    assert after(refused, 0.5).q is state.q
+    assert after(refused, 0.5).arm.q is state.arm.q
 
 
 def test_a_stop_on_the_way_home_holds_there_and_ready_leads_back(state: State) -> None:
     state = gate.park()(state)
     state = gate.stop()(after(state, 0.5))
-    assert state.parked
-    assert after(state, 1).q is state.q
+    assert state.arm.parked
+    assert after(state, 1).arm.q is state.arm.q
     back = after(gate.get_ready()(state), 10)
-    np.testing.assert_array_equal(back.q, back.robot.poses["ready"])
+    np.testing.assert_array_equal(back.arm.q, back.robot.poses["ready"])
     home = after(gate.park()(state), 10)
-    np.testing.assert_array_equal(home.q, home.robot.poses["home"])
+    np.testing.assert_array_equal(home.arm.q, home.robot.poses["home"])
 
 
 def test_an_arm_without_planes_does_not_park() -> None:
     start = initial(load("orca"))
     refused = gate.park()(start)
     assert refused.notice == gate.NO_PARKING
-    assert refused.command is start.command
-    assert not isinstance(gate.go_to("home")(start).command, Park)
+    assert refused.request.command is start.request.command
+    assert not isinstance(gate.go_to("home")(start).request.command, Park)

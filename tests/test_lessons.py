@@ -36,9 +36,9 @@ def settled(state: State) -> State:
     """The state when a setup has been played out: the arm rests, and no wish is left."""
     for _ in range(30):
         state = played(state, 1.0)
-        if state.command == Hold() and not state.moving:
+        if state.request.command == Hold() and not state.arm.moving:
             return state
-    raise AssertionError(f"the setup never came to rest: {state.command}")
+    raise AssertionError(f"the setup never came to rest: {state.request.command}")
 
 
 def solved(state: State, step: Step) -> State:
@@ -83,17 +83,17 @@ def test_a_step_starts_from_anywhere(name: str, step_id: str, seat: Seat) -> Non
     crowded = played(gate.set_target([0.6, 0.0, 0.7], [1.0, 0, 0, 0])(initial(robot())), 2.0)
     for state in (initial(robot()), parked, crowded, gate.stop()(crowded), under_a_raised_ceiling()):
         begun = settled(step.setup(state))
-        assert not begun.parked
-        assert begun.with_orientation
+        assert not begun.arm.parked
+        assert begun.request.with_orientation
         assert begun.notice is None
-        assert np.allclose(begun.q, robot().poses["ready"], atol=2e-3)
+        assert np.allclose(begun.arm.q, robot().poses["ready"], atol=2e-3)
         assert not step.goal(begun, seat)
 
 
 @cache
 def settled_at_home() -> State:
     state = settled(gate.park()(initial(robot())))
-    assert state.parked
+    assert state.arm.parked
     return state
 
 
@@ -113,8 +113,8 @@ def under_a_raised_ceiling() -> State:
 def test_a_setup_only_wishes(name: str, step_id: str) -> None:
     before = initial(robot())
     after = step_of(name, step_id).setup(before)
-    assert after.q is before.q
-    assert after.poses is before.poses
+    assert after.arm.q is before.arm.q
+    assert after.arm.poses is before.arm.poses
 
 
 @pytest.mark.parametrize(("name", "step_id"), STEPS)

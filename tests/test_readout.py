@@ -22,14 +22,14 @@ UP = [1.0, 0.0, 0.0, 0.0]
 
 def foreseen(state: State) -> State:
     """The state with the goal of its command, as the loop keeps it."""
-    match state.command:
+    match state.request.command:
         case ToPose(T):
-            goal = goal_at_pose(state.problem, state.q, T, state.with_orientation)
+            goal = goal_at_pose(state.problem, state.arm.q, T, state.request.with_orientation)
         case ToJoints(q):
-            goal = goal_at_joints(state.problem, state.q, q)
+            goal = goal_at_joints(state.problem, state.arm.q, q)
         case _:
             goal = None
-    return replace(state, goal=goal)
+    return replace(state, request=replace(state.request, goal=goal))
 
 
 # Digest of Cerbaro 2022, section 8, "Plane distances": shoulder, elbow, wrist, tool in mm, for each wall.
@@ -102,7 +102,7 @@ def test_the_tool_point_is_the_moved_reference_point(anywhere: State) -> None:
 
 def test_the_line_of_a_joint_is_its_axis_moved_by_the_joints_before_it(anywhere: State) -> None:
     readings, motor = by_key(anywhere), CL031.blade("1")
-    for i, (joint, angle) in enumerate(zip(anywhere.robot.joints, anywhere.q, strict=True)):
+    for i, (joint, angle) in enumerate(zip(anywhere.robot.joints, anywhere.arm.q, strict=True)):
         moved = rigid.move(motor, rigid.line(joint.direction, joint.point))
         np.testing.assert_allclose(readings[f"joint {i}"].values, moved, atol=1e-12)
         motor = CL031.product(motor, rigid.screw_motor(joint.direction, joint.point, angle))

@@ -15,7 +15,7 @@ from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import Along, State, initial
+from helicoide.state import Along, State, commanded, initial
 from helicoide.trajectory.straight import Line
 
 RIDES = 6
@@ -42,22 +42,22 @@ def test_the_arm_gets_where_the_way_is_clear(robot: Robot, with_orientation: boo
 
 def test_the_poses_are_those_of_the_joints(state: State) -> None:
     state = after(gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state), 0.5)
-    poses = link_poses(state.robot.chain, state.q)
-    np.testing.assert_allclose(state.poses, poses, rtol=0, atol=1e-12)
+    poses = link_poses(state.robot.chain, state.arm.q)
+    np.testing.assert_allclose(state.arm.poses, poses, rtol=0, atol=1e-12)
 
 
 def test_time_and_only_time_goes_on_at_rest(state: State) -> None:
     later = after(state, 1.0)
     assert later.t == pytest.approx(1.0)
-    assert later.q is state.q
-    assert later.poses is state.poses
+    assert later.arm.q is state.arm.q
+    assert later.arm.poses is state.arm.poses
 
 
 def test_the_old_state_is_left_as_it_was(state: State) -> None:
     asked = gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state)
-    before = asked.q.copy()
-    assert lived(asked, 0.01).q is not asked.q
-    np.testing.assert_array_equal(asked.q, before)
+    before = asked.arm.q.copy()
+    assert lived(asked, 0.01).arm.q is not asked.arm.q
+    np.testing.assert_array_equal(asked.arm.q, before)
 
 
 @pytest.mark.parametrize("dt", [0.001, 0.01, 0.05])
@@ -68,47 +68,51 @@ def test_joints_are_brought_to_their_values(robot: Robot, dt: float) -> None:
         wished = clear_posture(rng, state, 0.11)
         state = at(state, clear_posture(rng, state, 0.11))
         reached = gate.go_to("zero")(state)
-        reached = after(replace(reached, command=reached.command.__class__(wished)), 8, dt)
-        assert np.abs(reached.q - wished).max() < 1e-3 or plane_distances(reached).min() < 0.081
+        reached = after(
+            replace(reached, request=replace(reached.request, command=reached.request.command.__class__(wished))), 8, dt
+        )
+        assert np.abs(reached.arm.q - wished).max() < 1e-3 or plane_distances(reached).min() < 0.081
 
 
 def test_a_joint_outside_its_limits_comes_back_in_and_never_goes_further(robot: Robot, state: State) -> None:
     narrow = Limits(frozen(robot.lower * 0.2), frozen(robot.upper * 0.2), robot.speed)
     state = replace(state, problem=replace(state.problem, limits=narrow))
-    assert beyond(state, state.q).max() > 0.1
+    assert beyond(state, state.arm.q).max() > 0.1
     state = gate.set_target(state.T_world_tool[:3, 3] - [0.2, 0, 0], [1, 0, 0, 0])(state)
-    outside = beyond(state, state.q)
+    outside = beyond(state, state.arm.q)
     for _ in range(500):
         state = lived(state, 0.01)
-        assert (beyond(state, state.q) <= outside + 1e-12).all()
-        outside = beyond(state, state.q)
+        assert (beyond(state, state.arm.q) <= outside + 1e-12).all()
+        outside = beyond(state, state.arm.q)
 
 
 def test_a_target_out_of_reach_brings_the_arm_to_rest(state: State) -> None:
     """The stretched arm is singular and the rest of the way is long: it must not tremble there."""
     state = after(gate.set_target([0.9, 0.0, 0.4], [1, 0, 0, 0])(state), 8)
-    assert not state.moving
+    assert not state.arm.moving
     np.testing.assert_allclose(state.T_world_tool[:3, 3], [0.82, 0, 0.4], atol=2e-3)
 
 
 def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
     """Ellipse of eq. 33: once it has arrived the tool keeps to it where no plane is in the way."""
     state = after(gate.hold_orientation(False)(gate.play()(state)), 1.2)
-    assert state.command.arrived
+    assert state.request.command.arrived
     apart = []
     for _ in range(150):
         state = lived(state, 0.01)
-        apart.append(np.linalg.norm(state.T_world_tool[:3, 3] - state.command.path.point(state.command.s)))
+        apart.append(
+            np.linalg.norm(state.T_world_tool[:3, 3] - state.request.command.path.point(state.request.command.s))
+        )
     assert max(apart) < 2e-4
-    assert state.path_s == state.command.s
+    assert state.request.path_s == state.request.command.s
 
 
 def test_a_paused_path_stays_and_plays_on(state: State) -> None:
     state = after(gate.play()(state), 4)
     paused = after(gate.pause()(state), 2)
-    assert paused.path_s == pytest.approx(state.path_s, abs=0.011)
-    assert not paused.moving
-    assert after(gate.play()(paused), 1).path_s > paused.path_s + 0.4
+    assert paused.request.path_s == pytest.approx(state.request.path_s, abs=0.011)
+    assert not paused.arm.moving
+    assert after(gate.play()(paused), 1).request.path_s > paused.request.path_s + 0.4
 
 
 @pytest.mark.parametrize("method", ["guarded", "pseudoinverse"])
@@ -118,8 +122,8 @@ def test_a_path_that_begins_out_of_reach_is_followed_all_the_same(state: State, 
     far[:3, 3] += [0.5, 0.0, 0.3]
     path = Line(far, state.T_world_tool, 2.0)
     state = gate.choose_method(method)(gate.hold_orientation(False)(state))
-    ended = after(replace(state, command=Along(path, 0.0, playing=True)), 15.0)
-    assert (ended.path_s, ended.command.playing) == (2.0, False)
+    ended = after(replace(state, request=replace(state.request, command=Along(path, 0.0, playing=True))), 15.0)
+    assert (ended.request.path_s, ended.request.command.playing) == (2.0, False)
     np.testing.assert_allclose(ended.T_world_tool[:3, 3], state.T_world_tool[:3, 3], atol=2e-3)
 
 
@@ -128,17 +132,17 @@ def test_an_open_path_is_followed_to_its_end(state: State) -> None:
     end = state.T_world_tool.copy()
     end[:3, 3] += [-0.05, 0.08, 0.04]
     path = Line(state.T_world_tool, end, 2.0)
-    state = replace(gate.hold_orientation(False)(state), command=Along(path, 0.0, playing=True))
+    state = commanded(gate.hold_orientation(False)(state), Along(path, 0.0, playing=True))
     halfway, ended = after(state, 1.0), after(state, 3.0)
-    assert 0.9 < halfway.path_s < 1.1
-    assert halfway.command.playing
-    assert np.linalg.norm(halfway.T_world_tool[:3, 3] - path.pose(halfway.path_s)[:3, 3]) < 2e-4
-    assert (ended.path_s, ended.command.playing, ended.moving) == (2.0, False, False)
+    assert 0.9 < halfway.request.path_s < 1.1
+    assert halfway.request.command.playing
+    assert np.linalg.norm(halfway.T_world_tool[:3, 3] - path.pose(halfway.request.path_s)[:3, 3]) < 2e-4
+    assert (ended.request.path_s, ended.request.command.playing, ended.arm.moving) == (2.0, False, False)
     np.testing.assert_allclose(ended.T_world_tool[:3, 3], end[:3, 3], atol=1e-4)
 
 
 def test_the_gripper_moves_at_its_own_speed(state: State) -> None:
     state = gate.set_gripper(1.0)(state)
-    assert after(state, 0.25).gripper == pytest.approx(0.5)
-    assert after(state, 1.0).gripper == 1.0
-    assert after(gate.stop()(after(state, 0.25)), 1.0).gripper == pytest.approx(0.5)
+    assert after(state, 0.25).arm.gripper == pytest.approx(0.5)
+    assert after(state, 1.0).arm.gripper == 1.0
+    assert after(gate.stop()(after(state, 0.25)), 1.0).arm.gripper == pytest.approx(0.5)

@@ -17,7 +17,19 @@ from helicoide.ik.rcm.at_work import by_method
 from helicoide.ik.task import EVERY, GAIN, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.state import Along, Beside, GetReady, Held, Hold, Park, Replay, State, ToJoints, ToPose
+from helicoide.state import (
+    Along,
+    Command,
+    Compared,
+    GetReady,
+    Held,
+    Hold,
+    Park,
+    Replay,
+    State,
+    ToJoints,
+    ToPose,
+)
 from helicoide.trajectory.path import placed
 
 ARRIVED_JOINTS = 1e-3
@@ -37,97 +49,108 @@ Task = tuple[Array, Array, Array, Array]
 
 def advance(state: State, dt: float) -> State:
     """The state dt seconds later; joints, planes and speeds stay within what `guarded_tick` promises."""
-    moved = _advanced(_gripper_moved(state, dt), dt)
-    return moved if state.beside is None else replace(moved, beside=_beside(state, moved, dt))
+    moved = _advanced(_with_time(state, dt), dt)
+    return moved if state.compared is None else replace(moved, compared=_compared(state, moved, dt))
 
 
 def _advanced(state: State, dt: float) -> State:
-    if state.parked:
+    if state.arm.parked:
         return _parked(state, dt)
-    match state.command:
+    match state.request.command:
         case Hold():
             return _still(state)
         case ToJoints(q, yielding):
-            return _stepped(state, joint_task(state.q, q, yielding, dt), dt)
+            return _stepped(state, joint_task(state.arm.q, q, yielding, dt), dt)
         case Park() | GetReady():
             return _to_ready(state, dt)
         case ToPose(T):
             return _to_pose(state, T, _STILL, dt)
-        case Along():
-            return _along(state, state.command, dt)
-        case Replay():
-            return _replayed(state, state.command, dt)
+        case Along() as command:
+            return _along(state, command, dt)
+        case Replay() as command:
+            return _replayed(state, command, dt)
 
 
-def _gripper_moved(state: State, dt: float) -> State:
+def _under(state: State, command: Command) -> State:
+    """The same request, a step further."""
+    return replace(state, request=replace(state.request, command=command))
+
+
+def _with_time(state: State, dt: float) -> State:
     """Time goes on; the gripper closes or opens at its own speed unless the arm was stopped."""
-    step = 0.0
-    if not (isinstance(state.command, Hold) and state.command.stopped):
-        step = min(max(state.gripper_target - state.gripper, -GRIPPER_SPEED * dt), GRIPPER_SPEED * dt)
-    return replace(state, t=state.t + dt, rested=state.rested + dt, gripper=state.gripper + step)
+    arm, request = state.arm, state.request
+    if not (isinstance(request.command, Hold) and request.command.stopped) and request.gripper != arm.gripper:
+        step = min(max(request.gripper - arm.gripper, -GRIPPER_SPEED * dt), GRIPPER_SPEED * dt)
+        arm = replace(arm, gripper=arm.gripper + step)
+    return replace(state, arm=arm, request=replace(request, rested=request.rested + dt), t=state.t + dt)
 
 
-def _beside(state: State, moved: State, dt: float) -> Beside:
-    """The arm beside: after the same target by its own method, else back to where the first arm is."""
-    other = state.of_beside
-    assert other is not None
-    if state.parked or moved.parked:
-        return Beside(moved.q, moved.speeds, moved.poses, other.drive)
-    match moved.command:
+def _compared(state: State, moved: State, dt: float) -> Compared:
+    """The second arm: after the same target by its own method, else back to where the first arm is."""
+    second = state.of_compared
+    assert second is not None
+    second = replace(second, arm=replace(second.arm, gripper=moved.arm.gripper))
+    if state.arm.parked or moved.arm.parked:
+        return Compared(moved.arm, second.request.drive)
+    match moved.request.command:
         case ToPose(T):
-            other = _to_pose(other, T, _STILL, dt)
+            second = _to_pose(second, T, _STILL, dt)
         case Along(path, s, playing, arrived):
             ahead = frozen(path.twist(s)[:3]) if playing and arrived else _STILL
-            other = _to_pose(other, frozen(path.pose(s)), ahead, dt)
+            second = _to_pose(second, frozen(path.pose(s)), ahead, dt)
         case Hold():
-            other = _still(other)
+            second = _still(second)
         case _:
-            other = _stepped(other, joint_task(other.q, moved.q, EVERY, dt), dt)
-    return Beside(other.q, other.speeds, other.poses, other.drive, other.held)
+            second = _stepped(second, joint_task(second.arm.q, moved.arm.q, EVERY, dt), dt)
+    return Compared(second.arm, second.request.drive)
 
 
 def _still(state: State) -> State:
-    return state if not state.speeds.any() else replace(state, speeds=frozen(np.zeros(len(state.q))))
+    speeds = state.arm.speeds
+    return replace(state, arm=replace(state.arm, speeds=frozen(np.zeros(len(speeds))))) if speeds.any() else state
 
 
 def _stepped(state: State, task: Task, dt: float, begins: Indices = ONE_LEVEL) -> State:
     """The guarded tick towards a task."""
-    guard = drives.guard(state.problem, state.drive)
-    q, poses, multipliers, _ = guarded_tick(guard, state.q, state.speeds, state.poses, task, begins, dt)
-    state = replace(state, held=Held(multipliers, hypot(*(task[2] * task[1]))))
-    if np.max(np.abs(q - state.q)) < IMPERCEPTIBLE:
-        return _still(state)
-    speeds = (q - state.q) / dt
+    arm = state.arm
+    guard = drives.guard(state.problem, state.request.drive)
+    q, poses, multipliers, _ = guarded_tick(guard, arm.q, arm.speeds, arm.poses, task, begins, dt)
+    held = Held(multipliers, hypot(*(task[2] * task[1])))
+    if np.max(np.abs(q - arm.q)) < IMPERCEPTIBLE:
+        return _still(replace(state, arm=replace(arm, held=held)))
+    speeds = (q - arm.q) / dt
     for array in (q, poses, speeds):
         array.flags.writeable = False
-    return replace(state, q=q, poses=poses, speeds=speeds)
+    return replace(state, arm=replace(arm, q=q, poses=poses, speeds=speeds, held=held))
 
 
 def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
     """Towards a tool pose; a detour through another posture comes first."""
-    if state.detour is not None:
-        blocked = state.rested > RESTS and not state.moving
-        if not blocked and np.max(np.abs(state.detour - state.q)) > ARRIVED_JOINTS:
-            return _stepped(state, joint_task(state.q, state.detour, EVERY, dt), dt)
-        state = replace(state, detour=None)
-    if state.drive.method != GUARDED:
+    arm, request = state.arm, state.request
+    if request.detour is not None:
+        blocked = request.rested > RESTS and not arm.moving
+        if not blocked and np.max(np.abs(request.detour - arm.q)) > ARRIVED_JOINTS:
+            return _stepped(state, joint_task(arm.q, request.detour, EVERY, dt), dt)
+        state = replace(state, request=replace(request, detour=None))
+    if request.drive.method != GUARDED:
         return _by_method(state, T_world_target, ahead, dt)
     robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
-    tool = (robot.T_link_tool, T_world_target, allowed, state.with_orientation, robot.reach)
-    task = pose_task(state.poses, robot.chain, tool, ahead, dt)
-    task, begins = drives.levels(state.problem, state.q, state.poses, task, state.drive, dt)
+    tool = (robot.T_link_tool, T_world_target, allowed, request.with_orientation, robot.reach)
+    task = pose_task(arm.poses, robot.chain, tool, ahead, dt)
+    task, begins = drives.levels(state.problem, arm.q, arm.poses, task, request.drive, dt)
     return _stepped(state, task, dt, begins)
 
 
 def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
     """By a method that knows of no limits: the guard lets through what it may of the rates that it wishes."""
-    problem, drive, posture = state.problem, state.drive, (state.q, state.poses)
+    problem, request, posture = state.problem, state.request, (state.arm.q, state.arm.poses)
+    drive, with_orientation = request.drive, request.with_orientation
     if problem.entry is not None:
-        wished, drive = by_method(problem, *posture, T_world_target, state.with_orientation, ahead, drive, dt)
+        wished, drive = by_method(problem, *posture, T_world_target, with_orientation, ahead, drive, dt)
     else:
-        asked = drives.task_of(problem, *posture, T_world_target, state.with_orientation, ahead, drive.gains, dt)
-        wished, drive = drives.step(problem, asked, state.poses, drive)
-    return _stepped(replace(state, drive=drive), drives.displacement(wished), dt)
+        task = drives.task_of(problem, *posture, T_world_target, with_orientation, ahead, drive.gains, dt)
+        wished, drive = drives.step(problem, task, state.arm.poses, drive)
+    return _stepped(replace(state, request=replace(request, drive=drive)), drives.displacement(wished), dt)
 
 
 def _along(state: State, command: Along, dt: float) -> State:
@@ -144,7 +167,7 @@ def _along(state: State, command: Along, dt: float) -> State:
     command = _approached(state, command, target, dt)
     s = placed(command.path, command.s + dt) if command.arrived else command.s
     playing = command.path.is_closed or s < command.path.duration
-    return replace(state, command=replace(command, s=s, playing=playing), path_s=s)
+    return replace(state, request=replace(state.request, command=replace(command, s=s, playing=playing), path_s=s))
 
 
 def _approached(state: State, command: Along, target: Array, dt: float) -> Along:
@@ -155,7 +178,8 @@ def _approached(state: State, command: Along, target: Array, dt: float) -> Along
     if away < command.nearest - NEARER * state.robot.reach:
         command = replace(command, nearest=away, waited=0.0)
     waited = command.waited + dt
-    in_vain = state.searched and not state.moving if state.drive.method == GUARDED else waited > PATIENCE
+    guarded, searched = state.request.drive.method == GUARDED, state.request.searched
+    in_vain = searched and not state.arm.moving if guarded else waited > PATIENCE
     return replace(command, waited=waited, arrived=away < ARRIVED_PATH or in_vain)
 
 
@@ -165,32 +189,32 @@ def _replayed(state: State, command: Replay, dt: float) -> State:
     Where the guard holds the arm back, the time slows down until the arm is on the path all the same, if it `waits`;
     where that is in vain, or else, the arm goes on beside the path, as near as it may.
     """
-    path = command.path
+    path, q = command.path, state.arm.q
     here = path.q(command.s)
     if not command.arrived:
-        state = _stepped(state, joint_task(state.q, here, EVERY, dt), dt)
-        near = np.max(np.abs(here - state.q)) < ARRIVED_JOINTS
-        arrived = bool(near) or (state.rested > RESTS and not state.moving)
-        return replace(state, command=replace(command, arrived=arrived))
+        state = _stepped(state, joint_task(q, here, EVERY, dt), dt)
+        near = np.max(np.abs(here - state.arm.q)) < ARRIVED_JOINTS
+        arrived = bool(near) or (state.request.rested > RESTS and not state.arm.moving)
+        return _under(state, replace(command, arrived=arrived))
     for share in (*SLOWER, 1.0) if command.waits else (1.0,):
         s = min(command.s + share * dt, path.duration)
         there = path.q(s)
-        stepped = _stepped(state, drives.displacement(there - here + (1 - np.exp(-GAIN * dt)) * (here - state.q)), dt)
-        if np.max(np.abs(stepped.q - there)) < ON_PATH:
+        stepped = _stepped(state, drives.displacement(there - here + (1 - np.exp(-GAIN * dt)) * (here - q)), dt)
+        if np.max(np.abs(stepped.arm.q - there)) < ON_PATH:
             break
     ended = command.s >= path.duration
-    return replace(stepped, command=ToJoints(frozen(path.q(s))) if ended else replace(command, s=s))
+    return _under(stepped, ToJoints(frozen(path.q(s))) if ended else replace(command, s=s))
 
 
 def _to_ready(state: State, dt: float) -> State:
     """Guarded to `ready`; there a Park command turns the planes off, and a GetReady command ends."""
-    ready = state.robot.poses["ready"]
-    if np.max(np.abs(ready - state.q)) < ARRIVED_JOINTS:
-        if isinstance(state.command, GetReady):
-            return _still(replace(state, command=Hold()))
+    ready, arm = state.robot.poses["ready"], state.arm
+    if np.max(np.abs(ready - arm.q)) < ARRIVED_JOINTS:
+        if isinstance(state.request.command, GetReady):
+            return _still(_under(state, Hold()))
         if _is_clear(state, ready):
-            return _parked(replace(state, parked=True), dt)
-    return _stepped(state, joint_task(state.q, ready, EVERY, dt), dt)
+            return _parked(replace(state, arm=replace(arm, parked=True)), dt)
+    return _stepped(state, joint_task(arm.q, ready, EVERY, dt), dt)
 
 
 def _is_clear(state: State, q: Array) -> bool:
@@ -202,14 +226,15 @@ def _is_clear(state: State, q: Array) -> bool:
 
 def _parked(state: State, dt: float) -> State:
     """With the planes off, on the straight joint path between `home` and `ready`."""
-    if not isinstance(state.command, Park | GetReady):
+    arm, command = state.arm, state.request.command
+    if not isinstance(command, Park | GetReady):
         return _still(state)
-    going_home = isinstance(state.command, Park)
+    going_home = isinstance(command, Park)
     end = state.robot.poses["home" if going_home else "ready"]
-    left = end - state.q
+    left = end - arm.q
     needed = float(np.max(np.abs(left) / (state.problem.limits.speed * dt)))
-    if needed <= 1.0:
-        state = replace(state, command=Hold(), parked=going_home)
-    q = frozen(end if needed <= 1.0 else state.q + left / needed)
+    arrives = needed <= 1.0
+    q = frozen(end if arrives else arm.q + left / needed)
     poses = frozen(link_poses(state.robot.chain, q))
-    return replace(state, q=q, poses=poses, speeds=frozen((q - state.q) / dt))
+    arm = replace(arm, q=q, poses=poses, speeds=frozen((q - arm.q) / dt), parked=going_home or not arrives)
+    return replace(_under(state, Hold()) if arrives else state, arm=arm)

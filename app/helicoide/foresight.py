@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from helicoide.advance import advance
 from helicoide.ik.drive import GUARDED
-from helicoide.ik.goal import best_goal, goal_at_joints, goal_at_pose
+from helicoide.ik.goal import Goal, best_goal, goal_at_joints, goal_at_pose
 from helicoide.kinematics.chain import frozen
-from helicoide.state import Along, GetReady, Park, State, ToJoints, ToPose, Update
+from helicoide.state import Along, ArmState, GetReady, Park, State, ToJoints, ToPose, Update
 
 SETTLED = 0.5
 # For how long nothing must have been asked until an arm rests, s: all that is said of waiting is said before.
@@ -16,24 +16,26 @@ RESTED = 2.0
 
 
 def foreseen(state: State) -> State:
-    """The same state with the goal that its command leads to; solved at the scene's rate, not in every tick.
+    """The same state with the goal that its command leads to; solved at the scene's rate, not in every tick."""
+    return replace(state, request=replace(state.request, goal=_goal(state)))
 
-    Where a method of the sources will come to rest is not foreseen.
-    """
-    problem, q = state.problem, state.q if state.detour is None else state.detour
-    if isinstance(state.command, ToPose | Along) and state.drive.method != GUARDED:
-        return replace(state, goal=None)
-    match state.command:
-        case ToPose(T):
-            return replace(state, goal=goal_at_pose(problem, q, T, state.with_orientation))
-        case Along(path, s):
-            return replace(state, goal=goal_at_pose(problem, q, frozen(path.pose(s)), state.with_orientation))
-        case ToJoints(wished, yielding):
-            return replace(state, goal=goal_at_joints(problem, state.q, wished, yielding))
-        case Park() | GetReady() if not state.parked:
-            return replace(state, goal=goal_at_joints(problem, state.q, state.robot.poses["ready"]))
+
+def _goal(state: State) -> Goal | None:
+    """Where the command leads; where a method of the sources will come to rest is not foreseen."""
+    problem, request, q = state.problem, state.request, state.arm.q
+    with_orientation, guarded = request.with_orientation, request.drive.method == GUARDED
+    before = q if request.detour is None else request.detour
+    match request.command:
+        case ToPose(T) if guarded:
+            return goal_at_pose(problem, before, T, with_orientation)
+        case Along(path, s) if guarded:
+            return goal_at_pose(problem, before, frozen(path.pose(s)), with_orientation)
+        case ToJoints(asked, yielding):
+            return goal_at_joints(problem, q, asked, yielding)
+        case Park() | GetReady() if not state.arm.parked:
+            return goal_at_joints(problem, q, state.robot.poses["ready"])
         case _:
-            return replace(state, goal=None)
+            return None
 
 
 def wants_search(state: State) -> bool:
@@ -42,12 +44,12 @@ def wants_search(state: State) -> bool:
 
     The search foresees where the arm will stop, so it need not wait: along a wall the arm may creep for a minute.
     """
-    command = state.command
-    if state.searched or state.parked or state.drive.method != GUARDED:
+    request, command = state.request, state.request.command
+    if request.searched or state.arm.parked or request.drive.method != GUARDED:
         return False
     if isinstance(command, ToPose):
-        return command.settles or state.rested >= SETTLED
-    return isinstance(command, Along) and not (command.playing and command.arrived) and state.rested >= SETTLED
+        return command.settles or request.rested >= SETTLED
+    return isinstance(command, Along) and not (command.playing and command.arrived) and request.rested >= SETTLED
 
 
 def search(state: State) -> Update:
@@ -55,30 +57,31 @@ def search(state: State) -> Update:
 
     It takes as long as some hundred ticks, and so is no part of one; it is worth nothing once something else is asked.
     """
-    command = state.command
+    command = state.request.command
     assert isinstance(command, ToPose | Along)
     T = command.T_world_target if isinstance(command, ToPose) else frozen(command.path.pose(command.s))
-    goal, detour = best_goal(state.problem, state.q, T, state.with_orientation)
+    goal, detour = best_goal(state.problem, state.arm.q, T, state.request.with_orientation)
 
     def found(now: State) -> State:
-        if now.searched or not _asks_the_same(now, state):
+        if now.request.searched or not _asks_the_same(now, state):
             return now
-        now = replace(now, searched=True, rested=0.0, detour=detour)
-        if not isinstance(now.command, ToPose) or not now.command.settles:
-            return now
-        return replace(now, command=ToPose(goal.T_world_tool if detour is None else T))
+        command = now.request.command
+        if isinstance(command, ToPose) and command.settles:
+            command = ToPose(goal.T_world_tool if detour is None else T)
+        return replace(now, request=replace(now.request, command=command, searched=True, rested=0.0, detour=detour))
 
     return found
 
 
 def _asks_the_same(new: State, old: State) -> bool:
     """Whether the same is asked of the arm, and under the same conditions."""
-    if isinstance(new.command, Along) and isinstance(old.command, Along):
-        asked = new.command.path is old.command.path and new.command.s == old.command.s
+    now, then = new.request, old.request
+    if isinstance(now.command, Along) and isinstance(then.command, Along):
+        asked = now.command.path is then.command.path and now.command.s == then.command.s
     else:
-        asked = new.command is old.command
-    same = new.problem is old.problem and new.with_orientation == old.with_orientation
-    return asked and same and new.drive.method == old.drive.method and not new.parked
+        asked = now.command is then.command
+    same = new.problem is old.problem and now.with_orientation == then.with_orientation
+    return asked and same and now.drive.method == then.drive.method and not new.arm.parked
 
 
 def lived(state: State, dt: float) -> State:
@@ -88,19 +91,39 @@ def lived(state: State, dt: float) -> State:
 
 def rests(old: State, new: State) -> bool:
     """Whether a tick has changed nothing but the time, and none will before something else is asked."""
-    still = new.rested > RESTED and not wants_search(new) and new.gripper == old.gripper
-    kept = ("q", "speeds", "command", "problem", "drive", "detour", "parked", "searched", "path_s")
-    beside = (old.beside is None) == (new.beside is None) and (
-        old.beside is None
-        or new.beside is None
-        or (new.beside.q is old.beside.q and new.beside.drive is old.beside.drive)
+    was, now = old.request, new.request
+    kept = (
+        new.problem is old.problem
+        and _stands(old.arm, new.arm)
+        and now.command is was.command
+        and now.drive is was.drive
+        and now.detour is was.detour
+        and (now.searched, now.path_s) == (was.searched, was.path_s)
     )
-    return still and beside and all(getattr(new, name) is getattr(old, name) for name in kept)
+    if old.compared is None or new.compared is None:
+        kept = kept and old.compared is new.compared
+    else:
+        kept = kept and _stands(old.compared.arm, new.compared.arm) and new.compared.drive is old.compared.drive
+    return kept and now.rested > RESTED and not wants_search(new)
+
+
+def _stands(old: ArmState, new: ArmState) -> bool:
+    """Whether an arm has not moved at all."""
+    still = new.q is old.q and new.speeds is old.speeds
+    return still and (new.gripper, new.parked) == (old.gripper, old.parked)
 
 
 def leads_elsewhere(old: State | None, new: State) -> bool:
     """Whether the goal may be another than the one foreseen."""
-    return old is None or any(
-        getattr(old, name) is not getattr(new, name)
-        for name in ("q", "command", "problem", "detour", "with_orientation", "parked", "drive")
+    if old is None:
+        return True
+    was, now = old.request, new.request
+    return not (
+        new.problem is old.problem
+        and new.arm.q is old.arm.q
+        and new.arm.parked == old.arm.parked
+        and now.command is was.command
+        and now.drive is was.drive
+        and now.detour is was.detour
+        and now.with_orientation == was.with_orientation
     )

@@ -24,7 +24,7 @@ from helicoide.text import Language, Text
 from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape
 from helicoide.trajectory.path import JointPath
-from helicoide.trajectory.waypoints import Taught, Waypoint
+from helicoide.trajectory.waypoints import Taught
 
 
 @dataclass(frozen=True)
@@ -124,14 +124,58 @@ class Held:
 
 
 @dataclass(frozen=True, eq=False)
-class Beside:
-    """A second arm of the same kind that follows the same target by another method; fields as in State."""
+class ArmState:
+    """Where an arm is: q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m.
+
+    gripper: 0 closed to 1 open; parked: planes off, between `home` and `ready`; held: what held the last step back.
+    """
 
     q: Array
     speeds: Array
     poses: Array
-    drive: Drive
+    gripper: float = 0.0
+    parked: bool = False
     held: Held | None = None
+
+    @property
+    def moving(self) -> bool:
+        """Whether any joint moves faster than a thousandth of a radian per second."""
+        return bool(np.max(np.abs(self.speeds)) > 1e-3)
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What is asked of the arm, by which method, and what has come of it so far.
+
+    drive: the method that brings the tool to poses; gripper: what its gripper is asked to be, 0 closed to 1 open;
+    course: the path that Play follows, and path_s, where on it the target stands, s; grasp: what somebody holds;
+    rested: s since the wish last changed; searched: whether another posture was looked for, and detour, its joints to
+    pass through; goal: where the command leads.
+    """
+
+    command: Command = Hold()
+    drive: Drive = field(default_factory=Drive)
+    with_orientation: bool = True
+    gripper: float = 0.0
+    course: Course = Course()
+    path_s: float = 0.0
+    grasp: Grasp | None = None
+    rested: float = 0.0
+    searched: bool = False
+    detour: Array | None = None
+    goal: Goal | None = None
+
+    def afresh(self) -> Request:
+        """The same request as if it had just been made: the search for another posture starts anew."""
+        return replace(self, rested=0.0, searched=False, detour=None)
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """A second arm of the same kind that follows the same target by another method."""
+
+    arm: ArmState
+    drive: Drive
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,14 +187,19 @@ class Seen:
     words: Text
 
 
+@dataclass(frozen=True)
+class Counting:
+    """A map of the workspace that is being counted: its kind, and how much of it is, 0 to 1."""
+
+    kind: Kind
+    share: float = 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class Workspace:
-    """What is mapped of where the tool comes: which kind is chosen, the share that is counted, None while nothing is,
-    and the last map that was finished.
-    """
+    """What is mapped of where the tool comes: what is being counted, and the last map that was finished."""
 
-    kind: Kind = "reachable"
-    progress: float | None = None
+    counting: Counting | None = None
     map: Map | None = None
 
 
@@ -158,40 +207,20 @@ class Workspace:
 class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
-    q (n,), rad; speeds (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m; t, s; gripper and its target: 0 closed to
-    1 open; course: the path that Play follows, and path_s, where on it the target stands, s; rested: s since the wish
-    last changed; detour: joints of another posture to pass through, and whether one was searched; parked: planes off,
-    between `home` and `ready`; goal: where the command leads. drive: the method that brings the tool to poses; held:
-    what held it back; beside: a second arm to compare with; seen: the clouds that were read, by the name of the plane
-    that was looked for; waypoints: those that were taught, and leg_shape, the time scaling of the way to each;
-    workspace: its map.
+    problem: the arm, its limits, and the planes, obstacles and entry point around it; t, s; taught: the waypoints;
+    compared: a second arm beside the first; seen: the clouds that were read, by the name of the plane that was looked
+    for; workspace: the maps of where the tool comes; notice: what the last refusal says.
     """
 
     problem: Problem
-    q: Array
-    speeds: Array
-    poses: Array
-    t: float = 0.0
-    gripper: float = 0.0
-    gripper_target: float = 0.0
-    command: Command = Hold()
-    course: Course = Course()
-    path_s: float = 0.0
-    with_orientation: bool = True
-    rested: float = 0.0
-    detour: Array | None = None
-    searched: bool = False
-    parked: bool = False
-    grasp: Grasp | None = None
-    goal: Goal | None = None
-    notice: Text | None = None
-    drive: Drive = field(default_factory=Drive)
-    held: Held | None = None
-    beside: Beside | None = None
+    arm: ArmState
+    request: Request
+    taught: Taught
+    compared: Compared | None = None
     seen: Mapping[str, Seen] = field(default_factory=lambda: MappingProxyType({}))
-    waypoints: tuple[Waypoint, ...] = ()
-    leg_shape: Shape = "trapezoid"
     workspace: Workspace = Workspace()
+    t: float = 0.0
+    notice: Text | None = None
 
     @property
     def robot(self) -> Robot:
@@ -199,46 +228,29 @@ class State:
         return self.problem.robot
 
     @property
-    def taught(self) -> Taught:
-        """The waypoints as a list of this arm's."""
-        return Taught(self.robot, self.waypoints)
-
-    @property
     def T_world_tool(self) -> Array:
         """Pose of the tool, (4, 4), m."""
-        return tool_pose(self.problem, self.poses)
+        return tool_pose(self.problem, self.arm.poses)
 
     @property
     def guarded_points(self) -> Array:
         """The guarded points where they are, (p, 3), m."""
-        return points_on(self.robot, self.poses)
+        return points_on(self.robot, self.arm.poses)
 
     @property
     def axes(self) -> Array:
         """The joint axes where they are, (m, 3), unit, world frame."""
-        return np.asarray((self.poses[1:, :3, :3] @ self.robot.directions[:, :, None])[:, :, 0])
+        return np.asarray((self.arm.poses[1:, :3, :3] @ self.robot.directions[:, :, None])[:, :, 0])
 
     @cached_property
-    def of_beside(self) -> State | None:
+    def of_compared(self) -> State | None:
         """The state in which the second arm stands in for the first."""
-        other = self.beside
-        if other is None:
+        second = self.compared
+        if second is None:
             return None
         return replace(
-            self,
-            q=other.q,
-            speeds=other.speeds,
-            poses=other.poses,
-            drive=other.drive,
-            held=other.held,
-            beside=None,
-            detour=None,
+            self, arm=second.arm, request=replace(self.request, drive=second.drive, detour=None), compared=None
         )
-
-    @property
-    def moving(self) -> bool:
-        """Whether any joint moves faster than a thousandth of a radian per second."""
-        return bool(np.max(np.abs(self.speeds)) > 1e-3)
 
 
 Update = Callable[[State], State]
@@ -253,19 +265,24 @@ def points_on(robot: Robot, poses: Array) -> Array:
 def initial(robot: Robot) -> State:
     """The arm at `ready`, holding, inside the planes of its file."""
     q = robot.poses["ready"]
+    limits = Limits(robot.lower, robot.upper, robot.speed, robot.acceleration)
+    poses = frozen(plain(link_poses)(robot.chain, q))
     return State(
-        problem=Problem(
-            robot, Limits(robot.lower, robot.upper, robot.speed, robot.acceleration), planes_of(robot.panes)
-        ),
-        q=q,
-        speeds=frozen(np.zeros(len(q))),
-        poses=frozen(plain(link_poses)(robot.chain, q)),
+        problem=Problem(robot, limits, planes_of(robot.panes)),
+        arm=ArmState(q, frozen(np.zeros(len(q))), poses),
+        request=Request(),
+        taught=Taught(robot),
     )
 
 
 def commanded(state: State, command: Command) -> State:
-    """The same state under a new command: the search for another posture starts afresh."""
-    return replace(state, command=command, rested=0.0, detour=None, searched=False, notice=None)
+    """The same state under a new command."""
+    return replace(state, request=replace(state.request.afresh(), command=command), notice=None)
+
+
+def grasped(state: State, grasp: Grasp | None) -> State:
+    """The same state with that in somebody's hand, or nothing."""
+    return replace(state, request=replace(state.request, grasp=grasp))
 
 
 @dataclass(frozen=True)
@@ -273,7 +290,8 @@ class Seat:
     """One person: language, where they are in a lesson, what they selected and what they want to see.
 
     done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
-    while they do not pick; cut: where maps of the workspace are cut, −1 to 1 of the arm's reach.
+    while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
+    arm's reach.
     """
 
     token: str
@@ -285,6 +303,7 @@ class Seat:
     selected: str | None = None
     picked: tuple[tuple[float, ...], ...] | None = None
     shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
+    map_kind: Kind = "reachable"
     cut: float = 0.0
 
     def showing(self, name: str, on: bool) -> Seat:

@@ -29,7 +29,7 @@ def start(state: State) -> State:
     """Ask for the arm at `ready`, the measured planes, a held orientation and the path at its beginning."""
     for wish in (gate.restore_planes(), gate.hold_orientation(True), gate.get_ready()):
         state = wish(state)
-    return replace(state, course=Course(), path_s=0.0)
+    return replace(state, request=replace(state.request, course=Course(), path_s=0.0))
 
 
 def target_at(x: float, y: float, z: float, about_z_deg: float = 0.0) -> Update:
@@ -45,13 +45,13 @@ def target_at(x: float, y: float, z: float, about_z_deg: float = 0.0) -> Update:
 
 def elbow_bent(state: State, seat: Seat) -> bool:
     """The elbow rests where it was asked to."""
-    return bool(abs(state.q[ELBOW] - BENT) <= BENT_WITHIN) and not state.moving
+    return bool(abs(state.arm.q[ELBOW] - BENT) <= BENT_WITHIN) and not state.arm.moving
 
 
 def low_on_the_left(state: State, seat: Seat) -> bool:
     """The target brought the tool to the left and down, and the tool rests there."""
     _, y, z = state.T_world_tool[:3, 3]
-    return isinstance(state.command, ToPose) and bool(y >= LEFT and z <= LOW) and not state.moving
+    return isinstance(state.request.command, ToPose) and bool(y >= LEFT and z <= LOW) and not state.arm.moving
 
 
 def out_of_plane(T_world_tool: Array) -> float:
@@ -66,28 +66,28 @@ def out_of_plane(T_world_tool: Array) -> float:
 
 def turn_refused(state: State, seat: Seat) -> bool:
     """The target asks for a turn that five joints do not have; the tool keeps its place and rests."""
-    if not isinstance(state.command, ToPose) or not state.with_orientation or state.moving:
+    if not isinstance(state.request.command, ToPose) or not state.request.with_orientation or state.arm.moving:
         return False
-    wished = state.command.T_world_target
+    wished = state.request.command.T_world_target
     missing = np.linalg.norm(wished[:3, 3] - state.T_world_tool[:3, 3])
     return bool(missing < HELD_WITHIN) and abs(out_of_plane(wished)) >= TURNED
 
 
 def held_by_the_ceiling(state: State, seat: Seat) -> bool:
     """The target is beyond the ceiling, and a guarded point of the arm is as near to it as any may come."""
-    if not isinstance(state.command, ToPose):
+    if not isinstance(state.request.command, ToPose):
         return False
     planes = state.problem.planes
-    beyond = planes.normals[CEILING] @ state.command.T_world_target[:3, 3] < planes.offsets[CEILING]
+    beyond = planes.normals[CEILING] @ state.request.command.T_world_target[:3, 3] < planes.offsets[CEILING]
     nearest = plane_distances(state)[:, CEILING].min()
     return bool(beyond and abs(nearest - state.problem.zones.critical) <= HELD_WITHIN)
 
 
 def stopped_on_the_path(state: State, seat: Seat) -> bool:
     """Stopped after following the path for a while; walls may hold the tool some way off the curve."""
-    on_path = gate.path_of(state.robot, state.course).pose(state.path_s)
+    on_path = gate.path_of(state.robot, state.request.course).pose(state.request.path_s)
     away = np.linalg.norm(on_path[:3, 3] - state.T_world_tool[:3, 3])
-    return state.command == Hold(stopped=True) and state.path_s >= FOLLOWED and bool(away < NEAR_PATH)
+    return state.request.command == Hold(stopped=True) and state.request.path_s >= FOLLOWED and bool(away < NEAR_PATH)
 
 
 STEPS = (

@@ -11,7 +11,7 @@ from unittest.mock import patch
 import numpy as np
 from tests.benchmarks.report import p50, spread, verdict
 
-from helicoide import kernels
+from helicoide import gate, kernels
 from helicoide.advance import advance
 from helicoide.foresight import foreseen
 from helicoide.ik.guard import guarded
@@ -82,7 +82,7 @@ CORRECTING = Situation("ticks of 30 ms", _anywhere, dt=0.03, with_orientation=Fa
 
 def _states(situation: Situation) -> Iterator[State]:
     """The arm before each of its ticks."""
-    state = replace(initial(load("movemaster")), with_orientation=situation.with_orientation)
+    state = gate.hold_orientation(situation.with_orientation)(initial(load("movemaster")))
     for tick in range(TICKS):
         command = situation.wish(state, tick)
         state = state if command is None else commanded(state, command)
@@ -154,7 +154,7 @@ def _measure(situation: Situation) -> tuple[float, float]:
 def _foreseen() -> None:
     """The goal that is foreseen at the scene's rate: up to 250 guarded steps, until the arm rests."""
     for situation in SITUATIONS[1:]:
-        states = [replace(state, goal=None) for state in _states(situation)][::5]
+        states = [replace(state, request=replace(state.request, goal=None)) for state in _states(situation)][::5]
         took, solves = [], []
         for state in states:
             took.append(_timed(foreseen, state))

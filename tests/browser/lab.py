@@ -91,10 +91,10 @@ class Lab:
         tick = self.cell.tick
 
         def watched() -> None:
-            before, limit = self.state.q, self.state.problem.limits.speed * TICK
+            before, limit = self.state.arm.q, self.state.problem.limits.speed * TICK
             tick()
-            self.fastest = max(self.fastest, float(np.max(np.abs(self.state.q - before) / limit)))
-            if not self.state.parked:
+            self.fastest = max(self.fastest, float(np.max(np.abs(self.state.arm.q - before) / limit)))
+            if not self.state.arm.parked:
                 self.nearest = min(self.nearest, clearance(self.state))
 
         self.cell.tick = watched  # type: ignore[method-assign]
@@ -103,7 +103,7 @@ class Lab:
         """The arm at `ready` inside the measured planes."""
         fresh = initial(self.state.robot)
         self.post(lambda state: replace(fresh, t=state.t))
-        until(page, lambda: bool((self.state.q == fresh.q).all()))
+        until(page, lambda: bool((self.state.arm.q == fresh.arm.q).all()))
         page.wait_for_timeout(1000)  # controls that were touched are left alone for a moment, then follow
         self.nearest, self.fastest = np.inf, 0.0
 
@@ -148,7 +148,7 @@ def grab(lab: Lab, page: Page, start: Array, end: Array, steps: int = 15) -> Non
         page.mouse.down()
         page.mouse.move(*pixels(page, start + 0.02 * (end - start)))
         for _ in range(50):
-            if lab.state.grasp is not None:
+            if lab.state.request.grasp is not None:
                 page.mouse.move(*pixels(page, end), steps=steps)
                 return
             page.wait_for_timeout(20)

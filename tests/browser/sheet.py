@@ -49,7 +49,7 @@ def close_up(lab: Lab) -> tuple[Array, Array]:
 
 def placed(state: State, shape: Shape) -> Array:
     """The ends of the edges of a shape where it stands, (e, 3), m."""
-    T = state.poses[shape.link] @ shape.T_link_shape
+    T = state.arm.poses[shape.link] @ shape.T_link_shape
     return np.asarray(shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3])
 
 

@@ -90,7 +90,7 @@ def test_the_arm_is_in_the_picture_and_every_part_of_it_is_somewhere_else(lab: L
     layer = arm_layer(lab)
     assert set(layer.placed.links) == set(range(len(arm.robot.joints) + 1)), "a mesh for the base and each moving link"
     for shape in lab.shapes:
-        wished = arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
+        wished = arm.arm.poses[shape.link] @ np.append(shape.T_link_shape[:3, 3], 1)
         np.testing.assert_allclose(position(page, f"/arm/{shape.name}"), wished[:3], atol=1e-6)
 
 
@@ -98,10 +98,10 @@ def test_a_number_moves_its_joint(lab: Lab, page: Page, arm: State) -> None:
     joint = arm.robot.variables[0]
     scale = 1000.0 if joint.slides else 180 / np.pi
     step = 40.0 if joint.slides else 6.0
-    value = round(scale * arm.q[0] + (step if scale * joint.upper - scale * arm.q[0] > step else -step), 1)
+    value = round(scale * arm.arm.q[0] + (step if scale * joint.upper - scale * arm.arm.q[0] > step else -step), 1)
     box(page, 0, str(value))
-    until(page, lambda: abs(scale * lab.state.q[0] - value) < 0.06)
-    assert (lab.state.q[1:] == arm.q[1:]).all()
+    until(page, lambda: abs(scale * lab.state.arm.q[0] - value) < 0.06)
+    assert (lab.state.arm.q[1:] == arm.arm.q[1:]).all()
 
 
 def way(page: Page, state: State) -> tuple[Array, Array]:
@@ -114,7 +114,9 @@ def way(page: Page, state: State) -> tuple[Array, Array]:
             moved = T.copy()
             moved[:3, 3] += sign * length * T[:3, axis]
             seen = np.linalg.norm(np.subtract(pixels(page, T[:3, 3] + arrow), pixels(page, T[:3, 3])))
-            if goal_at_pose(state.problem, state.q, frozen(moved), False).short < 1e-4 and (not best or seen > best[0]):
+            if goal_at_pose(state.problem, state.arm.q, frozen(moved), False).short < 1e-4 and (
+                not best or seen > best[0]
+            ):
                 best = (float(seen), arrow, sign * length * T[:3, axis])
     assert best is not None
     return best[1], best[2]
@@ -126,7 +128,7 @@ def test_the_gizmo_takes_the_tool_along(lab: Lab, page: Page, arm: State) -> Non
     arrow, along = way(page, lab.state)
     grab(lab, page, start + arrow, start + arrow + along)
     page.mouse.up()
-    until(page, lambda: lab.state.grasp is None)
+    until(page, lambda: lab.state.request.grasp is None)
     lab.ticks(page, 150)
     moved = lab.state.T_world_tool[:3, 3] - start
     assert np.linalg.norm(moved - along) < 0.35 * np.linalg.norm(along), "the pointer is where the handle is"

@@ -43,7 +43,7 @@ def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, p
         k = planes.names.index(pane.name)
         assert between(planes.normals[k], pane.normal) < np.radians(0.5), pane.name
         assert abs(planes.centres[k] @ pane.normal - pane.offset) < 0.002, pane.name
-    until(page, lambda: lab.state.command == Hold())
+    until(page, lambda: lab.state.request.command == Hold())
     lab.nearest = np.inf
     lab.post(gate.set_target([0.6, 0.0, 0.9], [1, 0, 0, 0]))
     until(page, lambda: "plane +z" in status(page))
@@ -123,7 +123,7 @@ def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:
     grab(lab, page, start, end)
     until(page, lambda: between(lab.state.problem.planes.normals[wall], before) > np.radians(10))
     page.mouse.up()
-    until(page, lambda: lab.state.grasp is None)
+    until(page, lambda: lab.state.request.grasp is None)
     turned = lab.state.problem.planes
     assert abs(turned.normals[wall] @ R[:, 0]) < 0.05, "about the ring's axis"
     assert plane_distances(lab.state).min() >= 0.080 - 1e-9
@@ -134,14 +134,14 @@ def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:
 
 def test_a_taught_path_is_gone_through(lab: Lab, page: Page) -> None:
     lab.post(gate.get_ready())
-    until(page, lambda: lab.state.command == Hold())
+    until(page, lambda: lab.state.request.command == Hold())
     page.get_by_role("button", name="Record, by: all joints evenly").click()
-    until(page, lambda: len(lab.state.waypoints) == 1)
+    until(page, lambda: len(lab.state.taught.waypoints) == 1)
     lab.post(gate.set_joint(0, 0.3))
-    until(page, lambda: abs(lab.state.q[0] - 0.3) < 1e-4)
+    until(page, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-4)
     page.get_by_role("button", name="Record, by: straight line").click()
-    until(page, lambda: len(lab.state.waypoints) == 2)
+    until(page, lambda: len(lab.state.taught.waypoints) == 2)
     page.get_by_role("button", name="Go through the points").click()
-    until(page, lambda: isinstance(lab.state.command, Replay))
-    until(page, lambda: isinstance(lab.state.command, ToJoints))
-    until(page, lambda: bool(np.abs(lab.state.q - lab.state.waypoints[-1].q).max() < 1e-4))
+    until(page, lambda: isinstance(lab.state.request.command, Replay))
+    until(page, lambda: isinstance(lab.state.request.command, ToJoints))
+    until(page, lambda: bool(np.abs(lab.state.arm.q - lab.state.taught.waypoints[-1].q).max() < 1e-4))

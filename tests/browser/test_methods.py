@@ -53,12 +53,12 @@ def test_a_method_is_chosen_while_the_hand_holds_the_target(lab: Lab, page: Page
     grab(lab, page, start + ARROW * along, start + (ARROW - 0.06) * along)
     for words, name in (("Method: damped least squares", "damped"), ("Method: filtered inverse", "filtered")):
         by_palette(page, words)
-        until(page, lambda name=name: lab.state.drive.method == name)  # type: ignore[misc]
-        assert lab.state.grasp is not None
+        until(page, lambda name=name: lab.state.request.drive.method == name)  # type: ignore[misc]
+        assert lab.state.request.grasp is not None
         page.mouse.move(*pixels(page, start + (ARROW - 0.12) * along), steps=5)
     page.mouse.up()
-    until(page, lambda: lab.state.grasp is None)
-    until(page, lambda: not lab.state.moving)
+    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: not lab.state.arm.moving)
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - start) > 0.08
     assert lab.fastest <= 1 + 1e-9
     assert lab.nearest >= CRITICAL - 1e-9
@@ -72,13 +72,15 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
     choose(page, "Method", "filtered inverse")
     until(page, lambda: len(reads(page, "inversion error")) == 1)
     choose(page, "integration", "explicit Euler")
-    until(page, lambda: lab.state.drive.options("filtered").step == "euler")
+    until(page, lambda: lab.state.request.drive.options("filtered").step == "euler")
     choose(page, "Method", "damped least squares")
     page.get_by_text("damping λ").first.wait_for()
     damping = page.locator(".mantine-NumberInput-input:visible").first
     damping.fill("2")
     damping.press("Enter")
-    until(page, lambda: abs(lab.state.drive.options("damped").damping * 1000 * lab.state.robot.reach - 100) < 1e-6)
+    until(
+        page, lambda: abs(lab.state.request.drive.options("damped").damping * 1000 * lab.state.robot.reach - 100) < 1e-6
+    )
     page.get_by_text("damping λ: 100 mm/rad").first.wait_for()
 
 
@@ -87,26 +89,26 @@ def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
     choose(page, "Method", "pseudoinverse")
     page.get_by_text("Secondary objective", exact=True).click()
     choose(page, "Objective", objectives.named("limit_distance").TITLE.en)
-    until(page, lambda: lab.state.drive.secondary is not None)
+    until(page, lambda: lab.state.request.drive.secondary is not None)
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3], [1, 0, 0, 0]))
-    q, tool = lab.state.q, lab.state.T_world_tool[:3, 3]
+    q, tool = lab.state.arm.q, lab.state.T_world_tool[:3, 3]
     page.get_by_label("weights grow at limits").click()
     lab.post(gate.weigh_objective(50.0))
-    until(page, lambda: bool(np.abs(lab.state.q - q).max() > 0.05))
+    until(page, lambda: bool(np.abs(lab.state.arm.q - q).max() > 0.05))
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - tool) < 1e-3
-    assert lab.state.drive.secondary is not None
-    assert lab.state.drive.secondary.grows
+    assert lab.state.request.drive.secondary is not None
+    assert lab.state.request.drive.secondary.grows
     page.get_by_text("Secondary objective", exact=True).click()
 
 
 def test_two_methods_follow_the_same_target_side_by_side(lab: Lab, page: Page) -> None:
     choose(page, "Side by side with", "Jacobian transpose")
-    until(page, lambda: lab.state.beside is not None and bool(page.evaluate(OUTLINE_SHOWN)))
+    until(page, lambda: lab.state.compared is not None and bool(page.evaluate(OUTLINE_SHOWN)))
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3] + [0.0, 0.12, 0.0], [1, 0, 0, 0]))
     until(page, lambda: len(reads(page, "to the target")) == 2)
     until(page, lambda: reads(page, "to the target")[0] != reads(page, "to the target")[1])
     choose(page, "Side by side with", "none")
-    until(page, lambda: lab.state.beside is None and not page.evaluate(OUTLINE_SHOWN))
+    until(page, lambda: lab.state.compared is None and not page.evaluate(OUTLINE_SHOWN))
 
 
 def test_what_holds_the_arm_is_named_and_a_method_that_does_not_apply_says_why(lab: Lab, page: Page) -> None:
@@ -124,7 +126,7 @@ def test_the_tab_in_portuguese(lab: Lab, page: Page) -> None:
     page.get_by_role("option", name="Português (Brasil)").click()
     tab(page, "Método")
     choose(page, "Método", "inversa filtrada")
-    until(page, lambda: lab.state.drive.method == "filtered")
+    until(page, lambda: lab.state.request.drive.method == "filtered")
     said = page.locator("body").inner_text()
     for word in ("Ajustes", "Ganhos", "Objetivo secundário", "Lado a lado com", "número de condição", "retido por"):
         assert word in said, word

@@ -27,7 +27,7 @@ def page(shared_page: Page, lab: Lab) -> Page:
 
 
 def degrees(lab: Lab, joint: int) -> float:
-    return float(np.degrees(lab.state.q[joint]))
+    return float(np.degrees(lab.state.arm.q[joint]))
 
 
 def test_a_joint_moves_by_its_slider_with_mouse_and_keyboard(lab: Lab, page: Page) -> None:
@@ -39,7 +39,7 @@ def test_a_joint_moves_by_its_slider_with_mouse_and_keyboard(lab: Lab, page: Pag
     page.mouse.down()
     page.mouse.move(x + 12, y, steps=6)
     page.mouse.up()
-    until(page, lambda: degrees(lab, 0) > 5 and not lab.state.moving)
+    until(page, lambda: degrees(lab, 0) > 5 and not lab.state.arm.moving)
     before = degrees(lab, 0)
     thumb.focus()
     page.keyboard.press("ArrowLeft")
@@ -56,24 +56,24 @@ def test_a_joint_moves_by_its_number_box_and_stays_within_its_limits(lab: Lab, p
 
 def test_park_and_ready(lab: Lab, page: Page) -> None:
     press(page, "Park")
-    until(page, lambda: lab.state.parked and lab.state.command == Hold())
-    assert np.array_equal(lab.state.q, lab.state.robot.poses["home"])
+    until(page, lambda: lab.state.arm.parked and lab.state.request.command == Hold())
+    assert np.array_equal(lab.state.arm.q, lab.state.robot.poses["home"])
     until(page, lambda: "Parked" in status(page))
     press(page, "Ready")
-    until(page, lambda: not lab.state.parked and lab.state.command == Hold())
-    assert np.allclose(lab.state.q, lab.state.robot.poses["ready"], atol=2e-3)
+    until(page, lambda: not lab.state.arm.parked and lab.state.request.command == Hold())
+    assert np.allclose(lab.state.arm.q, lab.state.robot.poses["ready"], atol=2e-3)
 
 
 def test_a_named_pose(lab: Lab, page: Page) -> None:
     page.get_by_label("Go to pose").click()
     title = lab.state.robot.pose_titles["reading_left"].en
     page.get_by_role("option", name=title).click()
-    until(page, lambda: np.allclose(lab.state.q, lab.state.robot.poses["reading_left"], atol=1e-3))
+    until(page, lambda: np.allclose(lab.state.arm.q, lab.state.robot.poses["reading_left"], atol=1e-3))
 
 
 def test_the_gripper_opens(lab: Lab, page: Page) -> None:
     box(page, 5, "100")
-    until(page, lambda: lab.state.gripper == 1.0)
+    until(page, lambda: lab.state.arm.gripper == 1.0)
     left = "() => window.__viserMutable.nodeRefFromName['/arm/finger_left'].position.toArray()"
     right = left.replace("left", "right")
     until(page, lambda: math.dist(page.evaluate(left), page.evaluate(right)) > 0.055)
@@ -84,43 +84,43 @@ def test_the_target_by_numbers_with_and_without_orientation(lab: Lab, page: Page
     until(page, lambda: abs(lab.state.T_world_tool[1, 3] - 0.12) < 1e-3)
     until(page, lambda: "orientation" in status(page))
     page.get_by_label("Hold the orientation").click()
-    until(page, lambda: not lab.state.with_orientation)
+    until(page, lambda: not lab.state.request.with_orientation)
     until(page, lambda: "At the goal" in status(page))
     page.get_by_label("Hold the orientation").click()
-    until(page, lambda: lab.state.with_orientation)
+    until(page, lambda: lab.state.request.with_orientation)
 
 
 def test_the_path_plays_pauses_and_scrubs(lab: Lab, page: Page) -> None:
     press(page, "Play")
-    until(page, lambda: isinstance(lab.state.command, Along) and lab.state.command.s > 0.5)
+    until(page, lambda: isinstance(lab.state.request.command, Along) and lab.state.request.command.s > 0.5)
     press(page, "Pause")
-    until(page, lambda: isinstance(lab.state.command, Along) and not lab.state.command.playing)
-    stood = lab.state.path_s
+    until(page, lambda: isinstance(lab.state.request.command, Along) and not lab.state.request.command.playing)
+    stood = lab.state.request.path_s
     lab.ticks(page, 50)
-    assert lab.state.path_s == stood
+    assert lab.state.request.path_s == stood
     box(page, 12, "50")
-    until(page, lambda: lab.state.path_s == 15.0)
-    assert isinstance(lab.state.command, Along)
-    assert not lab.state.command.playing
+    until(page, lambda: lab.state.request.path_s == 15.0)
+    assert isinstance(lab.state.request.command, Along)
+    assert not lab.state.request.command.playing
 
 
 @pytest.mark.parametrize("way", ["button", "key", "key in a box"])
 def test_stop_stops_the_moving_arm(lab: Lab, page: Page, way: str) -> None:
     press(page, "Play")
-    until(page, lambda: lab.state.moving)
+    until(page, lambda: lab.state.arm.moving)
     if way == "button":
         page.locator("#helicoide-stop").click()
     elif way == "key in a box":
         page.locator("input.mantine-NumberInput-input").first.focus()
     if way != "button":
         page.keyboard.press("Escape")
-    until(page, lambda: lab.state.command == Hold(stopped=True))
-    q = lab.state.q
+    until(page, lambda: lab.state.request.command == Hold(stopped=True))
+    q = lab.state.arm.q
     lab.ticks(page, 50)
-    assert (lab.state.q == q).all()
+    assert (lab.state.arm.q == q).all()
     until(page, lambda: "Stopped" in status(page))
     press(page, "Ready")
-    until(page, lambda: lab.state.command != Hold(stopped=True))
+    until(page, lambda: lab.state.request.command != Hold(stopped=True))
 
 
 def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
@@ -176,11 +176,11 @@ def test_the_lesson_by_the_page_alone_and_after_a_reload(lab: Lab, page: Page) -
     until(page, lambda: "Not there yet" in page.locator(".helicoide-verdict").inner_text())
     tab(page, "Robot")
     box(page, 2, "-100")
-    until(page, lambda: not lab.state.moving and abs(degrees(lab, 2) + 100) < 1)
+    until(page, lambda: not lab.state.arm.moving and abs(degrees(lab, 2) + 100) < 1)
     tab(page, "Lesson")
     until(page, lambda: "Done" in page.locator(".helicoide-verdict").inner_text())
     press(page, "Reset step")
-    until(page, lambda: np.allclose(lab.state.q, lab.state.robot.poses["ready"], atol=2e-3))
+    until(page, lambda: np.allclose(lab.state.arm.q, lab.state.robot.poses["ready"], atol=2e-3))
     press(page, "Next step")
     until(page, lambda: page.locator(".helicoide-lesson h3").inner_text().startswith("2."))
     page.reload()
@@ -207,7 +207,7 @@ def test_the_phone_shows_stop_and_scrolls_nothing_sideways(lab: Lab, browser: Br
             assert page.evaluate(SIDEWAYS) == []
         lab.post(lambda state: state)
         page.locator("#helicoide-stop").tap()
-        until(page, lambda: lab.state.command == Hold(stopped=True))
+        until(page, lambda: lab.state.request.command == Hold(stopped=True))
 
 
 SIDEWAYS = """() => [...document.querySelectorAll('[class^=helicoide], [class*=" helicoide"]')]
@@ -236,5 +236,5 @@ def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_pa
 
 def test_a_wish_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
     box(page, 6, "1200")
-    until(page, lambda: isinstance(lab.state.command, ToPose))
+    until(page, lambda: isinstance(lab.state.request.command, ToPose))
     until(page, lambda: "Out of reach by" in status(page))

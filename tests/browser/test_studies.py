@@ -46,11 +46,11 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
     until(page, lambda: "before" in page.locator(".helicoide-study").inner_text())
     page.get_by_role("button", name="Play it on the arm").click()
     until(page, lambda: lab.state.robot.name == studies.named(NAME).ROBOT)
-    until(page, lambda: isinstance(lab.state.command, Replay) and lab.state.command.s > 0.3)
+    until(page, lambda: isinstance(lab.state.request.command, Replay) and lab.state.request.command.s > 0.3)
     until(page, lambda: "Playing the study" in status(page))
     assert page.locator(".uplot").count() >= 1
     page.keyboard.press("Escape")
-    until(page, lambda: not isinstance(lab.state.command, Replay))
+    until(page, lambda: not isinstance(lab.state.request.command, Replay))
 
 
 def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:

@@ -37,7 +37,7 @@ def test_a_sphere_is_added_dragged_and_taken_away(lab: Lab, page: Page) -> None:
     up = np.array([0.0, 0.0, 1.0])
     grab(lab, page, centre + ARROW * scale * up, centre + (ARROW * scale + 0.1) * up)
     page.mouse.up()
-    until(page, lambda: lab.state.grasp is None)
+    until(page, lambda: lab.state.request.grasp is None)
     moved = lab.state.problem.obstacles.ends[0, 0] - centre
     np.testing.assert_allclose(moved, 0.1 * up, atol=0.03)
     lab.post(gate.hold_orientation(False))
@@ -60,8 +60,8 @@ def test_the_instrument_is_kept_in_its_entry_point_by_a_method_of_the_source(lab
     T = lab.state.T_world_tool
     lab.post(gate.set_target(T[:3, 3] + 0.02 * T[:3, 0], [1, 0, 0, 0]))
     lab.post(gate.hold_orientation(False))
-    until(page, lambda: lab.state.moving)
-    until(page, lambda: not lab.state.moving)
+    until(page, lambda: lab.state.arm.moving)
+    until(page, lambda: not lab.state.arm.moving)
     assert beside(lab.state) < 1e-5
     tab(page, "Method")
     until(page, lambda: "beside the entry point" in page.locator(".helicoide-instruments").inner_text())

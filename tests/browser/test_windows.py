@@ -39,7 +39,7 @@ def hold_the_waist(page: Page, lab: Lab) -> tuple[float, float]:
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 30, y, steps=5)
-    until(page, lambda: isinstance(lab.state.command, ToJoints))
+    until(page, lambda: isinstance(lab.state.request.command, ToJoints))
     return x + 30, y
 
 
@@ -49,17 +49,17 @@ def test_a_slider_that_is_held_is_dead_after_anothers_stop_until_it_is_let_go(
     one, other = pair
     x, y = hold_the_waist(one, lab)
     other.keyboard.press("Escape")
-    until(one, lambda: lab.state.command == Hold(stopped=True))
+    until(one, lambda: lab.state.request.command == Hold(stopped=True))
     until(one, lambda: "Stopped" in status(one))
-    q = lab.state.q
+    q = lab.state.arm.q
     for step in range(20):
         one.mouse.move(x + 3 * step, y)
         one.wait_for_timeout(30)
-    assert lab.state.command == Hold(stopped=True)
+    assert lab.state.request.command == Hold(stopped=True)
     one.mouse.up()
     lab.ticks(one, 50)
-    assert lab.state.command == Hold(stopped=True)
-    assert (lab.state.q == q).all()
+    assert lab.state.request.command == Hold(stopped=True)
+    assert (lab.state.arm.q == q).all()
     shown = "() => document.querySelector('input.mantine-NumberInput-input').value"
     until(one, lambda: abs(float(one.evaluate(shown)) - np.degrees(q[0])) < 0.11)
     hold_the_waist(one, lab)
@@ -87,21 +87,21 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     until(other, lambda: len(lab.windows) == 1)
     shared = lab.state
     box(other, 0, "20")
-    until(other, lambda: abs(np.degrees(mine.state.q[0]) - 20) < 0.1)
-    assert (lab.state.q == shared.q).all()
+    until(other, lambda: abs(np.degrees(mine.state.arm.q[0]) - 20) < 0.1)
+    assert (lab.state.arm.q == shared.arm.q).all()
     box(one, 0, "-15")
-    until(one, lambda: abs(np.degrees(lab.state.q[0]) + 15) < 0.1)
-    assert abs(np.degrees(mine.state.q[0]) - 20) < 0.1
+    until(one, lambda: abs(np.degrees(lab.state.arm.q[0]) + 15) < 0.1)
+    assert abs(np.degrees(mine.state.arm.q[0]) - 20) < 0.1
     waist = "() => window.__viserMutable.nodeRefFromName['/arm/waist'].quaternion.toArray()"
     until(one, lambda: bool(abs(np.array(one.evaluate(waist)) - np.array(other.evaluate(waist))).max() > 0.2))
     press(other, "Iniciar")
-    until(other, lambda: bool(mine.state.path_s > 0.5))
-    assert lab.state.path_s == 0.0
+    until(other, lambda: bool(mine.state.request.path_s > 0.5))
+    assert lab.state.request.path_s == 0.0
     one.keyboard.press("Escape")
-    until(one, lambda: lab.state.command == Hold(stopped=True))
-    assert mine.state.command != Hold(stopped=True)
+    until(one, lambda: lab.state.request.command == Hold(stopped=True))
+    assert mine.state.request.command != Hold(stopped=True)
     other.keyboard.press("Escape")
-    until(other, lambda: mine.state.command == Hold(stopped=True))
+    until(other, lambda: mine.state.request.command == Hold(stopped=True))
     lab.session.loop.call_soon_threadsafe(lab.session.bays[mine].arms.change, "planar2r")
     until(other, lambda: mine.state.robot.name == "planar2r")
     until(other, lambda: "/arm/waist" not in nodes(other) and any(name.startswith("/arm/") for name in nodes(other)))
@@ -148,6 +148,6 @@ def test_behind_a_sub_path_the_page_drives_and_stops(browser: Browser) -> None:
         until(page, lambda: session.ready, 300)
         tab(page, "Robot")
         box(page, 0, "12")
-        until(page, lambda: abs(np.degrees(lab.state.q[0]) - 12) < 0.1)
+        until(page, lambda: abs(np.degrees(lab.state.arm.q[0]) - 12) < 0.1)
         page.locator("#helicoide-stop").click()
-        until(page, lambda: lab.state.command == Hold(stopped=True))
+        until(page, lambda: lab.state.request.command == Hold(stopped=True))

@@ -34,7 +34,7 @@ def of_size(monkeypatch: pytest.MonkeyPatch, samples: int) -> None:
 def page(shared_page: Page, lab: Lab) -> Page:
     lab.reset(shared_page)
     tab(shared_page, "Robot")
-    if not shared_page.get_by_text("Where the tool can come").is_visible():
+    if not shared_page.get_by_role("button", name="Work out the map", exact=True).is_visible():
         shared_page.get_by_text("Workspace", exact=True).click()
     return shared_page
 
@@ -45,7 +45,7 @@ def different(one: np.ndarray, other: np.ndarray) -> int:
 
 def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Page) -> None:
     choose(page, "Map", "Manipulability")
-    until(page, lambda: lab.state.workspace.kind == "manipulability")
+    until(page, lambda: {seat.map_kind for seat in lab.seats} == {"manipulability"})
     page.wait_for_timeout(1000)
     without = canvas(page)
     press(page, "Work out the map")
@@ -79,12 +79,12 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
 def test_the_same_button_ends_the_calculation(lab: Lab, page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, 10**6 * CHUNK)
     press(page, "Work out the map")
-    until(page, lambda: bool(lab.state.workspace.progress))
+    until(page, lambda: lab.state.workspace.counting is not None and lab.state.workspace.counting.share > 0)
     page.wait_for_timeout(500)
     bar = page.locator(".mantine-Progress-root:visible")
     bar.wait_for()
     press(page, "End the calculation")
-    until(page, lambda: lab.state.workspace.progress is None)
+    until(page, lambda: lab.state.workspace.counting is None)
     bar.wait_for(state="detached")
     page.get_by_role("button", name="Work out the map", exact=True).wait_for()
     assert lab.state.workspace.map is None

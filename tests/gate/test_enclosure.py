@@ -22,7 +22,7 @@ CRITICAL = 0.080
 
 def kept(before: State, after_it: State) -> bool:
     """Whether nothing changed but the notice."""
-    return after_it.problem is before.problem and after_it.notice is not None and after_it.q is before.q
+    return after_it.problem is before.problem and after_it.notice is not None and after_it.arm.q is before.arm.q
 
 
 def test_a_plane_by_its_coefficients_confines_at_once(state: State) -> None:
@@ -48,7 +48,7 @@ def test_an_arm_without_planes_may_be_given_some() -> None:
     assert state.problem.planes.names == ("p1",)
     assert state.problem.planes.panes[0].movable
     moved = gate.drag_plane("seat", "start", 0, state.problem.planes.centres[0], [0, 1, 0, 0])(state)
-    assert moved.grasp is not None
+    assert moved.request.grasp is not None
 
 
 def test_a_box_takes_the_place_of_what_may_be_moved_and_leaves_the_bench(state: State) -> None:

@@ -14,8 +14,8 @@ from helicoide.kinematics.cells import Cells
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import KINDS, Map
-from helicoide.state import Seat, State, Update
+from helicoide.kinematics.workspace import KINDS, Kind, Map
+from helicoide.state import Counting, Seat, State, Update
 from helicoide.text import same
 
 SEAT = Seat("", "en", cut=0.25)
@@ -33,20 +33,18 @@ def reports(robot: Robot, found: Map) -> list[Update]:
 
 
 def test_a_map_is_counted_and_shown(state: State, found: Map) -> None:
-    state = gate.choose_map("manipulability")(state)
-    assert state.workspace.kind == "manipulability"
-    state = gate.start_map(state.robot)(state)
-    assert state.workspace.progress == 0.0
+    state = gate.start_map(state.robot, "manipulability")(state)
+    assert state.workspace.counting == Counting("manipulability", 0.0)
     state = gate.tell_map(state.robot, 0.5)(state)
-    assert state.workspace.progress == 0.5
+    assert state.workspace.counting == Counting("manipulability", 0.5)
     state = gate.show_map(state.robot, found)(state)
-    assert (state.workspace.progress, state.workspace.map) == (None, found)
+    assert (state.workspace.counting, state.workspace.map) == (None, found)
     state = gate.clear_map()(state)
-    assert (state.workspace.kind, state.workspace.map) == ("manipulability", None)
+    assert state.workspace.map is None
 
 
 def test_nothing_comes_that_is_not_waited_for(state: State, found: Map) -> None:
-    ended = gate.end_map()(gate.start_map(state.robot)(state))
+    ended = gate.end_map()(gate.start_map(state.robot, "reachable")(state))
     for wish in (
         gate.tell_map(state.robot, 0.5),
         gate.show_map(state.robot, found),
@@ -56,9 +54,9 @@ def test_nothing_comes_that_is_not_waited_for(state: State, found: Map) -> None:
 
 
 def test_another_arm_does_not_get_the_map(state: State, found: Map) -> None:
-    counting, other = gate.start_map(state.robot)(state), load("puma560")
+    counting, other = gate.start_map(state.robot, "reachable")(state), load("puma560")
     for wish in (
-        gate.start_map(other),
+        gate.start_map(other, "reachable"),
         gate.tell_map(other, 0.5),
         gate.show_map(other, found),
         gate.fail_map(other, same("?")),
@@ -66,22 +64,27 @@ def test_another_arm_does_not_get_the_map(state: State, found: Map) -> None:
         assert wish(counting) is counting
 
 
-def test_another_kind_ends_what_is_counted_and_leaves_the_map(state: State, found: Map) -> None:
-    state = gate.show_map(state.robot, found)(gate.start_map(state.robot)(state))
-    state = gate.choose_map("dexterous")(gate.start_map(state.robot)(state))
-    assert (state.workspace.kind, state.workspace.progress, state.workspace.map) == ("dexterous", None, found)
+def test_another_map_takes_the_place_of_the_one_that_is_counted_and_leaves_the_one_that_is_shown(
+    state: State, found: Map
+) -> None:
+    state = gate.show_map(state.robot, found)(gate.start_map(state.robot, "reachable")(state))
+    state = gate.start_map(state.robot, "dexterous")(gate.start_map(state.robot, "reachable")(state))
+    assert (state.workspace.counting, state.workspace.map) == (Counting("dexterous"), found)
 
 
 def test_a_failure_is_said_and_ends_the_counting(state: State) -> None:
-    state = gate.fail_map(state.robot, same("it broke"))(gate.start_map(state.robot)(state))
-    assert (state.workspace.progress, state.notice) == (None, same("it broke"))
+    state = gate.fail_map(state.robot, same("it broke"))(gate.start_map(state.robot, "reachable")(state))
+    assert (state.workspace.counting, state.notice) == (None, same("it broke"))
 
 
-def test_an_unknown_kind_is_refused_with_those_there_are(state: State) -> None:
-    after = gate.choose_map("no such kind")(state)
-    assert after.workspace is state.workspace
-    assert after.notice is not None
-    assert all(kind in after.notice.pt_BR for kind in KINDS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_kind_is_chosen_by_each_person(kind: Kind) -> None:
+    assert gate.choose_map(kind)(SEAT).map_kind == kind
+
+
+@pytest.mark.parametrize("junk", ["no such kind", None, [], {"kind": "dexterous"}])
+def test_an_unknown_kind_leaves_the_one_that_is_chosen(junk: object) -> None:
+    assert gate.choose_map(junk)(SEAT) == SEAT  # type: ignore[arg-type]
 
 
 @given(st.floats(allow_nan=True, allow_infinity=True))

@@ -24,18 +24,22 @@ def moving(state: State) -> State:
 def refused(state: State, wish: Update) -> bool:
     """Whether nothing changed but the notice."""
     after_it = wish(state)
-    kept = after_it.drive is state.drive and after_it.beside is state.beside and after_it.q is state.q
+    kept = (
+        after_it.request.drive is state.request.drive
+        and after_it.compared is state.compared
+        and after_it.arm.q is state.arm.q
+    )
     return kept and after_it.notice is not None and after_it.notice is not state.notice
 
 
 @pytest.mark.parametrize("name", methods.names())
 def test_a_method_takes_over_where_the_arm_is(moving: State, name: str) -> None:
     state = gate.choose_method(name)(moving)
-    assert state.q is moving.q
-    assert state.command is moving.command
+    assert state.arm.q is moving.arm.q
+    assert state.request.command is moving.request.command
     later = after(state, 0.05)
-    assert later.drive.method == name
-    assert (later.q is state.q) == (later.drive.refusal is not None)
+    assert later.request.drive.method == name
+    assert (later.arm.q is state.arm.q) == (later.request.drive.refusal is not None)
 
 
 @pytest.mark.parametrize("value", FORGED)
@@ -67,10 +71,10 @@ def test_what_does_not_exist_is_refused(moving: State, wish: Callable[[], Update
 def test_settings_outlive_a_change_of_method_and_hold_for_both_arms(moving: State) -> None:
     state = gate.compare_with("damped")(gate.choose_method("damped")(moving))
     state = gate.set_option("damped", "damping", 0.5)(state)
-    assert state.beside is not None
-    assert state.drive.options("damped").damping == state.beside.drive.options("damped").damping == 0.5
+    assert state.compared is not None
+    assert state.request.drive.options("damped").damping == state.compared.drive.options("damped").damping == 0.5
     state = gate.choose_method("damped")(gate.choose_method("pseudoinverse")(state))
-    assert state.drive.options("damped").damping == 0.5
+    assert state.request.drive.options("damped").damping == 0.5
 
 
 def test_a_gain_of_one_axis_makes_that_axis_faster(moving: State) -> None:
@@ -93,7 +97,7 @@ def test_an_objective_moves_the_joints_and_leaves_the_tool(state: State) -> None
     T = state.T_world_tool
     state = gate.set_target(T[:3, 3], [1, 0, 0, 0])(state)
     pushed = after(gate.weigh_objective(100.0)(gate.choose_objective("limit_distance")(state)), 2.0)
-    assert np.abs(pushed.q - state.q).max() > 0.05
+    assert np.abs(pushed.arm.q - state.arm.q).max() > 0.05
     assert np.linalg.norm(pushed.T_world_tool[:3, 3] - T[:3, 3]) < 1e-4
 
 
@@ -102,36 +106,36 @@ def test_weights_grow_where_a_joint_is_stopped(state: State) -> None:
     state = gate.hold_orientation(False)(gate.choose_method("pseudoinverse")(state))
     state = gate.grow_weights(True)(gate.weigh_objective(10.0)(gate.choose_objective("limit_distance")(state)))
     state = after(gate.set_target([-0.3, 0.3, 0.3], [1, 0, 0, 0])(state), 3.0)
-    assert state.drive.secondary is not None
-    assert state.drive.secondary.weights is not None
-    assert state.drive.secondary.weights.max() > 10.0 >= state.drive.secondary.weights.min()
+    assert state.request.drive.secondary is not None
+    assert state.request.drive.secondary.weights is not None
+    assert state.request.drive.secondary.weights.max() > 10.0 >= state.request.drive.secondary.weights.min()
 
 
 def test_the_arm_beside_follows_the_same_target_and_comes_back(moving: State) -> None:
     state = gate.compare_with("damped")(gate.hold_orientation(False)(moving))
-    assert state.beside is not None
-    assert state.beside.q is state.q
+    assert state.compared is not None
+    assert state.compared.arm.q is state.arm.q
     state = after(state, 4.0)
-    other = state.of_beside
+    other = state.of_compared
     assert other is not None
     np.testing.assert_allclose(other.T_world_tool[:3, 3], [0.45, 0.15, 0.25], atol=1e-3)
     home = after(gate.get_ready()(state), 6.0)
-    assert home.beside is not None
-    np.testing.assert_allclose(home.beside.q, home.q, atol=1e-2)
-    assert gate.compare_with(None)(home).beside is None
+    assert home.compared is not None
+    np.testing.assert_allclose(home.compared.arm.q, home.arm.q, atol=1e-2)
+    assert gate.compare_with(None)(home).compared is None
 
 
 def test_stop_stops_both_arms(moving: State) -> None:
     state = gate.stop()(after(gate.compare_with("damped")(moving), 0.1))
     stopped = after(state, 0.5)
-    assert stopped.beside is not None
-    assert state.beside is not None
-    assert stopped.q is state.q
-    assert stopped.beside.q is state.beside.q
+    assert stopped.compared is not None
+    assert state.compared is not None
+    assert stopped.arm.q is state.arm.q
+    assert stopped.compared.arm.q is state.compared.arm.q
 
 
 def test_parking_takes_the_arm_beside_along(state: State) -> None:
     parked = after(gate.park()(gate.compare_with("pseudoinverse")(state)), 8.0)
-    assert parked.parked
-    assert parked.beside is not None
-    np.testing.assert_array_equal(parked.beside.q, parked.q)
+    assert parked.arm.parked
+    assert parked.compared is not None
+    np.testing.assert_array_equal(parked.compared.arm.q, parked.arm.q)

@@ -90,10 +90,10 @@ def test_a_dragged_sphere_stops_at_the_arm_and_goes_around_it(beside_it: State) 
     state = drag(beside_it, elbow, ("start", "update"))
     assert 0 <= apart(state) < 2e-3
     assert state.notice is not None
-    assert state.grasp is not None
+    assert state.request.grasp is not None
     away = drag(state, start + (start - elbow), ("update", "end"))
     np.testing.assert_array_equal(obstacles(away).ends[0, 0], start + (start - elbow))
-    assert away.grasp is None
+    assert away.request.grasp is None
     assert away.notice is None
 
 
@@ -125,21 +125,21 @@ def test_a_sphere_grows_as_far_as_the_arm_leaves_room(beside_it: State) -> None:
 def test_the_arm_beside_stops_a_sphere_too(beside_it: State) -> None:
     state = after(gate.set_joint(0, 0.6)(gate.hold_orientation(False)(beside_it)), 0.2)
     both = gate.compare_with("damped")(state)
-    assert both.beside is not None
+    assert both.compared is not None
     state = after(gate.set_target([0.3, -0.3, 0.3], UP)(both), 0.3)
-    other = state.of_beside
+    other = state.of_compared
     assert other is not None
     pushed = drag(state, other.guarded_points[-1])
-    beside = pushed.of_beside
+    beside = pushed.of_compared
     assert beside is not None
     assert apart(beside) >= 0
 
 
 def test_an_arm_does_not_park_past_obstacles(beside_it: State) -> None:
     refused = gate.park()(beside_it)
-    assert refused.command is beside_it.command
+    assert refused.request.command is beside_it.request.command
     assert refused.notice is not None
-    assert after(gate.park()(gate.remove_obstacle(0)(beside_it)), 8.0).parked
+    assert after(gate.park()(gate.remove_obstacle(0)(beside_it)), 8.0).arm.parked
 
 
 @pytest.mark.parametrize("index", [1, -1, 0.5, np.nan, None, "0"])
@@ -153,7 +153,7 @@ def test_a_sphere_that_is_not_there(beside_it: State, index: int) -> None:
     for wish in wishes:
         refused = wish(index)(beside_it)
         assert obstacles(refused) is obstacles(beside_it)
-        assert refused.grasp is None
+        assert refused.request.grasp is None
         assert refused.notice is not None
 
 

@@ -40,12 +40,12 @@ def test_every_arm_follows_the_paths_from_its_ready_posture(name: str, key: str)
     worst = 0.0
     for _ in range(1000):
         state = lived(state, 0.01)
-        assert isinstance(state.command, Along)
-        if state.command.arrived:
-            wished = state.command.path.pose(state.command.s)[:3, 3]
+        assert isinstance(state.request.command, Along)
+        if state.request.command.arrived:
+            wished = state.request.command.path.pose(state.request.command.s)[:3, 3]
             worst = max(worst, float(np.linalg.norm(wished - state.T_world_tool[:3, 3])))
     assert worst < 2e-3 * state.robot.reach
-    assert state.path_s < 0.5 or state.path_s > 9.5
+    assert state.request.path_s < 0.5 or state.request.path_s > 9.5
 
 
 def test_each_arm_begins_with_the_path_of_its_source() -> None:
@@ -59,7 +59,7 @@ def test_each_arm_begins_with_the_path_of_its_source() -> None:
 def test_a_time_scaling_starts_at_rest_and_takes_as_long(state: State) -> None:
     even = gate.path_of(state.robot, Course())
     for shape in ("trapezoid", "minimum jerk"):
-        path = gate.path_of(state.robot, gate.choose_scaling(shape)(state).course)  # type: ignore[arg-type]
+        path = gate.path_of(state.robot, gate.choose_scaling(shape)(state).request.course)  # type: ignore[arg-type]
         assert path.duration == even.duration
         assert np.linalg.norm(path.twist(0.0)) < 1e-9 < np.linalg.norm(even.twist(0.0))
         np.testing.assert_allclose(path.pose(15.0), even.pose(15.0), atol=1e-12)
@@ -68,35 +68,35 @@ def test_a_time_scaling_starts_at_rest_and_takes_as_long(state: State) -> None:
 def test_another_duration_goes_on_from_the_same_place(state: State) -> None:
     playing = after(gate.play()(gate.hold_orientation(False)(state)), 4.0)
     slower = gate.set_duration(60.0)(playing)
-    assert isinstance(slower.command, Along)
-    assert slower.command.arrived
-    assert isinstance(playing.command, Along)
-    here, before = slower.command, playing.command
+    assert isinstance(slower.request.command, Along)
+    assert slower.request.command.arrived
+    assert isinstance(playing.request.command, Along)
+    here, before = slower.request.command, playing.request.command
     np.testing.assert_allclose(here.path.pose(here.s), before.path.pose(before.s), atol=1e-12)
-    assert after(slower, 1.0).path_s == pytest.approx(slower.path_s + 1.0, abs=0.011)
+    assert after(slower, 1.0).request.path_s == pytest.approx(slower.request.path_s + 1.0, abs=0.011)
 
 
 def test_another_path_stops_the_one_that_plays(state: State) -> None:
     playing = after(gate.play()(state), 1.0)
     for wish in (gate.choose_path("eq35"), gate.choose_scaling("trapezoid")):
         changed = wish(playing)
-        assert changed.command == Hold()
-        assert changed.path_s == 0.0
+        assert changed.request.command == Hold()
+        assert changed.request.path_s == 0.0
 
 
 def test_an_open_path_that_has_ended_begins_again() -> None:
     state = gate.choose_path("vargas4")(initial(load("planar3r")))
     state = gate.play()(gate.scrub(1.0)(state))
-    assert isinstance(state.command, Along)
-    assert state.command.s == 0.0
+    assert isinstance(state.request.command, Along)
+    assert state.request.command.s == 0.0
 
 
 def test_the_least_time_keeps_the_limits_and_the_path() -> None:
     state = gate.choose_scaling("minimum jerk")(gate.choose_path("circle")(initial(load("puma560"))))
     played = along_fastest(state)(state)
-    assert isinstance(played.command, Replay)
-    path, robot = played.command.path, state.robot
-    assert path.duration < gate.path_of(robot, state.course).duration
+    assert isinstance(played.request.command, Replay)
+    path, robot = played.request.command.path, state.robot
+    assert path.duration < gate.path_of(robot, state.request.course).duration
     instants = np.linspace(0, path.duration, 4001)
     speeds = np.array([np.abs(path.rates(float(s))) / robot.speed for s in instants])
     assert 0.5 < speeds.max() <= 1.0
@@ -109,27 +109,27 @@ def test_the_least_time_keeps_the_limits_and_the_path() -> None:
 def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(state: State) -> None:
     """Eq. 33 leads out of the enclosure; the most that the tool is beside it is said, in both languages."""
     played = along_fastest(state)(gate.hold_orientation(False)(state))
-    assert isinstance(played.command, Replay)
-    said = float(re.search(r"([\d.]+) mm", played.command.title.en)[1]) / 1000  # type: ignore[index]
-    assert f"{1000 * said:.1f} mm" in played.command.title.pt_BR
+    assert isinstance(played.request.command, Replay)
+    said = float(re.search(r"([\d.]+) mm", played.request.command.title.en)[1]) / 1000  # type: ignore[index]
+    assert f"{1000 * said:.1f} mm" in played.request.command.title.pt_BR
     curve = np.array([gate.presets(state.robot)["eq33"].path.pose(s)[:3, 3] for s in np.linspace(0, 30, 3001)])
     beside = 0.0
     for _ in range(6000):
         played = lived(played, 0.01)
         assert plane_distances(played).min() >= 0.080 - 1e-9
-        if not isinstance(played.command, Replay):
+        if not isinstance(played.request.command, Replay):
             break
-        if played.command.arrived:
+        if played.request.command.arrived:
             away = np.linalg.norm(curve - played.T_world_tool[:3, 3], axis=1).min()
             beside = max(beside, float(away))
-    assert isinstance(played.command, ToJoints)
+    assert isinstance(played.request.command, ToJoints)
     assert 0.02 < beside < said + 0.005
 
 
 def test_a_parked_arm_is_told_to_get_ready_first(state: State) -> None:
-    parked = replace(state, parked=True)
+    parked = replace(state, arm=replace(state.arm, parked=True))
     refused = along_fastest(parked)(parked)
-    assert refused.command is state.command
+    assert refused.request.command is state.request.command
     assert refused.notice == gate.PARKED
 
 
@@ -145,6 +145,6 @@ WRONG: dict[str, Callable[[], Update]] = {
 @pytest.mark.parametrize("wrong", WRONG)
 def test_what_is_wrong_changes_nothing(state: State, wrong: str) -> None:
     refused = WRONG[wrong]()(state)
-    assert refused.course is state.course
-    assert refused.command is state.command
+    assert refused.request.course is state.request.course
+    assert refused.request.command is state.request.command
     assert refused.notice is not None

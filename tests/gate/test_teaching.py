@@ -29,41 +29,45 @@ def taught() -> State:
     start = state.T_world_tool[:3, 3]
     for way, move in (("joints", [0.05, 0.15, 0.05]), ("line", [0.05, -0.1, -0.05])):
         state = gate.record(way)(after(gate.set_target(start + move, UP)(state), 4.0))
-    assert [waypoint.way for waypoint in state.waypoints] == ["joints", "joints", "line"]
+    assert [waypoint.way for waypoint in state.taught.waypoints] == ["joints", "joints", "line"]
     return state
 
 
 def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> None:
     state = through(taught)(taught)
-    assert isinstance(state.command, Replay)
-    path, worst, passed = state.command.path, 0.0, [np.inf] * 3
+    assert isinstance(state.request.command, Replay)
+    path, worst, passed = state.request.command.path, 0.0, [np.inf] * 3
     for _ in range(3000):
-        command = state.command
+        command = state.request.command
         if not isinstance(command, Replay):
             break
         state = lived(state, 0.01)
-        if command.arrived and isinstance(state.command, Replay):
-            wished = tool_at(state.robot, path.q(state.command.s))[:3, 3]
+        if command.arrived and isinstance(state.request.command, Replay):
+            wished = tool_at(state.robot, path.q(state.request.command.s))[:3, 3]
             worst = max(worst, float(np.linalg.norm(state.T_world_tool[:3, 3] - wished)))
-        passed = [min(p, float(abs(state.q - w.q).max())) for p, w in zip(passed, taught.waypoints, strict=True)]
-    assert isinstance(state.command, ToJoints)
+        passed = [
+            min(p, float(abs(state.arm.q - w.q).max())) for p, w in zip(passed, taught.taught.waypoints, strict=True)
+        ]
+    assert isinstance(state.request.command, ToJoints)
     assert worst < 1e-3
     assert max(passed) < 2e-3
     rest = after(state, 1.0)
-    np.testing.assert_allclose(rest.q, taught.waypoints[-1].q, atol=1e-5)
+    np.testing.assert_allclose(rest.arm.q, taught.taught.waypoints[-1].q, atol=1e-5)
 
 
 def test_a_plane_in_the_way_slows_the_replay_and_is_never_crossed(state: State) -> None:
     state = gate.record()(gate.hold_orientation(False)(state))
     state = gate.record()(after(gate.set_target([0.5, 0.15, 0.3], UP)(state), 5.0))
-    state = through(replace(state, q=state.robot.poses["ready"]))(after(gate.get_ready()(state), 6.0))
+    state = through(replace(state, arm=replace(state.arm, q=state.robot.poses["ready"])))(
+        after(gate.get_ready()(state), 6.0)
+    )
     ceiling = state.problem.planes.centres[0] - [0, 0, 0.05]
     state = gate.drag_plane("one", "start", 0, ceiling, _facing(state))(state)
     state = gate.drag_plane("one", "end", 0, ceiling, _facing(state))(state)
     for _ in range(1500):
         state = lived(state, 0.01)
         assert plane_distances(state).min() >= 0.080 - 1e-9
-    assert not isinstance(state.command, Replay), "it ends, beside its path if need be"
+    assert not isinstance(state.request.command, Replay), "it ends, beside its path if need be"
 
 
 def _facing(state: State) -> Array:
@@ -73,30 +77,30 @@ def _facing(state: State) -> Array:
 def test_points_are_named_ordered_and_taken_away(taught: State) -> None:
     state = gate.rename_waypoint("P2", "over the box")(taught)
     state = gate.move_waypoint("P3", 0)(state)
-    assert [w.name for w in state.waypoints] == ["P3", "P1", "over the box"]
+    assert [w.name for w in state.taught.waypoints] == ["P3", "P1", "over the box"]
     state = gate.delete_waypoint("P1")(state)
-    assert [w.name for w in state.waypoints] == ["P3", "over the box"]
+    assert [w.name for w in state.taught.waypoints] == ["P3", "over the box"]
     again = gate.record()(state)
-    assert again.waypoints[-1].name == "P1"
+    assert again.taught.waypoints[-1].name == "P1"
 
 
 def test_points_go_to_a_file_and_come_back(taught: State) -> None:
     content = encoded(taught.taught)
     back = gate.take_waypoints(content)(gate.delete_waypoint("P2")(taught))
-    assert [w.name for w in back.waypoints] == ["P1", "P2", "P3"]
-    for one, other in zip(back.waypoints, taught.waypoints, strict=True):
+    assert [w.name for w in back.taught.waypoints] == ["P1", "P2", "P3"]
+    for one, other in zip(back.taught.waypoints, taught.taught.waypoints, strict=True):
         np.testing.assert_array_equal(one.q, other.q)
 
 
 def test_the_way_the_stay_and_the_posture_of_a_point_can_be_changed(taught: State) -> None:
     state = gate.set_dwell("P2", 1.5)(gate.set_way("P2", "screw")(taught))
     state = gate.teach_again("P1")(gate.go_to("zero")(state))
-    first, second, third = state.waypoints
-    assert (second.way, second.dwell, third) == ("screw", 1.5, taught.waypoints[2])
-    np.testing.assert_array_equal(second.q, taught.waypoints[1].q)
-    np.testing.assert_array_equal(first.q, taught.q)
-    slow = through(gate.choose_leg_shape("minimum jerk")(state))(state).command
-    fast = through(state)(state).command
+    first, second, third = state.taught.waypoints
+    assert (second.way, second.dwell, third) == ("screw", 1.5, taught.taught.waypoints[2])
+    np.testing.assert_array_equal(second.q, taught.taught.waypoints[1].q)
+    np.testing.assert_array_equal(first.q, taught.arm.q)
+    slow = through(gate.choose_leg_shape("minimum jerk")(state))(state).request.command
+    fast = through(state)(state).request.command
     assert isinstance(slow, Replay)
     assert isinstance(fast, Replay)
     assert slow.path.duration > fast.path.duration + 0.1
@@ -120,10 +124,10 @@ def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
     ]
     for wish in wishes:
         refused = wish(taught)
-        assert refused.waypoints is taught.waypoints
+        assert refused.taught.waypoints is taught.taught.waypoints
         assert refused.notice is not None
     nothing = through(state)(state)
-    assert nothing.command is state.command
+    assert nothing.request.command is state.request.command
     assert nothing.notice is not None
 
 
@@ -141,15 +145,15 @@ def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
 )
 def test_a_motion_that_is_none_moves_nothing(state: State, times: object, q: object) -> None:
     refused = gate.replay_motion(times, q, same("run"))(state)  # type: ignore[arg-type]
-    assert refused.command is state.command
+    assert refused.request.command is state.request.command
     assert refused.notice is not None
 
 
 def test_a_motion_beyond_the_limits_lags_and_keeps_them(state: State) -> None:
-    ready, far = state.q, state.q.copy()
+    ready, far = state.arm.q, state.arm.q.copy()
     far[2] = -3.0
     played = gate.replay_motion([0.0, 4.0], [ready, far], same("run"))(state)
     for _ in range(900):
         played = lived(played, 0.01)
-        assert (played.q >= played.problem.limits.lower - 1e-9).all()
-    assert not isinstance(played.command, Replay)
+        assert (played.arm.q >= played.problem.limits.lower - 1e-9).all()
+    assert not isinstance(played.request.command, Replay)

@@ -44,11 +44,11 @@ def state_of(robot_name: str) -> State:
 
 def answered(state: State, T: Array, with_orientation: bool, drive: Drive, dt: float = 0.01) -> tuple[Array, Drive]:
     """What the method of a drive wishes in one step towards a pose."""
-    return step(state.problem, asked(state, T, with_orientation, dt), state.poses, drive)
+    return step(state.problem, asked(state, T, with_orientation, dt), state.arm.poses, drive)
 
 
 def asked(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:
-    return task_of(state.problem, state.q, state.poses, T, with_orientation, STILL, (gain,) * 4, dt)
+    return task_of(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
 
 
 def tool_at(robot: Robot, q: Array) -> Array:
@@ -107,7 +107,7 @@ def test_answers_are_finite_whatever_is_asked(name: str, robot_name: str, with_o
     state, rng = state_of(robot_name), np.random.default_rng(1)
     if not applicable(name, state, with_orientation):
         return
-    drive, q = Drive().by(name), state.q
+    drive, q = Drive().by(name), state.arm.q
     for k in range(40):
         if k % 10 == 0:
             T = np.eye(4)
@@ -180,14 +180,14 @@ def test_the_asked_velocity_is_met_exactly(name: str, robot_name: str, with_orie
         q, _ = clear_of_singularities(state.robot, rng, with_orientation)
         task = asked(at(state, q), state.T_world_tool, with_orientation)
         task = replace(task, rate=task.J @ rng.normal(size=len(q)))
-        _, drive = step(state.problem, task, state.poses, Drive().by(name))
+        _, drive = step(state.problem, task, state.arm.poses, Drive().by(name))
         assert drive.solution is not None
         np.testing.assert_allclose(task.J @ drive.solution.rates, task.rate, rtol=0, atol=1e-9)
 
 
 def singular_starts(state: State, with_orientation: bool) -> list[Array]:
     """Named postures and those with every joint at zero or a right angle in which the rank is lower than usual."""
-    n, robot = len(state.q), state.robot
+    n, robot = len(state.arm.q), state.robot
     rng = np.random.default_rng(5)
     grid = [np.zeros(n), *(rng.integers(-2, 3, n) * np.pi / 2 for _ in range(200)), *robot.poses.values()]
     expected = usual(robot.name, with_orientation)
@@ -209,7 +209,7 @@ def test_rates_stay_bounded_from_singular_starts(name: str, robot_name: str, wit
         T = tool_at(state.robot, start + 0.3 * rng.normal(size=len(start)))
         for _ in range(40):
             task = asked(at(state, q), T, with_orientation)
-            wished, drive = step(state.problem, task, state.poses, drive)
+            wished, drive = step(state.problem, task, state.arm.poses, drive)
             assert drive.solution is not None
             assert np.linalg.norm(drive.solution.rates) <= 100 * np.linalg.norm(task.rate) + 1e-12
             q = frozen(q + wished)
@@ -228,7 +228,7 @@ def test_a_singular_start_is_left_or_not_as_promised(name: str, robot_name: str)
     drive, q = Drive().by(name), start
     for _ in range(200):
         task = asked(at(state, q), state.T_world_tool, False)
-        wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.poses, drive)
+        wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)
         q = frozen(q + wished)
     moved = np.abs(q - start).max()
     if promises(name, Promise.LEAVES_SINGULAR):
@@ -251,13 +251,13 @@ def test_under_the_guard_no_method_breaks_a_promise_and_switching_never_jumps(ro
         state = gate.compare_with(rng.choice([None, *names()]))(state)
         state = gate.hold_orientation(bool(rng.random() < 0.5))(state)
         far = state.robot.reach * rng.choice([0.3, 1.0, 3.0]) * rng.normal(size=3)
-        state = replace(state, command=ToPose(tool_moved(state, far, rng)))
+        state = replace(state, request=replace(state.request, command=ToPose(tool_moved(state, far, rng))))
         dt = float(rng.choice(DTS))
         for _ in range(int(rng.integers(1, 15))):
             new = advance(state, dt)
             watch(worst, state, new, dt)
-            if new.of_beside is not None and state.of_beside is not None:
-                watch(worst, state.of_beside, new.of_beside, dt)
+            if new.of_compared is not None and state.of_compared is not None:
+                watch(worst, state.of_compared, new.of_compared, dt)
             state = new
 
 
@@ -270,7 +270,7 @@ def tool_moved(state: State, way: Array, rng: np.random.Generator) -> Array:
 
 def test_an_unknown_method_is_refused_in_words(state: State) -> None:
     refused = gate.choose_method("magic")(state)
-    assert refused.drive is state.drive
+    assert refused.request.drive is state.request.drive
     assert refused.notice is not None
     assert all(name in refused.notice.en for name in names())
 

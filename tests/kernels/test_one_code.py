@@ -91,7 +91,7 @@ from helicoide.state import initial
 exercise()
 for name in ("movemaster", "dia10_rod", "polar_rp"):
     start = initial(load(name))
-    begun = [gate.add_obstacle(), gate.get_ready(), gate.set_joint(0, start.q[0] + 0.1)]
+    begun = [gate.add_obstacle(), gate.get_ready(), gate.set_joint(0, start.arm.q[0] + 0.1)]
     begun += [gate.choose_path(path) for path in gate.presets(start.robot)]
     if "rcm" in start.robot.frames:
         begun.append(gate.hold_entry(True))

@@ -52,7 +52,7 @@ def state(lab: Lab) -> State:
 def after_ticks(lab: Lab, n: int = 40) -> State:
     """The shared arm n ticks later."""
     cell = lab.shared.workcell
-    cell.tell(lambda state: replace(state, rested=0.0))
+    cell.tell(lambda state: replace(state, request=replace(state.request, rested=0.0)))
     now = cell.ticks
     assert eventually(lambda: cell.ticks >= now + n)
     return cell.state

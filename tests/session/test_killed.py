@@ -27,11 +27,11 @@ def test_a_map_that_is_killed_has_failed(
     maps = Mapping(lambda: state, post)
 
     async def run() -> None:
-        maps.begin()
+        maps.begin("reachable")
         assert maps._task is not None
         await asyncio.wait([maps._task], timeout=PATIENCE)
 
     asyncio.run(run())
     assert state.notice == mapping.FAILED
-    assert state.workspace.progress is None
+    assert state.workspace.counting is None
     assert "ended from outside" in caplog.text

@@ -39,7 +39,7 @@ def hand(lab: Lab) -> Iterator[Hand]:
 def test_a_lab_at_rest_does_nothing(lab: Lab, hand: Hand) -> None:
     """No tick, no frame and no word: counted over a second, after all that was left to say has been said."""
     hand.do(hand.page.give("1 waist", 3.0))
-    assert eventually(lambda: abs(state(lab).q[0] - 0.05236) < 1e-3)
+    assert eventually(lambda: abs(state(lab).arm.q[0] - 0.05236) < 1e-3)
     assert eventually(lambda: lab.clock.rests)
     time.sleep(1.5)
     display = lab.shared.display
@@ -130,10 +130,10 @@ def test_what_takes_longer_than_a_tick_is_no_part_of_one(lab: Lab, hand: Hand) -
     hand.do(hand.page.gizmo("DragStart"))
     hand.do(hand.page.gizmo("Update", wxyz=(0.0, 1.0, 0.0, 0.0), position=(1.2, 0.0, 0.4)))
     hand.do(hand.page.gizmo("DragEnd"))
-    assert eventually(lambda: state(lab).searched)
-    assert state(lab).command.T_world_target[0, 3] < 1.0  # type: ignore[union-attr]
+    assert eventually(lambda: state(lab).request.searched)
+    assert state(lab).request.command.T_world_target[0, 3] < 1.0  # type: ignore[union-attr]
     lab.shared.workcell.tell(gate.get_ready())
-    assert eventually(lambda: state(lab).command == Hold())
+    assert eventually(lambda: state(lab).request.command == Hold())
     after_ticks(lab)
 
 

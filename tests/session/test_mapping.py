@@ -24,6 +24,11 @@ TINY, ENDLESS = 2 * CHUNK, 10**6 * CHUNK
 PATIENCE = 300.0
 
 
+def share(workspace: Workspace) -> float | None:
+    """How much is counted of the map that is being counted."""
+    return None if workspace.counting is None else workspace.counting.share
+
+
 class _Arm:
     """An arm whose wishes are granted at once; every workspace it ever had."""
 
@@ -48,7 +53,7 @@ class _Arm:
     @property
     def counts(self) -> bool:
         """Whether the process has told something."""
-        return bool(self.state.workspace.progress)
+        return share(self.state.workspace) not in (None, 0.0)
 
     @property
     def process_ended(self) -> bool:
@@ -86,10 +91,9 @@ def of_size(monkeypatch: pytest.MonkeyPatch, samples: int) -> None:
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytest.MonkeyPatch, kind: Kind) -> None:
     of_size(monkeypatch, TINY)
-    arm.post(gate.choose_map(kind))
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin(kind)
         await arm.over()
 
     live(arm, run)
@@ -101,7 +105,7 @@ def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytes
     np.testing.assert_array_equal(found.values, expected.values)
     assert not found.hits.flags.writeable
     assert not found.values.flags.writeable
-    assert [had.progress for had in arm.had[1:]] == [0.0, 0.5, 1.0, None]
+    assert [share(had) for had in arm.had] == [0.0, 0.5, 1.0, None]
     assert chunks.kept(plan) is not None
 
 
@@ -111,21 +115,21 @@ def test_a_kept_map_appears_without_a_process(arm: _Arm, monkeypatch: pytest.Mon
     monkeypatch.delattr(mapping, "Apart")
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.over()
 
     live(arm, run)
     found = arm.state.workspace.map
     assert found is not None
     np.testing.assert_array_equal(found.hits, kept.hits)
-    assert [had.progress for had in arm.had] == [0.0, None]
+    assert [share(had) for had in arm.had] == [0.0, None]
 
 
 def ended(arm: _Arm, by: Callable[[], object]) -> None:
     """Count a map that would take days, and end that."""
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.until(lambda: arm.counts)
         by()
         await arm.over()
@@ -139,18 +143,13 @@ def ended(arm: _Arm, by: Callable[[], object]) -> None:
 def test_it_can_be_ended(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, ENDLESS)
     ended(arm, lambda: arm.post(gate.end_map()))
-    assert arm.state.workspace.progress is None
-
-
-def test_another_kind_ends_it(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
-    of_size(monkeypatch, ENDLESS)
-    ended(arm, lambda: arm.post(gate.choose_map("dexterous")))
+    assert arm.state.workspace.counting is None
 
 
 def test_another_arm_ends_it_and_gets_no_map(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, ENDLESS)
     scara = load("scara")
-    other = gate.start_map(scara)(initial(scara))
+    other = gate.start_map(scara, "reachable")(initial(scara))
     ended(arm, lambda: setattr(arm, "state", other))
     assert arm.state is other
 
@@ -159,7 +158,7 @@ def test_closing_ends_the_process(arm: _Arm, monkeypatch: pytest.MonkeyPatch) ->
     of_size(monkeypatch, ENDLESS)
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.until(lambda: arm.counts)
         arm.mapping.close()
         await arm.over()
@@ -172,12 +171,12 @@ def test_a_second_one_ends_the_first(arm: _Arm, monkeypatch: pytest.MonkeyPatch)
     of_size(monkeypatch, ENDLESS)
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.until(lambda: arm.counts)
         first = arm.mapping._job
         assert first is not None
         of_size(monkeypatch, TINY)
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.over()
         await arm.until(lambda: first._child.exitcode is not None)
 
@@ -197,12 +196,12 @@ def test_a_failure_is_said_in_words(
     monkeypatch.setattr(mapping, "counted", breaks)
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.over()
 
     live(arm, run)
     assert arm.state.notice == mapping.FAILED
-    assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
+    assert (arm.state.workspace.counting, arm.state.workspace.map) == (None, None)
     assert "no such map" in caplog.text
 
 
@@ -212,7 +211,7 @@ def test_a_killed_process_is_said_in_words(
     of_size(monkeypatch, ENDLESS)
 
     async def run() -> None:
-        arm.mapping.begin()
+        arm.mapping.begin("reachable")
         await arm.until(lambda: arm.counts)
         assert arm.mapping._job is not None
         arm.mapping._job._child.kill()
@@ -220,7 +219,7 @@ def test_a_killed_process_is_said_in_words(
 
     live(arm, run)
     assert arm.state.notice == mapping.FAILED
-    assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
+    assert (arm.state.workspace.counting, arm.state.workspace.map) == (None, None)
     assert "ended from outside" in caplog.text
 
 

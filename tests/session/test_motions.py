@@ -60,12 +60,12 @@ def worked_out(workcell: Workcell, meanwhile: Meanwhile) -> State:
 
 
 def test_a_motion_begins_when_it_is_worked_out(workcell: Workcell) -> None:
-    assert isinstance(worked_out(workcell, None).command, Replay)
+    assert isinstance(worked_out(workcell, None).request.command, Replay)
 
 
 @pytest.mark.parametrize("meanwhile", [stop_in_time, stop_before_it_is_done])
 def test_a_stop_ends_a_motion_that_is_worked_out(workcell: Workcell, meanwhile: Meanwhile) -> None:
-    assert worked_out(workcell, meanwhile).command == Hold(stopped=True)
+    assert worked_out(workcell, meanwhile).request.command == Hold(stopped=True)
 
 
 @pytest.fixture
@@ -100,7 +100,7 @@ def play_on_another_arm(monkeypatch: pytest.MonkeyPatch, workcell: Workcell) -> 
 def test_a_motion_of_another_arm_brings_that_arm(play_on_another_arm: Callable[[Meanwhile], State]) -> None:
     state = play_on_another_arm(None)
     assert state.robot.name == "puma560"
-    assert isinstance(state.command, Replay)
+    assert isinstance(state.request.command, Replay)
 
 
 @pytest.mark.parametrize("meanwhile", [stop_in_time, stop_before_it_is_done])
@@ -109,4 +109,4 @@ def test_a_stop_while_the_arm_is_fetched_ends_its_motion(
 ) -> None:
     state = play_on_another_arm(meanwhile)
     assert state.robot.name == "puma560"
-    assert state.command == Hold()
+    assert state.request.command == Hold()

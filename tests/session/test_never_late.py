@@ -70,7 +70,7 @@ def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
     assert eventually(begun)
     turns = under_way(lab, hand, lambda: visitor.place.desk.last is not before)
     assert turns.longest < LONGEST, turns.what
-    assert state(lab).command == Hold(stopped=True)
+    assert state(lab).request.command == Hold(stopped=True)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -78,10 +78,10 @@ def test_a_map_holds_nothing_up(lab: Lab, hand: Hand, kind: str, monkeypatch: py
     monkeypatch.setattr(chunks, "kept", lambda plan: None)
     monkeypatch.setattr(mapping, "SAMPLES", {one: {2: 150_000, 3: 700_000} for one in KINDS})
     hand.do(hand.page.give("Map", TITLES[kind].en))
-    assert eventually(lambda: state(lab).workspace.kind == kind)
+    assert eventually(lambda: kind in {place.seat.map_kind for place in lab.seats.places.values()})
     hand.do(hand.page.press("Work out the map"))
-    assert eventually(lambda: state(lab).workspace.progress is not None)
-    turns = under_way(lab, hand, lambda: state(lab).workspace.progress is None)
+    assert eventually(lambda: state(lab).workspace.counting is not None)
+    turns = under_way(lab, hand, lambda: state(lab).workspace.counting is None)
     assert state(lab).workspace.map is not None
     assert turns.longest < LONGEST, turns.what
 
@@ -113,6 +113,6 @@ def test_a_stop_ends_a_tour_and_what_is_worked_out(lab: Lab, hand: Hand) -> None
         hand.do(hand.page.stop())
         stopped = after_ticks(lab, 20)
         later = after_ticks(lab, 200)
-        assert later.command == Hold(stopped=True)
-        assert (later.q == stopped.q).all()
+        assert later.request.command == Hold(stopped=True)
+        assert (later.arm.q == stopped.arm.q).all()
     lab.shared.workcell.tell(gate.restore_planes())

@@ -26,7 +26,7 @@ def lab() -> Iterator[Lab]:
 @pytest.fixture
 def one(lab: Lab) -> Iterator[Hand]:
     lab.shared.workcell.tell(lambda state: initial(state.robot))
-    assert eventually(lambda: state(lab).command == Hold() and not state(lab).moving)
+    assert eventually(lambda: state(lab).request.command == Hold() and not state(lab).arm.moving)
     hand = window(lab)
     yield hand
     hand.close()
@@ -76,10 +76,10 @@ def unmoved(lab: Lab, before: State) -> bool:
     """Whether the arm has been stopped, and neither it nor its planes have changed since."""
     after = after_ticks(lab)
     return bool(
-        after.command == Hold(stopped=True)
-        and (after.q == before.q).all()
+        after.request.command == Hold(stopped=True)
+        and (after.arm.q == before.arm.q).all()
         and after.problem is before.problem
-        and after.gripper_target == before.gripper_target
+        and after.request.gripper == before.request.gripper
     )
 
 
@@ -91,7 +91,7 @@ def test_what_a_window_sent_before_its_stop_does_nothing(lab: Lab, one: Hand, as
     busy(lab)
     ASKED[asked](one)
     one.do(one.page.stop())
-    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
     assert unmoved(lab, state(lab))
 
 
@@ -100,31 +100,31 @@ def test_what_another_window_sent_before_it_knew_does_nothing(lab: Lab, one: Han
     other.page.passes = False
     one.do(one.page.stop())
     before = state(lab)
-    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
     ASKED[asked](other)
     assert unmoved(lab, before)
 
 
 def test_a_drag_that_was_under_way_stays_dead_until_it_begins_anew(lab: Lab, one: Hand, other: Hand) -> None:
     drag(other)
-    assert eventually(lambda: state(lab).grasp is not None)
+    assert eventually(lambda: state(lab).request.grasp is not None)
     one.do(one.page.stop())
-    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
     before = state(lab)
     other.do(other.page.gizmo("Update", wxyz=HERE["wxyz"], position=(0.4, -0.1, 0.3)))
     other.do(other.page.gizmo("DragEnd"))
     assert unmoved(lab, before)
     drag(other)
-    assert eventually(lambda: state(lab).grasp is not None)
-    assert eventually(lambda: state(lab).moving)
+    assert eventually(lambda: state(lab).request.grasp is not None)
+    assert eventually(lambda: state(lab).arm.moving)
 
 
 def test_what_was_made_after_the_stop_was_known_counts(lab: Lab, one: Hand, other: Hand) -> None:
     one.do(one.page.stop())
     for hand in (one, other):
-        before = state(lab).command
+        before = state(lab).request.command
         give("1 waist", 5.0 if hand is one else 6.0)(hand)
-        assert eventually(lambda before=before: state(lab).command is not before)  # type: ignore[misc]
+        assert eventually(lambda before=before: state(lab).request.command is not before)  # type: ignore[misc]
 
 
 @pytest.mark.parametrize("asked", ASKED)
@@ -132,7 +132,7 @@ def test_what_is_older_than_a_second_does_nothing(lab: Lab, one: Hand, asked: st
     before, one.page.old = state(lab), 1100.0
     ASKED[asked](one)
     after = after_ticks(lab)
-    assert after.command is before.command
+    assert after.request.command is before.request.command
     assert after.problem is before.problem
     assert after.robot is before.robot
 
@@ -141,7 +141,7 @@ def test_the_time_of_day_of_a_page_does_not_matter(lab: Lab) -> None:
     hand = Hand(lab.server.get_port(), ahead=86_400.0)
     assert eventually(hand.page.may_drive.is_set)
     give("1 waist", 7.0)(hand)
-    assert eventually(lambda: abs(state(lab).q[0] - 0.1222) < 1e-3)
+    assert eventually(lambda: abs(state(lab).arm.q[0] - 0.1222) < 1e-3)
     hand.close()
 
 
@@ -152,28 +152,28 @@ def test_a_page_without_its_own_channel_drives_nothing(lab: Lab, one: Hand, aske
     assert eventually(lambda: not any(visitor.window.link.channels for visitor in lab.visitors.values()))
     ASKED[asked](one)
     after = after_ticks(lab)
-    assert after.command is before.command
+    assert after.request.command is before.request.command
     assert after.problem is before.problem
     assert after.robot is before.robot
 
 
 def test_a_drag_ends_when_the_channel_does(lab: Lab, one: Hand) -> None:
     drag(one)
-    assert eventually(lambda: state(lab).grasp is not None)
+    assert eventually(lambda: state(lab).request.grasp is not None)
     one.do(one.page.hang_up())
-    assert eventually(lambda: state(lab).grasp is None)
+    assert eventually(lambda: state(lab).request.grasp is None)
 
 
 def test_a_stop_reaches_every_arm_that_a_real_one_follows(lab: Lab, one: Hand, other: Hand) -> None:
     give("My own arm", True)(other)
     assert eventually(lambda: len(lab.workcells) == 2)
     give("Play", True)(one)
-    assert eventually(lambda: state(lab).moving)
+    assert eventually(lambda: state(lab).arm.moving)
     other.do(other.page.stop())
     after_ticks(lab)
-    assert state(lab).command != Hold(stopped=True), "an arm of one's own is stopped alone"
+    assert state(lab).request.command != Hold(stopped=True), "an arm of one's own is stopped alone"
     lab.shared.workcell.connected = True
     other.do(other.page.stop())
-    assert eventually(lambda: state(lab).command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
     assert eventually(lambda: one.page.notice.get("everywhere") is True)
     lab.shared.workcell.connected = False

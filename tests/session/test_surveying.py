@@ -27,8 +27,8 @@ class _Arm:
 
     def post(self, update: Update) -> None:
         before, self.state = self.state, update(self.state)
-        command = self.state.command
-        if isinstance(command, ToJoints) and command is not before.command:
+        command = self.state.request.command
+        if isinstance(command, ToJoints) and command is not before.request.command:
             self.sent.append(command)
             self.state = at(self.state, command.q)
 
@@ -39,7 +39,11 @@ def toured(state: State, stop_after: int | None, real: bool = False) -> _Arm:
 
     def post(update: Update) -> None:
         arm.post(update)
-        if stop_after is not None and len(arm.state.seen) == stop_after and arm.state.command != Hold(stopped=True):
+        if (
+            stop_after is not None
+            and len(arm.state.seen) == stop_after
+            and arm.state.request.command != Hold(stopped=True)
+        ):
             arm.post(gate.stop())
 
     async def run() -> None:
@@ -62,7 +66,7 @@ def test_every_plane_is_read(state: State) -> None:
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_nothing_moves_after_a_stop_while_a_plane_is_read(state: State, count: int) -> None:
     arm = toured(state, count)
-    assert arm.state.command == Hold(stopped=True)
+    assert arm.state.request.command == Hold(stopped=True)
     assert len(arm.sent) == count
 
 

@@ -39,7 +39,7 @@ def page(request: pytest.FixtureRequest, lab: Lab) -> Iterator[Window]:
 
 def waist(lab: Lab) -> float:
     """The angle of the first joint, degrees."""
-    return float(np.degrees(lab.state.q[0]))
+    return float(np.degrees(lab.state.arm.q[0]))
 
 
 def test_the_page_is_up(page: Window) -> None:
@@ -48,7 +48,7 @@ def test_the_page_is_up(page: Window) -> None:
 
 
 def test_the_arm_is_drawn(lab: Lab, page: Window) -> None:
-    x, y = page.evaluate(PROJECT, [float(value) for value in lab.state.poses[2, :3, 3]])
+    x, y = page.evaluate(PROJECT, [float(value) for value in lab.state.arm.poses[2, :3, 3]])
     around = (int(x) - NEAR, int(y) - NEAR, int(x) + NEAR, int(y) + NEAR)
     until(lambda: len(page.picture().crop(around).getcolors(maxcolors=10**5) or ()) > 400, "the elbow is painted")
 
@@ -57,7 +57,7 @@ def test_a_joint_moves_by_its_slider(lab: Lab, page: Window) -> None:
     page.connected()
     before = waist(lab)
     page.drag(page.middle(WAIST_THUMB), right=12)
-    until(lambda: waist(lab) > before + 5 and not lab.state.moving, "the waist turns")
+    until(lambda: waist(lab) > before + 5 and not lab.state.arm.moving, "the waist turns")
 
 
 def test_a_joint_moves_by_its_number_box(lab: Lab, page: Window) -> None:
@@ -70,15 +70,15 @@ def test_a_joint_moves_by_its_number_box(lab: Lab, page: Window) -> None:
 def test_stop_stops_the_moving_arm(lab: Lab, page: Window, way: str) -> None:
     page.connected()
     page.press("button", "Play")
-    until(lambda: lab.state.moving, "the arm moves")
+    until(lambda: lab.state.arm.moving, "the arm moves")
     if way == "button":
         page.press("#helicoide-stop")
     else:
         page.keys(ESCAPE)
-    until(lambda: lab.state.command == Hold(stopped=True), "the arm is stopped")
-    q, t = lab.state.q, lab.state.t
+    until(lambda: lab.state.request.command == Hold(stopped=True), "the arm is stopped")
+    q, t = lab.state.arm.q, lab.state.t
     until(lambda: lab.state.t > t + TICKS_S, "the arm lives on")
-    assert (lab.state.q == q).all()
+    assert (lab.state.arm.q == q).all()
     until(lambda: "Stopped" in page.text("#helicoide-status"), "the page says so")
 
 

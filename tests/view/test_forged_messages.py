@@ -67,7 +67,9 @@ def moved(lab: Lab, act: Callable[[], object]) -> bool:
     act()
     after = after_ticks(lab)
     return bool(
-        (after.q != before.q).any() or after.problem is not before.problem or after.command is not before.command
+        (after.arm.q != before.arm.q).any()
+        or after.problem is not before.problem
+        or after.request.command is not before.request.command
     )
 
 
@@ -84,9 +86,9 @@ def test_a_value_of_another_type_moves_nothing(session: Lab, page: Page, value: 
 
 @pytest.mark.parametrize("value", [math.nan, -1.0, 101.0])
 def test_the_gripper_takes_only_its_range(session: Lab, page: Page, value: float) -> None:
-    target = arm(session).gripper_target
+    target = arm(session).request.gripper
     assert not moved(session, lambda: page.give("Gripper [%]", value))
-    assert arm(session).gripper_target == target
+    assert arm(session).request.gripper == target
 
 
 @pytest.mark.parametrize(
@@ -119,33 +121,33 @@ def test_an_update_without_a_grasp_moves_nothing(session: Lab, page: Page) -> No
 def test_a_drag_whose_end_gets_lost_ends_when_the_pointer_is_let_go(session: Lab, page: Page) -> None:
     page.drag("Start")
     page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.5, 0.1, 0.3))
-    assert eventually(lambda: arm(session).grasp is not None)
+    assert eventually(lambda: arm(session).request.grasp is not None)
     page.do(page.page.tell(released=True))
-    assert eventually(lambda: arm(session).grasp is None)
-    assert eventually(lambda: arm(session).searched)
-    wished = arm(session).command
+    assert eventually(lambda: arm(session).request.grasp is None)
+    assert eventually(lambda: arm(session).request.searched)
+    wished = arm(session).request.command
     page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.4, 0.2, 0.3))
     after_ticks(session)
-    assert arm(session).command is wished
+    assert arm(session).request.command is wished
     page.drag("Start")
-    assert eventually(lambda: arm(session).grasp is not None)
+    assert eventually(lambda: arm(session).request.grasp is not None)
     stranger = Page(session.server.get_port())
     stranger.do(stranger.page.tell(released=True))
     after_ticks(session, 80)
     stranger.close()
-    assert arm(session).grasp is not None, "another person's pointer"
+    assert arm(session).request.grasp is not None, "another person's pointer"
     page.drag("End")
-    assert eventually(lambda: arm(session).grasp is None)
+    assert eventually(lambda: arm(session).request.grasp is None)
 
 
 def test_what_is_taken_hold_of_right_after_a_release_stays_in_the_hand(session: Lab, page: Page) -> None:
     page.do(page.page.tell(released=True))
     page.drag("Start")
-    assert eventually(lambda: arm(session).grasp is not None)
+    assert eventually(lambda: arm(session).request.grasp is not None)
     after_ticks(session, 80)
-    assert arm(session).grasp is not None
+    assert arm(session).request.grasp is not None
     page.drag("End")
-    assert eventually(lambda: arm(session).grasp is None)
+    assert eventually(lambda: arm(session).request.grasp is None)
 
 
 @pytest.mark.parametrize("position", [(math.nan, 0.0, 0.3), (math.inf, 0.0, 0.3), (1e6, 0.0, 0.3)])
@@ -213,12 +215,12 @@ def test_the_fixed_plane_and_unknown_names_move_nothing(session: Lab, page: Page
 
 def test_a_disabled_control_moves_nothing(session: Lab, page: Page) -> None:
     page.give("Park", True)
-    assert eventually(lambda: arm(session).parked and arm(session).command == Hold())
+    assert eventually(lambda: arm(session).arm.parked and arm(session).request.command == Hold())
     assert eventually(lambda: control(session, "1 waist").disabled)
     assert not moved(session, lambda: page.give("1 waist", 20.0))
     assert not moved(session, lambda: page.give("Play", True))
     page.give("Ready", True)
-    assert eventually(lambda: not arm(session).parked and arm(session).command == Hold())
+    assert eventually(lambda: not arm(session).arm.parked and arm(session).request.command == Hold())
 
 
 def control(session: Lab, label: str) -> Any:
@@ -237,7 +239,7 @@ def test_a_control_that_a_page_breaks_costs_that_page_one_row(
     page.send({"type": "GuiUpdateMessage", "uuid": page.made["1 waist"]["uuid"], "updates": {"props": None}})
     assert eventually(lambda: waist._impl.props is None)
     page.give("2 shoulder", 21.0)
-    assert eventually(lambda: abs(math.degrees(arm(session).q[1]) - 21) < 0.1)
+    assert eventually(lambda: abs(math.degrees(arm(session).arm.q[1]) - 21) < 0.1)
     session.shared.workcell.tell(gate.set_joint(1, math.radians(25)))
     assert eventually(lambda: control(session, "2 shoulder").value == 25.0)
     failed = [record for record in caplog.records if "row" in record.getMessage()]
@@ -255,6 +257,6 @@ def test_messages_that_viser_does_not_know_end_at_most_their_own_connection(sess
     good = Page(port)
     assert eventually(good.page.may_drive.is_set)
     good.give("1 waist", 12.0)
-    assert eventually(lambda: isinstance(arm(session).command, ToJoints))
-    assert eventually(lambda: abs(math.degrees(arm(session).q[0]) - 12) < 0.1)
+    assert eventually(lambda: isinstance(arm(session).request.command, ToJoints))
+    assert eventually(lambda: abs(math.degrees(arm(session).arm.q[0]) - 12) < 0.1)
     good.close()

@@ -41,9 +41,11 @@ def state_named(robot: Robot, name: str) -> State:
     file = plane_file.written([name, ""], robot_planes(robot))
     state = gate.take_planes_of(file.encode(), name)(initial(hostile))
     assert state.problem.planes.names[-2:] == (name, "")
-    waypoints = (Waypoint(name, state.q), Waypoint("", state.q))
+    waypoints = (Waypoint(name, state.arm.q), Waypoint("", state.arm.q))
     seen = Seen(np.zeros((1, 3)), np.ones(1, bool), same(name))
-    return replace(state, waypoints=waypoints, seen=MappingProxyType({name: seen}), notice=same(name))
+    return replace(
+        state, taught=replace(state.taught, waypoints=waypoints), seen=MappingProxyType({name: seen}), notice=same(name)
+    )
 
 
 def robot_planes(robot: Robot) -> Any:

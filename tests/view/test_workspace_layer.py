@@ -168,13 +168,13 @@ def test_the_sheet_of_a_planar_arm_is_whole_and_lies_behind_all_that_moves(name:
     heights = np.unique(cloud.points[:, 2])
     assert np.ptp(heights) < 1e-6
     moving = [
-        (initial(robot).poses[shape.link] @ shape.T_link_shape @ np.append(point, 1.0))[2]
+        (initial(robot).arm.poses[shape.link] @ shape.T_link_shape @ np.append(point, 1.0))[2]
         for shape in shapes.load(robot)
         if shape.link > 0
         for point in shape.edges.reshape(-1, 3)
     ]
     assert heights[0] <= min(moving) + 1e-6
-    assert heights[0] > points_on(robot, initial(robot).poses)[:, 2].min() - 0.25 * robot.reach
+    assert heights[0] > points_on(robot, initial(robot).arm.poses)[:, 2].min() - 0.25 * robot.reach
 
 
 def test_no_map_is_more_than_a_browser_can_take() -> None:

@@ -47,7 +47,7 @@ def driven(wish: Update) -> Update:
     """A wish that moves the arm: refused while it is parked."""
 
     def update(state: State) -> State:
-        if state.parked:
+        if state.arm.parked:
             raise HelicoideError(PARKED)
         return wish(state)
 
@@ -74,7 +74,7 @@ def while_asked(before: State, wish: Update) -> Update:
     """The wish, unless since then something else has been asked of the arm, or another one stands there."""
 
     def update(state: State) -> State:
-        unchanged = state.command is before.command and state.robot is before.robot
+        unchanged = state.request.command is before.request.command and state.robot is before.robot
         return wish(state) if unchanged else state
 
     return update

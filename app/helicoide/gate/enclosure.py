@@ -17,7 +17,7 @@ from helicoide.confinement.plane_file import parsed
 from helicoide.gate.check import driven, finite
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.robot import Pane
-from helicoide.state import Seen, State, Update
+from helicoide.state import Seen, State, Update, grasped
 from helicoide.text import HelicoideError, Text, same
 
 MOST = 12
@@ -116,7 +116,7 @@ def remove_plane(index: int) -> Update:
                     en="That plane stays; to be taken away: {names}.", pt_BR="Esse plano fica; podem sair: {names}."
                 ).format(names=", ".join(pane.name for pane in panes if pane.movable) or "–")
             )
-        return _with(replace(state, grasp=None), state.problem.planes.without(index))
+        return _with(grasped(state, None), state.problem.planes.without(index))
 
     return driven(wish)
 
@@ -127,7 +127,7 @@ def set_zones(critical: float, warning: float) -> Update:
     def wish(state: State) -> State:
         near, far = finite([critical, warning], (2,))
         problem = replace(state.problem, zones=state.problem.zones.adjusted(float(near), float(far)))
-        return replace(state, problem=problem, searched=False, rested=0.0, notice=None)
+        return replace(state, request=state.request.afresh(), problem=problem, notice=None)
 
     return driven(wish)
 
@@ -172,9 +172,9 @@ def _without_movable(state: State) -> State:
     for index in reversed(range(len(planes.panes))):
         if planes.panes[index].movable:
             planes = planes.without(index)
-    return _with(replace(state, grasp=None), planes)
+    return _with(grasped(state, None), planes)
 
 
 def _with(state: State, planes: Planes) -> State:
     problem = replace(state.problem, planes=planes)
-    return replace(state, problem=problem, searched=False, rested=0.0, detour=None, notice=None)
+    return replace(state, problem=problem, request=state.request.afresh(), notice=None)

@@ -11,7 +11,7 @@ from helicoide.gate.method import of_both
 from helicoide.gate.target import Phase
 from helicoide.ik import entry_point
 from helicoide.kinematics.chain import Array
-from helicoide.state import Grasp, State, Update
+from helicoide.state import Grasp, State, Update, grasped
 from helicoide.text import HelicoideError, Text
 
 ENTRY = "entry"
@@ -24,9 +24,9 @@ def hold_entry(on: bool) -> Update:
     def wish(state: State) -> State:
         state = of_both(state, lambda drive: drive.by(drive.method))
         if not on:
-            return _with(replace(state, grasp=None), None)
+            return _with(grasped(state, None), None)
         here = entry_point(state.robot, [0.0, 0.0, 0.0])
-        return _with(state, state.poses[here.link, :3, :3] @ here.shaft[0] + state.poses[here.link, :3, 3])
+        return _with(state, state.arm.poses[here.link, :3, :3] @ here.shaft[0] + state.arm.poses[here.link, :3, 3])
 
     return driven(wish)
 
@@ -37,10 +37,10 @@ def drag_entry(seat: str, phase: Phase, position: ArrayLike) -> Update:
     def wish(state: State) -> State:
         asked, grasp = _place(state, position), Grasp(seat, ENTRY)
         if phase == "start":
-            state = replace(state, grasp=grasp)
-        if state.grasp != grasp:
+            state = grasped(state, grasp)
+        if state.request.grasp != grasp:
             return state
-        return _with(replace(state, grasp=None) if phase == "end" else state, asked)
+        return _with(grasped(state, None) if phase == "end" else state, asked)
 
     return driven(wish)
 
@@ -67,4 +67,4 @@ def _place(state: State, position: ArrayLike) -> Array:
 def _with(state: State, point: Array | None) -> State:
     entry = None if point is None else entry_point(state.robot, point)
     problem = replace(state.problem, entry=entry)
-    return replace(state, problem=problem, searched=False, rested=0.0, detour=None, notice=None)
+    return replace(state, problem=problem, request=state.request.afresh(), notice=None)

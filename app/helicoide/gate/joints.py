@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide.gate.check import checked, driven, finite
 from helicoide.kinematics.chain import frozen
-from helicoide.state import GetReady, Hold, Park, State, ToJoints, Update, commanded
+from helicoide.state import GetReady, Hold, Park, State, ToJoints, Update, commanded, grasped
 from helicoide.text import HelicoideError, Text
 
 NO_PARKING = Text(
@@ -27,14 +27,14 @@ def set_joint(index: int, angle: float) -> Update:
 
     def wish(state: State) -> State:
         (value,) = finite([angle], (1,))
-        if index not in range(len(state.q)):
+        if index not in range(len(state.arm.q)):
             raise HelicoideError(
-                Text(en="There are joints 1 to {n}.", pt_BR="Há juntas de 1 a {n}.").format(n=len(state.q))
+                Text(en="There are joints 1 to {n}.", pt_BR="Há juntas de 1 a {n}.").format(n=len(state.arm.q))
             )
         limits = state.problem.limits
         if not limits.lower[index] - 1e-6 <= value <= limits.upper[index] + 1e-6:
             raise HelicoideError(_outside(state, index))
-        goal = state.command.q if isinstance(state.command, ToJoints) else state.q
+        goal = state.request.command.q if isinstance(state.request.command, ToJoints) else state.arm.q
         q = goal.copy()
         q[index] = min(max(value, limits.lower[index]), limits.upper[index])
         return commanded(state, ToJoints(frozen(q), yielding=index))
@@ -86,14 +86,14 @@ def park() -> Update:
             raise HelicoideError(NO_PARKING)
         if state.problem.obstacles.radii.size:
             raise HelicoideError(IN_THE_WAY)
-        return commanded(replace(state, grasp=None), Park())
+        return commanded(grasped(state, None), Park())
 
     return checked(wish)
 
 
 def get_ready() -> Update:
     """To `ready`; from home with the planes off."""
-    return lambda state: commanded(replace(state, grasp=None), GetReady())
+    return lambda state: commanded(grasped(state, None), GetReady())
 
 
 def set_gripper(opening: float) -> Update:
@@ -103,7 +103,7 @@ def set_gripper(opening: float) -> Update:
         (value,) = finite([opening], (1,))
         if not 0.0 <= value <= 1.0:
             raise HelicoideError(Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %."))
-        released = Hold() if state.command == Hold(stopped=True) else state.command
-        return replace(state, gripper_target=value, command=released)
+        released = Hold() if state.request.command == Hold(stopped=True) else state.request.command
+        return replace(state, request=replace(state.request, gripper=value, command=released))
 
     return checked(wish)

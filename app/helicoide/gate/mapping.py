@@ -2,58 +2,47 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from helicoide.gate.check import checked, finite
+from helicoide.gate.check import finite
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import KINDS, Kind, Map
-from helicoide.state import Seat, SeatUpdate, State, Update
+from helicoide.state import Counting, Seat, SeatUpdate, State, Update
 from helicoide.text import HelicoideError, Text
 
 
-def choose_map(kind: str) -> Update:
-    """Another kind of map; what is counted is ended, the map that is shown stays."""
-
-    def wish(state: State) -> State:
-        chosen: Kind | None = next((one for one in KINDS if one == kind), None)
-        if chosen is None:
-            raise HelicoideError(
-                Text(
-                    en="There is no map of kind {kind!r}; there is: {known}.",
-                    pt_BR="Não há mapa do tipo {kind!r}; há: {known}.",
-                ).format(kind=kind, known=", ".join(KINDS))
-            )
-        return _with(state, kind=chosen, progress=None)
-
-    return checked(wish)
+def choose_map(kind: str) -> SeatUpdate:
+    """Another kind of map for a person; anything else leaves the one that is chosen."""
+    return lambda seat: replace(seat, map_kind=next((one for one in KINDS if one == kind), seat.map_kind))
 
 
-def start_map(robot: Robot) -> Update:
-    """The map of this arm begins to be counted."""
-    return _of(robot, lambda state: _with(state, progress=0.0))
+def start_map(robot: Robot, kind: Kind) -> Update:
+    """A map of this arm begins to be counted."""
+    return _of(robot, lambda state: _with(state, counting=Counting(kind)))
 
 
 def tell_map(robot: Robot, share: float) -> Update:
     """What is counted tells how far it is, 0 to 1."""
-    return _while_counted(robot, lambda state: _with(state, progress=share))
+    return _while_counted(robot, lambda state, counting: _with(state, counting=replace(counting, share=share)))
 
 
 def show_map(robot: Robot, found: Map) -> Update:
     """The map of this arm is there, in place of the one before."""
-    return _while_counted(robot, lambda state: _with(state, progress=None, map=found))
+    return _while_counted(robot, lambda state, _: _with(state, counting=None, map=found))
 
 
 def fail_map(robot: Robot, why: Text) -> Update:
     """What was counted has ended without a map."""
-    return _while_counted(robot, lambda state: replace(_with(state, progress=None), notice=why))
+    return _while_counted(robot, lambda state, _: replace(_with(state, counting=None), notice=why))
 
 
 def end_map() -> Update:
     """End what is counted."""
-    return lambda state: _with(state, progress=None)
+    return lambda state: _with(state, counting=None)
 
 
 def clear_map() -> Update:
@@ -81,5 +70,9 @@ def _of(robot: Robot, wish: Update) -> Update:
     return lambda state: wish(state) if state.robot is robot else state
 
 
-def _while_counted(robot: Robot, wish: Update) -> Update:
-    return _of(robot, lambda state: state if state.workspace.progress is None else wish(state))
+def _while_counted(robot: Robot, wish: Callable[[State, Counting], State]) -> Update:
+    def update(state: State) -> State:
+        counting = state.workspace.counting
+        return state if counting is None else wish(state, counting)
+
+    return _of(robot, update)

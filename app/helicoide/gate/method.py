@@ -10,7 +10,7 @@ from helicoide.ik import objectives
 from helicoide.ik.drive import Drive, Gains, Secondary
 from helicoide.ik.method import changed
 from helicoide.ik.methods import named
-from helicoide.state import Beside, State, Update
+from helicoide.state import Compared, State, Update
 from helicoide.text import HelicoideError, Text
 
 LEAST_GAIN, LARGEST_GAIN, HEAVIEST = 0.5, 50.0, 1000.0
@@ -25,7 +25,8 @@ def choose_method(name: str) -> Update:
 
     def wish(state: State) -> State:
         named(name)
-        return replace(state, drive=state.drive.by(name), rested=0.0, searched=False, detour=None)
+        drive = state.request.drive.by(name)
+        return replace(state, request=replace(state.request.afresh(), drive=drive))
 
     return checked(wish)
 
@@ -35,12 +36,11 @@ def compare_with(name: str | None) -> Update:
 
     def wish(state: State) -> State:
         if name is None:
-            return replace(state, beside=None)
+            return replace(state, compared=None)
         named(name)
-        drive = state.drive.by(name)
-        if state.beside is not None:
-            return replace(state, beside=replace(state.beside, drive=drive, held=None))
-        return replace(state, beside=Beside(state.q, state.speeds, state.poses, drive))
+        drive = state.request.drive.by(name)
+        arm = state.arm if state.compared is None else state.compared.arm
+        return replace(state, compared=Compared(replace(arm, held=None), drive))
 
     return checked(wish)
 
@@ -49,7 +49,7 @@ def set_option(method: str, name: str, value: object) -> Update:
     """One setting of a method, for whichever arm it drives."""
 
     def wish(state: State) -> State:
-        options = changed(state.drive.options(method), name, value)
+        options = changed(state.request.drive.options(method), name, value)
         return of_both(state, lambda drive: drive.with_options(method, options))
 
     return checked(wish)
@@ -126,9 +126,9 @@ def grow_weights(on: bool) -> Update:
 
 def _objective_changed(change: Callable[[Secondary], Secondary]) -> Update:
     def wish(state: State) -> State:
-        if state.drive.secondary is None:
+        if state.request.drive.secondary is None:
             raise HelicoideError(Text(en="Choose an objective first.", pt_BR="Escolha um objetivo primeiro."))
-        second = change(state.drive.secondary)
+        second = change(state.request.drive.secondary)
         return of_both(state, lambda drive: replace(drive, secondary=second))
 
     return checked(wish)
@@ -141,5 +141,5 @@ def _with(gains: Gains, index: int, value: float) -> Gains:
 
 def of_both(state: State, change: Callable[[Drive], Drive]) -> State:
     """The same change of the drive of the arm and of the one beside it."""
-    beside = state.beside and replace(state.beside, drive=change(state.beside.drive))
-    return replace(state, drive=change(state.drive), beside=beside)
+    beside = state.compared and replace(state.compared, drive=change(state.compared.drive))
+    return replace(state, request=replace(state.request, drive=change(state.request.drive)), compared=beside)

@@ -15,7 +15,7 @@ from helicoide.gate.check import FARTHEST, driven, finite
 from helicoide.gate.target import Phase
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Capsule
-from helicoide.state import Grasp, State, Update
+from helicoide.state import Grasp, State, Update, grasped
 from helicoide.text import HelicoideError, Text
 
 MOST = 6
@@ -60,10 +60,10 @@ def drag_obstacle(seat: str, phase: Phase, index: int, position: ArrayLike) -> U
         asked = _place(state, index, position)
         grasp = Grasp(seat, obstacle_handle(index))
         if phase == "start":
-            state = replace(state, grasp=grasp)
-        if state.grasp != grasp:
+            state = grasped(state, grasp)
+        if state.request.grasp != grasp:
             return state
-        return _moved(replace(state, grasp=None) if phase == "end" else state, index, asked)
+        return _moved(grasped(state, None) if phase == "end" else state, index, asked)
 
     return driven(wish)
 
@@ -100,7 +100,7 @@ def remove_obstacle(index: int) -> Update:
 
     def wish(state: State) -> State:
         _check(state, index)
-        return _with(replace(state, grasp=None), state.problem.obstacles.without(index))
+        return _with(grasped(state, None), state.problem.obstacles.without(index))
 
     return driven(wish)
 
@@ -149,13 +149,13 @@ def _moved(state: State, index: int, asked: Array) -> State:
 
 def _axes(state: State) -> Array:
     """The axes of the moving bodies of the arm where they are, and of the arm beside, (k, 2, 3), m."""
-    arms = [state.poses] if state.beside is None else [state.poses, state.beside.poses]
+    arms = [state.arm.poses] if state.compared is None else [state.arm.poses, state.compared.arm.poses]
     return np.array([body.at(poses) for poses in arms for body in _moving(state)])
 
 
 def _kept(state: State) -> Array:
     """How far an obstacle without size stays from each of `_axes`, (k,), m."""
-    arms = 1 if state.beside is None else 2
+    arms = 1 if state.compared is None else 2
     return np.array([body.radius + state.problem.zones.between for body in _moving(state)] * arms)
 
 
@@ -177,4 +177,4 @@ def _at_arm(state: State, index: int) -> Text:
 
 def _with(state: State, obstacles: Obstacles) -> State:
     problem = replace(state.problem, obstacles=obstacles)
-    return replace(state, problem=problem, searched=False, rested=0.0, notice=None)
+    return replace(state, request=state.request.afresh(), problem=problem, notice=None)

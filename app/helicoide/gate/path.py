@@ -15,9 +15,9 @@ def play() -> Update:
     """Follow the path from where its parameter stands, or an open one that has ended from its start."""
 
     def wish(state: State) -> State:
-        path = path_of(state.robot, state.course)
-        ended = state.path_s >= path.duration and not path.is_closed
-        return commanded(state, Along(path, 0.0 if ended else state.path_s, playing=True))
+        path = path_of(state.robot, state.request.course)
+        ended = state.request.path_s >= path.duration and not path.is_closed
+        return commanded(state, Along(path, 0.0 if ended else state.request.path_s, playing=True))
 
     return driven(wish)
 
@@ -26,9 +26,9 @@ def pause() -> Update:
     """Stay at this place of the path."""
 
     def wish(state: State) -> State:
-        if not isinstance(state.command, Along):
+        if not isinstance(state.request.command, Along):
             return state
-        return commanded(state, replace(state.command, playing=False))
+        return commanded(state, replace(state.request.command, playing=False))
 
     return driven(wish)
 
@@ -45,22 +45,22 @@ def scrub(share: float) -> Update:
                     pt_BR="Um ponto da trajetória fica entre 0 e 100 % do seu tempo.",
                 )
             )
-        path = path_of(state.robot, state.course)
+        path = path_of(state.robot, state.request.course)
         s = float(value) * path.duration
-        playing = isinstance(state.command, Along) and state.command.playing
-        return commanded(replace(state, path_s=s), Along(path, s, playing=playing))
+        playing = isinstance(state.request.command, Along) and state.request.command.playing
+        return commanded(replace(state, request=replace(state.request, path_s=s)), Along(path, s, playing=playing))
 
     return driven(wish)
 
 
 def choose_path(name: str) -> Update:
     """Another path of `presets`, from its start and in its own time; an arm that follows a path stops."""
-    return driven(lambda state: _from_start(state, replace(state.course, name=name, duration=None)))
+    return driven(lambda state: _from_start(state, replace(state.request.course, name=name, duration=None)))
 
 
 def choose_scaling(shape: Shape) -> Update:
     """Another time scaling of the path, from its start; an arm that follows a path stops."""
-    return driven(lambda state: _from_start(state, replace(state.course, shape=shape)))
+    return driven(lambda state: _from_start(state, replace(state.request.course, shape=shape)))
 
 
 def set_duration(seconds: float) -> Update:
@@ -68,18 +68,18 @@ def set_duration(seconds: float) -> Update:
 
     def wish(state: State) -> State:
         (value,) = finite([seconds], (1,))
-        course = replace(state.course, duration=float(value))
-        before, after = path_of(state.robot, state.course), path_of(state.robot, course)
-        s = state.path_s * after.duration / before.duration
-        state = replace(state, course=course, path_s=s, notice=None)
-        if isinstance(state.command, Along):
-            state = replace(state, command=replace(state.command, path=after, s=s))
-        return state
+        request = state.request
+        course = replace(request.course, duration=float(value))
+        before, after = path_of(state.robot, request.course), path_of(state.robot, course)
+        s, command = request.path_s * after.duration / before.duration, request.command
+        if isinstance(command, Along):
+            command = replace(command, path=after, s=s)
+        return replace(state, request=replace(request, command=command, course=course, path_s=s), notice=None)
 
     return driven(wish)
 
 
 def _from_start(state: State, course: Course) -> State:
     path_of(state.robot, course)
-    state = replace(state, course=course, path_s=0.0, notice=None)
-    return commanded(state, Hold()) if isinstance(state.command, Along) else state
+    state = replace(state, request=replace(state.request, course=course, path_s=0.0), notice=None)
+    return commanded(state, Hold()) if isinstance(state.request.command, Along) else state

@@ -11,7 +11,7 @@ from helicoide.confinement import planes_of, stopped_at_arm
 from helicoide.gate.check import driven, pose
 from helicoide.gate.target import Phase
 from helicoide.kinematics.chain import Array
-from helicoide.state import Grasp, State, Update
+from helicoide.state import Grasp, State, Update, grasped
 from helicoide.text import HelicoideError, Text
 
 
@@ -25,10 +25,10 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
             raise HelicoideError(Text(en="That plane is fixed.", pt_BR="Esse plano é fixo."))
         handle = f"plane {index}"
         if phase == "start":
-            state = replace(state, grasp=Grasp(seat, handle))
-        if state.grasp != Grasp(seat, handle):
+            state = grasped(state, Grasp(seat, handle))
+        if state.request.grasp != Grasp(seat, handle):
             return state
-        held = replace(state, grasp=None) if phase == "end" else state
+        held = grasped(state, None) if phase == "end" else state
         return _plane_moved(held, index, T[:3, 2], T[:3, 3])
 
     return driven(wish)
@@ -41,7 +41,7 @@ def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State
     centre = stopped_at_arm(normal, asked, points, critical)
     stopped = None if np.array_equal(centre, asked) else _stopped_plane(state, index, (points - centre) @ normal)
     problem = replace(problem, planes=problem.planes.moved(index, normal, centre))
-    return replace(state, problem=problem, searched=False, rested=0.0, notice=stopped)
+    return replace(state, request=state.request.afresh(), problem=problem, notice=stopped)
 
 
 def _stopped_plane(state: State, index: int, distances: Array) -> Text:

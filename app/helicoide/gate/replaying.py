@@ -19,7 +19,7 @@ def replay(path: JointPath, title: Text) -> Update:
     """A path of this arm's joints; the guard keeps every limit on the way."""
 
     def wish(state: State) -> State:
-        finite(path.q(0.0), state.q.shape)
+        finite(path.q(0.0), state.arm.q.shape)
         return commanded(state, Replay(path, title))
 
     return driven(wish)
@@ -32,7 +32,7 @@ def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
     """
 
     def wish(state: State) -> State:
-        n, count = len(state.q), len(np.atleast_1d(times))
+        n, count = len(state.arm.q), len(np.atleast_1d(times))
         if not 2 <= count <= MOST:
             raise HelicoideError(
                 Text(

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from helicoide.state import Hold, Update, commanded
+from helicoide.state import Hold, State, Update, commanded
 
 
 def stop() -> Update:
     """Nothing moves from this tick on, and what is held is let go."""
-    return lambda state: replace(commanded(state, Hold(stopped=True)), grasp=None, gripper_target=state.gripper)
+
+    def wish(state: State) -> State:
+        state = commanded(state, Hold(stopped=True))
+        return replace(state, request=replace(state.request, grasp=None, gripper=state.arm.gripper))
+
+    return wish

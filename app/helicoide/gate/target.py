@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from helicoide.gate.check import driven, pose
 from helicoide.ik.drive import GUARDED
 from helicoide.kinematics.chain import Array
-from helicoide.state import Grasp, State, ToPose, Update, commanded
+from helicoide.state import Grasp, State, ToPose, Update, commanded, grasped
 
 Phase = Literal["start", "update", "end"]
 
@@ -21,8 +21,8 @@ def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -
     def wish(state: State) -> State:
         T = pose(state, position, wxyz)
         if phase == "start":
-            state = replace(state, grasp=Grasp(seat, "target"))
-        if state.grasp != Grasp(seat, "target"):
+            state = grasped(state, Grasp(seat, "target"))
+        if state.request.grasp != Grasp(seat, "target"):
             return state
         state = commanded(state, ToPose(T))
         return _released(state, T) if phase == "end" else state
@@ -35,19 +35,20 @@ def _released(state: State, T_world_target: Array) -> State:
 
     A method of the sources looks for neither: the target stays, and one sees what the method makes of it.
     """
-    settles = state.drive.method == GUARDED
-    return replace(state, grasp=None, command=ToPose(T_world_target, settles), searched=False)
+    settles = state.request.drive.method == GUARDED
+    request = replace(state.request, grasp=None, command=ToPose(T_world_target, settles), searched=False)
+    return replace(state, request=request)
 
 
 def let_go(grasp: Grasp) -> Update:
     """That grasp, and no later one, ends where it is."""
 
     def update(state: State) -> State:
-        if state.grasp is not grasp:
+        if state.request.grasp is not grasp:
             return state
-        if grasp.handle == "target" and isinstance(state.command, ToPose):
-            return _released(state, state.command.T_world_target)
-        return replace(state, grasp=None)
+        if grasp.handle == "target" and isinstance(state.request.command, ToPose):
+            return _released(state, state.request.command.T_world_target)
+        return grasped(state, None)
 
     return update
 
@@ -59,4 +60,4 @@ def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
 
 def hold_orientation(on: bool) -> Update:
     """Whether the target's orientation counts, or its position only."""
-    return lambda state: replace(state, with_orientation=bool(on), searched=False, rested=0.0)
+    return lambda state: replace(state, request=replace(state.request.afresh(), with_orientation=bool(on)))

@@ -36,7 +36,7 @@ def record(way: str = "joints") -> Update:
                 Text(en="There are {most} waypoints at most.", pt_BR="Há no máximo {most} pontos.").format(most=MOST)
             )
         name = next(name for k in range(1, MOST + 2) if (name := f"P{k}") not in taught.names)
-        return inserted(taught, len(taught.waypoints), waypoint(state.robot, name, state.q, way))
+        return inserted(taught, len(taught.waypoints), waypoint(state.robot, name, state.arm.q, way))
 
     return _changed(change)
 
@@ -73,7 +73,7 @@ def set_dwell(name: str, seconds: float) -> Update:
 
 def teach_again(name: str) -> Update:
     """A waypoint as the arm stands now."""
-    return _changed(lambda state: placed_at(state.taught, name, state.q))
+    return _changed(lambda state: placed_at(state.taught, name, state.arm.q))
 
 
 def choose_leg_shape(shape: Shape) -> Update:
@@ -87,7 +87,7 @@ def choose_leg_shape(shape: Shape) -> Update:
                     pt_BR="Não há lei de tempo {shape!r}; há: {shapes}.",
                 ).format(shape=shape, shapes=", ".join(LAWS))
             )
-        return replace(state, leg_shape=shape, notice=None)
+        return replace(state, taught=replace(state.taught, shape=shape), notice=None)
 
     return checked(wish)
 
@@ -98,4 +98,6 @@ def take_waypoints(content: bytes) -> Update:
 
 
 def _changed(change: Callable[[State], Taught]) -> Update:
-    return checked(lambda state: replace(state, waypoints=change(state).waypoints, notice=None))
+    return checked(
+        lambda state: replace(state, taught=replace(state.taught, waypoints=change(state).waypoints), notice=None)
+    )

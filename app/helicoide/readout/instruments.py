@@ -34,7 +34,7 @@ class Instrument:
 
 def target(state: State) -> Array | None:
     """The pose that the tool is driven to, T_world_target (4, 4), m; None when no pose is asked for."""
-    match state.command:
+    match state.request.command:
         case ToPose(T):
             return T
         case Along(path, s):
@@ -45,8 +45,10 @@ def target(state: State) -> Array | None:
 
 def mobility(state: State) -> Manipulability:
     """What the rows of the task let the arm do where it stands, lengths in terms of the characteristic length."""
-    T, drive = state.T_world_tool, state.drive
-    task = task_of(state.problem, state.q, state.poses, T, state.with_orientation, _STILL, drive.gains, 0.0)
+    T, drive = state.T_world_tool, state.request.drive
+    task = task_of(
+        state.problem, state.arm.q, state.arm.poses, T, state.request.with_orientation, _STILL, drive.gains, 0.0
+    )
     return analysed(task.J)
 
 
@@ -59,7 +61,9 @@ def instruments(state: State) -> tuple[Instrument, ...]:
     here = mobility(state)
     return (
         *_errors(state),
-        Instrument(Text(en="joint rates", pt_BR="velocidades de junta"), r"\|\dot q\|", _length(state.speeds), "rad/s"),
+        Instrument(
+            Text(en="joint rates", pt_BR="velocidades de junta"), r"\|\dot q\|", _length(state.arm.speeds), "rad/s"
+        ),
         Instrument(Text(en="condition number", pt_BR="número de condição"), r"\kappa", here.condition),
         Instrument(Text(en="manipulability", pt_BR="manipulabilidade"), "w", here.w),
         Instrument(Text(en="joints left free", pt_BR="juntas livres"), r"n - r", _free(here)),
@@ -71,9 +75,9 @@ def instruments(state: State) -> tuple[Instrument, ...]:
 
 def held_by(state: State) -> tuple[Reason, ...]:
     """What held the last guarded step back, the hardest first."""
-    if state.held is None or state.held.pull == 0.0:
+    if state.arm.held is None or state.arm.held.pull == 0.0:
         return ()
-    return reasons(state.problem, state.q, state.held.multipliers, state.held.pull)
+    return reasons(state.problem, state.arm.q, state.arm.held.multipliers, state.arm.held.pull)
 
 
 def _length(values: Array) -> float:
@@ -112,7 +116,7 @@ def _entry(state: State) -> tuple[Instrument, ...]:
     if entry is None:
         return ()
     passage = passage_of(problem.robot, entry)
-    at = constrained(problem, passage, state.q, entry.point)
+    at = constrained(problem, passage, state.arm.q, entry.point)
     place = at.place
     return (
         Instrument(
@@ -137,7 +141,7 @@ def _mm(way: Array) -> float:
 
 def _figures(state: State) -> tuple[Instrument, ...]:
     """The figures of the method's last answer, in the order of its file."""
-    solution, method = state.drive.solution, named(state.drive.method)
+    solution, method = state.request.drive.solution, named(state.request.drive.method)
     if solution is None:
         return ()
     return tuple(

@@ -56,7 +56,7 @@ def _lines(state: State) -> list[Reading]:
             f"joint {i}",
             title.format(n=i + 1, joint=joint.title),
             rf"\ell_{i + 1}",
-            partial(lambda i: rigid.line(state.axes[i], state.poses[i + 1, :3, 3]), i),
+            partial(lambda i: rigid.line(state.axes[i], state.arm.poses[i + 1, :3, 3]), i),
         )
         for i, joint in enumerate(state.robot.joints)
     ]

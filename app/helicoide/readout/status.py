@@ -47,7 +47,7 @@ def status(state: State) -> Status:
     """The state in words: a refusal first, then what holds the arm, then what it does."""
     if state.notice is not None:
         return Status(state.notice, "warn")
-    if state.command == Hold(stopped=True) and state.parked:
+    if state.request.command == Hold(stopped=True) and state.arm.parked:
         return Status(
             Text(
                 en="Stopped, with the planes off: only Ready or Park move the arm.",
@@ -55,7 +55,7 @@ def status(state: State) -> Status:
             ),
             "stopped",
         )
-    if state.command == Hold(stopped=True):
+    if state.request.command == Hold(stopped=True):
         return Status(
             Text(
                 en="Stopped. Nothing moves until the next press.",
@@ -63,14 +63,14 @@ def status(state: State) -> Status:
             ),
             "stopped",
         )
-    if isinstance(state.command, Replay):
-        return Status(_replaying(state, state.command), "ok")
-    if state.parked or isinstance(state.command, Park | GetReady):
+    if isinstance(state.request.command, Replay):
+        return Status(_replaying(state, state.request.command), "ok")
+    if state.arm.parked or isinstance(state.request.command, Park | GetReady):
         return _parking(state)
-    if isinstance(state.command, ToPose | Along) and state.drive.method != GUARDED:
+    if isinstance(state.request.command, ToPose | Along) and state.request.drive.method != GUARDED:
         return _by_method(state)
-    if state.goal is not None and not isinstance(state.command, Hold):
-        return _towards(state, state.goal)
+    if state.request.goal is not None and not isinstance(state.request.command, Hold):
+        return _towards(state, state.request.goal)
     return Status(Text(en="Ready: drag the target or a slider.", pt_BR="Pronto: arraste o alvo ou um controle."), "ok")
 
 
@@ -88,7 +88,7 @@ def _replaying(state: State, command: Replay) -> Text:
 
 
 def _parking(state: State) -> Status:
-    if isinstance(state.command, Hold):
+    if isinstance(state.request.command, Hold):
         return Status(
             Text(
                 en="Parked: planes are off. Ready brings the arm back.",
@@ -96,10 +96,10 @@ def _parking(state: State) -> Status:
             ),
             "warn",
         )
-    if not state.parked and state.goal is not None and state.goal.short > SHORT:
-        return Status(_held_back(state, state.goal), "blocked")
-    if isinstance(state.command, Park):
-        if not state.parked and not state.moving and state.rested > 1.0:
+    if not state.arm.parked and state.request.goal is not None and state.request.goal.short > SHORT:
+        return Status(_held_back(state, state.request.goal), "blocked")
+    if isinstance(state.request.command, Park):
+        if not state.arm.parked and not state.arm.moving and state.request.rested > 1.0:
             return Status(
                 Text(
                     en="Cannot park: a plane is too near to the ready pose. Move it first.",
@@ -113,7 +113,7 @@ def _parking(state: State) -> Status:
 
 def _towards(state: State, goal: Goal) -> Status:
     """On the way to a wish, or at the nearest point to it."""
-    if state.detour is not None:
+    if state.request.detour is not None:
         return Status(
             Text(
                 en="Changing posture: another one comes nearer to the goal.",
@@ -123,27 +123,27 @@ def _towards(state: State, goal: Goal) -> Status:
         )
     if goal.short > SHORT:
         return Status(_held_back(state, goal), "blocked")
-    if state.with_orientation and goal.turned > TURNED:
+    if state.request.with_orientation and goal.turned > TURNED:
         return Status(_misaligned(state, goal), "warn")
-    if isinstance(state.command, Along) and state.command.playing:
+    if isinstance(state.request.command, Along) and state.request.command.playing:
         return Status(FOLLOWING, "ok")
-    if state.moving:
+    if state.arm.moving:
         return Status(MOVING, "ok")
     return Status(AT_THE_GOAL, "ok")
 
 
 def _by_method(state: State) -> Status:
     """On the way by a method of the sources: whether it applies, and where it comes to rest."""
-    if state.drive.refusal is not None:
-        return Status(state.drive.refusal, "blocked")
+    if state.request.drive.refusal is not None:
+        return Status(state.request.drive.refusal, "blocked")
     way, turn = errors(state)
-    if isinstance(state.command, Along) and state.command.playing and way < ARRIVED:
+    if isinstance(state.request.command, Along) and state.request.command.playing and way < ARRIVED:
         return Status(FOLLOWING, "ok")
-    if state.moving:
+    if state.arm.moving:
         return Status(MOVING, "ok")
     if way > SHORT:
         return Status(_rests(state, way), "blocked")
-    if state.with_orientation and turn > TURNED:
+    if state.request.with_orientation and turn > TURNED:
         return Status(
             Text(
                 en="Position held, orientation {turned:.0f}° off.",
@@ -156,7 +156,7 @@ def _by_method(state: State) -> Status:
 
 def _rests(state: State, way: float) -> Text:
     """Where a method has come to rest, with what the guard held it back by, if anything."""
-    method = methods.named(state.drive.method).TITLE
+    method = methods.named(state.request.drive.method).TITLE
     held = holding(state)
     if not held:
         return Text(

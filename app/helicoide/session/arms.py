@@ -89,6 +89,6 @@ def _put_up(robot: Robot, before: State, then: Update | None) -> Update:
 
     def update(state: State) -> State:
         begun = initial(robot)
-        return begun if then is None or state.command is not before.command else then(begun)
+        return begun if then is None or state.request.command is not before.request.command else then(begun)
 
     return update

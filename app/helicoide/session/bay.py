@@ -44,8 +44,8 @@ class Bay:
                 self.survey.tour(real)
             case rows.ReadCloud(name, content, plane):
                 self.survey.read(name, content, plane)
-            case rows.CountMap():
-                self.mapping.begin()
+            case rows.CountMap(kind):
+                self.mapping.begin(kind)
             case rows.PlayTaught():
                 self.arms.work_out(through)
             case rows.PlayFastest():

@@ -320,7 +320,8 @@ class Lab:
             if len(self.bays) > MOST_OWN:
                 visitor.window.tell(FULL.format(n=MOST_OWN))
                 return
-            bay = self._bay(replace(commanded(self.shared.workcell.state, Hold()), grasp=None, goal=None))
+            copy = commanded(self.shared.workcell.state, Hold())
+            bay = self._bay(replace(copy, request=replace(copy.request, grasp=None, goal=None)))
             place.own = bay.workcell
             self.bays = {**self.bays, bay.workcell: bay}
             self.workcells = tuple(self.bays)
@@ -376,5 +377,5 @@ class Lab:
 
 def _held(visitor: Visitor) -> Grasp | None:
     """What a window holds with the pointer."""
-    grasp = visitor.bay.workcell.state.grasp
+    grasp = visitor.bay.workcell.state.request.grasp
     return grasp if grasp is not None and grasp.seat == str(visitor.window.client.client_id) else None

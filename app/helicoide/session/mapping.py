@@ -50,14 +50,14 @@ class Mapping:
         self._job: Apart | None = None
         self._task: asyncio.Task[None] | None = None
 
-    def begin(self) -> None:
-        """Count the map of the kind that is chosen, of the arm that stands there; what is counted so far is ended."""
+    def begin(self, kind: Kind) -> None:
+        """Count a map of the arm that stands there; what is counted so far is ended."""
         state = self.state()
         if self._task is not None:
             self._task.cancel()
         self.close()
-        self.post(gate.start_map(state.robot))
-        self._task = asyncio.get_running_loop().create_task(self._map(state.robot, state.workspace.kind))
+        self.post(gate.start_map(state.robot, kind))
+        self._task = asyncio.get_running_loop().create_task(self._map(state.robot, kind))
 
     def close(self) -> None:
         """End what is counted."""
@@ -103,7 +103,7 @@ class Mapping:
 
     def _is_counting(self, robot: Robot) -> bool:
         state = self.state()
-        return state.robot is robot and state.workspace.progress is not None
+        return state.robot is robot and state.workspace.counting is not None
 
 
 def _frozen(found: Map) -> Map:

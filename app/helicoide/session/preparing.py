@@ -65,12 +65,12 @@ def _drive(state: State) -> None:
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = search(asked)(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
-    foreseen(advance(commanded(asked, ToJoints(state.q)), TICK))
+    foreseen(advance(commanded(asked, ToJoints(state.arm.q)), TICK))
 
 
 def _look(state: State) -> None:
     """What is asked now and then: multivectors, distances, postures, clouds and maps."""
-    robot, T, q = state.robot, state.T_world_tool, state.q
+    robot, T, q = state.robot, state.T_world_tool, state.arm.q
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
     distances(*state.problem.plane_arrays[:2], state.guarded_points)
     numeric.posture(robot, T, q)
@@ -101,7 +101,7 @@ def compiled(report: Callable[[int], None]) -> None:
 def rehearse(robot: Robot) -> None:
     """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
     state = initial(robot)
-    project(robot, state.T_world_tool, state.q)
+    project(robot, state.T_world_tool, state.arm.q)
 
 
 def compiling(done: int, words: Text = COMPILING) -> Text:

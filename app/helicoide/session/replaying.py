@@ -40,10 +40,12 @@ SLOWLY, STEP, COMING, KNOT = 30.0, 0.02, 500, 10
 def through(state: State) -> Update:
     """The wish to go through the waypoints from where the arm is, or to say why that is not possible."""
     robot = state.robot
-    if not state.waypoints:
+    if not state.taught.waypoints:
         return gate.say(NONE)
     try:
-        ways = list(legs(state.taught, state.q, partial(joints_along, robot), state.leg_shape, _acceleration(robot)))
+        ways = list(
+            legs(state.taught, state.arm.q, partial(joints_along, robot), state.taught.shape, _acceleration(robot))
+        )
     except HelicoideError as refusal:
         return gate.say(refusal.text)
     blocked = next((leg.waypoint for leg in ways if leg.blocked), None)
@@ -59,10 +61,10 @@ def along_fastest(state: State) -> Update:
     How the joints go is what the guarded step makes of the path when it is followed slowly, so that it keeps every
     limit and plane; then time is scaled, evenly at no time: an even start would be a jump.
     """
-    if state.parked:  # there it would not move, and never come to the end
+    if state.arm.parked:  # there it would not move, and never come to the end
         return gate.say(gate.PARKED)
     rows, beside = _followed(state)
-    shape = "trapezoid" if state.course.shape == "constant speed" else state.course.shape
+    shape = "trapezoid" if state.request.course.shape == "constant speed" else state.request.course.shape
     along = Spline(np.linspace(0.0, SLOWLY, len(rows)), rows)
     try:
         path = fastest(along, shape, state.robot.speed, _acceleration(state.robot))
@@ -76,18 +78,20 @@ def _followed(state: State) -> tuple[Array, float]:
 
     The arm first comes to rest where the path begins, or as near to that as it can.
     """
-    path = gate.path_of(state.robot, replace(state.course, shape="constant speed", duration=SLOWLY))
-    state = commanded(replace(state, drive=Drive(), beside=None), Along(path, 0.0, playing=False))
+    path = gate.path_of(state.robot, replace(state.request.course, shape="constant speed", duration=SLOWLY))
+    state = commanded(
+        replace(state, request=replace(state.request, drive=Drive()), compared=None), Along(path, 0.0, playing=False)
+    )
     for _ in range(COMING):
         state = lived(state, STEP)
-    state = replace(state, command=Along(path, 0.0, playing=True, arrived=True))
-    rows, beside = [state.q], 0.0
-    while isinstance(state.command, Along) and state.command.playing:
-        s = state.command.s
+    state = replace(state, request=replace(state.request, command=Along(path, 0.0, playing=True, arrived=True)))
+    rows, beside = [state.arm.q], 0.0
+    while isinstance(state.request.command, Along) and state.request.command.playing:
+        s = state.request.command.s
         state = lived(state, STEP)
-        if state.path_s < s:  # a closed path begins again
+        if state.request.path_s < s:  # a closed path begins again
             break
-        rows.append(state.q)
+        rows.append(state.arm.q)
         beside = max(beside, float(np.linalg.norm(state.T_world_tool[:3, 3] - path.pose(s)[:3, 3])))
     return np.array(rows[::KNOT]), beside
 

@@ -84,18 +84,20 @@ class Surveying:
             state = self.state()
             cloud = await asyncio.to_thread(seen_by, camera, state)
             await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
-            if self.state().command is not state.command:  # stopped, or sent elsewhere, while the cloud was read
+            if (
+                self.state().request.command is not state.request.command
+            ):  # stopped, or sent elsewhere, while the cloud was read
                 return
         self.post(gate.while_asked(state, gate.get_ready()))
 
     async def _arrived(self, pose: str) -> bool:
         """Wait until the arm is at a posture; false as soon as it was sent elsewhere, or can come no nearer."""
-        command = self.state().command
-        while self.state().command is command and isinstance(command, ToJoints):
+        command = self.state().request.command
+        while self.state().request.command is command and isinstance(command, ToJoints):
             state = self.state()
-            if abs(state.q - state.robot.poses[pose]).max() < STILL:
+            if abs(state.arm.q - state.robot.poses[pose]).max() < STILL:
                 return True
-            if state.rested > 1.0 and not state.moving:
+            if state.request.rested > 1.0 and not state.arm.moving:
                 return False
             await asyncio.sleep(LOOK)
         return False

@@ -95,12 +95,14 @@ class Workcell:
 
     def foresee(self) -> None:
         """Work out where the command leads, where that may have changed; of a path that plays, only words tell."""
-        plays = isinstance(self.state.command, Along) and self.state.command.playing
+        plays = isinstance(self.state.request.command, Along) and self.state.request.command.playing
         if self.ticks - self._foreseen_at < (UNSEEN if plays else SEEN):
             return
         if leads_elsewhere(self._foreseen, self.state):
             self._foreseen_at = self.ticks
-            self._foreseen = self.state = self._tried(foreseen, lambda state: replace(state, goal=None))
+            self._foreseen = self.state = self._tried(
+                foreseen, lambda state: replace(state, request=replace(state.request, goal=None))
+            )
 
     def _search(self, state: State) -> None:
         """Look for another posture; in a thread of the searcher."""
@@ -122,4 +124,4 @@ class Workcell:
 
 
 def _searched_in_vain(state: State) -> State:
-    return replace(state, searched=True)
+    return replace(state, request=replace(state.request, searched=True))

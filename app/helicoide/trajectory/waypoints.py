@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.fastest import Shape
 
 Way = Literal["joints", "line", "screw"]
 WAYS: Mapping[Way, Text] = MappingProxyType(
@@ -41,10 +42,14 @@ class Waypoint:
 
 @dataclass(frozen=True, eq=False)
 class Taught:
-    """The waypoints of one arm, each name once, in the order in which they are visited."""
+    """The waypoints of one arm, each name once, in the order in which they are visited.
+
+    shape: the time scaling of the way to each.
+    """
 
     robot: Robot
     waypoints: tuple[Waypoint, ...] = ()
+    shape: Shape = "trapezoid"
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -77,7 +77,7 @@ def _has(things: Sequence[object]) -> Callable[[View], bool]:
 
 
 def _free(view: View) -> bool:
-    return not view.state.parked
+    return not view.state.arm.parked
 
 
 def _read(view: View) -> Markup:

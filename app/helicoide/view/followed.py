@@ -26,7 +26,7 @@ def path_rows(robot: Robot) -> Folder:
         Choice(
             Text(en="path", pt_BR="trajetória"),
             [(key, preset.title) for key, preset in known.items()],
-            lambda view: view.state.course.name or next(iter(known)),
+            lambda view: view.state.request.course.name or next(iter(known)),
             lambda key: ForArm(gate.choose_path(key)),
         ),
         Button(
@@ -35,15 +35,15 @@ def path_rows(robot: Robot) -> Folder:
             enabled=_free,
         ),
         Slider(
-            label=lambda view: PLACE.format(s=view.state.path_s, end=_path(view).duration),
+            label=lambda view: PLACE.format(s=view.state.request.path_s, end=_path(view).duration),
             lower=0.0,
             upper=100.0,
             step=0.1,
-            value=lambda view: 100 * view.state.path_s / _path(view).duration,
+            value=lambda view: 100 * view.state.request.path_s / _path(view).duration,
             wish=lambda percent: ForArm(gate.scrub(percent / 100)),
             enabled=_free,
         ),
-        scaling(lambda view: view.state.course.shape, gate.choose_scaling),
+        scaling(lambda view: view.state.request.course.shape, gate.choose_scaling),
         Slider(
             Text(en="duration [s]", pt_BR="duração [s]"),
             gate.SHORTEST,
@@ -75,12 +75,12 @@ def scaling(shape: Callable[[View], Shape], choose: Callable[[Shape], Update]) -
 
 
 def _free(view: View) -> bool:
-    return not view.state.parked
+    return not view.state.arm.parked
 
 
 def _playing(view: View) -> bool:
-    return isinstance(view.state.command, Along) and view.state.command.playing
+    return isinstance(view.state.request.command, Along) and view.state.request.command.playing
 
 
 def _path(view: View) -> Path:
-    return gate.path_of(view.state.robot, view.state.course)
+    return gate.path_of(view.state.robot, view.state.request.course)

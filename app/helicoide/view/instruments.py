@@ -17,10 +17,12 @@ from helicoide.view.rows import View
 
 def instrument_table(view: View) -> Markup:
     """The equation, and a table of what can be read off the method and off the one beside it."""
-    arms = [state for state in (view.state, view.state.of_beside) if state is not None]
+    arms = [state for state in (view.state, view.state.of_compared) if state is not None]
     columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
     lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
-    head = _cells(Markup("<th>{}</th>"), (named(state.drive.method).TITLE[view.seat.language] for state in arms))
+    head = _cells(
+        Markup("<th>{}</th>"), (named(state.request.drive.method).TITLE[view.seat.language] for state in arms)
+    )
     body = Markup("").join(
         Markup("<tr><td>{}<span>{}</span></td>{}</tr>").format(
             mathml(_tex(symbol)),
@@ -31,7 +33,9 @@ def instrument_table(view: View) -> Markup:
     )
     table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>")
     held = _cells(VALUE, (_held(state, view) for state in arms))
-    return mathml(named(view.state.drive.method).EQUATION) + table.format(head, body, HELD[view.seat.language], held)
+    return mathml(named(view.state.request.drive.method).EQUATION) + table.format(
+        head, body, HELD[view.seat.language], held
+    )
 
 
 def _cells(cell: Markup, words: Iterable[str]) -> Markup:

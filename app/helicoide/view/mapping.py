@@ -44,6 +44,7 @@ ABOUT: dict[Kind, Text] = {
 COUNT = Text(en="Work out the map", pt_BR="Calcular o mapa")
 END = Text(en="End the calculation", pt_BR="Encerrar o cálculo")
 CLEAR = Text(en="Take the map away", pt_BR="Tirar o mapa")
+COUNTED = Text(en="{title}: being worked out.", pt_BR="{title}: em cálculo.")
 FOUND = Text(
     en="{title}: the tool comes to {measure}, found by {samples} postures in cells of {size:.0f} mm.",
     pt_BR="{title}: o efetuador alcança {measure}, segundo {samples} posturas em células de {size:.0f} mm.",
@@ -120,16 +121,16 @@ def workspace_rows(robot: Robot) -> Folder:
         Choice(
             Text(en="Map", pt_BR="Mapa"),
             [(kind, TITLES[kind]) for kind in KINDS],
-            lambda view: view.state.workspace.kind,
-            lambda kind: ForArm(gate.choose_map(kind)),
+            lambda view: view.seat.map_kind,
+            lambda kind: ForSeat(gate.choose_map(kind)),
         ),
         Words(_about),
         Button(
             lambda view: END if _counting(view) else COUNT,
-            lambda view: ForArm(gate.end_map()) if _counting(view) else CountMap(),
+            lambda view: ForArm(gate.end_map()) if _counting(view) else CountMap(view.seat.map_kind),
             Icon.MAP_2,
         ),
-        Bar(lambda view: view.state.workspace.progress),
+        Bar(_share),
         Words(_found),
         *([_cut()] if normal_of(robot) is None else []),
         Button(lambda _: CLEAR, lambda _: ForArm(gate.clear_map()), Icon.TRASH, shown=_has_map),
@@ -144,7 +145,12 @@ def _cut() -> Slider:
 
 
 def _counting(view: View) -> bool:
-    return view.state.workspace.progress is not None
+    return view.state.workspace.counting is not None
+
+
+def _share(view: View) -> float | None:
+    counting = view.state.workspace.counting
+    return None if counting is None else counting.share
 
 
 def _has_map(view: View) -> bool:
@@ -152,7 +158,11 @@ def _has_map(view: View) -> bool:
 
 
 def _about(view: View) -> Markup:
-    return html.note(ABOUT[view.state.workspace.kind][view.seat.language])
+    """What the map that is chosen shows, or the one that is being worked out, whoever asked for it."""
+    counting, language = view.state.workspace.counting, view.seat.language
+    if counting is None:
+        return html.note(ABOUT[view.seat.map_kind][language])
+    return html.note(COUNTED.format(title=TITLES[counting.kind])[language])
 
 
 def _found(view: View) -> Markup:

@@ -31,7 +31,7 @@ def objective_rows(robot: Robot) -> list[Row]:
 
 
 def _chosen(view: View) -> str:
-    second = view.state.drive.secondary
+    second = view.state.request.drive.secondary
     return "" if second is None else second.objective
 
 
@@ -42,7 +42,7 @@ def _how(robot: Robot, name: str) -> list[Row]:
     objective, default = objectives.named(name), Secondary(name, objectives.named(name).Options())
 
     def second(view: View) -> Secondary:
-        there = view.state.drive.secondary
+        there = view.state.request.drive.secondary
         return there if there is not None and there.objective == name else default
 
     as_row = Tick(

@@ -9,6 +9,7 @@ from typing import Any, Generic, TypeVar
 from markupsafe import Markup
 from viser import IconName
 
+from helicoide.kinematics.workspace import Kind
 from helicoide.state import Seat, SeatUpdate, State, Update
 from helicoide.studies.desk import EMPTY, Desk, DeskUpdate
 from helicoide.studies.study import Chart, Motion
@@ -85,7 +86,9 @@ class ReadCloud:
 
 @dataclass(frozen=True)
 class CountMap:
-    """A wish for the map of the workspace that is chosen."""
+    """A wish for a map of the workspace."""
+
+    kind: Kind
 
 
 @dataclass(frozen=True)

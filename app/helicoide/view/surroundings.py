@@ -26,7 +26,9 @@ def _count(view: View) -> int:
 
 
 def _spheres(robot: Robot, count: int) -> list[Row]:
-    add = Button(lambda _: ADD, lambda _: ForArm(gate.add_obstacle()), Icon.PLUS, lambda view: not view.state.parked)
+    add = Button(
+        lambda _: ADD, lambda _: ForArm(gate.add_obstacle()), Icon.PLUS, lambda view: not view.state.arm.parked
+    )
     return [add, *(row for index in range(count) for row in _sphere(robot, index))]
 
 

@@ -34,18 +34,18 @@ def teaching_rows() -> Folder:
     rows: list[Row] = [
         *map(_record, WAYS),
         Folder(Text(en="Points", pt_BR="Pontos"), Changing(_names, _points)),
-        scaling(lambda view: view.state.leg_shape, gate.choose_leg_shape),
+        scaling(lambda view: view.state.taught.shape, gate.choose_leg_shape),
         Button(
             lambda _: Text(en="Go through the points", pt_BR="Percorrer os pontos"),
             lambda _: PlayTaught(),
             Icon.PLAYER_PLAY,
-            lambda view: bool(view.state.waypoints) and not view.state.parked,
+            lambda view: bool(view.state.taught.waypoints) and not view.state.arm.parked,
         ),
         Button(
             lambda _: Text(en="Save the points", pt_BR="Salvar os pontos"),
             lambda view: Save(FILE, encoded(view.state.taught)),
             Icon.DOWNLOAD,
-            lambda view: bool(view.state.waypoints),
+            lambda view: bool(view.state.taught.waypoints),
         ),
         Upload(
             Text(en="Load points", pt_BR="Carregar pontos"), lambda _, content: ForArm(gate.take_waypoints(content))
@@ -60,7 +60,7 @@ def _record(way: Way) -> Button:
 
 
 def _names(view: View) -> tuple[str, ...]:
-    return tuple(waypoint.name for waypoint in view.state.waypoints)
+    return tuple(waypoint.name for waypoint in view.state.taught.waypoints)
 
 
 def _points(names: tuple[str, ...]) -> Sequence[Row]:

@@ -144,9 +144,9 @@ def guarded(path: Ellipse, k0: float, seconds: float, progress: Progress) -> Cou
     points, q, near = [], [], []
     for step in range(turn):
         state = lived(state, TICK)
-        points.append(path.point(state.path_s))
-        q.append(state.q)
-        near.append(nearest(state.problem, state.q.copy()))
+        points.append(path.point(state.request.path_s))
+        q.append(state.arm.q)
+        near.append(nearest(state.problem, state.arm.q.copy()))
         progress((step + 1) / turn)
     wished, tool = np.array(points), np.array([arms.tool(state.problem, one) for one in q])
     errors = np.linalg.norm(tool - wished, axis=1)
@@ -157,9 +157,12 @@ def _on_the_path(path: Ellipse, k0: float) -> State:
     """The page's state with the arm where the path begins, or as near to it as the planes let it come."""
     state = initial(load("movemaster"))
     drive = Drive(secondary=Secondary("limit_distance", objectives.named("limit_distance").Options(), k0))
-    state = commanded(replace(state, drive=drive, with_orientation=False), Along(path, 0.0, playing=True))
+    state = commanded(
+        replace(state, request=replace(state.request, drive=drive, with_orientation=False)),
+        Along(path, 0.0, playing=True),
+    )
     for _ in range(round(LONGEST / TICK)):
-        if isinstance(state.command, Along) and state.command.arrived:
+        if isinstance(state.request.command, Along) and state.request.command.arrived:
             break
         state = lived(state, TICK)
     return state

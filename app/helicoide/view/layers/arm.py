@@ -67,5 +67,5 @@ class Arm:
     def update(self, old: View | None, new: View) -> None:
         """Follow joints and gripper."""
         state = new.state
-        if old is None or old.state.q is not state.q or old.state.gripper != state.gripper:
-            self.placed.write(np.asarray(state.poses), state.gripper)
+        if old is None or old.state.arm.q is not state.arm.q or old.state.arm.gripper != state.arm.gripper:
+            self.placed.write(np.asarray(state.arm.poses), state.arm.gripper)

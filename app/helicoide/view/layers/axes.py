@@ -44,8 +44,8 @@ class Axes:
     def update(self, old: View | None, new: View) -> None:
         """Follow the joints while shown."""
         shown = new.seat.shows[NAME]
-        if shown and (old is None or old.state.q is not new.state.q or not self.arrows.visible):
-            axes, centres = new.state.axes, new.state.poses[1:, :3, 3]
+        if shown and (old is None or old.state.arm.q is not new.state.arm.q or not self.arrows.visible):
+            axes, centres = new.state.axes, new.state.arm.poses[1:, :3, 3]
             ends = np.stack([centres - self.half * axes, centres + self.half * axes], axis=1)
             self.arrows.points = ends.astype(np.float32)
         if shown != self.arrows.visible:

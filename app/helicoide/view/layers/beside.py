@@ -25,9 +25,9 @@ class Beside:
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the second arm."""
-        beside = new.state.beside
-        if old is not None and old.state.beside is beside:
+        beside = new.state.compared
+        if old is not None and old.state.compared is beside:
             return
         self.outline.show(beside is not None)
         if beside is not None:
-            self.outline.write(beside.poses, new.state.gripper)
+            self.outline.write(beside.arm.poses, new.state.arm.gripper)

@@ -42,6 +42,6 @@ class Frames:
             if frame.visible != shown:
                 frame.visible = shown
         if shown:
-            for frame, pose in zip(self.frames, [*new.state.poses, new.state.T_world_tool], strict=True):
+            for frame, pose in zip(self.frames, [*new.state.arm.poses, new.state.T_world_tool], strict=True):
                 frame.position = pose[:3, 3]
                 frame.wxyz = rotation.from_matrix(np.asarray(pose[:3, :3]))

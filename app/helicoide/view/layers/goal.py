@@ -31,17 +31,17 @@ class Goal:
     def update(self, old: View | None, new: View) -> None:
         """Follow the goal."""
         state = new.state
-        if old is not None and old.state.goal is state.goal and old.state.q is state.q:
+        if old is not None and old.state.request.goal is state.request.goal and old.state.arm.q is state.arm.q:
             return
-        goal = state.goal
+        goal = state.request.goal
         self.outline.show(goal is not None and _is_away(state))
         if goal is not None and self.outline.shown:
-            self.outline.write(goal.poses, state.gripper)
+            self.outline.write(goal.poses, state.arm.gripper)
             self.outline.paint(MET if goal.short <= SHORT else MISSED)
 
 
 def _is_away(state: State) -> bool:
     """Whether the goal is far enough from the arm to be told apart; a path that plays needs no outline."""
-    if state.goal is None or isinstance(state.command, Hold | Along):
+    if state.request.goal is None or isinstance(state.request.command, Hold | Along):
         return False
-    return bool(np.max(np.abs(state.goal.q - state.q)) > AWAY)
+    return bool(np.max(np.abs(state.request.goal.q - state.arm.q)) > AWAY)

@@ -37,16 +37,18 @@ class Handles:
     def update(self, old: View | None, new: View) -> None:
         """Follow the planes, and hide while they are off."""
         state, planes = new.state, new.state.problem.planes
-        shown = new.seat.shows[self.name] and not state.parked
+        shown = new.seat.shows[self.name] and not state.arm.parked
         movable = {k for k, pane in enumerate(planes.panes) if pane.movable}
         for k in movable - self.gizmos.keys() if shown else ():
             self.gizmos[k] = self._gizmo(k)
             old = None
-        changed = old is None or old.state.problem is not state.problem or old.state.grasp is not state.grasp
+        changed = (
+            old is None or old.state.problem is not state.problem or old.state.request.grasp is not state.request.grasp
+        )
         for index, gizmo in self.gizmos.items():
             if gizmo.visible != (shown and index in movable):
                 gizmo.visible = shown and index in movable
-            if changed and index in movable and state.grasp != Grasp(self.stage.who, f"plane {index}"):
+            if changed and index in movable and state.request.grasp != Grasp(self.stage.who, f"plane {index}"):
                 gizmo.position = planes.centres[index]
                 gizmo.wxyz = pane_wxyz(planes.normals[index])
 

@@ -40,7 +40,7 @@ def build(stage: Stage) -> Lit:
 def lines_of(state: State, kind: str, index: int) -> Array:
     """The segments that light up a joint's line or a plane's border, (m, 2, 3), m."""
     if kind == "joint":
-        axis, centre = state.axes[index], state.poses[index + 1, :3, 3]
+        axis, centre = state.axes[index], state.arm.poses[index + 1, :3, 3]
         half = HALF * state.robot.reach
         return np.array([[centre - half * axis, centre + half * axis]])
     planes = state.problem.planes
@@ -57,7 +57,12 @@ class Lit:
     def update(self, old: View | None, new: View) -> None:
         """Follow the selected object."""
         state = new.state
-        if old is not None and old.state.q is state.q and old.state.problem is state.problem and old.seat is new.seat:
+        if (
+            old is not None
+            and old.state.arm.q is state.arm.q
+            and old.state.problem is state.problem
+            and old.seat is new.seat
+        ):
             return
         chosen = readout.chosen(state, new.seat.selected)
         kind, _, number = ("" if chosen is None else chosen.key).partition(" ")

@@ -30,7 +30,9 @@ class ObstacleHandles:
     def update(self, old: View | None, new: View) -> None:
         """Follow the obstacles."""
         state, obstacles = new.state, new.state.problem.obstacles
-        changed = old is None or old.state.problem is not state.problem or old.state.grasp is not state.grasp
+        changed = (
+            old is None or old.state.problem is not state.problem or old.state.request.grasp is not state.request.grasp
+        )
         if not changed:
             return
         while len(self.gizmos) < len(obstacles.radii):
@@ -39,7 +41,7 @@ class ObstacleHandles:
             shown = index < len(obstacles.radii)
             if gizmo.visible != shown:
                 gizmo.visible = shown
-            if shown and state.grasp != Grasp(self.stage.who, gate.obstacle_handle(index)):
+            if shown and state.request.grasp != Grasp(self.stage.who, gate.obstacle_handle(index)):
                 gizmo.position = obstacles.ends[index, 0]
 
     def _handle(self, index: int) -> viser.TransformControlsHandle:

@@ -34,7 +34,7 @@ class Obstacles:
         state = new.state
         if old is None or old.state.problem.obstacles is not state.problem.obstacles:
             self._place(state.problem.obstacles.ends[:, 0], state.problem.obstacles.radii)
-        if len(state.problem.obstacles.radii) and (old is None or old.state.held is not state.held):
+        if len(state.problem.obstacles.radii) and (old is None or old.state.arm.held is not state.arm.held):
             holding = {reason.obstacle for reason in held_by(state) if isinstance(reason, ObstacleContact)}
             self._paint(holding)
 

@@ -36,9 +36,9 @@ class Path:
 
     def update(self, old: View | None, new: View) -> None:
         """Show on request, and whenever the arm follows it."""
-        shown = new.seat.shows[NAME] or isinstance(new.state.command, Along)
-        if shown and self.course != new.state.course:
-            self.course = new.state.course
+        shown = new.seat.shows[NAME] or isinstance(new.state.request.command, Along)
+        if shown and self.course != new.state.request.course:
+            self.course = new.state.request.course
             path = gate.path_of(self.stage.robot, self.course)
             points = np.array([path.pose(s)[:3, 3] for s in np.linspace(0, path.duration, PIECES + 1)])
             self.line.points = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)

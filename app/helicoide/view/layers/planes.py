@@ -107,9 +107,9 @@ class Panes:
             self._make(planes.panes)
             for pane, normal, centre in zip(self.panes, planes.normals, planes.centres, strict=False):
                 pane.move(normal, centre)
-        if old is None or old.state.q is not state.q or old.state.problem is not state.problem:
+        if old is None or old.state.arm.q is not state.arm.q or old.state.problem is not state.problem:
             for pane, zone in zip(self.panes, zones(state), strict=False):
-                pane.paint(OFF if state.parked else COLOURS[zone])
+                pane.paint(OFF if state.arm.parked else COLOURS[zone])
 
     def _make(self, panes: tuple[robot.Pane, ...]) -> None:
         for index, pane in enumerate(panes):

@@ -19,7 +19,6 @@ from helicoide.view.rows import ForArm, View
 NAME = "target"
 SHARED = False
 
-_SHOWN_OF = ("q", "command", "grasp", "with_orientation", "parked")
 NEAR, FAR = (0, 150, 136), (230, 81, 0)
 
 
@@ -39,7 +38,7 @@ def build(stage: Stage) -> Target:
 
 def _shown_pose(state: State) -> Array:
     """Where the gizmo stands when nobody holds it: on the wish for a pose, else on the tool."""
-    return state.command.T_world_target if isinstance(state.command, ToPose) else state.T_world_tool
+    return state.request.command.T_world_target if isinstance(state.request.command, ToPose) else state.T_world_tool
 
 
 class Target:
@@ -51,16 +50,18 @@ class Target:
     def update(self, old: View | None, new: View) -> None:
         """Follow the wish, except under the hand of this window's person."""
         state = new.state
-        if old is not None and all(getattr(old.state, name) is getattr(state, name) for name in _SHOWN_OF):
+        if old is not None and _shown_of(old.state) == _shown_of(state):
             return
-        if self.gizmo.visible == state.parked:
-            self.gizmo.visible = not state.parked
-        if state.grasp != Grasp(self.who, "target"):
+        if self.gizmo.visible == state.arm.parked:
+            self.gizmo.visible = not state.arm.parked
+        if state.request.grasp != Grasp(self.who, "target"):
             pose = _shown_pose(state)
             self.gizmo.position = pose[:3, 3]
             self.gizmo.wxyz = rotation.from_matrix(pose[:3, :3])
-            if self.gizmo.disable_rotations == state.with_orientation:  # under the hand, it would lose the drag's end
-                self.gizmo.disable_rotations = not state.with_orientation
+            if (
+                self.gizmo.disable_rotations == state.request.with_orientation
+            ):  # under the hand, it would lose the drag's end
+                self.gizmo.disable_rotations = not state.request.with_orientation
         self._line(state)
 
     def _line(self, state: State) -> None:
@@ -70,7 +71,13 @@ class Target:
         away = dist(wished, tool) > SHORT
         if away:
             self.line.points = np.array([[tool, wished]], dtype=np.float32)
-            colour = FAR if state.goal is not None and state.goal.short > SHORT else NEAR
+            colour = FAR if state.request.goal is not None and state.request.goal.short > SHORT else NEAR
             self.line.colors = np.array(colour, dtype=np.uint8)
         if away != self.line.visible:
             self.line.visible = away
+
+
+def _shown_of(state: State) -> tuple[object, ...]:
+    """What the target is drawn from; equal only where nothing of it was replaced."""
+    arm, request = state.arm, state.request
+    return id(arm.q), id(request.command), request.grasp, request.with_orientation, arm.parked

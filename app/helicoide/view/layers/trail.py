@@ -39,7 +39,7 @@ class Trail:
         shown = new.seat.shows[NAME]
         if self.line.visible != shown:
             self.line.visible = shown
-        if old is not None and old.state.q is new.state.q:
+        if old is not None and old.state.arm.q is new.state.arm.q:
             return
         tool = new.state.T_world_tool[:3, 3].astype(np.float32)
         if self.points and dist(tool, self.points[-1]) < self.apart:

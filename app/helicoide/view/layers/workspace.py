@@ -48,7 +48,7 @@ def behind(stage: Stage) -> Array:
         return np.zeros(3)
     position, centre = outlook(robot)
     back = normal if normal @ (centre - position) > 0 else -normal
-    poses = initial(robot).poses
+    poses = initial(robot).arm.poses
     moving = [
         (shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3] - robot.T_world_tool_0[:3, 3]) @ back
         for shape in stage.shapes

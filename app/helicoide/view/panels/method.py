@@ -33,7 +33,7 @@ def rows(robot: Robot) -> list[Row]:
         Choice(
             Text(en="Method", pt_BR="Método"),
             [(name, named(name).TITLE) for name in names()],
-            lambda view: view.state.drive.method,
+            lambda view: view.state.request.drive.method,
             lambda name: ForArm(gate.choose_method(name)),
         ),
         Choice(
@@ -45,7 +45,7 @@ def rows(robot: Robot) -> list[Row]:
         Words(instrument_table, computed=True),
         Folder(
             Text(en="Settings", pt_BR="Ajustes"),
-            Changing(lambda view: view.state.drive.method, partial(_settings, robot)),
+            Changing(lambda view: view.state.request.drive.method, partial(_settings, robot)),
         ),
         Folder(
             Text(en="Settings of the other one", pt_BR="Ajustes do outro"),
@@ -59,12 +59,12 @@ def rows(robot: Robot) -> list[Row]:
 
 
 def _beside(view: View) -> str:
-    return "" if view.state.beside is None else view.state.beside.drive.method
+    return "" if view.state.compared is None else view.state.compared.drive.method
 
 
 def _about(view: View) -> Markup:
     """The source, the promises and the memory of the method."""
-    method, language = named(view.state.drive.method), view.seat.language
+    method, language = named(view.state.request.drive.method), view.seat.language
     said = [promise.value for promise in _in_order(method.PROMISES)]
     if method.REMEMBERS:
         said.append(REMEMBERS.format(what=method.REMEMBERS))
@@ -89,7 +89,7 @@ def _settings(robot: Robot, method: str) -> list[Row]:
     return rows_of(
         named(method).Options,
         robot.reach,
-        lambda view: view.state.drive.options(method),
+        lambda view: view.state.request.drive.options(method),
         lambda name, value: ForArm(gate.set_option(method, name, value)),
     )
 
@@ -108,15 +108,15 @@ def _gain(index: int) -> Slider:
         gate.LEAST_GAIN,
         gate.LARGEST_GAIN,
         0.5,
-        lambda view: view.state.drive.gains[index],
+        lambda view: view.state.request.drive.gains[index],
         lambda value: ForArm(gate.set_gain(index, value)),
-        lambda view: view.state.drive.method != GUARDED,
+        lambda view: view.state.request.drive.method != GUARDED,
     )
 
 
 def _listing(view: View) -> Markup:
     """The source of the method's step, as it runs."""
-    return Markup("<pre class='helicoide-listing'>{}</pre>").format(listing(view.state.drive.method))
+    return Markup("<pre class='helicoide-listing'>{}</pre>").format(listing(view.state.request.drive.method))
 
 
 @cache

@@ -61,7 +61,7 @@ def _choice(robot: Robot) -> Choice:
 
 
 def _driving(view: View) -> bool:
-    return not view.state.parked
+    return not view.state.arm.parked
 
 
 def _joint(robot: Robot, index: int) -> Slider:
@@ -69,8 +69,8 @@ def _joint(robot: Robot, index: int) -> Slider:
     scale, unit = (1000.0, " [mm]") if joint.slides else (180 / np.pi, "")
 
     def value(view: View) -> float:
-        command = view.state.command
-        q = command.q if isinstance(command, ToJoints) else view.state.q
+        command = view.state.request.command
+        q = command.q if isinstance(command, ToJoints) else view.state.arm.q
         return float(scale * q[index])
 
     return Slider(
@@ -101,14 +101,14 @@ def _gripper() -> Slider:
         lower=0.0,
         upper=100.0,
         step=1.0,
-        value=lambda view: 100 * view.state.gripper_target,
+        value=lambda view: 100 * view.state.request.gripper,
         wish=lambda percent: ForArm(gate.set_gripper(percent / 100)),
     )
 
 
 def target_pose(state: State) -> Array:
     """The pose that is asked for, T_world_target (4, 4), m: that of the tool where nothing else is."""
-    match state.command:
+    match state.request.command:
         case ToPose(T):
             return T
         case Along(path, s):
@@ -125,7 +125,7 @@ def _target() -> list[Row]:
         Triple(Text(en="turn about z, y, x [°]", pt_BR="giro em z, y, x [°]"), 1.0, _angles, _set_angles),
         Tick(
             Text(en="Hold the orientation", pt_BR="Manter a orientação"),
-            lambda view: view.state.with_orientation,
+            lambda view: view.state.request.with_orientation,
             lambda on: ForArm(gate.hold_orientation(on)),
         ),
     ]

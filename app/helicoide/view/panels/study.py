@@ -157,7 +157,7 @@ def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> 
 
 def charts(view: View) -> Sequence[Chart]:
     """The charts of the runs shown; those over time end where the motion that is played is."""
-    desk, command = view.desk, view.state.command
+    desk, command = view.desk, view.state.request.command
     merged = _merged(desk.shown)[:MOST_CHARTS]
     if not (isinstance(command, Replay) and command.arrived and _is_played(desk, command)):
         return merged

@@ -104,14 +104,14 @@ def test_the_line_of_a_joint_is_its_axis_moved_by_the_joints_before_it(anywhere:
     readings, motor = by_key(anywhere), CL031.blade("1")
     for i, (joint, angle) in enumerate(zip(anywhere.robot.joints, anywhere.arm.q, strict=True)):
         moved = rigid.move(motor, rigid.line(joint.direction, joint.point))
-        np.testing.assert_allclose(readings[f"joint {i}"].values, moved, atol=1e-12)
+        np.testing.assert_allclose(readings[f"joint {i}"].at(anywhere), moved, atol=1e-12)
         motor = CL031.product(motor, rigid.screw_motor(joint.direction, joint.point, angle))
 
 
 def test_planes_and_points_of_the_algebra_have_the_distances_of_the_table(anywhere: State) -> None:
     readings, table = by_key(anywhere), readout.plane_distances(anywhere)
     for j, k in np.ndindex(table.shape):
-        pi, p = readings[f"plane {k}"].values, readings[f"point {j}"].values
+        pi, p = readings[f"plane {k}"].at(anywhere), readings[f"point {j}"].at(anywhere)
         assert rigid.point_plane_distance(pi, p) == pytest.approx(table[j, k], abs=1e-12)
         product = readout.distance_product(anywhere, j, k)
         np.testing.assert_allclose(product, 2 * table[j, k] * CL031.blade("e1e2e3e"), atol=1e-12)
@@ -120,7 +120,7 @@ def test_planes_and_points_of_the_algebra_have_the_distances_of_the_table(anywhe
 def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None:
     readings = readout.readings(state)
     assert len({reading.key for reading in readings}) == len(readings) == 1 + 5 + 4 + 5
-    assert all(reading.title.en and reading.title.pt_BR and reading.values.shape == (16,) for reading in readings)
+    assert all(reading.title.en and reading.title.pt_BR and reading.at(state).shape == (16,) for reading in readings)
     assert len({(reading.symbol, reading.index) for reading in readings}) == len(readings)
 
 

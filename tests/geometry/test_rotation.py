@@ -75,6 +75,12 @@ def test_matrices_come_back_at_every_angle(axis: Array, angle: float) -> None:
     np.testing.assert_allclose(rotation.to_matrix(q), R, atol=3e-15)
 
 
+@given(axes, any_angles)
+def test_one_matrix_and_many_have_the_same_quaternion(axis: Array, angle: float) -> None:
+    R = rodrigues(axis, angle)
+    np.testing.assert_allclose(rotation.from_matrix(R), rotation.from_matrix(R[None])[0], rtol=0, atol=1e-15)
+
+
 @pytest.mark.parametrize("axis", [(1, 0, 0), (0, -1, 0), (0, 0, 1), (0.6, -0.8, 0), (0, 0.6, 0.8)])
 def test_half_turns_have_one_quaternion(axis: tuple[float, float, float]) -> None:
     n = np.array(axis)

@@ -43,14 +43,22 @@ class Said:
             self.quaternions[message.name] = message.wxyz
 
 
+def node(said: Said, name: str) -> SimpleNamespace:
+    """A node of a scene, of which nothing has been said."""
+    return SimpleNamespace(
+        _impl=SimpleNamespace(name=name, api=said, position=np.full(3, np.nan), wxyz=np.full(4, np.nan))
+    )
+
+
 @pytest.mark.parametrize("name", ARMS)
 def test_every_mesh_stands_where_the_urdf_has_its_link(name: str) -> None:
     robot = load(name)
     found = shapes.load(robot)
-    frames, said = [SimpleNamespace(name=shape.name) for shape in found], Said()
+    said = Said()
+    frames = [node(said, shape.name) for shape in found]
     oracle = yourdfpy.URDF(urdf_file.parsed(robot.urdf, robot.parameters).robot, load_meshes=False)
     q = np.random.default_rng(3).uniform(robot.lower, robot.upper)
-    Placed(cast(Any, said), found, cast(Any, frames)).write(link_poses(robot.chain, q), gripper=0.0)
+    Placed(found, cast(Any, frames)).write(link_poses(robot.chain, q), gripper=0.0)
     oracle.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))
     for shape in found:
         T = oracle.get_transform(shape.name)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -112,16 +115,26 @@ def from_matrix(R: Array) -> Array:
     R: (..., 3, 3); returns (..., 4). The row of the largest component is taken, so nothing cancels near θ = π.
     Source: Shepperd 1978.
     """
-    outer = np.moveaxis(np.array(_four_q_q_transposed(R)), (0, 1), (-2, -1))
+    if R.ndim == 2:
+        return np.array(_of_one(R.tolist()))
+    outer = np.moveaxis(np.array(_four_q_q_transposed(np.moveaxis(R, (-2, -1), (0, 1)))), (0, 1), (-2, -1))
     largest = np.argmax(np.diagonal(outer, axis1=-2, axis2=-1), axis=-1)[..., None, None]
     row = np.take_along_axis(outer, largest, axis=-2)[..., 0, :]
     q = row / np.sqrt((row * row).sum(axis=-1, keepdims=True))
     return np.asarray(q * hemisphere(q))
 
 
-def _four_q_q_transposed(R: Array) -> list[list[Array]]:
-    """The entries 4 w², 4 w x, … as sums of the entries of R."""
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = np.moveaxis(R, (-2, -1), (0, 1))
+def _of_one(R: list[list[float]]) -> list[float]:
+    """The quaternion of one matrix; in plain numbers, which for so few are ten times as fast as arrays."""
+    outer = _four_q_q_transposed(R)
+    row = outer[max(range(4), key=lambda i: outer[i][i])]
+    length = math.copysign(math.hypot(*row), next((entry for entry in row if entry != 0), 1.0))
+    return [entry / length for entry in row]
+
+
+def _four_q_q_transposed(R: Any) -> list[list[Any]]:
+    """The entries 4 w², 4 w x, … as sums of the entries of R: nine numbers, or nine arrays."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = R
     return [
         [1 + xx + yy + zz, zy - yz, xz - zx, yx - xy],
         [zy - yz, 1 + xx - yy - zz, xy + yx, xz + zx],

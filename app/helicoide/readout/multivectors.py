@@ -2,41 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import lru_cache, partial
 
 import numpy as np
 
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Pane, Robot
 from helicoide.state import State
 from helicoide.text import Text
 
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """A multivector of the scene: a key that names its object, a title, a symbol, and how it is worked out.
+    """A multivector of the scene: a key that names its object, a title, a symbol, and how it is read off a state.
 
-    symbol: in TeX; index: a name, which is not TeX, to stand below it.
+    symbol: in TeX; index: a name, which is not TeX, to stand below it; at: the sixteen coefficients (16,), m.
     """
 
     key: str
     title: Text
     symbol: str
-    work_out: Callable[[], Array]
+    at: Callable[[State], Array]
     index: str = ""
 
-    @cached_property
-    def values(self) -> Array:
-        """The sixteen coefficients (16,), m."""
-        return self.work_out()
 
-
-def readings(state: State) -> list[Reading]:
+def readings(state: State) -> tuple[Reading, ...]:
     """Tool motor, joint lines, planes and guarded points as multivectors of Cl(0,3,1)."""
-    return [_tool(state), *_lines(state), *_planes(state), *_points(state)]
+    return _readings(state.robot, state.problem.planes.panes)
 
 
 def chosen(state: State, key: str | None) -> Reading | None:
@@ -44,49 +40,46 @@ def chosen(state: State, key: str | None) -> Reading | None:
     return None if key is None else next((reading for reading in readings(state) if reading.key == key), None)
 
 
-def _tool(state: State) -> Reading:
+@lru_cache(maxsize=128)  # a class of thirty, each with an arm and planes of their own
+def _readings(robot: Robot, panes: tuple[Pane, ...]) -> tuple[Reading, ...]:
+    return _tool(), *_lines(robot), *_planes(panes), *_points(robot)
+
+
+def _tool() -> Reading:
     title = Text(en="tool motor", pt_BR="motor do efetuador")
-    return Reading("tool", title, "M", lambda: rigid.canonical(rigid.motor_from_pose(state.T_world_tool)))
+    return Reading("tool", title, "M", lambda state: rigid.canonical(rigid.motor_from_pose(state.T_world_tool)))
 
 
-def _lines(state: State) -> list[Reading]:
+def _lines(robot: Robot) -> Iterator[Reading]:
     title = Text(en="axis of joint {n} ({joint})", pt_BR="eixo da junta {n} ({joint})")
-    return [
-        Reading(
-            f"joint {i}",
-            title.format(n=i + 1, joint=joint.title),
-            rf"\ell_{i + 1}",
-            partial(lambda i: rigid.line(state.axes[i], state.arm.poses[i + 1, :3, 3]), i),
-        )
-        for i, joint in enumerate(state.robot.joints)
-    ]
+
+    def line(i: int, state: State) -> Array:
+        return rigid.line(state.axes[i], state.arm.poses[i + 1, :3, 3])
+
+    for i, joint in enumerate(robot.joints):
+        said = title.format(n=i + 1, joint=joint.title)
+        yield Reading(f"joint {i}", said, rf"\ell_{i + 1}", partial(line, i))
 
 
-def _planes(state: State) -> list[Reading]:
-    planes, title = state.problem.planes, Text(en="plane {name} ({pane})", pt_BR="plano {name} ({pane})")
-    return [
-        Reading(
-            f"plane {k}",
-            title.format(name=pane.name, pane=pane.title),
-            r"\pi",
-            partial(lambda k: rigid.plane(planes.normals[k], planes.offsets[k]), k),
-            pane.name,
-        )
-        for k, pane in enumerate(state.problem.planes.panes)
-    ]
+def _planes(panes: tuple[Pane, ...]) -> Iterator[Reading]:
+    title = Text(en="plane {name} ({pane})", pt_BR="plano {name} ({pane})")
+
+    def plane(k: int, state: State) -> Array:
+        planes = state.problem.planes
+        return rigid.plane(planes.normals[k], planes.offsets[k])
+
+    for k, pane in enumerate(panes):
+        yield Reading(f"plane {k}", title.format(name=pane.name, pane=pane.title), r"\pi", partial(plane, k), pane.name)
 
 
-def _points(state: State) -> list[Reading]:
+def _points(robot: Robot) -> Iterator[Reading]:
     title = Text(en="point: {point}", pt_BR="ponto: {point}")
-    return [
-        Reading(
-            f"point {j}",
-            title.format(point=point.title),
-            rf"p_{j + 1}",
-            partial(lambda j: rigid.point(state.guarded_points[j]), j),
-        )
-        for j, point in enumerate(state.robot.guarded)
-    ]
+
+    def point(j: int, state: State) -> Array:
+        return rigid.point(state.guarded_points[j])
+
+    for j, guarded in enumerate(robot.guarded):
+        yield Reading(f"point {j}", title.format(point=guarded.title), rf"p_{j + 1}", partial(point, j))
 
 
 def distance_product(state: State, point: int, plane: int) -> Array:

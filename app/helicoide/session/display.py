@@ -30,7 +30,8 @@ log = logging.getLogger("helicoide")
 class Display:
     """The windows of a workcell, and two tasks: one draws what has changed, the other writes it down.
 
-    view: what a window shows now; arrived: told when another arm stands there, before its windows are furnished for it.
+    view: what a window shows now; arrived: told when another arm stands there, before its windows are furnished for it;
+    pen: whose turn it is to write words, among all displays of the lab.
     """
 
     def __init__(
@@ -40,8 +41,10 @@ class Display:
         workcell: Workcell,
         view: Callable[[Window], View],
         arrived: Callable[[Display], None],
+        pen: asyncio.Lock,
     ) -> None:
         self.control, self.workcell, self.view, self.arrived = control, workcell, view, arrived
+        self._pen = pen
         self.audience = Audience(server)
         self.windows: list[Window] = []
         self.frames = 0
@@ -108,11 +111,10 @@ class Display:
         assert self._scene is not None
         with self.audience.atomic():
             self._scene.update(View(state, NOBODY))
-        self.audience.flush()
         for window in tuple(self.windows):
-            view = self.view(window) if window in self.windows else None
-            if view is not None and view.state.robot is state.robot:
+            if window in self.windows and (view := self.view(window)).state.robot is state.robot:
                 window.draw(view)
+            window.client.flush()  # the server's own flush leaves what is sent to one client waiting
             await asyncio.sleep(0)
 
     async def _up_to_date(self) -> State:
@@ -137,17 +139,17 @@ class Display:
         return state
 
     async def _write(self) -> None:
-        """Bring the words to what there is, window by window; then others have three times as long."""
+        """Bring the words to what there is, one window of the lab at a time; then others have three times as long."""
         clock = asyncio.get_running_loop().time
         while True:
             await self.news.wait()
             self.news.clear()
-            began = clock()
+            begins = clock()
             for window in tuple(self.windows):
-                if window in self.windows:
-                    await self._written(window)
-            took = clock() - began
-            await asyncio.sleep(max(WORDS - took, SPARE_WORDS * took))
+                async with self._pen:
+                    if window in self.windows:
+                        await asyncio.sleep(SPARE_WORDS * await self._written(window))
+            await asyncio.sleep(begins + WORDS - clock())
 
     def _say(self, window: Window, view: View) -> None:
         """The status line; until the arms live it is the lab that says how far that is."""
@@ -156,12 +158,13 @@ class Display:
             notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected)
             self.control.push(window.link.key, notice)
 
-    async def _written(self, window: Window) -> None:
+    async def _written(self, window: Window) -> float:
+        """Write the words of a window; how long it took, s."""
         try:
             view = self.view(window)
             if view.state.robot is self._drawn[0]:
                 self._say(window, view)
-                await window.write(view)
+                return await window.write(view)
         except Exception:
             log.exception("the words of a window could not be written")
-        await asyncio.sleep(0)
+        return 0.0

@@ -71,6 +71,7 @@ class Lab:
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
         self.studies = Studies(self._news)
         self.maps = asyncio.Semaphore(MAPS)
+        self.pen = asyncio.Lock()
         self.shared = self._bay(initial(robot))
         self.bays = {self.shared.workcell: self.shared}
         self.workcells: tuple[Workcell, ...] = (self.shared.workcell,)
@@ -200,7 +201,7 @@ class Lab:
             visitor.place.seat = lessons.seated_at(robot, visitor.place.seat)
         bay.workcell.pause(False)
         if bay.display is None:
-            bay.display = Display(self.server, self.control, bay.workcell, self.view, self._arrived)
+            bay.display = Display(self.server, self.control, bay.workcell, self.view, self._arrived, self.pen)
         if self._is_here(visitor):
             await bay.display.enter(visitor.window)
         if not self._is_here(visitor):

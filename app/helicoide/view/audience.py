@@ -69,8 +69,3 @@ class Audience:
             for client in self.clients:
                 held.enter_context(client.atomic())
             yield
-
-    def flush(self) -> None:
-        """Let the clients have at once what has been said."""
-        for client in self.clients:
-            client.flush()

@@ -23,7 +23,7 @@ class Outline:
             scene.add_line_segments(f"/{name}/{shape.name}/edges", shape.edges, colour, thickness=thickness)
             for shape in drawn
         ]
-        self.placed = Placed(scene, drawn, self.frames)
+        self.placed = Placed(drawn, self.frames)
         self.shown, self.colour = False, colour
 
     def show(self, shown: bool) -> None:

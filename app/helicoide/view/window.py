@@ -103,11 +103,10 @@ class Window:
         self.client.scene.reset()
 
     def draw(self, view: View) -> None:
-        """Bring this window's layers to a view, and let the browser have it now."""
+        """Bring this window's layers to a view."""
         if self.layers is not None:
             with self.client.atomic():
                 self.layers.update(view)
-            self.client.flush()  # the server's own flush leaves what is sent to one client waiting
 
     async def furnish(self, view: View) -> None:
         """Build all panels, in the language of the seat."""
@@ -144,27 +143,31 @@ class Window:
                     self.placed[-1] += place(self.client.gui, [row], view, self.act)
                 await asyncio.sleep(0)
 
-    async def write(self, view: View) -> None:
-        """Bring the words and controls to a view, where it is another one; in another language all is built anew."""
+    async def write(self, view: View) -> float:
+        """Bring the words and controls to a view, where it is another one; in another language all is built anew.
+
+        Returns how long that took, s, without what came in between.
+        """
         if (
             self._busy.locked()
             or self.gone
             or view.state.robot is not self.robot
             or (self.written is not None and _same(self.written, view))
         ):
-            return
+            return 0.0
         if self.view.seat.language != view.seat.language:
             await self.furnish(view)
         self.view = self.written = view
-        began = perf_counter()
+        took, began = 0.0, perf_counter()
         for row in (*self.top, *self._in_front()):
             if self.view is not view or self._busy.locked() or self.gone:  # it is being put up anew
-                return
+                break
             with self.client.atomic():
                 row.refresh(view)
-            if perf_counter() - began > AT_A_TIME:
+            if (since := perf_counter() - began) > AT_A_TIME:
                 await asyncio.sleep(0)
-                began = perf_counter()
+                took, began = took + since, perf_counter()
+        return took + perf_counter() - began
 
     def _in_front(self) -> list[Placed]:
         """The rows that the person may see: of the tab in front, of all while the page has not said which that is."""

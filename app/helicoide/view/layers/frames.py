@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 import viser
 
-from helicoide.geometry import rotation
 from helicoide.text import Text
 from helicoide.view.layers import Stage
+from helicoide.view.pose import stand
 from helicoide.view.rows import View
 
 NAME = "frames"
@@ -43,5 +42,4 @@ class Frames:
                 frame.visible = shown
         if shown:
             for frame, pose in zip(self.frames, [*new.state.arm.poses, new.state.T_world_tool], strict=True):
-                frame.position = pose[:3, 3]
-                frame.wxyz = rotation.from_matrix(np.asarray(pose[:3, :3]))
+                stand(frame, pose)

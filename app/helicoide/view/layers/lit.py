@@ -11,6 +11,7 @@ from helicoide.kinematics.chain import Array
 from helicoide.state import State
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import border, pane_wxyz
+from helicoide.view.pose import stand
 from helicoide.view.rows import View
 
 NAME = "lit"
@@ -70,8 +71,7 @@ class Lit:
             if handle.visible != (kind in kinds):
                 handle.visible = kind in kinds
         if kind == "tool":
-            self.frame.position = state.T_world_tool[:3, 3]
-            self.frame.wxyz = rotation.from_matrix(state.T_world_tool[:3, :3])
+            stand(self.frame, state.T_world_tool)
         elif kind in ("joint", "plane"):
             self.lines.points = lines_of(state, kind, int(number)).astype(np.float32)
         elif kind == "point":

@@ -8,12 +8,12 @@ import numpy as np
 import viser
 
 from helicoide import gate
-from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.readout import SHORT
 from helicoide.state import Grasp, State, ToPose
 from helicoide.view import bind
 from helicoide.view.layers import Stage
+from helicoide.view.pose import stand
 from helicoide.view.rows import ForArm, View
 
 NAME = "target"
@@ -56,11 +56,9 @@ class Target:
             self.gizmo.visible = not state.arm.parked
         if state.request.grasp != Grasp(self.who, "target"):
             pose = _shown_pose(state)
-            self.gizmo.position = pose[:3, 3]
-            self.gizmo.wxyz = rotation.from_matrix(pose[:3, :3])
-            if (
-                self.gizmo.disable_rotations == state.request.with_orientation
-            ):  # under the hand, it would lose the drag's end
+            stand(self.gizmo, pose)
+            # Under the hand, it would lose the end of the drag.
+            if self.gizmo.disable_rotations == state.request.with_orientation:
                 self.gizmo.disable_rotations = not state.request.with_orientation
         self._line(state)
 

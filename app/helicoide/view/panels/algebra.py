@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 
 from markupsafe import Markup
 from viser import Icon
@@ -13,7 +13,7 @@ from helicoide.ik import Contact
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import Reading
 from helicoide.state import State
-from helicoide.text import Text
+from helicoide.text import Language, Text
 from helicoide.view import html
 from helicoide.view.formula import coefficient_grid, mathml
 from helicoide.view.rows import Choice, Folder, ForSeat, Row, View, Words
@@ -71,6 +71,9 @@ FORMULAS = {
     "point": r"p = e_1e_2e_3 + x\, e_2e_3e + y\, e_3e_1e + z\, e_1e_2e",
 }
 
+SAID = {kind: mathml(formula) for kind, formula in FORMULAS.items()}
+READING = Markup('<div class="helicoide-reading"><header>%s</header>%s</div>')
+
 
 def _legend(view: View) -> Markup:
     names = (Markup('<i class="g{}">{}</i>').format(k, name[view.seat.language]) for k, name in enumerate(GRADES))
@@ -78,9 +81,12 @@ def _legend(view: View) -> Markup:
 
 
 def _shown(view: View, reading: Reading) -> Markup:
-    return Markup('<div class="helicoide-reading"><header>{}<span>{}</span></header>{}</div>').format(
-        mathml(reading.symbol, reading.index), reading.title[view.seat.language], coefficient_grid(reading.values)
-    )
+    return READING % (_header(reading, view.seat.language), coefficient_grid(reading.at(view.state)))
+
+
+@lru_cache(maxsize=1024)  # panels say it several times a second, and it never changes
+def _header(reading: Reading, language: Language) -> Markup:
+    return Markup("{}<span>{}</span>").format(mathml(reading.symbol, reading.index), reading.title[language])
 
 
 def _key(view: View) -> str | None:
@@ -98,7 +104,7 @@ def _selected(view: View) -> Markup:
 
 def _all(kind: str, view: View) -> Markup:
     readings = [reading for reading in readout.readings(view.state) if reading.key.startswith(kind)]
-    return mathml(FORMULAS[kind]) + Markup("").join(_shown(view, reading) for reading in readings)
+    return SAID[kind] + Markup("").join(_shown(view, reading) for reading in readings)
 
 
 def _pair(view: View) -> Contact:

@@ -1,0 +1,26 @@
+"""Where nodes of the scene stand."""
+
+from __future__ import annotations
+
+import viser
+from viser._messages import SetOrientationMessage, SetPositionMessage
+
+from helicoide.geometry import rotation
+from helicoide.kinematics.chain import Array
+
+
+def stand(node: viser.SceneNodeHandle, T_parent_node: Array) -> None:
+    """Bring a node to its pose (4, 4), m, unless it stands there.
+
+    Said by viser's messages directly: its own handles take ten times as long to compare what they are given.
+    """
+    impl = node._impl
+    x, y, z = T_parent_node[:3, 3].tolist()
+    if [x, y, z] != impl.position.tolist():
+        impl.position[:] = x, y, z
+        impl.api._queue_scene_message(SetPositionMessage(impl.name, (x, y, z)))
+    turn = rotation.from_matrix(T_parent_node[:3, :3])
+    w, i, j, k = turn.tolist()
+    if [w, i, j, k] != impl.wxyz.tolist():
+        impl.wxyz[:] = turn
+        impl.api._queue_scene_message(SetOrientationMessage(impl.name, (w, i, j, k)))

@@ -81,7 +81,7 @@ def anywhere(state: State, request: pytest.FixtureRequest) -> State:
 
 def test_the_tool_motor_brings_the_frame_at_the_base_to_the_tool(anywhere: State) -> None:
     """M moves points, lines and planes from tool coordinates to the world's."""
-    motor, T = by_key(anywhere)["tool"].values, anywhere.T_world_tool
+    motor, T = by_key(anywhere)["tool"].at(anywhere), anywhere.T_world_tool
     np.testing.assert_allclose(rigid.coordinates(rigid.move(motor, rigid.point([0, 0, 0]))), T[:3, 3], atol=1e-12)
     np.testing.assert_allclose(rigid.pose_from_motor(motor), T, atol=1e-12)
     along_x = rigid.move(motor, rigid.line([1, 0, 0], [0, 0, 0]))
@@ -93,11 +93,11 @@ def test_the_tool_point_is_the_moved_reference_point(anywhere: State) -> None:
     """The displacement from q = 0 takes the reference tool point (820, 0, 400) mm to the tool."""
     robot = anywhere.robot
     displacement = CL031.product(
-        by_key(anywhere)["tool"].values, CL031.conjugate(rigid.motor_from_pose(robot.T_world_tool_0))
+        by_key(anywhere)["tool"].at(anywhere), CL031.conjugate(rigid.motor_from_pose(robot.T_world_tool_0))
     )
     moved = rigid.coordinates(rigid.move(displacement, rigid.point(robot.T_world_tool_0[:3, 3])))
     np.testing.assert_allclose(moved, anywhere.T_world_tool[:3, 3], atol=1e-12)
-    np.testing.assert_allclose(moved, rigid.coordinates(by_key(anywhere)["point 4"].values), atol=1e-12)
+    np.testing.assert_allclose(moved, rigid.coordinates(by_key(anywhere)["point 4"].at(anywhere)), atol=1e-12)
 
 
 def test_the_line_of_a_joint_is_its_axis_moved_by_the_joints_before_it(anywhere: State) -> None:

@@ -113,7 +113,7 @@ def test_a_camera_that_is_still_being_opened_is_let_go(state: State, camera: dic
 
     async def run() -> None:
         survey = Surveying(lambda: arm.state, arm.post)
-        survey._begin(survey._with(slowly()))  # type: ignore[arg-type]
+        survey._begin(lambda: survey._with(slowly()))  # type: ignore[arg-type]
         first = survey._task
         await asyncio.sleep(0.05)
         survey.tour()

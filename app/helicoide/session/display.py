@@ -47,6 +47,7 @@ class Display:
         self._pen = pen
         self.audience = Audience(server)
         self.windows: list[Window] = []
+        self._entering: set[Window] = set()
         self.frames = 0
         self.news = asyncio.Event()  # words may differ from what is written
         self._moved = asyncio.Event()  # the scene may differ from what is drawn
@@ -54,6 +55,11 @@ class Display:
         self._scene: Scene | None = None
         self._drawn: tuple[Robot | None, object] = (None, None)
         self._tasks = [asyncio.create_task(work) for work in (self._draw(), self._write())]
+
+    @property
+    def empty(self) -> bool:
+        """Whether nobody is in front of it, and nobody comes."""
+        return not self.windows and not self._entering
 
     def close(self) -> None:
         """Draw nothing more."""
@@ -71,9 +77,13 @@ class Display:
         self.news.set()
 
     async def enter(self, window: Window) -> None:
-        """One more window, which sees at once what there is."""
+        """One more window, which sees at once what there is, unless it leaves before it may."""
+        self._entering.add(window)
         async with self._putting_up:
             await self._up_to_date()
+            if window not in self._entering:
+                return
+            self._entering.remove(window)
             self.audience.enter(window.client)
             self.windows.append(window)
             view = self.view(window)
@@ -84,6 +94,7 @@ class Display:
 
     def leave(self, window: Window) -> None:
         """A window shows another workcell, or nothing any more."""
+        self._entering.discard(window)
         if window in self.windows:
             self.windows.remove(window)
             self.audience.leave(window.client, shown=not window.gone)

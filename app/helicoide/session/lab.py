@@ -46,11 +46,12 @@ log = logging.getLogger("helicoide")
 
 @dataclass(eq=False)
 class Visitor:
-    """A window, where its person sits, and in front of which workcell."""
+    """A window, where its person sits, and in front of which workcell; settled: whether it stays there for now."""
 
     window: Window
     place: Place
     bay: Bay
+    settled: bool = False
     moving: asyncio.Task[None] | None = None
 
 
@@ -192,7 +193,8 @@ class Lab:
         if not self.ready:
             self._say_to(visitor)
         await window.furnish(window.view)
-        await self._attach(visitor, visitor.bay)
+        await self._attach(visitor, bay)
+        await self._settle(visitor)
 
     async def _attach(self, visitor: Visitor, bay: Bay) -> None:
         """Put a window in front of a workcell."""
@@ -212,7 +214,7 @@ class Lab:
         bay = visitor.bay
         if bay.display is not None:
             bay.display.leave(visitor.window)
-            if not bay.display.windows:
+            if bay.display.empty:
                 bay.display.close()
                 bay.display = None
         if (grasp := _held(visitor)) is not None:
@@ -327,19 +329,27 @@ class Lab:
             self.bays = {**self.bays, bay.workcell: bay}
             self.workcells = tuple(self.bays)
         place.at_own = own
-        bay = self._bay_of(place)
-        if bay is not visitor.bay and (visitor.moving is None or visitor.moving.done()):
-            visitor.moving = self.loop.create_task(self._moved(visitor, bay))
+        if visitor.settled:
+            visitor.moving = self.loop.create_task(self._settle(visitor))
 
-    async def _moved(self, visitor: Visitor, bay: Bay) -> None:
-        self._detach(visitor)
-        robot, visitor.bay = visitor.bay.workcell.state.robot, bay
-        visitor.window.clear()
-        visitor.window.client.flush()
-        await asyncio.sleep(CLEARED)
-        if bay.workcell.state.robot is not robot:
-            await visitor.window.fill(self._view(visitor.place, bay))
-        await self._attach(visitor, bay)
+    async def _settle(self, visitor: Visitor) -> None:
+        """Bring a window to the workcell where its person wishes to be, however often they change their mind."""
+        visitor.settled = False
+        try:
+            await self._moved(visitor)
+        finally:
+            visitor.settled = True
+
+    async def _moved(self, visitor: Visitor) -> None:
+        while self._is_here(visitor) and (bay := self._bay_of(visitor.place)) is not visitor.bay:
+            self._detach(visitor)
+            robot, visitor.bay = visitor.bay.workcell.state.robot, bay
+            visitor.window.clear()
+            visitor.window.client.flush()
+            await asyncio.sleep(CLEARED)
+            if bay.workcell.state.robot is not robot:
+                await visitor.window.fill(self._view(visitor.place, bay))
+            await self._attach(visitor, bay)
 
     # Seats and lessons.
 

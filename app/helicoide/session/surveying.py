@@ -6,6 +6,7 @@ import asyncio
 import logging
 from collections.abc import Callable, Coroutine
 from contextlib import AbstractContextManager, nullcontext
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -42,23 +43,24 @@ class Surveying:
         if not readings(self.state().robot):
             self.post(gate.say(NOTHING_TO_READ))
         elif real:
-            self._begin(self._with(realsense.connected()))
+            self._begin(partial(self._with, realsense.connected()))
         else:
             simulated = SimulatedCamera(noise=NOISE, outliers=OUTLIERS, resolution=(160, 90))
-            self._begin(self._with(nullcontext(simulated)))
+            self._begin(partial(self._with, nullcontext(simulated)))
 
     def read(self, name: str, content: bytes, plane: str) -> None:
         """Look for a plane, by its name, in the cloud of a file."""
-        self._begin(self._from_file(name, content, next(one for one in READINGS if one.name == plane)))
+        reading = next(one for one in READINGS if one.name == plane)
+        self._begin(partial(self._from_file, name, content, reading))
 
-    def _begin(self, work: Coroutine[Any, Any, None]) -> None:
+    def _begin(self, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
         if self._task is not None:
             self._task.cancel()
         self._task = asyncio.get_running_loop().create_task(self._guarded(work))
 
-    async def _guarded(self, work: Coroutine[Any, Any, None]) -> None:
+    async def _guarded(self, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
         try:
-            await work
+            await work()
         except HelicoideError as refusal:
             self.post(gate.say(refusal.text))
         except Exception:

@@ -18,6 +18,7 @@ from websockets.exceptions import ConnectionClosed
 from helicoide import gate
 from helicoide.session.lab import Lab
 from helicoide.state import Hold, ToJoints
+from helicoide.view.news import tell_once
 from helicoide.view.window import Window
 
 
@@ -260,3 +261,18 @@ def test_messages_that_viser_does_not_know_end_at_most_their_own_connection(sess
     assert eventually(lambda: isinstance(arm(session).request.command, ToJoints))
     assert eventually(lambda: abs(math.degrees(arm(session).arm.q[0]) - 12) < 0.1)
     good.close()
+
+
+def test_values_that_viser_cannot_use_cost_one_line_of_the_log_per_kind(
+    session: Lab, page: Page, caplog: pytest.LogCaptureFixture
+) -> None:
+    tell_once()
+    for number in range(100):
+        for value in ("a\nb" + "9" * number, None):
+            page.give("1 waist", value)
+    page.give("1 waist", 3.0)
+    assert eventually(lambda: abs(math.degrees(arm(session).arm.q[0]) - 3) < 0.1)
+    said = [record.getMessage() for record in caplog.records]
+    assert len(said) == 2
+    assert all("could not be used" in line and "\n" not in line for line in said)
+    assert all(record.exc_info is None for record in caplog.records)

@@ -7,7 +7,6 @@ import contextlib
 import errno
 import http.client
 import io
-import logging
 import socket
 import threading
 from collections.abc import Awaitable, Callable, Collection, Iterator, Mapping
@@ -20,11 +19,11 @@ import viser
 import websockets.asyncio.server
 from viser._messages import ShareUrlRequest
 from websockets.asyncio.server import ServerConnection
-from websockets.exceptions import ConnectionClosed, InvalidHandshake
 from websockets.http11 import Request, Response
 
 from helicoide.text import HelicoideError, Text
 from helicoide.view.limits import slowed
+from helicoide.view.news import tell_once
 from helicoide.view.page import reply, site
 
 Channel = Callable[[ServerConnection], Awaitable[None]]
@@ -74,7 +73,7 @@ def serve(
     our checks do not cover.
     """
     known = frozenset(map(_origin, origins))
-    logging.getLogger("websockets.server").addFilter(_is_news)
+    tell_once()
     listener = _listen(host, port)
     address, port = listener.getsockname()
     banner = io.StringIO()  # viser prints one whatever it is told
@@ -193,8 +192,3 @@ def _refuses_foreign_pages(address: str, port: int) -> bool:
     with contextlib.closing(http.client.HTTPConnection(reachable, port, timeout=5)) as page:
         page.request("GET", "/", headers=handshake)
         return page.getresponse().status == HTTPStatus.FORBIDDEN
-
-
-def _is_news(record: logging.LogRecord) -> bool:
-    """Drop the tracebacks of what others do: they talk no HTTP, open connections to spare, and leave when they like."""
-    return record.exc_info is None or not isinstance(record.exc_info[1], (InvalidHandshake, ConnectionClosed))

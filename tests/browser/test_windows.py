@@ -73,7 +73,7 @@ def test_the_page_speaks_what_its_browser_asks_for(pair: tuple[Page, Page]) -> N
 
 
 def own(lab: Lab) -> Workcell:
-    (found,) = (cell for cell in lab.session.workcells if cell is not lab.cell)
+    (found,) = (cell for cell in lab.session.bays.workcells if cell is not lab.cell)
     return found
 
 
@@ -81,7 +81,7 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     one, other = pair
     lab.reset(one)
     press(other, "Meu próprio braço")
-    until(other, lambda: len(lab.session.workcells) == 2)
+    until(other, lambda: len(lab.session.bays.workcells) == 2)
     other.get_by_role("button", name="Voltar ao braço comum").wait_for()
     mine = own(lab)
     until(other, lambda: len(lab.windows) == 1)
@@ -102,7 +102,7 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     assert mine.state.request.command != Hold(stopped=True)
     other.keyboard.press("Escape")
     until(other, lambda: mine.state.request.command == Hold(stopped=True))
-    lab.session.loop.call_soon_threadsafe(lab.session.bays[mine].arms.change, "planar2r")
+    lab.session.loop.call_soon_threadsafe(lab.session.bays.all[mine].arms.change, "planar2r")
     until(other, lambda: mine.state.robot.name == "planar2r")
     until(other, lambda: "/arm/waist" not in nodes(other) and any(name.startswith("/arm/") for name in nodes(other)))
     assert lab.state.robot.name == "movemaster"

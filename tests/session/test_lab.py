@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -13,7 +14,8 @@ from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate, lesson
 from helicoide.kinematics.library import load
-from helicoide.session import lab as labs
+from helicoide.session import bay
+from helicoide.session.display import Display
 from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
 from helicoide.session.workcell import Workcell
@@ -101,12 +103,12 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
 def test_an_arm_of_ones_own_is_refused_in_words_when_there_are_too_many(
     lab: Lab, hand: Hand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(labs, "MOST_OWN", 0)
+    monkeypatch.setattr(bay, "MOST_OWN", 0)
     heard: list[str] = []
     hand.page.heard = lambda message: heard.append(str(message))
     hand.do(hand.page.give("My own arm", True))
     assert eventually(lambda: any("0 arms of somebody's own" in message for message in heard))
-    assert len(lab.workcells) == 1
+    assert len(lab.bays.workcells) == 1
 
 
 def test_a_window_that_fails_to_be_drawn_costs_nobody_else(
@@ -123,6 +125,49 @@ def test_a_window_that_fails_to_be_drawn_costs_nobody_else(
     failed = [record for record in caplog.records if "layer target" in record.getMessage()]
     assert len(failed) == 1
     other.close()
+
+
+def put_up(lab: Lab) -> Display:
+    """The display of the shared arm, which somebody sees."""
+    assert eventually(lambda: lab.shared.display is not None and bool(lab.shared.display.windows))
+    assert lab.shared.display is not None
+    return lab.shared.display
+
+
+def test_a_window_that_leaves_while_it_enters_is_not_drawn(
+    lab: Lab, hand: Hand, caplog: pytest.LogCaptureFixture
+) -> None:
+    display, before = put_up(lab), len(lab.visitors)
+    asyncio.run_coroutine_threadsafe(display._putting_up.acquire(), lab.loop).result()
+    brief = Hand(lab.server.get_port())
+    assert eventually(lambda: len(display._entering) == 1)
+    brief.close()
+    assert eventually(lambda: len(lab.visitors) == before)
+    lab.loop.call_soon_threadsafe(display._putting_up.release)
+    hand.do(hand.page.give("1 waist", 2.0))
+    assert eventually(lambda: abs(state(lab).arm.q[0] - 0.0349) < 1e-3)
+    frames = display.frames
+    hand.do(hand.page.give("1 waist", 3.0))
+    assert eventually(lambda: display.frames > frames)
+    assert len(display.windows) == before
+    assert caplog.records == []
+
+
+def test_a_display_that_somebody_is_about_to_enter_stays_when_the_last_one_leaves(lab: Lab) -> None:
+    first = window(lab)
+    display = put_up(lab)
+    asyncio.run_coroutine_threadsafe(display._putting_up.acquire(), lab.loop).result()
+    second = Hand(lab.server.get_port())
+    assert eventually(lambda: len(display._entering) == 1)
+    first.close()
+    assert eventually(lambda: not display.windows)
+    lab.loop.call_soon_threadsafe(display._putting_up.release)
+    assert eventually(lambda: len(display.windows) == 1 and second.page.may_drive.is_set())
+    frames = second.page.frames
+    second.do(second.page.give("1 waist", 5.0))
+    assert eventually(lambda: second.page.frames > frames + 5)
+    second.close()
+    assert eventually(lambda: not lab.visitors)
 
 
 def test_what_takes_longer_than_a_tick_is_no_part_of_one(lab: Lab, hand: Hand) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import faulthandler
 import gc
 import logging
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -63,6 +65,7 @@ def test_no_study_holds_anything_up(lab: Lab, name: str) -> None:
 
 def test_an_hour_of_random_use_leaves_nothing_behind(lab: Lab, caplog: pytest.LogCaptureFixture) -> None:
     """Memory after an hour is that of the tenth minute, and so are threads and open files; nothing is raised."""
+    faulthandler.dump_traceback_later(SECONDS + 900.0, exit=True, file=sys.__stderr__)  # instead of after 15 min
     rng, hands = np.random.default_rng(0), [window(lab) for _ in range(WINDOWS)]
     began, gaps = time.monotonic(), []
     early: tuple[float, int, int] | None = None

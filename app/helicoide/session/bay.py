@@ -1,18 +1,31 @@
-"""A workcell with all that works for it, and what its windows show."""
+"""The workcells of the lab, each with all that works for it and what its windows show."""
 
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
+from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms
 from helicoide.session.display import Display
 from helicoide.session.mapping import Mapping
 from helicoide.session.replaying import along_fastest, through
+from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import Workcell
-from helicoide.state import State
+from helicoide.state import Hold, State, commanded, initial
+from helicoide.text import HelicoideError, Text
 from helicoide.view import rows
 from helicoide.view.rows import Wish
+
+MOST_OWN, MAPS = 64, 2  # arms of somebody's own; maps that are counted at once
+
+FULL = Text(
+    en="There are {n} arms of somebody's own already: more do not fit into this program.",
+    pt_BR="Já há {n} braços próprios: não cabem mais neste programa.",
+)
 
 
 class Bay:
@@ -50,3 +63,47 @@ class Bay:
                 self.arms.work_out(through)
             case rows.PlayFastest():
                 self.arms.work_out(along_fastest)
+
+
+class Bays:
+    """The shared one, and those that are somebody's own.
+
+    wake: called when a workcell has something to do; searcher: where searches run. workcells: for the clock's thread,
+    replaced as a whole.
+    """
+
+    def __init__(self, robot: Robot, wake: Callable[[], None], searcher: ThreadPoolExecutor) -> None:
+        self.wake, self.searcher = wake, searcher
+        self.maps = asyncio.Semaphore(MAPS)
+        self.all: dict[Workcell, Bay] = {}
+        self.shared = self._add(initial(robot))
+
+    def __iter__(self) -> Iterator[Bay]:
+        return iter(tuple(self.all.values()))
+
+    def _add(self, state: State) -> Bay:
+        bay = Bay(Workcell(state, self.wake, self.searcher), self.maps)
+        self.all[bay.workcell] = bay
+        self.workcells = tuple(self.all)
+        return bay
+
+    def of(self, place: Place) -> Bay:
+        """The one in front of which a person sits."""
+        return self.shared if place.own is None or not place.at_own else self.all[place.own]
+
+    def give(self, place: Place) -> None:
+        """Give a person an arm of their own, at first a copy of the shared one.
+
+        Raises HelicoideError where there are too many already.
+        """
+        if place.own is None:
+            if len(self.all) > MOST_OWN:
+                raise HelicoideError(FULL.format(n=MOST_OWN))
+            copy = commanded(self.shared.workcell.state, Hold())
+            place.own = self._add(replace(copy, request=replace(copy.request, grasp=None, goal=None))).workcell
+
+    def keep(self, places: Iterable[Place]) -> None:
+        """Forget those of places that are no more."""
+        kept = {place.own for place in places} | {self.shared.workcell}
+        self.all = {workcell: bay for workcell, bay in self.all.items() if workcell in kept}
+        self.workcells = tuple(self.all)

@@ -8,22 +8,21 @@ import logging
 import secrets
 from collections.abc import Collection
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
 from time import monotonic
 
-from helicoide import content, gate, lesson
+from helicoide import content, gate
 from helicoide.jobs.apart import Apart
 from helicoide.kinematics.robot import Robot
 from helicoide.session import lessons
-from helicoide.session.bay import Bay
+from helicoide.session.bay import Bay, Bays
 from helicoide.session.clock import Clock
 from helicoide.session.display import CLEARED, Display
 from helicoide.session.preparing import compiled, compiling, prepare
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
-from helicoide.session.workcell import FAILED, Workcell
-from helicoide.state import Grasp, Hold, SeatUpdate, State, commanded, initial
-from helicoide.text import Language, Text
+from helicoide.session.visitor import Visitor
+from helicoide.session.workcell import FAILED
+from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, Control, Hello, Line, Notice, introduce
 from helicoide.view.link import HelicoideFence, HelicoideMadeAt, heard_from
@@ -32,27 +31,11 @@ from helicoide.view.scene import lit
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window
 
-MOST_OWN, MAPS = 64, 2  # arms of somebody's own; maps that are counted at once
 UNTIDY = 10  # times that garbage stays where it is while an arm moves
 # s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
 # control that a person touched is put right, which is left alone as long as a hand may be on it
 ANSWER, LET_GO, JUDGED, PUT_RIGHT, TIDIED = 5.0, 0.5, 0.2, 0.8, 60.0
-FULL = Text(
-    en="There are {n} arms of somebody's own already: more do not fit into this program.",
-    pt_BR="Já há {n} braços próprios: não cabem mais neste programa.",
-)
 log = logging.getLogger("helicoide")
-
-
-@dataclass(eq=False)
-class Visitor:
-    """A window, where its person sits, and in front of which workcell; settled: whether it stays there for now."""
-
-    window: Window
-    place: Place
-    bay: Bay
-    settled: bool = False
-    moving: asyncio.Task[None] | None = None
 
 
 class Lab:
@@ -68,14 +51,12 @@ class Lab:
         self.lines: dict[int, Line] = {}
         self.control = Control(self._stopped, self._released, self._turned)
         self.ready = False
-        self.clock = Clock(lambda: self.workcells, self._changed)
+        self.clock = Clock(lambda: self.bays.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
         self.studies = Studies(self._news)
-        self.maps = asyncio.Semaphore(MAPS)
         self.pen = asyncio.Lock()
-        self.shared = self._bay(initial(robot))
-        self.bays = {self.shared.workcell: self.shared}
-        self.workcells: tuple[Workcell, ...] = (self.shared.workcell,)
+        self.bays = Bays(robot, self.clock.wake, self.searcher)
+        self.shared = self.bays.shared
         self.said = compiling(0)
         self._compilation = Apart(compiled)
         self._signalled = False
@@ -93,16 +74,13 @@ class Lab:
         """Stop the arms, the work and the server. From any other thread."""
         self._compilation.stop()
         self.studies.close()
-        for bay in self.bays.values():
+        for bay in self.bays:
             bay.mapping.close()
         if self.clock.is_alive():
             self.clock.end()
         self.searcher.shutdown(wait=False, cancel_futures=True)
         self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
         self.server.stop()
-
-    def _bay(self, state: State) -> Bay:
-        return Bay(Workcell(state, self.clock.wake, self.searcher), self.maps)
 
     def _begin(self) -> None:
         lit(self.server)
@@ -135,9 +113,7 @@ class Lab:
 
     def _tidy(self) -> None:
         self.seats.tidy(monotonic())
-        kept = {place.own for place in self.seats.places.values()} | {self.shared.workcell}
-        self.bays = {workcell: bay for workcell, bay in self.bays.items() if workcell in kept}
-        self.workcells = tuple(self.bays)
+        self.bays.keep(self.seats.places.values())
         self._untidy = 0 if self.clock.rests else self._untidy + 1
         if self._untidy in (0, UNTIDY):
             self._untidy = 0
@@ -154,16 +130,17 @@ class Lab:
 
     def _told(self) -> None:
         self._signalled = False
-        for bay in self.bays.values():
+        for bay in self.bays:
             if bay.display is not None:
                 bay.display.tell()
         if monotonic() - self._judged > JUDGED:
             self._judged = monotonic()
-            self._judge()
+            for visitor in self.visitors.values():
+                visitor.judge()
 
     def _news(self) -> None:
         """What windows show besides their arm may be something else."""
-        for bay in self.bays.values():
+        for bay in self.bays:
             if bay.display is not None:
                 bay.display.news.set()
 
@@ -187,12 +164,12 @@ class Lab:
         await self._furnish(client, line, place)
 
     async def _furnish(self, client: Client, line: Line, place: Place) -> None:
-        bay = self._bay_of(place)
-        window = Window(client, line.link, self._view(place, bay), self.act)
+        bay = self.bays.of(place)
+        window = Window(client, line.link, View(bay.workcell.state, place.seat, place.desk, self.ready), self.act)
         visitor = self.visitors[client.client_id] = Visitor(window, place, bay)
         if not self.ready:
             self._say_to(visitor)
-        await window.furnish(window.view)
+        await window.furnish(visitor.view(self.ready))
         await self._attach(visitor, bay)
         await self._settle(visitor)
 
@@ -217,7 +194,7 @@ class Lab:
             if bay.display.empty:
                 bay.display.close()
                 bay.display = None
-        if (grasp := _held(visitor)) is not None:
+        if (grasp := visitor.grasp) is not None:
             bay.workcell.tell(gate.let_go(grasp))
 
     def _is_here(self, visitor: Visitor) -> bool:
@@ -236,16 +213,9 @@ class Lab:
             if visitor.place.windows == 0:
                 self.studies.forget(visitor.place)
 
-    def _bay_of(self, place: Place) -> Bay:
-        return self.shared if place.own is None or not place.at_own else self.bays[place.own]
-
     def view(self, window: Window) -> View:
         """What a window shows."""
-        visitor = self.visitors[window.client.client_id]
-        return self._view(visitor.place, visitor.bay)
-
-    def _view(self, place: Place, bay: Bay) -> View:
-        return View(bay.workcell.state, place.seat, place.desk, self.ready, bay is not self.shared)
+        return self.visitors[window.client.client_id].view(self.ready)
 
     # What windows say.
 
@@ -253,32 +223,25 @@ class Lab:
         line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
         if line is not None and line.link.hear(message) and visitor is not None:
             visitor.window.restore()
-            self._write(visitor)
-
-    def _write(self, visitor: Visitor) -> None:
-        if visitor.bay.display is not None:
-            visitor.bay.display.news.set()
+            visitor.write()
 
     def act(self, window: Window, wish: Wish) -> None:
         """Do what a person wishes, if it counts; what their page shows of it is put right in any case."""
         visitor = self.visitors.get(window.client.client_id)
         if visitor is None:
             return
-        self._write(visitor)
-        self.loop.call_later(PUT_RIGHT, self._rewrite, visitor)
+        visitor.write()
+        self.loop.call_later(PUT_RIGHT, visitor.rewrite)
         if isinstance(wish, rows.Stop):
             self._stopped(window.link.key)
         elif window.link.drives:
             self._act(visitor, wish)
 
-    def _rewrite(self, visitor: Visitor) -> None:
-        visitor.window.written = None
-        self._write(visitor)
-
     def _act(self, visitor: Visitor, wish: Wish) -> None:
         match wish:
             case rows.ForSeat(update):
-                self.reseat(visitor, update)
+                visitor.reseat(update)
+                self._news()
             case rows.ForDesk(update):
                 self.studies.redesk(visitor.place, update)
             case rows.OwnArm(on):
@@ -293,8 +256,9 @@ class Lab:
 
         Of the windows in front of them nothing counts that was made before their pages know of it.
         """
-        mine = next((one.bay for one in self.visitors.values() if one.window.link.key == key), self.shared)
-        stopped = {bay.workcell for bay in self.bays.values() if bay is mine or bay.workcell.connected}
+        visitor = self._with(key)
+        mine = self.shared if visitor is None else visitor.bay
+        stopped = {bay.workcell for bay in self.bays if bay is mine or bay.workcell.connected}
         for workcell in stopped:
             workcell.stop()
         for number, line in self.lines.items():
@@ -304,31 +268,30 @@ class Lab:
 
     def _released(self, key: str) -> None:
         """A pointer was let go: what it held ends soon, also when the drag's own end gets lost on its way."""
-        for visitor in self.visitors.values():
-            grasp = _held(visitor)
-            if visitor.window.link.key == key and grasp is not None:
-                self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
+        visitor = self._with(key)
+        if visitor is not None and (grasp := visitor.grasp) is not None:
+            self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
 
     def _turned(self, key: str, tab: int) -> None:
         """Another tab is in front of a window."""
-        for visitor in self.visitors.values():
-            if visitor.window.link.key == key:
-                visitor.window.tab = tab
-                self._rewrite(visitor)
+        visitor = self._with(key)
+        if visitor is not None:
+            visitor.window.tab = tab
+            visitor.rewrite()
+
+    def _with(self, key: str | None) -> Visitor | None:
+        """Who has the window of a key."""
+        return next((one for one in self.visitors.values() if one.window.link.key == key), None)
 
     def _move(self, visitor: Visitor, own: bool) -> None:
         """A person goes to their own arm, which begins as a copy of the shared one, or back."""
-        place = visitor.place
-        if own and place.own is None:
-            if len(self.bays) > MOST_OWN:
-                visitor.window.tell(FULL.format(n=MOST_OWN))
+        if own:
+            try:
+                self.bays.give(visitor.place)
+            except HelicoideError as refusal:
+                visitor.window.tell(refusal.text)
                 return
-            copy = commanded(self.shared.workcell.state, Hold())
-            bay = self._bay(replace(copy, request=replace(copy.request, grasp=None, goal=None)))
-            place.own = bay.workcell
-            self.bays = {**self.bays, bay.workcell: bay}
-            self.workcells = tuple(self.bays)
-        place.at_own = own
+        visitor.place.at_own = own
         if visitor.settled:
             visitor.moving = self.loop.create_task(self._settle(visitor))
 
@@ -341,52 +304,18 @@ class Lab:
             visitor.settled = True
 
     async def _moved(self, visitor: Visitor) -> None:
-        while self._is_here(visitor) and (bay := self._bay_of(visitor.place)) is not visitor.bay:
+        while self._is_here(visitor) and (bay := self.bays.of(visitor.place)) is not visitor.bay:
             self._detach(visitor)
             robot, visitor.bay = visitor.bay.workcell.state.robot, bay
             visitor.window.clear()
             visitor.window.client.flush()
             await asyncio.sleep(CLEARED)
             if bay.workcell.state.robot is not robot:
-                await visitor.window.fill(self._view(visitor.place, bay))
+                await visitor.window.fill(visitor.view(self.ready))
             await self._attach(visitor, bay)
 
-    # Seats and lessons.
-
-    def reseat(self, visitor: Visitor, update: SeatUpdate) -> None:
-        """A person changed something about their own window; a lesson brings its robot with it."""
-        place, bay = visitor.place, visitor.bay
-        before, seat = place.seat, update(place.seat)
-        place.seat = seat
-        if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
-            chosen = lesson.load(seat.lesson)
-            if chosen.robot != bay.workcell.state.robot.name:
-                bay.arms.change(chosen.robot)
-            else:
-                bay.workcell.ask(chosen.steps[seat.step].setup)
-        self._news()
-        if bay.display is not None:
-            bay.display.redraw()
-
     def _arrived(self, display: Display) -> None:
-        """Another arm stands in a workcell: lessons about it begin, others are left."""
-        robot = display.workcell.state.robot
+        """Another arm stands in a workcell."""
         for visitor in self.visitors.values():
             if visitor.bay.display is display:
-                seat = visitor.place.seat = lessons.seated_at(robot, visitor.place.seat)
-                if seat.lesson:
-                    display.workcell.ask(lesson.load(seat.lesson).steps[seat.step].setup)
-
-    def _judge(self) -> None:
-        """See whether the goals of lessons are met."""
-        for visitor in self.visitors.values():
-            judged = lessons.judged(visitor.place.seat, visitor.bay.workcell.state)
-            if judged is not visitor.place.seat:
-                visitor.place.seat = judged
-                self._write(visitor)
-
-
-def _held(visitor: Visitor) -> Grasp | None:
-    """What a window holds with the pointer."""
-    grasp = visitor.bay.workcell.state.request.grasp
-    return grasp if grasp is not None and grasp.seat == str(visitor.window.client.client_id) else None
+                visitor.meet()

@@ -1,0 +1,75 @@
+"""A window with whoever sits in front of it, and the workcell that it looks at."""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import dataclass
+
+from helicoide import lesson
+from helicoide.session import lessons
+from helicoide.session.bay import Bay
+from helicoide.session.seats import Place
+from helicoide.state import Grasp, SeatUpdate
+from helicoide.view.rows import View
+from helicoide.view.window import Window
+
+
+@dataclass(eq=False)
+class Visitor:
+    """A window, where its person sits, and in front of which workcell.
+
+    settled: whether it stays there for now; moving: what brings it elsewhere.
+    """
+
+    window: Window
+    place: Place
+    bay: Bay
+    settled: bool = False
+    moving: asyncio.Task[None] | None = None
+
+    def view(self, ready: bool) -> View:
+        """What the window shows; ready: whether the arms live."""
+        place = self.place
+        return View(self.bay.workcell.state, place.seat, place.desk, ready, self.bay.workcell is place.own)
+
+    def write(self) -> None:
+        """What the window shows may be something else."""
+        if self.bay.display is not None:
+            self.bay.display.news.set()
+
+    def rewrite(self) -> None:
+        """What the window shows may be wrong."""
+        self.window.written = None
+        self.write()
+
+    @property
+    def grasp(self) -> Grasp | None:
+        """What the window holds with the pointer."""
+        grasp = self.bay.workcell.state.request.grasp
+        return grasp if grasp is not None and grasp.seat == str(self.window.client.client_id) else None
+
+    def reseat(self, update: SeatUpdate) -> None:
+        """The person changes something about their own windows; a lesson brings its robot with it."""
+        before, bay = self.place.seat, self.bay
+        seat = self.place.seat = update(before)
+        if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
+            chosen = lesson.load(seat.lesson)
+            if chosen.robot != bay.workcell.state.robot.name:
+                bay.arms.change(chosen.robot)
+            else:
+                bay.workcell.ask(chosen.steps[seat.step].setup)
+        if bay.display is not None:
+            bay.display.redraw()
+
+    def meet(self) -> None:
+        """The arm of the workcell is another one: a lesson about it begins, another is left."""
+        seat = self.place.seat = lessons.seated_at(self.bay.workcell.state.robot, self.place.seat)
+        if seat.lesson:
+            self.bay.workcell.ask(lesson.load(seat.lesson).steps[seat.step].setup)
+
+    def judge(self) -> None:
+        """See whether the goal of the lesson is met."""
+        judged = lessons.judged(self.place.seat, self.bay.workcell.state)
+        if judged is not self.place.seat:
+            self.place.seat = judged
+            self.write()

@@ -33,6 +33,11 @@ class Crowd:
         self.pages += await asyncio.gather(*joining)
         return perf_counter() - began
 
+    async def watch(self, count: int) -> None:
+        """Open so many pages of a bare viser, which only watch."""
+        for _ in range(count):
+            self.pages.append(await self.stack.enter_async_context(opened(self.port, silent=True)))
+
     async def _open(self, delay: float) -> Page:
         await asyncio.sleep(delay)
         page = await self.stack.enter_async_context(opened(self.port))

@@ -80,7 +80,8 @@ def _shared(server: Child, port: str, count: int) -> None:
             f"longest gap {1000 * after['gap']:.0f} ms, "
             f"{(after['frames'] - before['frames']) / took:.0f} frames/s, "
             f"{changes.min() / took:.0f} changes/s at the slowest page, "
-            f"{1000 * used / max(1, after['ticks'] - before['ticks']):.2f} ms of processor a tick"
+            f"{1000 * used / max(1, after['ticks'] - before['ticks']):.2f} ms of processor a tick, "
+            f"{1000 * used / max(1, after['frames'] - before['frames']):.2f} a frame"
         )
         drags = 1000 * np.array(crowd.ask("drag", DRAGS))
         stops = 1000 * np.array(crowd.ask("stop", STOPS))
@@ -93,6 +94,24 @@ def _shared(server: Child, port: str, count: int) -> None:
             verdict("60 windows: stop heard p95", float(np.percentile(stops, 95)), 50.0, " ms")
         if count == 30:
             verdict("30 windows: time of a frame", 1000 * took / (after["frames"] - before["frames"]), 1000 / 15, " ms")
+        crowd.ask("leave")
+
+
+def _bare(server: Child, port: str, count: int) -> None:
+    with child("tests.benchmarks.crowd", port) as crowd:
+        crowd.ask("watch", count)
+        sleep(2.0)
+        before, used, began = server.ask("tell"), server.processor(), perf_counter()
+        changes = np.array(crowd.ask("count"))
+        sleep(SECONDS)
+        changes = np.array(crowd.ask("count")) - changes
+        after, used, took = server.ask("tell"), server.processor() - used, perf_counter() - began
+        frames = after["frames"] - before["frames"]
+        print(
+            f"  bare viser, {count} windows: {frames / took:.0f} frames/s, longest gap {1000 * after['gap']:.0f} ms, "
+            f"{changes.min() / took:.0f} changes/s at the slowest page, "
+            f"{1000 * used / max(1, frames):.2f} ms of processor a frame"
+        )
         crowd.ask("leave")
 
 
@@ -131,6 +150,9 @@ def run() -> None:
     with lab() as (server, port):
         for count in WINDOWS:
             _shared(server, port, count)
+    with lab("tests.benchmarks.bare") as (server, port):
+        for count in WINDOWS:
+            _bare(server, port, count)
     for part in (_joins, _private):
         with lab() as (server, port):
             part(server, port)

@@ -13,6 +13,7 @@ from tests.sample import sampled
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State, initial
+from helicoide.view.news import tell_once
 
 # No clock may fail a test: the first call of a kernel compiles it, which takes longer than any example may.
 CLOCKLESS = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True)
@@ -54,6 +55,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for test in {item.obj for item in items if is_hypothesis_test(item.obj)}:
             own = test._hypothesis_internal_use_settings
             test._hypothesis_internal_use_settings = settings(own, max_examples=SEARCHED * own.max_examples)
+
+
+def pytest_runtest_setup() -> None:
+    """What another test has seen fail is news again."""
+    tell_once()
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:

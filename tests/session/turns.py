@@ -27,7 +27,7 @@ def counted(loop: asyncio.AbstractEventLoop) -> Iterator[Turns]:
     def measured(handle: asyncio.Handle) -> None:
         if handle._loop is not loop:  # type: ignore[attr-defined]
             return run(handle)
-        what, began = repr(handle), thread_time()
+        what, began = repr(getattr(handle._callback, "__self__", handle)), thread_time()  # type: ignore[attr-defined]
         run(handle)
         turns.count += 1
         if (took := thread_time() - began) > turns.longest:

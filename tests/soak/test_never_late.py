@@ -5,6 +5,7 @@ from __future__ import annotations
 import faulthandler
 import gc
 import logging
+import subprocess
 import sys
 import threading
 import time
@@ -60,6 +61,25 @@ def test_no_study_holds_anything_up(lab: Lab, name: str) -> None:
         f"longest gap {lab.clock.gap:.3f} s (goal {GAP}), longest turn {turns.longest:.3f} s of processor time"
     )
     assert visitor.place.desk.failure is None
+    assert turns.longest < LONGEST, turns.what
+
+
+def test_studies_of_another_process_hold_nothing_up(lab: Lab) -> None:
+    hand = window(lab)
+    heard, lab.clock.gap = [], 0.0
+    all_of_them = [sys.executable, "-m", "helicoide", "study", "--all", "--short"]
+    with counted(lab.loop) as turns, subprocess.Popen(all_of_them, stdout=subprocess.DEVNULL) as studying:
+        while studying.poll() is None:
+            hand.do(hand.page.press("Play"))
+            time.sleep(1.0)
+            heard.append(hand.do(hand.page.stop()))
+    hand.close()
+    assert eventually(lambda: not lab.visitors)
+    print(
+        f"study --all: stop heard within {max(heard):.3f} s of {len(heard)} (goal {HEARD}), "
+        f"longest gap {lab.clock.gap:.3f} s (goal {GAP}), longest turn {turns.longest:.3f} s of processor time"
+    )
+    assert studying.returncode == 0
     assert turns.longest < LONGEST, turns.what
 
 

@@ -29,7 +29,7 @@ from helicoide.view.link import HelicoideFence, HelicoideMadeAt, heard_from
 from helicoide.view.rows import View, Wish
 from helicoide.view.scene import lit
 from helicoide.view.serve import serve
-from helicoide.view.window import Client, Window
+from helicoide.view.window import Client, Window, made_ready
 
 UNTIDY = 10  # times that garbage stays where it is while an arm moves
 # s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
@@ -87,6 +87,7 @@ class Lab:
         heard_from(self.server, self._heard)
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
+        self._furniture = self.loop.run_in_executor(None, made_ready, self.shared.workcell.state.robot)
         self._starting = self.loop.create_task(self._start())
         self._tidy()
 
@@ -151,6 +152,7 @@ class Lab:
         key = secrets.token_urlsafe(9)
         line = self.lines[client.client_id] = self.control.open(key)
         introduce(client, key)
+        await asyncio.shield(self._furniture)
         try:
             hello = await asyncio.wait_for(line.hello, ANSWER)
         except TimeoutError:

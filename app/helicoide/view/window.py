@@ -48,6 +48,13 @@ def seated(token: str, language: Language, lesson: str | None) -> Seat:
     return Seat(token=token, language=language, lesson=lesson, shows=shows)
 
 
+def made_ready(robot: Robot) -> None:
+    """Import all that windows show, which takes the longest of the first one; from any thread."""
+    layers.found()
+    for panel in panels.found():
+        panel.rows(robot)
+
+
 class Window:
     """A client of viser and the person in front of it.
 

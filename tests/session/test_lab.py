@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -14,7 +15,8 @@ from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate, lesson
 from helicoide.kinematics.library import load
-from helicoide.session import bay
+from helicoide.kinematics.robot import Robot
+from helicoide.session import arms, bay
 from helicoide.session.display import Display
 from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
@@ -98,6 +100,29 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
     assert not visitor.place.seat.done, "what was done was done on an arm that has gone"
     lab.loop.call_soon_threadsafe(lab.shared.arms.change, "movemaster")
     assert eventually(lambda: state(lab).robot.name == "movemaster")
+
+
+def test_a_lesson_stays_that_was_chosen_while_another_arm_was_on_its_way(
+    lab: Lab, hand: Hand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
+    assert eventually(lambda: state(lab).robot.name == "planar2r")
+    (visitor,) = lab.visitors.values()
+    coming, load = threading.Event(), arms._loaded
+
+    def slowly(name: str, lengths: tuple[str, ...]) -> Robot:
+        coming.wait(60)
+        return load(name, lengths)
+
+    monkeypatch.setattr(arms, "_loaded", slowly)
+    hand.do(hand.page.give("Lesson", lesson.load("drive_the_arm").title.en))
+    assert eventually(lambda: visitor.place.seat.lesson == "drive_the_arm")
+    lab.loop.call_soon_threadsafe(visitor.meet)
+    lab.loop.call_soon_threadsafe(coming.set)
+    assert eventually(lambda: state(lab).robot.name == "movemaster")
+    assert visitor.place.seat.lesson == "drive_the_arm"
+    hand.do(hand.page.give("Lesson", "Free play"))
+    assert eventually(lambda: visitor.place.seat.lesson is None)
 
 
 def test_an_arm_of_ones_own_is_refused_in_words_when_there_are_too_many(

@@ -22,11 +22,14 @@ log = logging.getLogger("helicoide")
 
 
 class Arms:
-    """What brings arms and motions into one workcell. Only on the event loop."""
+    """What brings arms and motions into one workcell. Only on the event loop.
+
+    wanted: the robot that is on its way, or came last; nothing where it could not come.
+    """
 
     def __init__(self, workcell: Workcell) -> None:
         self.workcell = workcell
-        self._wanted = ""
+        self.wanted = ""
         self._tasks: set[asyncio.Task[None]] = set()
 
     def play(self, motion: Motion) -> None:
@@ -42,7 +45,7 @@ class Arms:
 
         lengths: parameters of the robot, as `load` takes them.
         """
-        self._wanted = robot_name
+        self.wanted = robot_name
         self._begin(self._change(robot_name, lengths, then))
 
     def work_out(self, way: Callable[[State], Update]) -> None:
@@ -69,10 +72,12 @@ class Arms:
         try:
             robot = await asyncio.to_thread(_loaded, robot_name, lengths)
         except Exception as error:
+            if robot_name == self.wanted:
+                self.wanted = ""
             log.warning("%s was not put up", robot_name, exc_info=not isinstance(error, HelicoideError))
             self.workcell.tell(gate.say(error.text if isinstance(error, HelicoideError) else FAILED))
             return
-        if robot_name == self._wanted:
+        if robot_name == self.wanted:
             self.workcell.tell(_put_up(robot, before, then))
 
 

@@ -177,9 +177,9 @@ class Lab:
 
     async def _attach(self, visitor: Visitor, bay: Bay) -> None:
         """Put a window in front of a workcell."""
-        visitor.bay, robot = bay, bay.workcell.state.robot
-        if not lessons.is_about(visitor.place.seat, robot):
-            visitor.place.seat = lessons.seated_at(robot, visitor.place.seat)
+        visitor.bay, robots = bay, (bay.workcell.state.robot.name, bay.arms.wanted)
+        if not lessons.is_about(visitor.place.seat, robots):
+            visitor.place.seat = lessons.seated_at(robots, visitor.place.seat)
         bay.workcell.pause(False)
         if bay.display is None:
             bay.display = Display(self.server, self.control, bay.workcell, self.view, self._arrived, self.pen)

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Collection
 from dataclasses import replace
 
 from helicoide import lesson
-from helicoide.kinematics.robot import Robot
 from helicoide.state import Seat, State
 
 log = logging.getLogger("helicoide")
 
 
-def is_about(seat: Seat, robot: Robot) -> bool:
-    """Whether a seat is in no lesson, or in one about this robot."""
-    return seat.lesson is None or lesson.load(seat.lesson).robot == robot.name
+def is_about(seat: Seat, robots: Collection[str]) -> bool:
+    """Whether a seat is in no lesson, or in one about one of these robots."""
+    return seat.lesson is None or lesson.load(seat.lesson).robot in robots
 
 
-def seated_at(robot: Robot, seat: Seat) -> Seat:
-    """The seat in front of another robot: nothing selected or done, and in a lesson only where that is about it."""
-    seat = replace(seat, done=frozenset()) if is_about(seat, robot) else lesson.entered(seat, None)
+def seated_at(robots: Collection[str], seat: Seat) -> Seat:
+    """The seat in front of another robot: nothing selected or done, and in a lesson only where that is about it.
+
+    robots: the one that stands there, and the one that is on its way.
+    """
+    seat = replace(seat, done=frozenset()) if is_about(seat, robots) else lesson.entered(seat, None)
     return replace(seat, selected=None, picked=None)
 
 

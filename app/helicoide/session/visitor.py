@@ -63,9 +63,10 @@ class Visitor:
 
     def meet(self) -> None:
         """The arm of the workcell is another one: a lesson about it begins, another is left."""
-        seat = self.place.seat = lessons.seated_at(self.bay.workcell.state.robot, self.place.seat)
-        if seat.lesson:
-            self.bay.workcell.ask(lesson.load(seat.lesson).steps[seat.step].setup)
+        robot = self.bay.workcell.state.robot.name
+        seat = self.place.seat = lessons.seated_at((robot, self.bay.arms.wanted), self.place.seat)
+        if seat.lesson and (chosen := lesson.load(seat.lesson)).robot == robot:
+            self.bay.workcell.ask(chosen.steps[seat.step].setup)
 
     def judge(self) -> None:
         """See whether the goal of the lesson is met."""

@@ -197,6 +197,26 @@ def test_the_words_of_the_status(state: State, case: str) -> None:
     assert "{" not in status.text.en + status.text.pt_BR
 
 
+CHANGES = {
+    "every plane is taken away": gate.clear_planes(),
+    "one plane is taken away": gate.remove_plane(0),
+    "an obstacle comes": gate.add_obstacle(),
+    "an obstacle goes": gate.remove_obstacle(0),
+    "the zones are others": gate.set_zones(0.09, 0.2),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("case", CASES)
+def test_the_status_can_be_read_whatever_is_around_the_arm_now(state: State, case: str, change: str) -> None:
+    """What was foreseen among other planes and obstacles is not looked up among these."""
+    made, *_ = CASES[case]
+    changed = CHANGES[change](made(gate.add_obstacle()(state)))
+    for _ in range(2):
+        assert readout.status(changed).text.en
+        changed = foreseen(after(changed, 0.01))
+
+
 def test_a_joint_at_its_limit_is_named(state: State) -> None:
     """With the waist kept to 10 degrees a target at 20 is missed, inside every plane."""
     robot = state.robot

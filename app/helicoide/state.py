@@ -280,6 +280,23 @@ def commanded(state: State, command: Command) -> State:
     return replace(state, request=replace(state.request.afresh(), command=command), notice=None)
 
 
+def enclosed(state: State, problem: Problem, notice: Text | None = None) -> State:
+    """The same state inside other planes, obstacles or zones, or through another entry point.
+
+    What held the arm back, now and where its command leads, counts planes and obstacles: with others it is unknown.
+    """
+    request, arm, compared = state.request.afresh(), state.arm, state.compared
+    if _things(problem) != _things(state.problem):
+        request, arm = replace(request, goal=None), replace(arm, held=None)
+        compared = compared and replace(compared, arm=replace(compared.arm, held=None))
+    return replace(state, problem=problem, arm=arm, request=request, compared=compared, notice=notice)
+
+
+def _things(problem: Problem) -> tuple[int, int, bool]:
+    """How many planes and obstacles there are, and whether there is an entry point."""
+    return len(problem.planes.panes), len(problem.obstacles.radii), problem.entry is not None
+
+
 def grasped(state: State, grasp: Grasp | None) -> State:
     """The same state with that in somebody's hand, or nothing."""
     return replace(state, request=replace(state.request, grasp=grasp))

@@ -94,14 +94,15 @@ def test_an_hour_of_random_use_leaves_nothing_behind(lab: Lab, caplog: pytest.Lo
         number = int(rng.integers(WINDOWS))
         act(rng, hands[number])
         if rng.random() < 0.002:
+            seat = hands[number].page.seat
             hands[number].close()
-            hands[number] = window(lab)
+            hands[number] = window(lab, seat=seat)
         if early is None and at > SETTLED:
-            early = used()
+            early = used(lab)
         gaps.append(lab.clock.gap)
         lab.clock.gap = 0.0
     hands[0].do(hands[0].page.stop())
-    late = used()
+    late = used(lab)
     assert early is not None
     print(f"longest gap {max(gaps):.3f} s (goal 0.25); MB, threads, files: {early} at ten minutes, {late} at the end")
     for hand in hands:
@@ -112,8 +113,11 @@ def test_an_hour_of_random_use_leaves_nothing_behind(lab: Lab, caplog: pytest.Lo
     assert late[2] <= early[2] + WINDOWS
 
 
-def used() -> tuple[float, int, int]:
-    """Memory, MB, threads and open files of this process, when the garbage is out."""
+def used(lab: Lab) -> tuple[float, int, int]:
+    """Memory, MB, threads and open files of this process, when nothing is under way and the garbage is out."""
+    places, bays = list(lab.seats.places.values()), list(lab.bays)
+    assert eventually(lambda: all(place.desk.progress is None for place in places), 600)
+    assert eventually(lambda: all(bay.workcell.state.workspace.counting is None for bay in bays), 600)
     gc.collect()
     process = psutil.Process()
     return process.memory_info().rss / 1e6, threading.active_count(), process.num_fds()

@@ -17,7 +17,7 @@ from helicoide.confinement.plane_file import parsed
 from helicoide.gate.check import driven, finite
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.robot import Pane
-from helicoide.state import Seen, State, Update, grasped
+from helicoide.state import Seen, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text, same
 
 MOST = 12
@@ -127,7 +127,7 @@ def set_zones(critical: float, warning: float) -> Update:
     def wish(state: State) -> State:
         near, far = finite([critical, warning], (2,))
         problem = replace(state.problem, zones=state.problem.zones.adjusted(float(near), float(far)))
-        return replace(state, request=state.request.afresh(), problem=problem, notice=None)
+        return enclosed(state, problem)
 
     return driven(wish)
 
@@ -176,5 +176,4 @@ def _without_movable(state: State) -> State:
 
 
 def _with(state: State, planes: Planes) -> State:
-    problem = replace(state.problem, planes=planes)
-    return replace(state, problem=problem, request=state.request.afresh(), notice=None)
+    return enclosed(state, replace(state.problem, planes=planes))

@@ -11,7 +11,7 @@ from helicoide.gate.method import of_both
 from helicoide.gate.target import Phase
 from helicoide.ik import entry_point
 from helicoide.kinematics.chain import Array
-from helicoide.state import Grasp, State, Update, grasped
+from helicoide.state import Grasp, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text
 
 ENTRY = "entry"
@@ -66,5 +66,4 @@ def _place(state: State, position: ArrayLike) -> Array:
 
 def _with(state: State, point: Array | None) -> State:
     entry = None if point is None else entry_point(state.robot, point)
-    problem = replace(state.problem, entry=entry)
-    return replace(state, problem=problem, request=state.request.afresh(), notice=None)
+    return enclosed(state, replace(state.problem, entry=entry))

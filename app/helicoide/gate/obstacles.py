@@ -15,7 +15,7 @@ from helicoide.gate.check import FARTHEST, driven, finite
 from helicoide.gate.target import Phase
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Capsule
-from helicoide.state import Grasp, State, Update, grasped
+from helicoide.state import Grasp, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text
 
 MOST = 6
@@ -176,5 +176,4 @@ def _at_arm(state: State, index: int) -> Text:
 
 
 def _with(state: State, obstacles: Obstacles) -> State:
-    problem = replace(state.problem, obstacles=obstacles)
-    return replace(state, request=state.request.afresh(), problem=problem, notice=None)
+    return enclosed(state, replace(state.problem, obstacles=obstacles))

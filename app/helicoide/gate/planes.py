@@ -11,7 +11,7 @@ from helicoide.confinement import planes_of, stopped_at_arm
 from helicoide.gate.check import driven, pose
 from helicoide.gate.target import Phase
 from helicoide.kinematics.chain import Array
-from helicoide.state import Grasp, State, Update, grasped
+from helicoide.state import Grasp, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text
 
 
@@ -41,7 +41,7 @@ def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State
     centre = stopped_at_arm(normal, asked, points, critical)
     stopped = None if np.array_equal(centre, asked) else _stopped_plane(state, index, (points - centre) @ normal)
     problem = replace(problem, planes=problem.planes.moved(index, normal, centre))
-    return replace(state, request=state.request.afresh(), problem=problem, notice=stopped)
+    return enclosed(state, problem, stopped)
 
 
 def _stopped_plane(state: State, index: int, distances: Array) -> Text:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from tests.ik.closed.small_arms import recovered, worst
+from tests.ik.closed.rows import worst
+from tests.ik.closed.small_arms import recovered
 
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.branch import Answer, tool_at
@@ -28,7 +29,7 @@ def test_polar() -> None:
     robot = load("polar_rp")
     missed, lost = 0.0, 0.0
     for q, answer in answers(polar, robot, robot.lower, robot.upper):
-        missed, lost = max(missed, worst(answer)), max(lost, recovered(answer, q))
+        missed, lost = max(missed, worst(robot, answer)), max(lost, recovered(answer, q))
     print(f"polar arm: missed {missed:.1e}, generating posture within {lost:.1e}")
     assert missed < 1e-12
     assert lost < 1e-12

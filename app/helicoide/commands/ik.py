@@ -12,7 +12,7 @@ import tyro
 from helicoide.commands import NOT_REACHED, language
 from helicoide.geometry import euler, rotation
 from helicoide.ik.postures.branch import Answer, Branch
-from helicoide.ik.postures.solve import REACHED, solve, solve_by, status
+from helicoide.ik.postures.solve import reached, solve, solve_by, status
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -69,13 +69,8 @@ def run(
         print(json_format.dumps(described(arm, answer, T, R is not None), indent=1))
     else:
         print("\n".join(_lines(arm, answer, deg, language())))
-    if not is_reached(answer):
+    if not reached(answer):
         sys.exit(NOT_REACHED)
-
-
-def is_reached(answer: Answer) -> bool:
-    """Whether a posture within the joint limits reaches the goal itself, and not only what it was projected to."""
-    return status(answer) == REACHED
 
 
 def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientation: bool) -> dict[str, Any]:
@@ -93,7 +88,7 @@ def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientatio
         "moved": answer.moved,
         "turned": answer.turned,
         "short": answer.short,
-        "reached": is_reached(answer),
+        "reached": reached(answer),
         "status": _words(status(answer)),
         "words": _words(answer.words),
         "branches": [

@@ -37,11 +37,6 @@ def moved(robot: Robot, T: Array) -> Robot:
     return replace(robot, joints=joints, T_world_tool_0=frozen(T @ robot.T_world_tool_0))
 
 
-def worst(answer: Answer) -> float:
-    """The largest miss of all branches, m or rad."""
-    return max(max(branch.missed, branch.turned) for branch in answer.branches)
-
-
 def recovered(answer: Answer, q: Array) -> float:
     """How far the nearest branch lies from q, the largest joint, rad."""
     return float(min(np.abs(wrap(branch.q - q)).max() for branch in answer.branches))

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import moved, worst
+from tests.ik.closed.rows import worst
+from tests.ik.closed.small_arms import moved
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import polar
@@ -36,7 +37,7 @@ def test_a_goal_takes_the_matrix_of_the_subspace(x: float, y: float, z: float, t
     (branch,) = answer.branches
     assert np.exp(1j * branch.q[0]) == pytest.approx(complex(y, -x) / rho, abs=1e-12)
     assert branch.q[1] == pytest.approx(rho, abs=1e-12)
-    assert worst(answer) < 1e-12
+    assert worst(ROBOT, answer) < 1e-12
 
 
 @given(theta1=st.floats(-3.1, 3.1), rho=st.floats(0.3, 0.8))
@@ -54,7 +55,7 @@ def test_on_the_axis_theta_1_is_kept_and_it_is_said(theta1: float) -> None:
     assert answer.free == (0,)
     np.testing.assert_allclose(branch.q, [theta1, 0], atol=1e-12)
     assert not branch.within
-    assert worst(answer) < 1e-12
+    assert worst(ROBOT, answer) < 1e-12
     for language, axis in zip(LANGUAGES, ("axis of the turret", "eixo da torre"), strict=True):
         assert "ρ = 0" in answer.words[language]
         assert axis in answer.words[language]
@@ -78,7 +79,7 @@ def test_an_arm_that_stands_elsewhere_with_its_tool_ahead() -> None:
     for q in np.random.default_rng(0).uniform([-3, 0.3], [3, 0.8], (20, 2)):
         answer = polar.solve(robot, tool_at(robot, q), np.zeros(2))
         np.testing.assert_allclose(answer.branches[0].q, q, atol=1e-12)
-        assert worst(answer) < 1e-12
+        assert worst(robot, answer) < 1e-12
 
 
 def test_a_tool_beside_the_axis_is_another_arm() -> None:

@@ -87,7 +87,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     p_x, p_y, p_z = map(float, T[:3, 3])
     start = {"θ": pointed(robot, T_world_tool, q).angle, "p_x": p_x, "p_y": p_y, "p_z": p_z}
     return Answer(
-        branches=tuple(_branch(robot, arm, side, steps, goal.T_world_goal) for side, steps in found),
+        branches=tuple(_branch(robot, arm, side, steps, T_world_tool) for side, steps in found),
         T_world_goal=goal.T_world_goal,
         words=sentences(
             goal.words, arm.links.words(r) or (_TWO if arm.links.on_edge(r) else _FOUR), _FREE if free else None

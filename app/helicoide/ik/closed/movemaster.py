@@ -107,7 +107,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     sizes = [abs(arm.wrist(*_seen(arm, T, heading + back * pi))) for back in (0, 1)]
     nearer = min(sizes, key=arm.links.beyond)
     return Answer(
-        branches=tuple(_branch(robot, arm, back, steps, goal.T_world_goal) for back, steps in found),
+        branches=tuple(_branch(robot, arm, back, steps, T_world_tool) for back, steps in found),
         T_world_goal=goal.T_world_goal,
         words=sentences(
             goal.words,

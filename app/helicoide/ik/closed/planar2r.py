@@ -38,8 +38,7 @@ def applies(robot: Robot) -> Text | None:
 def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     """Every posture for the point of a tool pose (4, 4), m; q (n,), rad: θ₁ is kept where the point leaves it free.
 
-    A goal of this arm is a point. Its pose takes the orientation of the nearer posture, and what a branch misses is
-    measured from the pose with its own, φ = θ₁ + θ₂.
+    A goal of this arm is a point: what is solved for takes the orientation φ = θ₁ + θ₂ of the nearer posture.
     Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.8–12, s.44–54.
     """
     if isinstance(arm := planar(robot, 2), Text):
@@ -53,7 +52,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     r = hypot(x, y)
     return Answer(
         branches=tuple(
-            branch_of(robot, one.name, arm.joints(theta), arm.tool(x, y, theta.sum()))
+            branch_of(robot, one.name, arm.joints(theta), T_world_tool)
             for one, theta in zip(found, thetas, strict=True)
         ),
         T_world_goal=goal.T_world_goal,

@@ -52,7 +52,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     r = hypot(x, y)
     return Answer(
         branches=tuple(
-            branch_of(robot, one.name, arm.joints(theta), goal.T_world_goal)
+            branch_of(robot, one.name, arm.joints(theta), T_world_tool)
             for one, theta in zip(found, thetas, strict=True)
         ),
         T_world_goal=goal.T_world_goal,

@@ -61,7 +61,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     beyond = max(slide - robot.upper[1], robot.lower[1] - slide)
     stroke = _STROKE.format(far=1000 * beyond) if beyond > ON_AXIS else None
     return Answer(
-        branches=(branch_of(robot, _DRAWN_IN if on_axis else _NAME, [theta1, slide], goal.T_world_goal),),
+        branches=(branch_of(robot, _DRAWN_IN if on_axis else _NAME, [theta1, slide], T_world_tool),),
         T_world_goal=goal.T_world_goal,
         words=sentences(goal.words, _UNDEFINED if on_axis else _ONE, stroke),
         moved=goal.moved,

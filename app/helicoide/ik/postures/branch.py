@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.ik.postures.measure import left
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
@@ -22,9 +23,10 @@ ON_LIMIT, ORTHONORMAL = 1e-9, 1e-6
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """One posture: its name, q (n,), rad or m, and how far its tool is from the goal: missed, m, and turned, rad.
+    """One posture: its name, q (n,), rad or m, and what its tool leaves of the goal: missed, m, and turned, rad.
 
-    within: whether every joint keeps its limits.
+    The goal is the one that was asked for, whatever was solved for in its place. within: whether every joint keeps its
+    limits.
     """
 
     name: Text
@@ -39,7 +41,8 @@ class Answer:
     """Every posture for a goal.
 
     T_world_goal (4, 4), m: what was solved for, the asked pose or, for an arm that cannot take every pose, the nearest
-    one of its subspace; moved, m, and turned, rad: from the one to the other. short: how far the goal lies beyond the
+    one of its subspace; moved, m, and turned, rad: from the one to the other; left: what the first branch leaves of
+    what was solved for, m and rad. short: how far the goal lies beyond the
     edge of the workspace, m, 0 inside. free: joints that may take any value here (the current one was kept). words:
     what is to be said. values: what the form worked out on the way, by symbol, for one branch after another;
     once, where there is no branch.
@@ -53,6 +56,7 @@ class Answer:
     short: float = 0.0
     free: tuple[int, ...] = ()
     values: tuple[Mapping[str, float], ...] = field(default=(MappingProxyType({}),))
+    left: tuple[float, float] | None = None
 
 
 class Form(Protocol):
@@ -69,16 +73,16 @@ class Form(Protocol):
         """Every posture for a tool pose (4, 4), m; q (n,), rad or m: kept where a joint is free."""
 
 
-def branch_of(robot: Robot, name: Text, q: ArrayLike, T_world_goal: Array) -> Branch:
-    """The branch of joint values (n,), rad or m, with what its tool misses, by forward kinematics, of a goal (4, 4), m.
+def branch_of(robot: Robot, name: Text, q: ArrayLike, T_world_goal: Array, with_orientation: bool = True) -> Branch:
+    """The branch of joint values (n,), rad or m, with what its tool leaves of the goal (4, 4), m, that was asked for.
 
     Angles are wrapped into (−π, π], and moved by whole turns into the joint's limits where that is possible.
     Raises HelicoideError unless there are n finite values.
     """
     turned = turned_into_limits(robot, robot.check_joints(q))
-    moved, angle = between(T_world_goal, tool_at(robot, turned))
+    missed, angle = left(robot, turned, T_world_goal, with_orientation)
     within = bool(np.all((turned >= robot.lower - ON_LIMIT) & (turned <= robot.upper + ON_LIMIT)))
-    return Branch(name, turned, moved, angle, within)
+    return Branch(name, turned, missed, angle, within)
 
 
 def turned_into_limits(robot: Robot, q: Array) -> Array:

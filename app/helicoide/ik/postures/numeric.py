@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose, tool_at
+from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose
 from helicoide.ik.postures.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER
 from helicoide.ik.postures.listing import nearest_first
 from helicoide.ik.postures.restarts import approach, draw, search
@@ -137,15 +137,8 @@ def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientati
     return Answer(named, frozen(goal), words)
 
 
-def turned_alike(robot: Robot, q: Array, T_world_goal: Array) -> Array:
-    """The goal (4, 4), m, with the orientation that the tool has at q (n,): what counts where its own does not."""
-    goal = T_world_goal.copy()
-    goal[:3, :3] = tool_at(robot, q)[:3, :3]
-    return frozen(goal)
-
-
 def _branch(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> Branch:
-    return branch_of(robot, POSTURE.format(n=1), q, goal if with_orientation else turned_alike(robot, q, goal))
+    return branch_of(robot, POSTURE.format(n=1), q, goal, with_orientation)
 
 
 def _gathered(of: Searcher, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:

@@ -15,6 +15,7 @@ from helicoide.ik.method import Method
 from helicoide.ik.postures import numeric, subspace
 from helicoide.ik.postures.branch import Answer, Form, branch_of, check_pose, sentences
 from helicoide.ik.postures.listing import nearest_first
+from helicoide.ik.postures.measure import left
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -90,27 +91,46 @@ def _refused(robot: Robot, why: Text) -> HelicoideError:
     return HelicoideError(sentences(why, valid.format(robot=robot.name, ways=", ".join(ways(robot)))))
 
 
+def _measured(robot: Robot, answer: Answer, T: Array, with_orientation: bool = True) -> Answer:
+    """The answer with what each of its branches leaves of the pose (4, 4), m, that was asked for.
+
+    Those come first that reach what was solved for; among them, as before, the nearest within the limits.
+    """
+    solved = [left(robot, branch.q, answer.T_world_goal, with_orientation) for branch in answer.branches]
+    order = sorted(range(len(solved)), key=lambda k: not EXACT.holds(*solved[k]))
+    branches = []
+    for branch in (answer.branches[k] for k in order):
+        missed, turned = left(robot, branch.q, T, with_orientation)
+        branches.append(replace(branch, missed=missed, turned=turned))
+    values = answer.values
+    if len(values) == len(order):
+        values = tuple(values[k] for k in order)
+    return replace(answer, branches=tuple(branches), values=values, left=solved[order[0]] if order else None)
+
+
 def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool) -> Answer:
     """The answer of a closed form; where one posture is asked for and none keeps the limits, the nearest that does."""
-    answer = _ordered(robot, form.solve(robot, T, q), q)
+    answer = _measured(robot, _ordered(robot, form.solve(robot, T, q), q), T)
     if every:
         return answer
-    if answer.branches and answer.branches[0].within:
+    if answer.left is not None and EXACT.holds(*answer.left) and answer.branches[0].within:
         return replace(answer, branches=answer.branches[:1], values=answer.values[:1])
     found = numeric.solve(robot, answer.T_world_goal, q)
     words = sentences(answer.words, found.words)
-    return replace(answer, branches=found.branches, words=words, short=max(answer.short, found.short))
+    answer = replace(answer, branches=found.branches, words=words, short=max(answer.short, found.short))
+    return _measured(robot, answer, T)
 
 
 def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
     """The answer of the searches; a pose that an arm with fewer than six joints cannot take is projected first."""
     find = numeric.branches if every else numeric.solve
-    answer = find(robot, T, q, with_orientation)
-    if _left(answer) is None or not with_orientation or len(robot.variables) >= 6:
+    answer = _measured(robot, find(robot, T, q, with_orientation), T, with_orientation)
+    if _is_met(answer) or not with_orientation or len(robot.variables) >= 6:
         return answer
     goal = subspace.project(robot, T, q)
     answer = find(robot, goal.T_world_goal, q)
-    return replace(answer, moved=goal.moved, turned=goal.turned, words=sentences(goal.words, answer.words))
+    words = sentences(goal.words, answer.words)
+    return _measured(robot, replace(answer, moved=goal.moved, turned=goal.turned, words=words), T)
 
 
 def _ordered(robot: Robot, answer: Answer, q: Array) -> Answer:
@@ -133,27 +153,40 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
         raise _refused(robot, why)
     run = by_method(problem, method, method.Options(), FACTOR, dt=PERIOD)
     report = converged(problem, run, aiming, q, EXACT, STEPS)
-    counted = goal.T_world_goal if with_orientation else numeric.turned_alike(robot, report.q, T)
-    branch = branch_of(robot, method.TITLE, report.q, counted)
+    branch = branch_of(robot, method.TITLE, report.q, T, with_orientation)
     words = sentences(goal.words, report.words)
-    return Answer((branch,), goal.T_world_goal, words, moved=goal.moved, turned=goal.turned)
+    answer = Answer((branch,), goal.T_world_goal, words, moved=goal.moved, turned=goal.turned)
+    return _measured(robot, answer, T, with_orientation)
 
 
-def _left(answer: Answer) -> tuple[float, float] | None:
-    """What the best posture leaves of the goal, m and rad; None where it is reached."""
-    errors = [(branch.missed, branch.turned) for branch in answer.branches]
-    least = min(errors, key=sum, default=(answer.short, 0.0))
-    return None if errors and EXACT.holds(*least) else least
+def _is_met(answer: Answer) -> bool:
+    """Whether a posture comes to what was solved for."""
+    return answer.left is not None and EXACT.holds(*answer.left)
+
+
+def reached(answer: Answer) -> bool:
+    """Whether a posture within the joint limits is measured to reach what was asked for."""
+    return any(branch.within and EXACT.holds(branch.missed, branch.turned) for branch in answer.branches)
 
 
 def status(answer: Answer) -> Text:
     """In few words: reached, or by how much not, and whether the goal is not the one that was asked for."""
-    left = _left(answer)
-    if left is None:
-        said = REACHED if any(branch.within for branch in answer.branches) else LIMITED
-    else:
-        words = OUT if answer.short > EXACT.position or not answer.branches else LEFT
-        said = words.format(mm=1000 * left[0], degrees=np.degrees(left[1]))
+    if reached(answer):
+        return REACHED
+    if any(EXACT.holds(branch.missed, branch.turned) for branch in answer.branches):
+        return LIMITED
     if EXACT.holds(answer.moved, answer.turned):
-        return said
-    return PROJECTED.format(mm=1000 * answer.moved, degrees=np.degrees(answer.turned), status=said)
+        return _short_by(answer)
+    if not _is_met(answer):
+        said, missed, turned = _short_by(answer), answer.moved, answer.turned
+    else:
+        best = answer.branches[0]
+        said, missed, turned = REACHED if best.within else LIMITED, best.missed, best.turned
+    return PROJECTED.format(mm=1000 * missed, degrees=np.degrees(turned), status=said)
+
+
+def _short_by(answer: Answer) -> Text:
+    """What the best posture leaves of what was solved for."""
+    missed, turned = (answer.short, 0.0) if answer.left is None else answer.left
+    words = OUT if answer.short > EXACT.position or not answer.branches else LEFT
+    return words.format(mm=1000 * missed, degrees=np.degrees(turned))

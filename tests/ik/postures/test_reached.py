@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -130,3 +131,18 @@ def test_what_is_left_is_the_same_by_quaternions_and_by_motors(seed: int) -> Non
     one, other = postures(robot, 2, seed)
     T = tool_by_dual_quaternions(robot, other)
     assert left(robot, one, T) == pytest.approx(judged(robot, one, T, True), abs=1e-7 * max(1.0, robot.reach))
+
+
+def lost(seeds: Iterable[int]) -> list[int]:
+    """The arms by chance that are not said to reach a pose which they take within their limits."""
+    found = []
+    for seed in seeds:
+        robot = random_arm(seed)
+        T = tool_by_dual_quaternions(robot, postures(robot, 1, seed)[0])
+        if not holds(robot, T, solve(robot, T, robot.poses["ready"]), True):
+            found.append(seed)
+    return found
+
+
+def test_what_arms_by_chance_take_they_reach() -> None:
+    assert lost(range(200)) == []

@@ -11,7 +11,9 @@ import sys
 
 import tyro
 
-from helicoide import commands
+from helicoide import __version__, commands
+
+ABOUT = f"Helicoide {__version__}, a lab for robot arms. Without a subcommand, serve. --version prints the version."
 
 
 def main() -> None:
@@ -20,11 +22,14 @@ def main() -> None:
     arguments = sys.argv[1:]
     if not arguments or (arguments[0].startswith("-") and arguments[0] not in ("-h", "--help")):
         arguments = ["serve", *arguments]
-    # only the command that is asked for is imported: fk needs no browser, serve no tests
-    chosen = [name for name in names if name == arguments[0]] or names
-    functions = {name: importlib.import_module(f"{commands.__name__}.{name}").run for name in chosen}
     with commands.ending():
-        tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", args=arguments)
+        if arguments == ["serve", "--version"]:
+            print(f"helicoide {__version__}")
+            return
+        # only the command that is asked for is imported: fk needs no browser, serve no tests
+        chosen = [name for name in names if name == arguments[0]] or names
+        functions = {name: importlib.import_module(f"{commands.__name__}.{name}").run for name in chosen}
+        tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", description=ABOUT, args=arguments)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from helicoide import __version__
 from helicoide.text import HelicoideError, Language
 
 WRONG_INPUT = 2
@@ -51,6 +52,11 @@ def ending() -> Iterator[None]:
     except BrokenPipeError:
         _drop_what_is_left()
         sys.exit(CLOSED)
+
+
+def tell_version() -> None:
+    """Print the name and the version."""
+    print(f"helicoide {__version__}")
 
 
 def _drop_what_is_left() -> None:

@@ -11,9 +11,10 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from helicoide import toml
 from helicoide.confinement.given import FARTHEST
 from helicoide.confinement.planes import Planes
+from helicoide.files import toml
+from helicoide.files.written import text as text_of
 from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
 
@@ -87,7 +88,7 @@ def save(path: Path, names: Sequence[str], planes: Planes) -> None:
 def load(path: Path) -> tuple[tuple[str, ...], Planes]:
     """The names and planes of a file. Raises HelicoideError: what is wrong with it, and what is valid."""
     try:
-        text = toml.text(path, MOST_BYTES)
+        text = text_of(path, MOST_BYTES)
     except HelicoideError as error:
         raise _refusal(str(path), error.text) from error
     return parsed(text, str(path))

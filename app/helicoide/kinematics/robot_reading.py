@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from helicoide import toml
+from helicoide.files import toml, written
 from helicoide.kinematics import robot_check
 from helicoide.kinematics.robot_file import RobotFile
 from helicoide.text import HelicoideError, Text
@@ -19,7 +19,7 @@ MOST = 1e9
 def read(path: Path, parameters: Mapping[str, float] | None = None) -> RobotFile:
     """Read a robot file, with some of its parameters (mm) changed; raises HelicoideError with place and reason."""
     try:
-        table = toml.table(toml.text(path, MOST_BYTES), _number)
+        table = toml.table(written.text(path, MOST_BYTES), _number)
         file = toml.struct(_with_parameters(table, parameters or {}), RobotFile)
         robot_check.check(file)
     except HelicoideError as error:

@@ -6,7 +6,7 @@ import json
 
 import msgspec
 
-from helicoide import toml
+from helicoide.files import toml, written
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text, same
 from helicoide.trajectory.waypoints import Taught, inserted, waypoint
@@ -91,7 +91,7 @@ def decoded(content: bytes, robot: Robot) -> Taught:
 
 def _read(content: bytes) -> TaughtFile:
     try:
-        table = toml.table(toml.decoded(content, MOST_BYTES))
+        table = toml.table(written.decoded(content, MOST_BYTES))
         if table.get("format") != FORMAT:
             raise HelicoideError(
                 Text(

@@ -33,7 +33,7 @@ docs-pictures: $(VENV)/ready-to-test
 
 # The build backend is installed first and pinned like the rest, so that pip does not fetch another one to build with.
 $(VENV)/ready-to-run: pyproject.toml constraints.txt
-	@$(PYTHON) -c 'import sys; sys.exit("Helicoide needs Python 3.11 or newer, and this is %d.%d: make run PYTHON=python3.x" % sys.version_info[:2] if sys.version_info < (3, 11) else 0)'
+	@$(PYTHON) -c 'import sys; sys.exit("Helicoide needs Python 3.11 to 3.14, and this is %d.%d: make run PYTHON=python3.x" % sys.version_info[:2] if not (3, 11) <= sys.version_info < (3, 15) else 0)'
 	@test -x $(IN_VENV) || echo "Setting up in $(VENV): this takes a minute or two, and happens once."
 	@$(PYTHON) -m venv $(VENV)
 	@$(PIP) hatchling

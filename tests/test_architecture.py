@@ -18,7 +18,7 @@ PACKAGE = ROOT / "app" / "helicoide"
 # Who may import whom: a room may import those of the rows above its own.
 ROWS = """
 text
-content · kernels · solids
+content · files · kernels · solids
 geometry
 kinematics
 confinement · trajectory

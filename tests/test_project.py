@@ -74,6 +74,15 @@ def test_both_readmes_say_the_same() -> None:
     assert depths[0] == depths[1]
 
 
+def test_pages_makefile_and_project_name_the_same_pythons() -> None:
+    versions = [line.rpartition(" ")[2] for line in PROJECT["classifiers"]]
+    first, last = versions[0], versions[-1]
+    beyond = f"3.{int(last.partition('.')[2]) + 1}"
+    assert PROJECT["requires-python"] == f">={first},<{beyond}"
+    for page, to in (("README.md", "to"), ("README.pt-BR.md", "ao"), ("Makefile", "to")):
+        assert f"{first} {to} {last}" in (ROOT / page).read_text("utf-8"), page
+
+
 def test_pictures_are_light() -> None:
     for picture in (ROOT / "static" / "pictures").iterdir():
         assert picture.stat().st_size < 400_000, picture

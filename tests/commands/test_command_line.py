@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import io
 import os
 import subprocess
 import sys
+from importlib import metadata
 from pathlib import Path
 
 import pytest
 
-from helicoide import __main__, commands
+from helicoide import __main__, commands, kernels
 
 APP = Path(__file__).parents[2] / "app"
 GOAL = ("--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
@@ -49,6 +51,61 @@ def test_a_reader_of_both_outputs_may_go_too() -> None:
     with begun("study", "cerbaro_orca_convergence", "--short", stdout=writer, stderr=writer) as command:
         os.close(writer)
         assert command.wait(timeout=120) == 141
+
+
+EVERY_COMMAND = [
+    ("--help",),
+    ("doctor",),
+    ("fk", "puma560", "--q", *"000000"),
+    ("fk", "nobody", "--q", "0"),
+    ("ik", "puma560", *GOAL, "--all"),
+    ("robots",),
+    ("serve", "--port", "70000"),
+    ("study", "--list"),
+    ("workspace", "planar2r", "--samples", "1000", "--kind", "reachable"),
+]
+
+
+@pytest.mark.parametrize("arguments", EVERY_COMMAND, ids=" ".join)
+@pytest.mark.parametrize(("encoding", "locale"), [("latin-1", "C"), ("ascii", "pt_BR.UTF-8")])
+def test_a_poor_terminal_is_written_to_as_it_can_show(
+    arguments: tuple[str, ...], encoding: str, locale: str, tmp_path: Path
+) -> None:
+    poor = {"PYTHONIOENCODING": encoding, "LC_ALL": locale, "XDG_CACHE_HOME": str(tmp_path), "PYTHONPATH": str(APP)}
+    kept = {"NUMBA_CACHE_DIR": str(kernels.CACHE_FOLDER)}
+    command = [sys.executable, "-m", "helicoide", *arguments]
+    done = subprocess.run(command, env={**os.environ, **kept, **poor}, capture_output=True, check=False)
+    assert done.returncode == (2 if {"nobody", "70000"} & set(arguments) else 0), done.stderr
+    assert b"Traceback" not in done.stderr
+    assert b"UnicodeEncodeError" not in done.stderr
+    assert (done.stdout + done.stderr).decode(encoding).strip()
+
+
+@pytest.mark.parametrize(
+    ("encoding", "words"),
+    [
+        ("utf-8", "posição 5.1×10⁻⁵ m², −90…90° ≤ 7 ￭"),
+        ("latin-1", "posição 5.1×10-5 m², -90...90° <= 7 ?"),
+        ("ascii", "posicao 5.1x10-5 m2, -90...90 deg <= 7 ?"),
+    ],
+)
+def test_numbers_keep_their_meaning_in_a_poor_terminal(
+    monkeypatch: pytest.MonkeyPatch, encoding: str, words: str
+) -> None:
+    written = io.BytesIO()
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, encoding))
+    with commands.ending():
+        print("posição 5.1×10⁻⁵ m², −90…90° ≤ 7 ￭")
+    assert written.getvalue().decode(encoding) == words + "\n"
+
+
+def test_the_version_is_printed_at_once() -> None:
+    """That is, without the packages that take long to import."""
+    code = "import sys; from helicoide.__main__ import main; main(); print({'numba', 'viser'} & set(sys.modules))"
+    command = [sys.executable, "-c", code, "--version"]
+    environment = {**os.environ, "PYTHONPATH": str(APP)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout == f"helicoide {metadata.version('helicoide')}\nset()\n"
 
 
 def test_the_beginning_of_a_list_can_be_read_alone() -> None:

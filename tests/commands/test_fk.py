@@ -88,7 +88,7 @@ def test_every_mistake_in_a_urdf_ends_the_command_alike(
         (["{arm}", "--tip", "nowhere", "--q", "0", "0"], ["{arm}", "'nowhere'", "base, upper, lower, tool"]),
         (["{arm}", "--q", "0"], ["2 finite joint values", "one, two"]),
         (["{arm}", "--set", "l1=1", "--q", "0", "0"], ["--set"]),
-        (["{arm}x.urdf", "--q", "0", "0"], ["{arm}x.urdf", "No such file"]),
+        (["{arm}x.urdf", "--q", "0", "0"], ["{arm}x.urdf", "there is no such file"]),
         (["planar2r", "--tip", "tool", "--q", "0", "0"], ["--tip"]),
         (["planar2r", "--set", "l1=abc", "--q", "0", "0"], ["l1=abc", "l1=1500"]),
     ],

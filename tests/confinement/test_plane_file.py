@@ -48,8 +48,11 @@ def test_a_normal_written_by_hand_is_of_any_length(length: str) -> None:
 
 
 BROKEN = {
-    "nothing": ("", "planes"),
-    "no toml": ("[[planes", "array declaration"),
+    "nothing": ("", "it is empty"),
+    "only words": ("# planes", "planes is missing"),
+    "a key of many dots": ("a" + ".a" * 49000 + " = 1", "too many dots"),
+    "a table of many dots": ("[" + '"a" . ' * 9000 + "a]", "too many dots"),
+    "no toml": ("[[planes", "declaration is missing \\(at the end\\)"),
     "no planes": ("planes = []", "it has 0 planes"),
     "too many": (ONE.replace('"+z"', '"{}"') * 33, "it has 33 planes"),
     "another table": ("[robot]\nname = 1", "robot"),
@@ -89,7 +92,9 @@ def test_broken_files_are_refused_in_words(tmp_path: Path, content: bytes, said:
 
 
 def test_files_that_are_not_there_are_refused_in_words(tmp_path: Path, robot: Robot) -> None:
-    with pytest.raises(HelicoideError, match="No such file"):
+    with pytest.raises(HelicoideError, match="it is a folder, not a file"):
+        plane_file.load(tmp_path)
+    with pytest.raises(HelicoideError, match="there is no such file"):
         plane_file.load(tmp_path / "planes.toml")
     with pytest.raises(HelicoideError, match="cannot be written: No such file"):
         plane_file.save(tmp_path / "nowhere" / "planes.toml", ["a", "b", "c", "d"], planes_of(robot.panes))

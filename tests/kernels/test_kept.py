@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import errno
 import os
+import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import numba
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -36,6 +39,16 @@ def fresh(folder: Path) -> Any:
 
 def compilations(kernel: Any) -> int:
     return sum(kernel.stats.cache_misses.values())
+
+
+class Another:
+    """What numba says of a processor that is not this one."""
+
+    def codegen(self) -> Another:
+        return self
+
+    def magic_tuple(self) -> tuple[str, ...]:
+        return ("another",)
 
 
 @pytest.fixture
@@ -144,3 +157,27 @@ def test_a_kernel_whose_source_has_changed_is_compiled_anew(file: Path, monkeypa
     monkeypatch.setattr("helicoide.kernels.kept._digest_of", lambda file: "another")
     changed = fresh(file.parent)
     assert (changed(NUMBERS), compilations(changed)) == (6.0, 1)
+
+
+@pytest.mark.parametrize(
+    ("what", "other"),
+    [
+        ("VERSIONS", ("cpython-399", numba.__version__)),
+        ("VERSIONS", (sys.implementation.cache_tag, "0.1")),
+        ("cpu_target", SimpleNamespace(target_context=Another())),
+        ("_digest_of", lambda file: "another"),
+    ],
+    ids=["another Python", "another numba", "another processor", "another source"],
+)
+def test_what_another_made_does_not_count(
+    file: Path, monkeypatch: pytest.MonkeyPatch, what: str, other: object
+) -> None:
+    """It lies beside ours, where ours will lie, and is neither loaded nor touched."""
+    monkeypatch.setattr(kernels, "KERNELS", {"total": fresh(file.parent)})
+    assert kernels.is_cached("total")
+    monkeypatch.setattr(f"helicoide.kernels.kept.{what}", other)
+    assert not kernels.is_cached("total")
+    ours = fresh(file.parent)
+    assert (ours(NUMBERS), compilations(ours)) == (6.0, 1)
+    assert kernels.is_cached("total")
+    assert file in file.parent.iterdir()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +12,7 @@ import pytest
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.urdf_file import parsed
 from helicoide.text import HelicoideError
 
 GOOD = (load("movemaster").urdf.parent / "robot.toml").read_text("utf-8")
@@ -50,6 +53,21 @@ MISTAKES = {
         "acceleration_mm_s2 = 9\nspeed_deg_s = 60 ",
         ["J1", "acceleration_deg_s2"],
     ),
+    "a plane without a size": ("size_mm = [", "size_mm = [-1, 3] #", ["size_mm", "-1", "positive"]),
+    "a negative capsule": ("radius_mm = 40", "radius_mm = -40", ["hand", "radius_mm", "-40", "positive"]),
+    "a gripper that does not open": ("opening_mm = ", "opening_mm = -", ["opening_mm", "positive"]),
+    "a bent tool": ("R_dh_tool = [", "R_dh_tool = [[0, 0, 0], [0, 1, 0], [0, 0, 1]] #", ["R_dh_tool", "rotation"]),
+    "a camera that looks at itself": (
+        "look_at_mm = [",
+        f"look_at_mm = {tomllib.loads(GOOD)['camera']['position_mm']} # [",
+        ["position_mm", "look_at_mm", "differ"],
+    ),
+    "two joints of a name": ('name = "J2"', 'name = "J1"', ["J1", "name of its own"]),
+    "a length of nothing": ("[gripper]", "[parameters]\nl1 = 0\n[gripper]", ["l1", "positive", "not 0"]),
+    "a whole number without end": ("d_mm = 400", "d_mm = 1" + "0" * 20, ["number", "1e+09"]),
+    "more digits than Python reads": ("d_mm = 400", "d_mm = 1" + "0" * 5000, ["number"]),
+    "a key of many dots": ("d_mm = 400", "d_mm = 400\n" + "a." * 9000 + "a = 1", ["dots"]),
+    "deep": ("d_mm = 400", "d_mm = " + "[" * 9000, ["too deep"]),
     "broken toml": ("[tool]", "[tool", ["line"]),
 }
 
@@ -75,7 +93,29 @@ def test_a_mistake_is_named_with_its_place(tmp_path: Path, mistake: str) -> None
 
 
 def test_a_missing_file_is_named(tmp_path: Path) -> None:
-    assert "No such file" in refused(tmp_path)
+    assert "there is no such file" in refused(tmp_path)
+
+
+def test_a_folder_in_its_place_is_named(tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").mkdir()
+    assert "it is a folder, not a file" in refused(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [("", "it is empty"), (" \n", "it is empty"), ("# only words\n", "title is missing")]
+)
+def test_a_file_of_nothing_is_named(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "robot.toml").write_text(text, "utf-8")
+    assert said in refused(tmp_path)
+
+
+def test_a_folder_with_accents_and_blanks_holds_robots_like_any_other(tmp_path: Path, robot: Robot) -> None:
+    copied = tmp_path / "Área de trabalho" / "meu braço"
+    shutil.copytree(robot.urdf.parent, copied)
+    same = from_folder(copied)
+    assert same.name == "meu braço"
+    meshes = parsed(same.urdf, meshes=True).scene.geometry
+    assert len(meshes) == len(parsed(robot.urdf, meshes=True).scene.geometry) > 0
 
 
 def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:

@@ -31,7 +31,7 @@ def test_a_mistake_is_named_with_its_place(tmp_path: Path, mistake: str) -> None
     assert [word for word in place if word not in said] == []
 
 
-@pytest.mark.parametrize("mistake", sorted(MISTAKES.keys() - {"broken XML"}))
+@pytest.mark.parametrize("mistake", sorted(MISTAKES))
 def test_its_reason_is_said_in_portuguese_too(tmp_path: Path, mistake: str) -> None:
     old, new, _ = MISTAKES[mistake]
     with pytest.raises(HelicoideError) as caught:
@@ -45,7 +45,7 @@ def test_the_unchanged_file_is_accepted(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "word"), [("", "line 1"), ("hello", "line 1"), ("<robot/>", "links"), ("<model/>", "'model'")]
+    ("text", "word"), [("", "it is empty"), ("hello", "line 1"), ("<robot/>", "links"), ("<model/>", "'model'")]
 )
 def test_what_is_no_robot_is_refused(tmp_path: Path, text: str, word: str) -> None:
     (path := tmp_path / "arm.urdf").write_text(text, "utf-8")
@@ -58,8 +58,23 @@ def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
 
 
 def test_a_folder_and_a_missing_file_are_refused(tmp_path: Path) -> None:
-    assert "directory" in refused(tmp_path).lower()
-    assert "No such file" in refused(tmp_path / "arm.urdf")
+    assert "it is a folder, not a file" in refused(tmp_path)
+    assert "there is no such file" in refused(tmp_path / "arm.urdf")
+
+
+@pytest.mark.parametrize(
+    ("shape", "said"),
+    [
+        ('<sphere radius="0"/>', 'sphere radius="0": give positive metres'),
+        ("<sphere/>", 'sphere radius="": give positive metres'),
+        ('<box size="1 -1 1"/>', 'box size="1 -1 1": give positive metres'),
+        ('<cylinder radius="1" length="0"/>', 'cylinder length="0": give positive metres'),
+    ],
+)
+def test_a_body_of_no_size_is_refused(tmp_path: Path, shape: str, said: str) -> None:
+    body = f'<link name="body"><visual><geometry>{shape}</geometry></visual></link>'
+    (path := tmp_path / "arm.urdf").write_text(f'<robot name="one">{body}</robot>', "utf-8")
+    assert f"link 'body' has {said}" in refused(path, None)
 
 
 @pytest.mark.parametrize("count", [200, 3000])

@@ -6,25 +6,39 @@ NOT_REACHED when it worked and the answer is no, and with CLOSED when nobody rea
 
 from __future__ import annotations
 
+import codecs
+import io
 import os
 import signal
 import sys
+import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from helicoide import __version__
 from helicoide.text import HelicoideError, Language
 
 WRONG_INPUT = 2
 NOT_REACHED = 3
 CLOSED = 141  # what a shell says of a program that a closed pipe has ended, 128 + SIGPIPE
 
+# signs that Unicode does not take apart, as they are written where there are only letters and digits
+LIKE = str.maketrans(
+    {"−": "-", "–": "-", "·": "-", "•": "*", "×": "x", "°": " deg", "±": "+-", "→": "->", "≤": "<=", "≥": ">="}
+    | {"≠": "!=", "√": "sqrt", "§": "sec. ", "“": '"', "”": '"', "‘": "'", "’": "'"}
+)
+
 
 @contextmanager
 def ending() -> Iterator[None]:
     """End a command: with one line on the error output for a HelicoideError, and quietly when its reader has gone.
 
-    The reader goes in `helicoide study --list | head`, for instance.
+    The reader goes in `helicoide study --list | head`, for instance. Within, what a terminal cannot show is written
+    as it can.
     """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=_alike.__name__)
     try:
         try:
             yield
@@ -40,11 +54,32 @@ def ending() -> Iterator[None]:
         sys.exit(CLOSED)
 
 
+def tell_version() -> None:
+    """Print the name and the version."""
+    print(f"helicoide {__version__}")
+
+
 def _drop_what_is_left() -> None:
     """Let what is not written yet go nowhere: the interpreter writes it when it ends, and would fail once more."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in (sys.stdout, sys.stderr):
         os.dup2(nowhere, stream.fileno())
+
+
+def _alike(error: UnicodeError) -> tuple[str, int]:
+    """In place of characters that an encoding lacks: letters without their accents, signs like them, or "?"."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return "".join(map(_plain, error.object[error.start : error.end])), error.end
+
+
+def _plain(character: str) -> str:
+    parts = unicodedata.normalize("NFKD", character.translate(LIKE)).translate(LIKE)
+    plain = "".join(part for part in parts if not unicodedata.combining(part))
+    return plain if plain.isascii() else "?"
+
+
+codecs.register_error(_alike.__name__, _alike)
 
 
 def language() -> Language:

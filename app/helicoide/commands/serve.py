@@ -18,6 +18,7 @@ from helicoide.lesson import load as read_lesson
 from helicoide.session.lab import Lab
 
 ENDS_WITHIN = 1.5
+LOOK = 0.25
 
 
 def run(
@@ -52,7 +53,8 @@ def run(
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
-    stopped.wait()
+    while not stopped.wait(LOOK):  # without an end to it, Windows would not tell of Ctrl+C
+        pass
     _end(lab)
 
 

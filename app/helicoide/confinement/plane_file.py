@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,6 +13,8 @@ import numpy as np
 
 from helicoide.confinement.given import FARTHEST
 from helicoide.confinement.planes import Planes
+from helicoide.files import toml
+from helicoide.files.written import text as text_of
 from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
 
@@ -61,9 +62,9 @@ def written(names: Sequence[str], planes: Planes) -> str:
 def parsed(text: str, path: str) -> tuple[tuple[str, ...], Planes]:
     """The names and planes of a text called `path`; raises HelicoideError: what is wrong with it, and what is valid."""
     try:
-        file = msgspec.convert(tomllib.loads(text), PlanesFile)
-    except (tomllib.TOMLDecodeError, msgspec.ValidationError, ValueError, OverflowError, RecursionError) as error:
-        raise _refusal(path, str(error)) from error
+        file = toml.struct(toml.table(text), PlanesFile)
+    except HelicoideError as error:
+        raise _refusal(path, error.text) from error
     names = tuple(entry.name for entry in file.planes)
     _check(file, path)
     normals = np.array([_unit(entry.normal) for entry in file.planes])
@@ -87,13 +88,10 @@ def save(path: Path, names: Sequence[str], planes: Planes) -> None:
 def load(path: Path) -> tuple[tuple[str, ...], Planes]:
     """The names and planes of a file. Raises HelicoideError: what is wrong with it, and what is valid."""
     try:
-        with path.open("rb") as file:
-            text = file.read(MOST_BYTES + 1)
-        if len(text) > MOST_BYTES:
-            raise _refusal(str(path), Text(en="it is too long", pt_BR="é longo demais"))
-        return parsed(text.decode("utf-8"), str(path))
-    except (OSError, UnicodeDecodeError) as error:
-        raise _refusal(str(path), str(error)) from error
+        text = text_of(path, MOST_BYTES)
+    except HelicoideError as error:
+        raise _refusal(str(path), error.text) from error
+    return parsed(text, str(path))
 
 
 def _check(file: PlanesFile, path: str) -> None:
@@ -127,5 +125,5 @@ def _quoted(name: str) -> str:
     return json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def _refusal(path: str, reason: str | Text) -> HelicoideError:
+def _refusal(path: str, reason: Text) -> HelicoideError:
     return HelicoideError(_VALID.format(path=path, reason=reason, most=MOST, far=FARTHEST))

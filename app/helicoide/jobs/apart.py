@@ -21,6 +21,7 @@ from helicoide.jobs.thinned import thinned
 Report = Callable[[Any], None]
 Work = Callable[..., object]
 LOOK = 1.0
+KILL = getattr(signal, "SIGKILL", signal.SIGTERM)  # on Windows the second ends a process as surely
 
 
 class Failed(Exception):
@@ -95,8 +96,8 @@ async def followed(job: Apart, tell: Callable[[Any], object]) -> None:
 def end_all() -> None:
     """End every process that was started from this one."""
     for child in multiprocessing.active_children():
-        with suppress(ProcessLookupError):
-            os.kill(cast(int, child.pid), signal.SIGKILL)  # joblib's have no way of their own
+        with suppress(OSError):  # it has ended by itself
+            os.kill(cast(int, child.pid), KILL)  # joblib's have no way of their own
 
 
 def _messages(receiver: Connection, child: BaseProcess) -> Iterator[tuple[str, Any]]:

@@ -87,7 +87,7 @@ def plain(compiled: Function) -> Function:
 
 
 def is_cached(name: str) -> bool:
-    """Whether machine code for a kernel of `KERNELS` lies undamaged in the cache folder."""
+    """Whether machine code for a kernel of `KERNELS` lies undamaged in the cache folder, made by this installation."""
     files = KERNELS[name]._cache.files
     return bool(files) and all(read(file) is not None for file in files)
 

@@ -22,6 +22,7 @@ from typing import Any, ClassVar
 import numba
 from numba.core.caching import NullCache
 from numba.core.compiler import CompileResult
+from numba.core.registry import cpu_target
 from numba.core.serialize import dumps
 
 from helicoide.kernels.folder import ENDING
@@ -80,13 +81,13 @@ class Kept(NullCache):
 
     @property
     def files(self) -> list[Path]:
-        """Those that lie on disk."""
-        return [*self._folder.glob(f"{self._stem}-*{ENDING}")]
+        """Those that lie on disk and would be loaded here; others may lie beside them, made by another Python."""
+        return [*self._folder.glob(f"{self._stem}-{self._maker()}-*{ENDING}")]
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The compiled version for the types of the arguments, if it is kept."""
         target_context.refresh()
-        data = read(self._file(sig, target_context.codegen()))
+        data = read(self._file(sig))
         if data is not None:
             return CompileResult._rebuild(target_context, *pickle.loads(data))
         if _only_kept.get():
@@ -98,15 +99,22 @@ class Kept(NullCache):
         if cres.library.has_dynamic_globals:  # addresses of this process
             return
         try:
-            write(self._file(sig, cres.codegen), dumps(cres._reduce()))
+            write(self._file(sig), dumps(cres._reduce()))
         except OSError as error:
             Kept.refusal = error
 
-    def _file(self, sig: Any, codegen: Any) -> Path:
+    def _file(self, sig: Any) -> Path:
+        return self._folder / f"{self._stem}-{self._maker()}-{_digest(str(sig))}{ENDING}"
+
+    def _maker(self) -> str:
+        """What made the machine code: this Python and numba, for this processor, from this very source."""
+        processor = cpu_target.target_context.codegen().magic_tuple()
         source = _digest_of(inspect.getfile(self._function))
-        line = self._function.__code__.co_firstlineno
-        key = repr((VERSIONS, codegen.magic_tuple(), source, line, str(sig)))
-        return self._folder / f"{self._stem}-{hashlib.sha256(key.encode()).hexdigest()[:16]}{ENDING}"
+        return _digest(repr((VERSIONS, processor, source, self._function.__code__.co_firstlineno)))
+
+
+def _digest(words: str) -> str:
+    return hashlib.sha256(words.encode()).hexdigest()[:16]
 
 
 @lru_cache

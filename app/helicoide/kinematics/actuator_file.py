@@ -10,6 +10,7 @@ import numpy as np
 
 from helicoide.kinematics.actuators import Actuators, BallScrew, Gear
 from helicoide.kinematics.chain import frozen
+from helicoide.text import HelicoideError, Text
 
 
 class GearFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_field="kind", tag="gear"):
@@ -23,9 +24,13 @@ class GearFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_fiel
         return Gear(math.degrees(self.pulses_per_deg), math.radians(self.zero_deg))
 
     def check(self, name: str) -> None:
-        """Raise ValueError unless it turns its joint."""
+        """Raise HelicoideError unless it turns its joint."""
         if self.pulses_per_deg == 0:
-            raise ValueError(f"pulses_per_deg of actuator {name} is zero; it may be positive or negative")
+            raise _error(
+                "pulses_per_deg of actuator {name} is zero; it may be positive or negative",
+                "pulses_per_deg do atuador {name} é zero; pode ser positivo ou negativo",
+                name=name,
+            )
 
 
 class BallScrewFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_field="kind", tag="ball_screw"):
@@ -44,16 +49,34 @@ class BallScrewFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag
         )
 
     def check(self, name: str) -> None:
-        """Raise ValueError unless the screw moves and closes its triangle at zero pulses."""
+        """Raise HelicoideError unless the screw moves and closes its triangle at zero pulses."""
         a, b = self.sides_mm
         if self.pulses_per_mm == 0:
-            raise ValueError(f"pulses_per_mm of actuator {name} is zero; it may be positive or negative")
+            raise _error(
+                "pulses_per_mm of actuator {name} is zero; it may be positive or negative",
+                "pulses_per_mm do atuador {name} é zero; pode ser positivo ou negativo",
+                name=name,
+            )
         if not (a > 0 and b > 0):
-            raise ValueError(f"sides_mm of actuator {name} must be positive, not {a:g} and {b:g}")
+            raise _error(
+                "sides_mm of actuator {name} must be positive, not {a:g} and {b:g}",
+                "sides_mm do atuador {name} devem ser maiores que zero, não {a:g} e {b:g}",
+                name=name,
+                a=a,
+                b=b,
+            )
         if not abs(a - b) < self.length_at_zero_mm < a + b:
-            raise ValueError(
-                f"length_at_zero_mm of actuator {name} is {self.length_at_zero_mm:g}, which closes no triangle with "
-                f"sides of {a:g} and {b:g}: it must lie between {abs(a - b):g} and {a + b:g}"
+            raise _error(
+                "length_at_zero_mm of actuator {name} is {given:g}, which closes no triangle with sides of {a:g} and "
+                "{b:g}: it must lie between {least:g} and {most:g}",
+                "length_at_zero_mm do atuador {name} é {given:g}, que não fecha triângulo com lados de {a:g} e {b:g}: "
+                "deve ficar entre {least:g} e {most:g}",
+                name=name,
+                given=self.length_at_zero_mm,
+                a=a,
+                b=b,
+                least=abs(a - b),
+                most=a + b,
             )
 
 
@@ -64,20 +87,37 @@ class ActuatorsFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     coupling: tuple[tuple[int, ...], ...] | None = None
 
     def check(self, joints: Sequence[str]) -> None:
-        """Raise ValueError unless every joint has a drive and the joint angles can be told from the driven ones."""
+        """Raise HelicoideError unless every joint has a drive and the joint angles can be told from the driven ones."""
         n = len(joints)
         if len(self.drives) != n:
-            raise ValueError(f"actuators has {len(self.drives)} drives for {n} joints: {', '.join(joints)}")
+            raise _error(
+                "actuators has {given} drives for {n} joints: {joints}",
+                "actuators tem {given} drives para {n} juntas: {joints}",
+                given=len(self.drives),
+                n=n,
+                joints=", ".join(joints),
+            )
         for i, drive in enumerate(self.drives):
             drive.check(f"A{i + 1}")
         if self.coupling is None:
             return
         if [len(row) for row in self.coupling] != [n] * n:
-            raise ValueError(f"coupling of actuators must have {n} rows of {n} whole numbers for {n} joints")
+            raise _error(
+                "coupling of actuators must have {n} rows of {n} whole numbers for {n} joints",
+                "coupling de actuators deve ter {n} linhas de {n} números inteiros para {n} juntas",
+                n=n,
+            )
         if np.linalg.matrix_rank(frozen(self.coupling)) < n:
-            raise ValueError("coupling of actuators is singular: no row may be a sum of multiples of the others")
+            raise _error(
+                "coupling of actuators is singular: no row may be a sum of multiples of the others",
+                "coupling de actuators é singular: nenhuma linha pode ser soma de múltiplos das outras",
+            )
 
     def actuators(self, joints: Sequence[str]) -> Actuators:
         """The actuators of an arm with these joints, in SI units."""
         coupling = np.eye(len(joints)) if self.coupling is None else self.coupling
         return Actuators(tuple(joints), frozen(coupling), tuple(drive.drive() for drive in self.drives))
+
+
+def _error(en: str, pt_BR: str, **fields: object) -> HelicoideError:
+    return HelicoideError(Text(en=en, pt_BR=pt_BR).format(**fields))

@@ -9,10 +9,11 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helicoide.kinematics import robot_file
+from helicoide.kinematics import robot_file, robot_reading
 from helicoide.kinematics.chain import Array, Joint, frozen
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.robot import Capsule, Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
+from helicoide.kinematics.robot_check import acceleration_of, limits_of
 
 
 def _metres(triple: ArrayLike) -> Array:
@@ -27,7 +28,7 @@ def _pose(R: ArrayLike, position_mm: ArrayLike) -> Array:
 
 def _joint(file: robot_file.JointFile) -> Joint:
     direction = np.asarray(file.screw.direction, dtype=np.float64)
-    limits, speed = robot_file.limits_of(file)
+    limits, speed = limits_of(file)
     scale = np.radians(1.0) if file.kind == "revolute" else 1e-3
     return Joint(
         name=file.name,
@@ -39,7 +40,7 @@ def _joint(file: robot_file.JointFile) -> Joint:
         lower=limits[0] * scale,
         upper=limits[1] * scale,
         speed=speed * scale,
-        acceleration=robot_file.acceleration_of(file) * scale,
+        acceleration=acceleration_of(file) * scale,
     )
 
 
@@ -122,7 +123,7 @@ def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> 
 
     Raises HelicoideError when the file is wrong or has no such parameter.
     """
-    file = robot_file.read(folder / "robot.toml", parameters)
+    file = robot_reading.read(folder / "robot.toml", parameters)
     joints = tuple(map(_joint, file.joints))
     T_world_tool_0 = _pose(file.tool.R_world_tool, file.tool.position_mm)
     units = [1e-3 if joint.slides else np.radians(1.0) for joint in joints]

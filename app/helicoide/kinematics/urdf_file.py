@@ -13,11 +13,14 @@ from xml.etree import ElementTree
 
 import yourdfpy
 
+from helicoide.files import written
 from helicoide.text import HelicoideError, Text
 
+MOST_BYTES = 20_000_000
 _PLAIN: Mapping[str, float] = MappingProxyType({})
 _KINDS = {"link": Text(en="link", pt_BR="elo"), "joint": Text(en="joint", pt_BR="junta")}
 _NUMBERS = {"xyz": 3, "rpy": 3, "lower": 1, "upper": 1, "velocity": 1, "multiplier": 1, "offset": 1}
+_SHAPES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
 _SIZES = {"size": 3, "radius": 1, "length": 1}
 
 
@@ -36,7 +39,7 @@ def parsed(path: Path, parameters: Mapping[str, float] = _PLAIN, meshes: bool = 
     Raises HelicoideError when it cannot be read, is no tree, has a number that is not finite, or misses a mesh.
     """
     try:
-        text = Template(path.read_text(encoding="utf-8")).safe_substitute(parameters)
+        text = Template(_text(path)).safe_substitute(parameters)
         _check_elements(path, ElementTree.fromstring(text))  # yourdfpy tries to mend what is broken
         urdf = _loaded(path, text, meshes=False)
         _check_tree(path, urdf.robot)
@@ -46,8 +49,25 @@ def parsed(path: Path, parameters: Mapping[str, float] = _PLAIN, meshes: bool = 
         return _loaded(path, text, meshes=True)
     except HelicoideError:
         raise
+    except ElementTree.ParseError as error:
+        line, column = error.position
+        place = Text(
+            en="line {line}, column {column} is no XML, of which a URDF is made",
+            pt_BR="a linha {line}, coluna {column} não é XML, de que um URDF é feito",
+        )
+        raise broken(path, place.format(line=line, column=column + 1)) from error
     except Exception as error:  # yourdfpy and lxml raise whatever a broken file makes them stumble over
         raise broken(path, str(error).splitlines()[0] if str(error) else type(error).__name__) from error
+
+
+def _text(path: Path) -> str:
+    try:
+        words = written.text(path, MOST_BYTES)
+    except HelicoideError as error:
+        raise broken(path, error.text) from error
+    if not words.strip():
+        raise broken(path, Text(en="it is empty", pt_BR="está vazio"))
+    return words
 
 
 def _loaded(path: Path, text: str, meshes: bool) -> yourdfpy.URDF:
@@ -93,6 +113,7 @@ def _check_elements(path: Path, root: ElementTree.Element) -> None:
             raise broken(path, _of(part, "needs a name of its own", "precisa de um nome só seu"))
         known.add(which)
         _check_part(path, part)
+        _check_sizes(path, part)
 
 
 def _of(part: ElementTree.Element, en: str, pt_BR: str) -> Text:
@@ -113,6 +134,18 @@ def _check_part(path: Path, part: ElementTree.Element) -> None:
                     _of(
                         part, f"has {given}: give finite numbers, {count}", f"tem {given}: dê números finitos, {count}"
                     ),
+                )
+
+
+def _check_sizes(path: Path, part: ElementTree.Element) -> None:
+    """A box, a cylinder or a sphere has each of its sizes, and none is zero or less."""
+    for element in part.iter():
+        for attribute in _SHAPES.get(element.tag, ()):
+            sizes = [float(word) for word in element.get(attribute, "").split()]
+            if not sizes or min(sizes) <= 0:
+                given = f'{element.tag} {attribute}="{element.get(attribute, "")}"'
+                raise broken(
+                    path, _of(part, f"has {given}: give positive metres", f"tem {given}: dê metros maiores que zero")
                 )
 
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import json
-import tomllib
-from typing import Any
 
 import msgspec
 
+from helicoide.files import toml, written
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, same
 from helicoide.trajectory.waypoints import Taught, inserted, waypoint
 
 FORMAT = "helicoide waypoints 1"
+MOST_BYTES = 1_000_000  # of thousands of waypoints
 HEAD = """\
 # Waypoints taught to a robot arm, in the order in which it visits them.
 # q: joint values, rad, or m where a joint slides; way: joints, line or screw; dwell: how long it stays, s.
@@ -91,17 +91,26 @@ def decoded(content: bytes, robot: Robot) -> Taught:
 
 def _read(content: bytes) -> TaughtFile:
     try:
-        table: dict[str, Any] = tomllib.loads(content.decode())
-        found = table.get("format")
-        if found != FORMAT:
-            raise ValueError(f"format must be {FORMAT!r}, not {found!r}")
-        return msgspec.convert(table, TaughtFile)
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError, msgspec.ValidationError, ValueError, RecursionError) as error:
+        table = toml.table(written.decoded(content, MOST_BYTES))
+        if table.get("format") != FORMAT:
+            raise HelicoideError(
+                Text(
+                    en="its format must be {format!r}, not {found}", pt_BR="o format deve ser {format!r}, não {found}"
+                ).format(format=FORMAT, found=_shown(table.get("format")))
+            )
+        return toml.struct(table, TaughtFile)
+    except HelicoideError as error:
         raise HelicoideError(
             Text(
                 en="This is not a file of waypoints, which begins with format, robot and joints and has a "
-                "[[waypoint]] with name and q for each: {error}",
+                "[[waypoint]] with name and q for each: {reason}.",
                 pt_BR="Este não é um arquivo de pontos, que começa com format, robot e joints e tem um [[waypoint]] "
-                "com name e q para cada um: {error}",
-            ).format(error=error)
+                "com name e q para cada um: {reason}.",
+            ).format(reason=error.text)
         ) from error
+
+
+def _shown(found: object) -> Text:
+    if isinstance(found, str):
+        return same(repr(found))
+    return Text(en="something else, or nothing", pt_BR="outra coisa, ou nada")

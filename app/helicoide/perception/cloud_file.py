@@ -70,8 +70,8 @@ def _left_out(cloud: Cloud) -> tuple[Text, ...]:
         return ()
     return (
         Text(
-            en="{n} points without coordinates within {far:.0f} m were left out.",
-            pt_BR="{n} pontos sem coordenadas a até {far:.0f} m ficaram de fora.",
+            en="Left out for want of coordinates within {far:.0f} m: {n}.",
+            pt_BR="De fora, por falta de coordenadas a até {far:.0f} m: {n}.",
         ).format(n=cloud.dropped, far=FARTHEST),
     )
 

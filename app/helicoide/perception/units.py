@@ -50,9 +50,9 @@ def _looks(rows: Array) -> Unit:
     if not len(rows):
         return "m"
     sizes = np.percentile(rows, 95, axis=0) - np.percentile(rows, 5, axis=0)
-    if sizes.max() < WIDEST_M:
+    if sizes.max() < WIDEST_M or _nearest(rows) * METRES["mm"] > ROOM:
         return "m"
-    if sizes.max() >= NARROWEST_MM or _nearest(rows) * METRES["cm"] > ROOM:
+    if sizes.max() >= NARROWEST_MM:
         return "mm"
     fields = dict(zip("xyz", sizes, strict=True))
     raise Broken(
@@ -66,8 +66,8 @@ def _looks(rows: Array) -> Unit:
 
 
 def _nearest(rows: Array) -> float:
-    """How near the nearest point comes to the base, along the axis where it is farthest."""
-    return float(np.abs(rows).max(axis=1).min())
+    """How near the nearest points come to the base, along the axis where they are farthest, but for a few strays."""
+    return float(np.percentile(np.abs(rows).max(axis=1), 5))
 
 
 def _check_near(rows: Array, unit: Unit) -> None:
@@ -76,10 +76,10 @@ def _check_near(rows: Array, unit: Unit) -> None:
     middle = dict(zip("xyz", np.median(rows, axis=0), strict=True))
     raise Broken(
         Text(
-            en="its points lie far from the arm's base, around ({x:.6g}, {y:.6g}, {z:.6g}) in {unit}, as the "
+            en="its points lie far from the arm's base, around ({x:.1f}, {y:.1f}, {z:.1f}) in {unit}, as the "
             "coordinates of a map do; valid are coordinates from the base, with points within {room:.0f} m of it: "
             "subtract the origin before, or choose another unit",
-            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.6g}, {y:.6g}, {z:.6g}) em {unit}, como "
+            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}, {y:.1f}, {z:.1f}) em {unit}, como "
             "coordenadas de um mapa; valem coordenadas a partir da base, com pontos a até {room:.0f} m dela: subtraia "
             "antes a origem ou escolha outra unidade",
         ).format(unit=TITLES[unit], room=ROOM, **middle)

@@ -35,16 +35,19 @@ def places(names: Sequence[str]) -> tuple[int, int, int] | None:
     for axis, columns in zip(AXES, found, strict=True):
         plain = [i for i in columns if words[i] == [axis]] or columns
         if len(plain) != 1:
-            raise Broken(
-                Text(
-                    en="of its columns, named {names}, {n} can be {axis}; valid are names in which x, y and z stand "
-                    "once each",
-                    pt_BR="das colunas, de nomes {names}, {n} podem ser {axis}; valem nomes em que x, y e z apareçam "
-                    "uma vez cada",
-                ).format(names=listed(names), n=len(plain), axis=axis)
-            )
+            raise Broken((SEVERAL if plain else NONE).format(names=listed(names), n=len(plain), axis=axis))
         columns[:] = plain
     return found[0][0], found[1][0], found[2][0]
+
+
+NONE = Text(
+    en="its columns are named {names}, and none of them {axis}; valid are names in which x, y and z stand once each",
+    pt_BR="as colunas se chamam {names}, e nenhuma {axis}; valem nomes em que x, y e z apareçam uma vez cada",
+)
+SEVERAL = Text(
+    en="its columns are named {names}, and {n} of them {axis}; valid are names in which x, y and z stand once each",
+    pt_BR="as colunas se chamam {names}, e {n} delas {axis}; valem nomes em que x, y e z apareçam uma vez cada",
+)
 
 
 def unit(names: Sequence[str]) -> Unit | None:

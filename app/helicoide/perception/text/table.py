@@ -35,16 +35,16 @@ class _Bad:
         """Raise Broken where they are too many."""
         if self.first is not None and self.count > max(_FORGIVEN * rows, 0):
             raise Broken(
-                Text(en="{first}; {n} of {k} rows are so", pt_BR="{first}; {n} de {k} linhas estão assim").format(
-                    first=self.first, n=self.count, k=rows
-                )
+                Text(
+                    en="{first}; so it is with {n} of {k} rows", pt_BR="{first}; assim estão {n} de {k} linhas"
+                ).format(first=self.first, n=self.count, k=rows)
             )
 
     def notes(self, rows: int) -> tuple[Text, ...]:
         """What is said of them."""
         if self.first is None:
             return ()
-        skipped = Text(en="{n} of {k} rows passed over: {first}.", pt_BR="{n} de {k} linhas não lidas: {first}.")
+        skipped = Text(en="Rows passed over: {n} of {k}; {first}.", pt_BR="Linhas não lidas: {n} de {k}; {first}.")
         return (skipped.format(n=self.count, k=rows, first=self.first),)
 
 

@@ -84,8 +84,8 @@ WHOLE = Text(
     en="has whole numbers only, as brightness or a class does", pt_BR="só tem inteiros, como intensidade ou classe"
 )
 DOUBT = Text(
-    en="its columns have no names, and column {n} {why}; valid are a first line of names among which x, y and z stand, "
-    "or x, y and z first",
-    pt_BR="as colunas não têm nomes, e a coluna {n} {why}; valem uma primeira linha de nomes entre os quais estejam x, "
-    "y e z, ou x, y e z nas primeiras colunas",
+    en="its columns have no names, and column {n} {why}, so that x, y and z may be others; valid is a first line that "
+    "names the columns, with x, y and z among them",
+    pt_BR="as colunas não têm nomes, e a coluna {n} {why}, de modo que x, y e z podem ser outras; vale uma primeira "
+    "linha com os nomes das colunas, entre eles x, y e z",
 )

@@ -38,7 +38,7 @@ def refused(name: str, data: bytes) -> str:
         cloud_file.read(name, data)
     text = refusal.value.text
     assert text.en.startswith(f"{name} cannot be read: ")
-    assert "Valid are NPY (an array k × 3), NPZ" in text.en
+    assert "Valid are LAS (not packed), NPY (an array k × 3), NPZ" in text.en
     assert "at most 5 million points and 200 MB" in text.en
     assert "XYZ text" in text.en
     assert text.pt_BR.startswith(f"Não dá para ler {name}: ")
@@ -330,4 +330,4 @@ def test_of_a_field_of_several_numbers_the_first_is_taken(kind: str) -> None:
 def test_every_format_has_a_title_and_endings_of_its_own() -> None:
     assert len(formats.endings()) == sum(len(module.ENDINGS) for module in formats.found())
     texts = {".xyz", ".txt", ".csv", ".pts", ".asc", ".tsv"}
-    assert {".ply", ".pcd", ".npy", ".npz", *texts} == set(formats.endings())
+    assert {".ply", ".pcd", ".npy", ".npz", ".las", ".laz", *texts} == set(formats.endings())

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from tests.perception.cloud_bytes import npy
+from tests.perception.cloud_bytes import las, npy
 
 from helicoide.kinematics.chain import Array
 from helicoide.perception import cloud_file
@@ -154,6 +154,8 @@ FILES: dict[str, tuple[str, Callable[[], bytes]]] = {
             PCD.replace(str(N), str(N + 1)).replace("\n", "\r\n") + "-1.#IND 1.#QNAN nan(ind)\r\n" + PLAIN
         ).encode(),
     ),
+    "LAS 1.2": (".las", lambda: las(POINTS)),
+    "LAS 1.4, with an origin": (".LAS", lambda: las(POINTS, 4, (1.0, -2.0, 0.5))),
     "homogeneous": (".npy", lambda: npy(np.column_stack([POINTS, np.ones(N)]))),
     "lying": (".npy", lambda: npy(POINTS.T)),
     "with an index": (".npy", lambda: npy(np.column_stack([COUNT, POINTS]))),
@@ -207,6 +209,23 @@ def test_what_cannot_be_told_is_refused_in_both_languages(case: str) -> None:
         cloud_file.read("c.txt", text.encode())
     assert en in refusal.value.text.en
     assert pt_BR in refusal.value.text.pt_BR
+
+
+def test_laser_scans_that_cannot_be_read_are_refused_in_both_languages() -> None:
+    packed = bytearray(las(POINTS))
+    packed[104] |= 0x80
+    map_origin = 512345.0, 12345.0, 0.0
+    cases = {
+        "its points are packed, as in LAZ; valid": bytes(packed),
+        "far from the arm's base, around (512345": las(POINTS + np.array(map_origin), 2, map_origin),
+        f"it ends after {N - 1} of {N} points": las(POINTS)[:-1],
+        "its header breaks off": las(POINTS)[:200],
+    }
+    for said, data in cases.items():
+        with pytest.raises(HelicoideError) as refusal:
+            cloud_file.read("c.laz", data)
+        assert said in refusal.value.text.en
+        assert refusal.value.text.pt_BR != refusal.value.text.en
 
 
 @pytest.mark.parametrize("unit", UNITS)

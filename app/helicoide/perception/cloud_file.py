@@ -11,7 +11,7 @@ from pathlib import Path
 from helicoide.perception import formats
 from helicoide.perception.broken import Broken
 from helicoide.perception.cloud import FARTHEST, Cloud, cloud_of
-from helicoide.perception.formats import MOST_BYTES, MOST_POINTS, Format
+from helicoide.perception.formats import MOST_BYTES, MOST_POINTS
 from helicoide.perception.units import Unit, unit_of
 from helicoide.text import LANGUAGES, HelicoideError, Text
 
@@ -89,7 +89,7 @@ _NO_FILE = Text(
 
 
 def _refusal(name: str, reason: Text) -> HelicoideError:
-    valid = {language: ", ".join(_kind(module)[language] for module in formats.found()) for language in LANGUAGES}
+    valid = {language: ", ".join(module.TITLE[language] for module in formats.found()) for language in LANGUAGES}
     return HelicoideError(
         Text(
             en="{name} cannot be read: {reason}. Valid are {valid}, with at most {points:.0f} million points and "
@@ -98,9 +98,3 @@ def _refusal(name: str, reason: Text) -> HelicoideError:
             "{bytes:.0f} MB.",
         ).format(name=name, reason=reason, valid=Text(**valid), points=MOST_POINTS / 1e6, bytes=MOST_BYTES / 1e6)
     )
-
-
-def _kind(module: Format) -> Text:
-    """A format in words, with its endings where these say more."""
-    endings = "" if len(module.ENDINGS) == 1 else f": {' '.join(module.ENDINGS)}"
-    return Text(en="{title}{endings}", pt_BR="{title}{endings}").format(title=module.TITLE, endings=endings)

@@ -20,8 +20,8 @@ from helicoide.perception.text.head import head_of
 from helicoide.perception.text.table import table
 from helicoide.text import Text
 
-TITLE = Text(en="XYZ text", pt_BR="texto XYZ")
 ENDINGS = (".xyz", ".txt", ".csv", ".pts", ".asc", ".tsv")
+TITLE = Text(en="XYZ text ({endings})", pt_BR="texto XYZ ({endings})").format(endings=" ".join(ENDINGS))
 
 _HOLES = re.compile(r"[-+]?1[.,]#\w*")
 _SLASHES = re.compile(r"//.*")

@@ -272,6 +272,14 @@ def test_columns_that_were_guessed_are_said() -> None:
     assert "olumn" not in said(rows(X, Y, Z, BRIGHT))
 
 
+@pytest.mark.parametrize("huge", ["1e999", "-inf", "1e308", "-1e308"])
+def test_numbers_beyond_all_measure_are_holes(huge: str) -> None:
+    for text in (f"{huge} {huge} 1e308 1\n{rows(X, Y, Z, BRIGHT, between=' ')}", f"1e308 {huge} {huge}\n{PLAIN}"):
+        cloud = cloud_file.read("c.txt", text.encode())
+        np.testing.assert_array_equal(cloud.points, POINTS)
+        assert cloud.dropped == 1
+
+
 def test_an_empty_cell_moves_no_other() -> None:
     cloud = cloud_file.read("c.csv", f"0.1,,0.7,128\n{rows(X, Y, Z, BRIGHT)}".encode())
     np.testing.assert_array_equal(cloud.points, POINTS)

@@ -40,9 +40,9 @@ def unit_of(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, 
 
 
 def _finite(rows: Array) -> Array:
-    """Of many rows some, and only those that are finite."""
+    """Of many rows some, and only those that are near enough to be of this Earth, in whatever unit."""
     some = rows[:: max(1, len(rows) // ENOUGH)]
-    return some[np.isfinite(some).all(axis=1)]
+    return some[(np.abs(some) < 1e15).all(axis=1)]
 
 
 def _looks(rows: Array) -> Unit:

@@ -10,7 +10,7 @@ from helicoide.text import Text
 
 # So many rows tell whether a column only ever grows, or counts.
 TELLING, COUNTING = 10, 5
-_UNIX = 1e8
+_UNIX, _HUGE = 1e8, 1e15
 Places = tuple[int, int, int]
 
 
@@ -29,6 +29,7 @@ def places(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
                 pt_BR="suas linhas têm {n} colunas; valem linhas de pelo menos três números, x, y e z",
             ).format(n=sample.shape[1])
         )
+    sample, spread = (np.where(np.abs(rows) < _HUGE, rows, np.nan) for rows in (sample, spread))
     first, others = sample[:, columns[0]], sample[:, columns[1:]]
     if counts(first):
         if len(columns) == 4:

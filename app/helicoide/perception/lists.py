@@ -2,12 +2,47 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array
+from helicoide.perception.columns import AXES, Column, check_rows, place
 
 Whole = NDArray[np.int64]
+
+
+def from_lists(columns: Sequence[Column], points: int, data: bytes) -> Array:
+    """Rows that follow each other as bytes, each as long as its lists make it: x, y, z of each, (k, 3)."""
+    places = [place(columns, axis) for axis in AXES]
+    check_rows(len(data) // sum(np.dtype(column.length or column.type).itemsize for column in columns), points)
+    begins = np.zeros((points, 3), dtype=np.int64)
+    _, there = walked(columns, points, data, 0, begins, places)
+    check_rows(there, points)
+    overlapping = (
+        np.ndarray(len(data) - columns[place].size + 1, columns[place].type, data, strides=(1,)) for place in places
+    )
+    return np.column_stack([numbers[begins[:, k]].astype(np.float64) for k, numbers in enumerate(overlapping)])
+
+
+def walked(
+    columns: Sequence[Column],
+    points: int,
+    data: bytes,
+    begin: int,
+    begins: NDArray[np.int64] | None = None,
+    places: Sequence[int] = (),
+) -> tuple[int, int]:
+    """Where so many rows of bytes end, and how many there are; where some of their columns begin goes to begins."""
+    sizes = np.array([np.dtype(column.type).itemsize * column.count for column in columns], dtype=np.int64)
+    lengths = np.array([np.dtype(column.length).itemsize if column.length else 0 for column in columns], dtype=np.int64)
+    big = any(column.length.startswith(">") for column in columns)
+    wished = np.array([*places, -1, -1, -1][:3], dtype=np.int64)
+    there = np.zeros((0, 3), dtype=np.int64) if begins is None else begins
+    ended = walk(np.frombuffer(data, np.uint8), (begin, min(points, len(data)), big), sizes, lengths, wished, there)
+    return int(ended[0]), int(ended[1])
 
 
 @kernel

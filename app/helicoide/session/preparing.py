@@ -23,7 +23,8 @@ from helicoide.jobs.apart import Apart, Failed, Killed
 from helicoide.kinematics import tool, workspace
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.perception.columns import Column, walked
+from helicoide.perception.columns import Column
+from helicoide.perception.lists import walked
 from helicoide.perception.lzf import unpacked
 from helicoide.perception.planes import find
 from helicoide.session.workcell import TICK

@@ -12,8 +12,9 @@ import numpy as np
 
 from helicoide.kinematics.chain import Array
 from helicoide.perception.broken import Broken
-from helicoide.perception.columns import Column, from_bytes, from_fields, from_text
+from helicoide.perception.columns import Column, from_bytes, from_fields
 from helicoide.perception.formats import MOST_BYTES, Raw, check_count
+from helicoide.perception.lines import from_text
 from helicoide.perception.lzf import unpacked
 from helicoide.text import Text
 

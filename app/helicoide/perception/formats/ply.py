@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 
 from helicoide.perception.broken import Broken
-from helicoide.perception.columns import Column, from_bytes, from_text, walked
+from helicoide.perception.columns import Column, from_bytes
 from helicoide.perception.formats import Raw, check_count
+from helicoide.perception.lines import from_text
+from helicoide.perception.lists import from_lists, walked
 from helicoide.text import Text
 
 TITLE = Text(en="PLY (text or binary)", pt_BR="PLY (texto ou binário)")
@@ -39,11 +41,10 @@ def coordinates(data: bytes) -> Raw:
     for name, count, columns in elements:
         if name == "vertex":
             check_count(count)
-            return (
-                Raw(from_bytes(columns, count, rest[skipped:]))
-                if order
-                else from_text(columns, count, rest, data[: ended.end()], skipped)
-            )
+            if not order:
+                return from_text(columns, count, rest, data[: ended.end()], skipped)
+            read = from_lists if any(column.length for column in columns) else from_bytes
+            return Raw(read(columns, count, rest[skipped:]))
         skipped = _behind(columns, count, rest, skipped) if order else skipped + count
     raise Broken(Text(en="it has no element vertex", pt_BR="não tem o elemento vertex"))
 

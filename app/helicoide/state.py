@@ -308,7 +308,7 @@ class Seat:
 
     done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
     while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
-    arm's reach.
+    arm's reach; cloud_unit: what the numbers in files of clouds count, "" as it looks.
     """
 
     token: str
@@ -322,6 +322,7 @@ class Seat:
     shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
     map_kind: Kind = "reachable"
     cut: float = 0.0
+    cloud_unit: str = ""
 
     def showing(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

@@ -38,7 +38,7 @@ def refused(name: str, data: bytes) -> str:
         cloud_file.read(name, data)
     text = refusal.value.text
     assert text.en.startswith(f"{name} cannot be read: ")
-    assert "Valid are NPY (an array k × 3), NPZ" in text.en
+    assert "Valid are LAS (not packed), NPY (an array k × 3), NPZ" in text.en
     assert "at most 5 million points and 200 MB" in text.en
     assert "XYZ text" in text.en
     assert text.pt_BR.startswith(f"Não dá para ler {name}: ")
@@ -88,8 +88,8 @@ def test_a_file_that_breaks_off_is_refused(name: str) -> None:
     ending, writer = WRITERS[name]
     data = writer(SOME)
     if name == "xyz":
-        data = data + b"\n1 2"
-        assert "column" in refused("c.xyz", data)
+        said = "Rows passed over: 1 of 201; line 201 has 2 columns; valid are at least 3."
+        assert said in [note.en for note in cloud_file.read("c.xyz", data + b"\n1 2").notes]
         return
     behind = data.rindex(b"\n3 0") if name == "ply text" else len(data) - 5 if "ply" in name else len(data)
     for end in [*range(0, behind, 97), behind - 3]:
@@ -153,7 +153,7 @@ def test_a_file_is_read_from_its_path(tmp_path: Path) -> None:
     path = tmp_path / "cloud.pcd"
     path.write_bytes(pcd(SOME, "binary"))
     np.testing.assert_array_equal(cloud_file.load(path, "mm").points, SOME * 1e-3)
-    with pytest.raises(HelicoideError, match=r"none\.pcd cannot be read: No such file"):
+    with pytest.raises(HelicoideError, match=r"none\.pcd cannot be read: there is no file of that name"):
         cloud_file.load(tmp_path / "none.pcd")
     with pytest.raises(HelicoideError, match="Valid are"):
         cloud_file.load(tmp_path)
@@ -253,14 +253,19 @@ def bare(lines: str) -> bytes:
 
 XYZ = "property float x\nproperty float y\nproperty float z\n"
 SAID = {
-    "another ending": ("c.stl", b"", "its name does not end so"),
+    "another ending": ("c.stl", b"", "no format has names that end in .stl"),
     "no ply": ("c.ply", b"PLY\nend_header\n", "none of PLY"),
     "no end": ("c.ply", b"ply\nformat ascii 1.0\n", "none of PLY"),
     "no format": ("c.ply", b"ply\nelement vertex 1\nend_header\n", "none of PLY"),
     "another version": ("c.ply", b"ply\nformat ascii 2.0\nend_header\n", "does not know: 'format ascii 2.0'"),
     "no vertex": ("c.ply", bare("element face 3\n"), "no element vertex"),
     "no z": ("c.ply", bare("element vertex 1\nproperty float x\nproperty float y\n"), "no column z, only x, y"),
-    "lists": ("c.ply", bare(f"element vertex 1\nproperty list uchar int i\n{XYZ}"), "lists come before"),
+    "lists of broken lengths": ("c.ply", bare(f"element vertex 1\nproperty list float int i\n{XYZ}"), "does not know"),
+    "a list that ends too early": (
+        "c.ply",
+        bare(f"element vertex 1\nproperty list uchar int i\n{XYZ}"),
+        "line 9 has 2 columns",
+    ),
     "a type": ("c.ply", bare("element vertex 1\nproperty quad x\n"), "does not know: 'property quad x'"),
     "words": ("c.ply", bare(f"element vertex 1\n{XYZ}").replace(b"1 2 3", b"1 two 3"), "two"),
     "two columns": ("c.ply", bare(f"element vertex 1\n{XYZ}").replace(b"1 2 3", b"1 2"), "column"),
@@ -277,12 +282,12 @@ SAID = {
     "words of npy": ("c.npy", npy(np.array([["a", "b", "c"]])), "real numbers"),
     "complex": ("c.npy", npy(SOME * 1j), "real numbers"),
     "objects": ("c.npy", npy(np.array([[1, None, 2]], dtype=object)), "real numbers"),
-    "no zip": ("c.npz", npy(SOME), "zip"),
-    "many arrays": ("c.npz", npz(SOME).replace(b"points", b"pxints"), "it holds pxints, colours"),
+    "no zip": ("c.npz", npy(SOME), "it is damaged, or no .npz"),
+    "many arrays": ("c.npz", npz(SOME).replace(b"points", b"pxints"), "it holds colours, pxints"),
     "binary": ("c.txt", npy(SOME), "no text"),
-    "latin": ("c.txt", "1 2 é".encode("latin-1"), "utf-8"),
+    "latin": ("c.txt", "1 2 é".encode("latin-1"), "begins “1 2 é”"),
     "a word": ("c.txt", b"1 2 3\n1 2 three\n", "three"),
-    "short lines": ("c.txt", b"1 2\n3 4\n", "column"),
+    "short lines": ("c.txt", b"1 2\n3 4\n", "no row of three numbers"),
     "names alone": ("c.txt", b"x y z\n", "no points"),
     "comments alone": ("c.txt", b"# 1 2 3\n", "no points"),
 }
@@ -324,4 +329,5 @@ def test_of_a_field_of_several_numbers_the_first_is_taken(kind: str) -> None:
 
 def test_every_format_has_a_title_and_endings_of_its_own() -> None:
     assert len(formats.endings()) == sum(len(module.ENDINGS) for module in formats.found())
-    assert {".ply", ".pcd", ".xyz", ".txt", ".csv", ".npy", ".npz"} == set(formats.endings())
+    texts = {".xyz", ".txt", ".csv", ".pts", ".asc", ".tsv"}
+    assert {".ply", ".pcd", ".npy", ".npz", ".las", ".laz", *texts} == set(formats.endings())

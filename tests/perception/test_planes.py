@@ -143,6 +143,22 @@ def test_the_larger_of_two_walls_is_found_and_one_that_faces_elsewhere_is_not(st
     assert expect(find(points, DOWN, [0, 0, 0])).plane.offset == pytest.approx(-0.6, abs=0.001)
 
 
+@pytest.mark.parametrize("dense", [1000, 30_000])
+@pytest.mark.parametrize("size", [0.003, 0.02, 0.05])
+def test_a_small_thing_with_more_points_than_the_wall_is_not_taken_for_it(dense: int, size: float) -> None:
+    rng = np.random.default_rng(0)
+    thing = [0.1, -0.1, 0.35] + size * rng.normal(size=(dense, 3))
+    found = expect(find(np.concatenate([thing, wall(rng, 500, 0.001)]), DOWN, [0, 0, 0]))
+    assert found.plane.offset == pytest.approx(-0.6, abs=0.001)
+    assert found.on_it[dense:].all()
+
+
+def test_where_two_walls_are_as_large_the_one_with_more_points_is_found() -> None:
+    rng = np.random.default_rng(0)
+    points = np.concatenate([wall(rng, 20_000, 0.001, 0.5), wall(rng, 15_000, 0.001, 0.6)])
+    assert expect(find(points, DOWN, [0, 0, 0])).plane.offset == pytest.approx(-0.5, abs=0.001)
+
+
 def test_walls_may_tilt_as_far_as_asked_and_no_farther() -> None:
     tilted = wall(np.random.default_rng(0), 2000, 0.0005)
     tilted[:, 2] += np.tan(np.radians(9)) * tilted[:, 0]

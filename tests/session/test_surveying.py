@@ -7,12 +7,14 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+import numpy as np
 import pytest
 from tests.driving import at
 
 from helicoide import gate
 from helicoide.perception import realsense
 from helicoide.perception.camera import SimulatedCamera
+from helicoide.perception.units import Unit
 from helicoide.session.surveying import Surveying
 from helicoide.state import Hold, State, ToJoints, Update
 from helicoide.text import HelicoideError, same
@@ -133,3 +135,39 @@ def test_without_a_camera_it_is_said_and_the_planes_stay(state: State, camera: d
     assert arm.state.notice == same("No camera answers.")
     assert arm.state.problem.planes is state.problem.planes
     assert not arm.sent
+
+
+def read(state: State, content: bytes, unit: Unit | None = None) -> State:
+    """What became of a file in which the ceiling is looked for."""
+    arm = _Arm(state)
+
+    async def run() -> None:
+        survey = Surveying(lambda: arm.state, arm.post)
+        survey.read("room.xyz", content, "+z", unit)
+        assert survey._task is not None
+        await survey._task
+
+    asyncio.run(run())
+    return arm.state
+
+
+def room(scale: float) -> bytes:
+    rng = np.random.default_rng(0)
+    ceiling = np.column_stack([rng.uniform(0.2, 0.9, (400, 2)), rng.normal(0.9, 1e-3, 400)])
+    return "\n".join(" ".join(f"{value:.5f}" for value in row) for row in scale * ceiling).encode()
+
+
+@pytest.mark.parametrize(("scale", "unit"), [(1.0, None), (1000.0, None), (100.0, "cm"), (1 / 0.0254, "inch")])
+def test_a_plane_of_a_file_is_put_up_and_the_unit_is_said(state: State, scale: float, unit: Unit | None) -> None:
+    after = read(state, room(scale), unit)
+    planes = after.problem.planes
+    assert planes.offsets[planes.names.index("+z")] == pytest.approx(-0.9, abs=0.002)
+    assert ("as chosen" if unit else "as it looks") in after.seen["+z"].words.en
+
+
+def test_a_file_whose_unit_nobody_can_tell_changes_nothing_but_words(state: State) -> None:
+    after = read(state, room(100.0))
+    assert after.problem.planes is state.problem.planes
+    assert after.notice is not None
+    assert "choose the unit" in after.notice.en
+    assert "escolha a unidade" in after.notice.pt_BR

@@ -3,25 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
 from helicoide.kinematics.chain import Array
+from helicoide.perception.units import METRES, Unit
 from helicoide.text import Text
 
-Unit = Literal["m", "mm"]
-METRES: dict[Unit, float] = {"m": 1.0, "mm": 1e-3}
 # Farther points, m, are no readings of a room; of the largest numbers even squares would be infinite.
 FARTHEST = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
 class Cloud:
-    """points (k, 3), m; dropped: how many more there were without coordinates, such as pixels that saw nothing."""
+    """points (k, 3), m; dropped: how many more there were without coordinates, such as pixels that saw nothing.
+
+    notes: sentences about how the points came out of a file, such as the unit that was assumed.
+    """
 
     points: Array
     dropped: int = 0
+    notes: tuple[Text, ...] = ()
 
     @property
     def words(self) -> Text:
@@ -33,11 +35,11 @@ class Cloud:
         ).format(k=len(self.points), x=size[0], y=size[1], z=size[2], dropped=self.dropped)
 
 
-def cloud_of(coordinates: Array, unit: Unit = "m") -> Cloud:
+def cloud_of(coordinates: Array, unit: Unit = "m", notes: tuple[Text, ...] = ()) -> Cloud:
     """The cloud of rows x, y, z (k, 3); rows that are not finite, or beyond `FARTHEST`, are dropped and counted."""
     with np.errstate(invalid="ignore"):
         points = np.ascontiguousarray(coordinates, dtype=np.float64) * METRES[unit]
         kept = np.asarray((np.abs(points) <= FARTHEST).all(axis=1))
     points = points[kept]
     points.flags.writeable = False
-    return Cloud(points, int(len(kept) - len(points)))
+    return Cloud(points, int(len(kept) - len(points)), notes)

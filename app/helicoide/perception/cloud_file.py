@@ -5,70 +5,96 @@ from __future__ import annotations
 import struct
 import zipfile
 import zlib
+from dataclasses import replace
 from pathlib import Path
 
 from helicoide.perception import formats
-from helicoide.perception.cloud import Cloud, Unit, cloud_of
-from helicoide.perception.formats import MOST_BYTES, MOST_POINTS, Broken
-from helicoide.text import HelicoideError, Text
+from helicoide.perception.broken import Broken
+from helicoide.perception.cloud import FARTHEST, Cloud, cloud_of
+from helicoide.perception.formats import MOST_BYTES, MOST_POINTS
+from helicoide.perception.units import Unit, unit_of
+from helicoide.text import LANGUAGES, HelicoideError, Text
 
 # What the parsers below the formats raise when a file is not what it says.
 _OF_PARSERS = (ValueError, ArithmeticError, LookupError, RuntimeError, OSError, EOFError, MemoryError)
 _OF_ARCHIVES = (zlib.error, zipfile.BadZipFile, struct.error)
 
 
-def load(path: Path, unit: Unit = "m") -> Cloud:
+def load(path: Path, unit: Unit | None = None) -> Cloud:
     """The cloud in a file. Raises HelicoideError: what is wrong with the file, and what is valid."""
     try:
         if path.stat().st_size > MOST_BYTES:
             raise _refusal(path.name, _TOO_LONG)
         data = path.read_bytes()
     except OSError as error:
-        raise _refusal(path.name, str(error.strerror)) from error
+        raise _refusal(path.name, _NO_FILE) from error
     return read(path.name, data, unit)
 
 
-def read(name: str, data: bytes, unit: Unit = "m") -> Cloud:
-    """The cloud in the bytes of a file; the ending of its name says the format, `unit` what its numbers count.
+def read(name: str, data: bytes, unit: Unit | None = None) -> Cloud:
+    """The cloud in the bytes of a file; the ending of its name says the format.
 
-    Points without finite coordinates are dropped and counted. Raises HelicoideError: what is wrong with the file, and
-    what is valid.
+    unit: what its numbers count; None: as the file says, or else as they look. Points without finite coordinates are
+    dropped and counted. Raises HelicoideError: what is wrong with the file, and what is valid.
     """
     ending = Path(name).suffix.lower()
     if ending not in formats.endings():
-        raise _refusal(name, Text(en="its name does not end so", pt_BR="o nome não termina assim"))
+        raise _refusal(name, _ENDING.format(ending=ending or "–"))
     if len(data) > MOST_BYTES:
         raise _refusal(name, _TOO_LONG)
     try:
-        cloud = cloud_of(formats.endings()[ending].coordinates(data), unit)
+        raw = formats.endings()[ending].coordinates(data)
+        taken, why = unit_of(raw.rows, unit, raw.unit)
     except Broken as broken:
         raise _refusal(name, broken.text) from broken
     except (*_OF_PARSERS, *_OF_ARCHIVES) as error:
-        raise _refusal(name, str(error) or type(error).__name__) from error
+        raise _refusal(name, _DAMAGED.format(ending=ending)) from error
+    cloud = cloud_of(raw.rows, taken)
     if not len(cloud.points):
-        raise _refusal(
-            name,
-            Text(
-                en="none of its {n} points has finite coordinates",
-                pt_BR="nenhum dos seus {n} pontos tem coordenadas finitas",
-            ).format(n=cloud.dropped)
-            if cloud.dropped
-            else Text(en="there are no points in it", pt_BR="não há pontos nele"),
-        )
-    return cloud
+        raise _refusal(name, _NO_POINTS if not cloud.dropped else _ALL_HOLES.format(n=cloud.dropped))
+    return replace(cloud, notes=(_extent(cloud, why), *raw.notes, *_left_out(cloud)))
+
+
+def _extent(cloud: Cloud, why: Text) -> Text:
+    """The unit, and from where to where the points lie."""
+    lower, upper = cloud.points.min(axis=0), cloud.points.max(axis=0)
+    ends = {f"{axis}{k}": end[i] for k, end in enumerate((lower, upper)) for i, axis in enumerate("xyz")}
+    return Text(
+        en="{why}: x {x0:.2f} to {x1:.2f}, y {y0:.2f} to {y1:.2f}, z {z0:.2f} to {z1:.2f} m.",
+        pt_BR="{why}: x de {x0:.2f} a {x1:.2f}, y de {y0:.2f} a {y1:.2f}, z de {z0:.2f} a {z1:.2f} m.",
+    ).format(why=why, **ends)
+
+
+def _left_out(cloud: Cloud) -> tuple[Text, ...]:
+    if not cloud.dropped:
+        return ()
+    return (
+        Text(
+            en="Left out for want of coordinates within {far:.0f} m: {n}.",
+            pt_BR="De fora, por falta de coordenadas a até {far:.0f} m: {n}.",
+        ).format(n=cloud.dropped, far=FARTHEST),
+    )
 
 
 _TOO_LONG = Text(en="it is too long", pt_BR="é longo demais")
+_ENDING = Text(en="no format has names that end in {ending}", pt_BR="nenhum formato tem nomes que terminam em {ending}")
+_DAMAGED = Text(en="it is damaged, or no {ending}", pt_BR="está danificado ou não é {ending}")
+_NO_POINTS = Text(en="there are no points in it", pt_BR="não há pontos nele")
+_ALL_HOLES = Text(
+    en="none of its {n} points has finite coordinates", pt_BR="nenhum dos seus {n} pontos tem coordenadas finitas"
+)
+_NO_FILE = Text(
+    en="there is no file of that name that may be read", pt_BR="não há arquivo com esse nome que se possa ler"
+)
 
 
-def _refusal(name: str, reason: Text | str) -> HelicoideError:
-    titles = [module.TITLE for module in formats.found()]
-    valid = Text(en=", ".join(title.en for title in titles), pt_BR=", ".join(title.pt_BR for title in titles))
+def _refusal(name: str, reason: Text) -> HelicoideError:
+    valid = {language: ", ".join(module.TITLE[language] for module in formats.found()) for language in LANGUAGES}
     return HelicoideError(
         Text(
             en="{name} cannot be read: {reason}. Valid are {valid}, with at most {points:.0f} million points and "
             "{bytes:.0f} MB.",
             pt_BR="Não dá para ler {name}: {reason}. Valem {valid}, com no máximo {points:.0f} milhões de pontos e "
             "{bytes:.0f} MB.",
-        ).format(name=name, reason=reason, valid=valid, points=MOST_POINTS / 1e6, bytes=MOST_BYTES / 1e6)
+        ).format(name=name, reason=reason, valid=Text(**valid), points=MOST_POINTS / 1e6, bytes=MOST_BYTES / 1e6)
     )

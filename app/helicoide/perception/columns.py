@@ -1,16 +1,14 @@
-"""Rows of points with x, y and z among other columns, as text or as bytes, whose layout a header told."""
+"""Rows of points with x, y and z among other columns, as bytes whose layout a header told."""
 
 from __future__ import annotations
 
-import io
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from helicoide.kinematics.chain import Array
-from helicoide.perception.formats import Broken
+from helicoide.perception.broken import Broken
 from helicoide.text import Text
 
 AXES = ("x", "y", "z")
@@ -18,22 +16,26 @@ AXES = ("x", "y", "z")
 
 @dataclass(frozen=True)
 class Column:
-    """A column: its name, the numpy type of its numbers, and how many there are of them in one row."""
+    """A column: its name, the numpy type of its numbers, and how many there are of them in one row.
+
+    length: the numpy type of a number before them that says how many there are; "" where that is always the same.
+    """
 
     name: str
     type: str
     count: int = 1
+    length: str = ""
 
     @property
     def size(self) -> int:
-        """Bytes in a row."""
+        """Bytes in a row; of a list, those of one of its numbers."""
         return np.dtype(self.type).itemsize * self.count
 
 
 def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
     """Rows that follow each other as bytes: x, y, z of each, (k, 3)."""
-    begins = np.cumsum([0, *(column.size for column in columns)])
     places = [place(columns, axis) for axis in AXES]
+    begins = np.cumsum([0, *(column.size for column in columns)])
     row = np.dtype(
         {
             "names": list(AXES),
@@ -45,25 +47,6 @@ def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
     check_rows(len(data) // row.itemsize, points)
     rows = np.frombuffer(data, row, points)
     return np.column_stack([rows[axis].astype(np.float64) for axis in AXES])
-
-
-def from_text(columns: Sequence[Column], points: int, data: bytes, skipped: int = 0) -> Array:
-    """Rows that are lines of text, after some that are skipped: x, y, z of each, (k, 3)."""
-    begins = np.cumsum([0, *(column.count for column in columns)])
-    places = [int(begins[place(columns, axis)]) for axis in AXES]
-    with warnings.catch_warnings():  # of rows that are missing: they are counted here
-        warnings.simplefilter("ignore", UserWarning)
-        rows = np.loadtxt(
-            io.BytesIO(data),
-            usecols=places,
-            skiprows=skipped,
-            max_rows=points,
-            ndmin=2,
-            comments=None,
-            encoding="ascii",
-        )
-    check_rows(len(rows), points)
-    return np.asarray(rows, dtype=np.float64)
 
 
 def from_fields(columns: Sequence[Column], points: int, data: bytes) -> Array:
@@ -91,6 +74,8 @@ def check_rows(there: int, promised: int) -> None:
 def place(columns: Sequence[Column], axis: str) -> int:
     """The number of the column of that name; raises Broken where there is none."""
     names = [column.name for column in columns]
+    if axis not in names and axis.upper() in names:
+        return names.index(axis.upper())
     if axis not in names:
         raise Broken(
             Text(

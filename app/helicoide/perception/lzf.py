@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.kernels import kernel
-from helicoide.perception.formats import Broken
+from helicoide.perception.broken import Broken
 from helicoide.text import Text
 
 Bytes = NDArray[np.uint8]

@@ -1,4 +1,4 @@
-"""The plane that most points of a cloud lie on, of those that face a given way."""
+"""The plane that most of a cloud lies on, of those that face a given way."""
 
 from __future__ import annotations
 
@@ -25,6 +25,9 @@ JUDGES = 8000
 # A draw is given up when so many more have judged it and it is already worse than the best.
 BLOCK = 500
 REFITS = 30
+# What a plane covers is counted in cubes of this size, m; one that covers so many times as much is taken instead.
+CELL, WIDER = 0.02, 1.5
+THINNED = 100_000
 # Points spread less along a plane than so many times across it lie on a line.
 NARROW = 3.0
 
@@ -60,6 +63,8 @@ def find(
 ) -> Found | Text:
     """The plane with the most points near it whose inward normal is within an angle of a given one; else why not.
 
+    Where another one covers more than that, it is the plane: a small thing may hold more points than a wall.
+
     Planes through three random points (π = ⋆σ/‖⋆σ‖) with l > 0 at the point inside are judged by Σ min(l², t²); the
     best is fitted by least squares to the points with |l| ≤ t until these stay the same.
     Args: points (k, 3), m; towards: the inward normal looked for, (3,), of any length; inside: a point on its side,
@@ -76,14 +81,28 @@ def find(
     _check(n0, point, distance, angle)
     n0 = n0 / np.linalg.norm(n0)
     points = np.ascontiguousarray(points, dtype=np.float64)  # kernels are compiled for one order
-    rng = np.random.default_rng(seed)
-    triples = points[rng.integers(len(points), size=(DRAWS, 3))]
-    judges = points[rng.permutation(len(points))[:JUDGES]]
-    drawn = best_draw(triples, judges, np.append(n0, np.cos(angle)), point, distance)
-    if not drawn.any():
-        return _none(angle)
-    fit, on_it = _fitted(points, drawn, point, distance)
-    return _judged(points, fit, on_it, n0, angle)
+    rng, cone = np.random.default_rng(seed), np.append(n0, np.cos(angle))
+    triples, order = points[rng.integers(len(points), size=(DRAWS, 3))], rng.permutation(len(points))
+    thin = thinned(points[order[:THINNED]])
+    fits = []
+    for three, judges in ((triples, points[order[:JUDGES]]), (thin[rng.integers(len(thin), size=(DRAWS, 3))], thin)):
+        drawn = best_draw(three, judges[:JUDGES], cone, point, distance)
+        if drawn.any():
+            fit, on_it = _fitted(points, drawn, point, distance)
+            fits.append((fit, on_it, float(np.mean(np.abs(thin @ fit.normal - fit.offset) <= distance))))
+    if len(fits) == 2 and fits[1][2] > WIDER * fits[0][2]:
+        fits.reverse()
+    answers = [_judged(points, fit, on_it, n0, angle, covered) for fit, on_it, covered in fits] or [_none(angle)]
+    return next((answer for answer in answers if isinstance(answer, Found)), answers[0])
+
+
+def thinned(points: Array) -> Array:
+    """One of the points in each cube of `CELL`: as many as a thing is large, however densely it was seen."""
+    cubes = np.floor(points / CELL).astype(np.int64)
+    cubes -= cubes.min(axis=0)
+    size = cubes.max(axis=0) + 1
+    _, first = np.unique((cubes[:, 0] * size[1] + cubes[:, 1]) * size[2] + cubes[:, 2], return_index=True)
+    return points[np.sort(first)]  # in their order, which is random
 
 
 def _check(towards: Array, inside: Array, distance: float, angle: float) -> None:
@@ -195,8 +214,10 @@ def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
     return _Fit(normal, float(normal @ centre), centre, float(across), float(along))
 
 
-def _judged(points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float) -> Found | Text:
-    """The plane with what there is to say of it, or why it is none."""
+def _judged(
+    points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float, covered: float
+) -> Found | Text:
+    """The plane with what there is to say of it, or why it is none; covered: its share of all cubes with points."""
     if fit.along <= NARROW * fit.across or fit.along < 1e-9:
         return Text(
             en="No plane: the points lie along a line, and through a line there are many planes.",
@@ -206,7 +227,7 @@ def _judged(points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, 
     if turned > angle:
         return _none(angle)
     share = float(on_it.mean())
-    if share < LEAST_SHARE or on_it.sum() < FEWEST:
+    if max(share, covered) < LEAST_SHARE or on_it.sum() < FEWEST:
         return Text(
             en="No plane: the best has {n} of {k} points near it; {least:.0f} % and {fewest} are needed.",
             pt_BR="Nenhum plano: o melhor tem {n} de {k} pontos perto; são necessários {least:.0f} % e {fewest}.",

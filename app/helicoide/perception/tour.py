@@ -13,7 +13,7 @@ from helicoide.perception.camera import DepthCamera, SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.planes import Found, find
 from helicoide.state import Seen, State
-from helicoide.text import Text
+from helicoide.text import LANGUAGES, Text
 
 # What a simulated reading suffers from: as a depth camera at half a metre, σ in m and the share of wrong readings.
 NOISE, OUTLIERS = 0.002, 0.1
@@ -62,7 +62,7 @@ def found_in(cloud: Cloud, reading: Reading, inside: Array, seed: int = 0) -> tu
     found = find(cloud.points, reading.towards, inside, seed=seed)
     if isinstance(found, Text):
         none = np.zeros(len(cloud.points), dtype=bool)
-        return Seen(cloud.points, none, NOT_FOUND.format(title=reading.title, why=found)), None
+        return Seen(cloud.points, none, _told(NOT_FOUND.format(title=reading.title, why=found), cloud)), None
     words = FOUND.format(
         title=reading.title,
         share=100 * found.share,
@@ -70,7 +70,18 @@ def found_in(cloud: Cloud, reading: Reading, inside: Array, seed: int = 0) -> tu
         rms=1000 * found.rms,
         angle=np.degrees(found.angle),
     )
-    return Seen(cloud.points, found.on_it, words), _pane(found, cloud, reading)
+    return Seen(cloud.points, found.on_it, _told(words, cloud)), _pane(found, cloud, reading)
+
+
+def _told(words: Text, cloud: Cloud) -> Text:
+    """What was found, and how the points came out of their file."""
+    if not cloud.notes:
+        return words
+    sentences = {
+        language: " ".join([f"{words[language].rstrip('.')}.", *(note[language] for note in cloud.notes)])
+        for language in LANGUAGES
+    }
+    return Text(**sentences)
 
 
 def _pane(found: Found, cloud: Cloud, reading: Reading) -> Pane:

@@ -55,8 +55,8 @@ class Bay:
                 self.arms.play(motion)
             case rows.Tour(real):
                 self.survey.tour(real)
-            case rows.ReadCloud(name, content, plane):
-                self.survey.read(name, content, plane)
+            case rows.ReadCloud(name, content, plane, unit):
+                self.survey.read(name, content, plane, unit)
             case rows.CountMap(kind):
                 self.mapping.begin(kind)
             case rows.PlayTaught():

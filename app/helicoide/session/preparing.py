@@ -23,6 +23,8 @@ from helicoide.jobs.apart import Apart, Failed, Killed
 from helicoide.kinematics import tool, workspace
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.perception.columns import Column
+from helicoide.perception.lists import walked
 from helicoide.perception.lzf import unpacked
 from helicoide.perception.planes import find
 from helicoide.session.workcell import TICK
@@ -80,6 +82,7 @@ def _look(state: State) -> None:
     puma560.postures(np.ones(4), T, np.zeros(6))
     find(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
     unpacked(bytes(2), 1)
+    walked([Column("", "<u1")], 1, bytes(1), 0)
     workspace.counted(workspace.planned(robot, "reachable", 1), 0)
 
 

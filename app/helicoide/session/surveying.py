@@ -9,18 +9,17 @@ from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from typing import Any
 
-import numpy as np
-
 from helicoide import gate
 from helicoide.kinematics.chain import Array
 from helicoide.perception import cloud_file, realsense
 from helicoide.perception.camera import DepthCamera, SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.tour import NOISE, OUTLIERS, READINGS, Reading, found_in, readings, seen_by
+from helicoide.perception.units import Unit
 from helicoide.state import State, ToJoints, Update
 from helicoide.text import HelicoideError, Text
 
-LOOK, STILL, ROOM = 0.05, 1e-3, 20.0
+LOOK, STILL = 0.05, 1e-3
 NOTHING_TO_READ = Text(
     en="This arm has no postures from which it could read planes.",
     pt_BR="Este braço não tem posturas das quais possa ler planos.",
@@ -48,10 +47,10 @@ class Surveying:
             simulated = SimulatedCamera(noise=NOISE, outliers=OUTLIERS, resolution=(160, 90))
             self._begin(partial(self._with, nullcontext(simulated)))
 
-    def read(self, name: str, content: bytes, plane: str) -> None:
-        """Look for a plane, by its name, in the cloud of a file."""
+    def read(self, name: str, content: bytes, plane: str, unit: Unit | None = None) -> None:
+        """Look for a plane, by its name, in the cloud of a file; unit: what its numbers count, None where it tells."""
         reading = next(one for one in READINGS if one.name == plane)
-        self._begin(partial(self._from_file, name, content, reading))
+        self._begin(partial(self._from_file, name, content, reading, unit))
 
     def _begin(self, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
         if self._task is not None:
@@ -104,20 +103,13 @@ class Surveying:
             await asyncio.sleep(LOOK)
         return False
 
-    async def _from_file(self, name: str, content: bytes, reading: Reading) -> None:
-        cloud = await asyncio.to_thread(_cloud_of, name, content)
+    async def _from_file(self, name: str, content: bytes, reading: Reading, unit: Unit | None) -> None:
+        cloud = await asyncio.to_thread(cloud_file.read, name, content, unit)
         await self._find(cloud, reading, self.state().T_world_tool[:3, 3], 0)
 
     async def _find(self, cloud: Cloud, reading: Reading, inside: Array, seed: int) -> None:
         seen, pane = await asyncio.to_thread(found_in, cloud, reading, inside, seed)
         self.post(gate.see(reading.name, seen, pane))
-
-
-def _cloud_of(name: str, content: bytes) -> Cloud:
-    """The cloud of a file; numbers that would be farther than any room, were they metres, are millimetres."""
-    cloud = cloud_file.read(name, content)
-    far = np.median(np.abs(cloud.points).max(axis=1)) > ROOM
-    return cloud_file.read(name, content, "mm") if far else cloud
 
 
 async def _let_go(opening: asyncio.Task[DepthCamera], opened: AbstractContextManager[DepthCamera]) -> None:

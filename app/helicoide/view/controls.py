@@ -179,11 +179,13 @@ class UploadControl:
     """A button that asks for a file."""
 
     def __init__(self, gui: viser.GuiApi, row: Upload, view: View, ask: Ask) -> None:
+        self.view = view
         self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD)
-        bind.on_upload(self.handle, lambda name, content: ask(lambda: row.wish(name, content)))
+        bind.on_upload(self.handle, lambda name, content: ask(lambda: row.wish(self.view, name, content)))
 
     def refresh(self, view: View) -> None:
-        """It is the same in every view."""
+        """It looks the same in every view."""
+        self.view = view
 
     def remove(self) -> None:
         """Take it out of the window."""

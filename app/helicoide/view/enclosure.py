@@ -16,11 +16,14 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.perception import realsense
 from helicoide.perception.tour import READINGS, Reading, readings
+from helicoide.perception.units import TITLES as UNIT_TITLES
+from helicoide.perception.units import UNITS
 from helicoide.state import Update
 from helicoide.text import Text
 from helicoide.view.rows import (
     Button,
     Changing,
+    Choice,
     Entry,
     Folder,
     ForArm,
@@ -49,14 +52,16 @@ def plane_rows(robot: Robot) -> Folder:
         Words(_read),
         Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
         Folder(
-            Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"), [*map(_upload, READINGS)], open=False
+            Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"),
+            [_units(), *map(_upload, READINGS)],
+            open=False,
         ),
         Folder(Text(en="Zones", pt_BR="Zonas"), _zones(), open=False),
         Folder(Text(en="Take away", pt_BR="Tirar"), Changing(_movable, _removable), open=False),
         Button(lambda _: Text(en="Save the planes", pt_BR="Salvar os planos"), _save, Icon.DOWNLOAD),
         Upload(
             Text(en="Load planes", pt_BR="Carregar planos"),
-            lambda name, content: ForArm(gate.take_planes_of(content, name)),
+            lambda _, name, content: ForArm(gate.take_planes_of(content, name)),
         ),
     ]
     return Folder(Text(en="Planes", pt_BR="Planos"), rows, open=False)
@@ -144,11 +149,22 @@ def _pick(view: View) -> Wish:
     return ForSeat(lambda seat: replace(seat, picked=picked))
 
 
-def _upload(reading: Reading) -> Upload:
-    return Upload(
-        Text(en="Look for: {title}", pt_BR="Procurar: {title}").format(title=reading.title),
-        lambda name, content: ReadCloud(name, content, reading.name),
+def _units() -> Choice:
+    """What the numbers of a file count, where it does not say so itself."""
+    return Choice(
+        Text(en="unit of the file", pt_BR="unidade do arquivo"),
+        [("", Text(en="as it looks", pt_BR="ao que parece")), *((unit, UNIT_TITLES[unit]) for unit in UNITS)],
+        lambda view: view.seat.cloud_unit,
+        lambda unit: ForSeat(lambda seat: replace(seat, cloud_unit=unit)),
     )
+
+
+def _upload(reading: Reading) -> Upload:
+    def wish(view: View, name: str, content: bytes) -> Wish:
+        unit = next((unit for unit in UNITS if unit == view.seat.cloud_unit), None)
+        return ReadCloud(name, content, reading.name, unit)
+
+    return Upload(Text(en="Look for: {title}", pt_BR="Procurar: {title}").format(title=reading.title), wish)
 
 
 def _zones() -> list[Row]:

@@ -10,6 +10,7 @@ from markupsafe import Markup
 from viser import IconName
 
 from helicoide.kinematics.workspace import Kind
+from helicoide.perception.units import Unit
 from helicoide.state import Seat, SeatUpdate, State, Update
 from helicoide.studies.desk import EMPTY, Desk, DeskUpdate
 from helicoide.studies.study import Chart, Motion
@@ -77,11 +78,12 @@ class Tour:
 
 @dataclass(frozen=True, eq=False)
 class ReadCloud:
-    """A wish to look for a plane in the cloud of a file; plane: its name."""
+    """A wish to look for a plane in the cloud of a file; plane: its name; unit: as it was chosen, if it was."""
 
     name: str
     content: bytes
     plane: str
+    unit: Unit | None = None
 
 
 @dataclass(frozen=True)
@@ -220,10 +222,10 @@ class Entry:
 
 @dataclass(frozen=True)
 class Upload:
-    """A button that takes a file from the person: its name and its content."""
+    """A button that takes a file from the person: its name and its content, and what the window showed then."""
 
     label: Text
-    wish: Callable[[str, bytes], Wish]
+    wish: Callable[[View, str, bytes], Wish]
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def teaching_rows() -> Folder:
             lambda view: bool(view.state.taught.waypoints),
         ),
         Upload(
-            Text(en="Load points", pt_BR="Carregar pontos"), lambda _, content: ForArm(gate.take_waypoints(content))
+            Text(en="Load points", pt_BR="Carregar pontos"), lambda _, __, content: ForArm(gate.take_waypoints(content))
         ),
     ]
     return Folder(Text(en="Teach a path", pt_BR="Ensinar uma trajetória"), rows, open=False)

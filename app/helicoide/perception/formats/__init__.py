@@ -1,22 +1,34 @@
 """The formats of point clouds, a file each.
 
 A module has TITLE, the format in words, ENDINGS of file names, and `coordinates(data)`: the rows x, y, z (k, 3) of a
-file's bytes, as they are, with what is not finite. It raises `Broken`, or what the parser below it raises.
+file's bytes, as they are, with what is not finite, as `Raw`. It raises `Broken`, or what the parser below it raises.
 """
 
 from __future__ import annotations
 
 import importlib
 import pkgutil
+from dataclasses import dataclass
 from functools import cache
 from typing import Protocol, cast
 
 from helicoide.kinematics.chain import Array
-from helicoide.text import HelicoideError, Text
+from helicoide.perception.broken import Broken
+from helicoide.perception.units import Unit
+from helicoide.text import Text
 
 # More takes longer to read than a person waits, and memory that others on the machine need.
 MOST_POINTS = 5_000_000
 MOST_BYTES = 200_000_000
+
+
+@dataclass(frozen=True, eq=False)
+class Raw:
+    """What a file holds: rows x, y, z (k, 3), sentences on how they were read, and the unit where the file says one."""
+
+    rows: Array
+    notes: tuple[Text, ...] = ()
+    unit: Unit | None = None
 
 
 class Format(Protocol):
@@ -25,12 +37,8 @@ class Format(Protocol):
     TITLE: Text
     ENDINGS: tuple[str, ...]
 
-    def coordinates(self, data: bytes) -> Array:
+    def coordinates(self, data: bytes) -> Raw:
         """Rows x, y, z (k, 3) of the bytes of a file."""
-
-
-class Broken(HelicoideError):
-    """What is wrong with a file, as the part of a sentence."""
 
 
 @cache

@@ -1,4 +1,7 @@
-"""NPY, one array of numpy: (k, 3), or the picture (h, w, 3) of a depth camera."""
+"""NPY, one array of numpy: rows of points (k, n), or the picture (h, w, n) of a depth camera.
+
+x, y and z are the fields of that name, or else the first three numbers of a row, unless these look like something else.
+"""
 
 from __future__ import annotations
 
@@ -9,36 +12,58 @@ from typing import Any
 
 import numpy as np
 from numpy.lib import format as npy_format
+from numpy.typing import NDArray
 
-from helicoide.kinematics.chain import Array
-from helicoide.perception.formats import Broken, check_count
+from helicoide.perception.broken import Broken
+from helicoide.perception.formats import Raw, check_count
+from helicoide.perception.text import unnamed
+from helicoide.perception.text.names import places
 from helicoide.text import Text
 
 TITLE = Text(en="NPY (an array k × 3)", pt_BR="NPY (uma matriz k × 3)")
 ENDINGS = (".npy",)
+# More numbers in a row are no point with what belongs to it.
+MOST_WIDE = 32
+SAMPLE = 200
 
 
-def coordinates(data: bytes) -> Array:
+def coordinates(data: bytes) -> Raw:
     """Rows x, y, z (k, 3)."""
     file = io.BytesIO(data)
     shape, by_columns, kind = _header(file)
-    if len(shape) < 2 or shape[-1] != 3 or kind.kind not in "fiu":
+    wide = shape[-1] if shape else 0
+    fields = None if kind.names is None or kind.hasobject else places(kind.names)
+    lying = len(shape) == 2 and shape[0] in (3, 4) and wide > MOST_WIDE
+    numbers = kind.kind in "fiu" and len(shape) >= 2 and (3 <= wide <= MOST_WIDE or lying)
+    if not numbers and (fields is None or any(kind[i].kind not in "fiu" or kind[i].shape for i in fields)):
         raise Broken(
             Text(
-                en="its array is of shape {shape} and type {kind}; valid are real numbers in rows of three",
-                pt_BR="a matriz tem forma {shape} e tipo {kind}; valem números reais em linhas de três",
-            ).format(shape=shape, kind=kind)
+                en="its array is of shape {shape} and type {kind}; valid are real numbers in rows of three or a few "
+                "more, or with fields x, y and z",
+                pt_BR="a matriz tem forma {shape} e tipo {kind}; valem números reais em linhas de três ou pouco mais, "
+                "ou com campos x, y e z",
+            ).format(shape=shape, kind=str(kind)[:80])
         )
-    points = check_count(int(np.prod(shape[:-1], dtype=object)))
+    count = int(np.prod(shape, dtype=object))
+    points = check_count(count if fields else wide if lying else count // wide)
     rest = data[file.tell() :]
-    if len(rest) < 3 * points * kind.itemsize:
+    if len(rest) < count * kind.itemsize:
         raise Broken(
             Text(en="it ends before the last of {n} points", pt_BR="termina antes do último de {n} pontos").format(
                 n=points
             )
         )
-    numbers = np.frombuffer(rest, kind, 3 * points)
-    return numbers.reshape(shape, order="F" if by_columns else "C").reshape(-1, 3).astype(np.float64)
+    array = np.frombuffer(rest, kind, count).reshape(shape, order="F" if by_columns else "C")
+    if fields is not None and kind.names is not None:
+        return Raw(np.column_stack([array[kind.names[i]].ravel().astype(np.float64) for i in fields]))
+    return _rows(array.T if lying else array.reshape(-1, wide))
+
+
+def _rows(array: NDArray[Any]) -> Raw:
+    """The three columns of rows (k, n) that hold x, y and z."""
+    spread = array[:: max(1, len(array) // SAMPLE)][:SAMPLE].astype(np.float64)
+    columns, notes = unnamed.places(array[:SAMPLE].astype(np.float64), spread)
+    return Raw(array[:, columns].astype(np.float64), notes)
 
 
 def _header(file: io.BytesIO) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:

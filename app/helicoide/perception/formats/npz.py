@@ -1,32 +1,36 @@
-"""NPZ, several arrays of numpy: the one named points, or the only one."""
+"""NPZ, several arrays of numpy: the one with a name of points, or the only one."""
 
 from __future__ import annotations
 
 import io
 import zipfile
 
-from helicoide.kinematics.chain import Array
-from helicoide.perception.formats import MOST_BYTES, Broken, npy
+from helicoide.perception.broken import Broken
+from helicoide.perception.formats import MOST_BYTES, Raw, npy
+from helicoide.perception.text.names import listed
 from helicoide.text import Text
 
 TITLE = Text(en="NPZ (with an array points)", pt_BR="NPZ (com uma matriz points)")
 ENDINGS = (".npz",)
 
-_POINTS = "points.npy"
+# What programs call the array of points, and libraries after them.
+NAMES = ("points", "xyz", "point_cloud", "pointcloud", "cloud", "pcd", "vertices", "coords", "coordinates", "positions")
 
 
-def coordinates(data: bytes) -> Array:
+def coordinates(data: bytes) -> Raw:
     """Rows x, y, z (k, 3)."""
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
-        names = archive.namelist()
-        if _POINTS not in names and len(names) != 1:
+        held = {name.removesuffix(".npy"): name for name in reversed(archive.namelist())}
+        lower = {name.lower(): name for name in held}
+        chosen = next((lower[name] for name in NAMES if name in lower), None)
+        if chosen is None and len(held) != 1:
             raise Broken(
                 Text(
-                    en="it holds {names}; valid is an array points, or one alone",
-                    pt_BR="contém {names}; vale uma matriz points, ou uma só",
-                ).format(names=", ".join(name.removesuffix(".npy") for name in names[:10]) or "—")
+                    en="it holds {names}; valid is an array points or xyz, or one alone",
+                    pt_BR="contém {names}; vale uma matriz points ou xyz, ou uma só",
+                ).format(names=listed(sorted(held)) or "–")
             )
-        name = _POINTS if _POINTS in names else names[0]
+        name = held[chosen] if chosen is not None else next(iter(held.values()))
         if (size := archive.getinfo(name).file_size) > MOST_BYTES:
             raise Broken(Text(en="it unpacks to {n} bytes", pt_BR="descomprime em {n} bytes").format(n=size))
         return npy.coordinates(archive.read(name))

@@ -11,19 +11,21 @@ import struct
 import numpy as np
 
 from helicoide.kinematics.chain import Array
-from helicoide.perception.columns import Column, from_bytes, from_fields, from_text
-from helicoide.perception.formats import MOST_BYTES, Broken, check_count
+from helicoide.perception.broken import Broken
+from helicoide.perception.columns import Column, from_bytes, from_fields
+from helicoide.perception.formats import MOST_BYTES, Raw, check_count
+from helicoide.perception.lines import from_text
 from helicoide.perception.lzf import unpacked
 from helicoide.text import Text
 
 TITLE = Text(en="PCD (text, binary or compressed)", pt_BR="PCD (texto, binário ou comprimido)")
 ENDINGS = (".pcd",)
 
-_ENDED = re.compile(rb"^DATA[ \t]+(\w+)[ \t]*\r?\n", re.MULTILINE)
+_ENDED = re.compile(rb"(?:^|\r)DATA[ \t]+(\w+)[ \t]*(?:\r?\n|\r)", re.MULTILINE)
 _SIZES = {"F": {"4", "8"}, "I": {"1", "2", "4", "8"}, "U": {"1", "2", "4", "8"}}
 
 
-def coordinates(data: bytes) -> Array:
+def coordinates(data: bytes) -> Raw:
     """Rows x, y, z (k, 3) of the points."""
     ended = _ENDED.search(data)
     if ended is None:
@@ -32,11 +34,11 @@ def coordinates(data: bytes) -> Array:
     rest = data[ended.end() :]
     match ended[1]:
         case b"ascii":
-            return from_text(columns, points, rest)
+            return from_text(columns, points, rest, data[: ended.end()])
         case b"binary":
-            return from_bytes(columns, points, rest)
+            return Raw(from_bytes(columns, points, rest))
         case b"binary_compressed":
-            return _from_packed(columns, points, rest)
+            return Raw(_from_packed(columns, points, rest))
     raise Broken(
         Text(
             en="its DATA is {kind!r}, neither ascii, binary nor binary_compressed",

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import re
 
-from helicoide.kinematics.chain import Array
-from helicoide.perception.columns import Column, from_bytes, from_text
-from helicoide.perception.formats import Broken, check_count
+from helicoide.perception.broken import Broken
+from helicoide.perception.columns import Column, from_bytes
+from helicoide.perception.formats import Raw, check_count
+from helicoide.perception.lines import from_text
+from helicoide.perception.lists import from_lists, walked
 from helicoide.text import Text
 
 TITLE = Text(en="PLY (text or binary)", pt_BR="PLY (texto ou binário)")
 ENDINGS = (".ply",)
 
-_ENDED = re.compile(rb"\n[ \t]*end_header[ \t]*\r?\n")
+_ENDED = re.compile(rb"[\r\n][ \t]*end_header[ \t]*(?:\r?\n|\r)")
 _ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 _TYPES = {
     "char": "i1",
@@ -29,7 +31,7 @@ _TYPES = {
 _HEADER = Text(en="its header breaks off or is none of PLY", pt_BR="o cabeçalho está incompleto ou não é de PLY")
 
 
-def coordinates(data: bytes) -> Array:
+def coordinates(data: bytes) -> Raw:
     """Rows x, y, z (k, 3) of the element vertex."""
     ended = _ENDED.search(data)
     if not data.startswith(b"ply") or ended is None:
@@ -39,11 +41,27 @@ def coordinates(data: bytes) -> Array:
     for name, count, columns in elements:
         if name == "vertex":
             check_count(count)
-            if order:
-                return from_bytes(columns, count, rest[skipped:])
-            return from_text(columns, count, rest, skipped)
-        skipped += count * (sum(column.size for column in columns) if order else 1)
+            if not order:
+                return from_text(columns, count, rest, data[: ended.end()], skipped)
+            read = from_lists if any(column.length for column in columns) else from_bytes
+            return Raw(read(columns, count, rest[skipped:]))
+        skipped = _behind(columns, count, rest, skipped) if order else skipped + count
     raise Broken(Text(en="it has no element vertex", pt_BR="não tem o elemento vertex"))
+
+
+def _behind(columns: list[Column], count: int, data: bytes, begin: int) -> int:
+    """Where an element ends that begins there."""
+    if not any(column.length for column in columns):
+        return begin + count * sum(column.size for column in columns)
+    end, there = walked(columns, count, data, begin)
+    if there < count:
+        raise Broken(
+            Text(
+                en="it ends after {there} of {count} rows before its points",
+                pt_BR="termina após {there} de {count} linhas antes dos pontos",
+            ).format(there=there, count=count)
+        )
+    return end
 
 
 def _parsed(header: str) -> tuple[str, list[tuple[str, int, list[Column]]]]:
@@ -57,12 +75,11 @@ def _parsed(header: str) -> tuple[str, list[tuple[str, int, list[Column]]]]:
                 if elements and elements[-1][0] == "vertex":
                     break
                 elements.append((name, int(count), []))
-            case ["property", "list", *_] if elements:
-                raise Broken(
-                    Text(
-                        en="lists come before or within its points", pt_BR="há listas antes dos pontos ou dentro deles"
-                    )
-                )
+            case ["property", "list", length, kind, name] if (
+                elements and kind in _TYPES and _TYPES.get(length, "f")[0] != "f"
+            ):
+                mark = order or "<"
+                elements[-1][2].append(Column(name, mark + _TYPES[kind], length=mark + _TYPES[length]))
             case ["property", kind, name] if elements and kind in _TYPES:
                 elements[-1][2].append(Column(name, (order or "") + _TYPES[kind]))
             case ["comment" | "obj_info", *_] | []:

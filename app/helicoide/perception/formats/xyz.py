@@ -1,55 +1,44 @@
-"""Text with a point a line: x, y, z first, between blanks, commas or semicolons; more columns are not read.
+"""Text with a point a line, its numbers parted by blanks, commas or semicolons, among columns of other things.
 
-Where blanks or semicolons part the columns already, a comma is the decimal mark, as in Portuguese. Lines that begin
-with # or // are comments, and a first line of names is passed over.
+Names in a header say which columns are x, y and z; without names they are the first three, unless these look like
+something else. Where blanks or semicolons part the columns already, a comma is the decimal mark, as in Portuguese.
+Lines that begin with # or // are comments.
 """
 
 from __future__ import annotations
 
 import io
 import re
-import warnings
+from itertools import islice
 
-import numpy as np
-
-from helicoide.kinematics.chain import Array
-from helicoide.perception.formats import MOST_POINTS, Broken, check_count
+from helicoide.perception.broken import Broken
+from helicoide.perception.columns import check_rows
+from helicoide.perception.formats import MOST_POINTS, Raw, check_count
+from helicoide.perception.text.cells import unquoted
+from helicoide.perception.text.decoded import decoded
+from helicoide.perception.text.head import head_of
+from helicoide.perception.text.table import table
 from helicoide.text import Text
 
-TITLE = Text(en="XYZ text", pt_BR="texto XYZ")
-ENDINGS = (".xyz", ".txt", ".csv")
+ENDINGS = (".xyz", ".txt", ".csv", ".pts", ".asc", ".tsv")
+TITLE = Text(en="XYZ text ({endings})", pt_BR="texto XYZ ({endings})").format(endings=" ".join(ENDINGS))
 
-_COMMENTS = ("#", "//")
-_LINE = re.compile(r"^[ \t]*(?!#|//)\S.*$", re.MULTILINE)
-_NOT_A_NUMBER = re.compile(r"nan|inf(inity)?", re.IGNORECASE)
-_NAMES = re.compile(r"\D*[^\W\d]\D*")
+_HOLES = re.compile(r"[-+]?1[.,]#\w*")
+_SLASHES = re.compile(r"//.*")
 
 
-def coordinates(data: bytes) -> Array:
+def coordinates(data: bytes) -> Raw:
     """Rows x, y, z (k, 3)."""
-    if b"\0" in data:
-        raise Broken(Text(en="it is no text", pt_BR="não é texto"))
-    text = data.decode("utf-8-sig")
+    text = decoded(data)
     if (lines := text.count("\n")) > MOST_POINTS:
         raise Broken(Text(en="it has {n} lines", pt_BR="tem {n} linhas").format(n=lines))
-    first = _LINE.search(text)
-    if first and _NAMES.fullmatch(_NOT_A_NUMBER.sub("", first[0])):
-        text = text[first.end() :]
-        first = _LINE.search(text)
-    with warnings.catch_warnings():  # of empty lines, which are not counted
-        warnings.simplefilter("ignore", UserWarning)
-        rows = np.loadtxt(
-            io.StringIO(_blanks(text, first[0] if first else "")),
-            usecols=(0, 1, 2),
-            ndmin=2,
-            comments=_COMMENTS,
-        )
+    text = unquoted(text)
+    if "1.#" in text or "1,#" in text:  # holes as Windows writes them, which are no comments
+        text = _HOLES.sub("nan", text)
+    head = head_of(text)
+    source = islice(io.StringIO(_SLASHES.sub("", text) if "//" in text else text), head.begin, None)
+    rows, notes, count = table(source, head.places, head.cells, head.begin + 1, comment="#")
     check_count(len(rows))
-    return np.asarray(rows, dtype=np.float64)
-
-
-def _blanks(text: str, example: str) -> str:
-    """The same text with points for decimal commas, and blanks between its columns."""
-    parted = re.split(r"[;\s]+", example.strip())
-    decimal = len(parted) >= 3 and not any(part.startswith(",") or part.endswith(",") for part in parted)
-    return text.replace(",", "." if decimal else " ").replace(";", " ")
+    if head.promised is not None:
+        check_rows(count, head.promised)
+    return Raw(rows, (*head.notes, *notes), head.unit)

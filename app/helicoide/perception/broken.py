@@ -1,0 +1,9 @@
+"""How formats refuse a file."""
+
+from __future__ import annotations
+
+from helicoide.text import HelicoideError
+
+
+class Broken(HelicoideError):
+    """What is wrong with a file, as the part of a sentence."""

@@ -1,0 +1,46 @@
+"""Rows of points as lines of text, with x, y and z among other columns, whose layout a header told."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, islice
+
+import numpy as np
+
+from helicoide.perception.columns import AXES, Column, check_rows, place
+from helicoide.perception.formats import Raw
+from helicoide.perception.text.cells import Cells, with_decimals
+from helicoide.perception.text.table import table
+
+SAMPLE = 200
+
+
+def from_text(columns: Sequence[Column], points: int, data: bytes, above: bytes, skipped: int = 0) -> Raw:
+    """Rows that are lines of text, below a header and some lines that are skipped: x, y, z of each, (k, 3)."""
+    begins = np.cumsum([0, *(column.count for column in columns)])
+    places = [int(begins[place(columns, axis)]) for axis in AXES]
+    lines = islice(io.TextIOWrapper(io.BytesIO(data), encoding="latin-1"), skipped, None)
+    first = list(islice(lines, SAMPLE))
+    cells = with_decimals(Cells(), first)
+    source: Iterator[str] = chain(first, lines)
+    if any(column.length for column in columns[: max(place(columns, axis) for axis in AXES)]):
+        source = _without_lists(source, columns)
+    begin = len(above.splitlines()) + skipped + 1
+    rows, notes, count = table(source, places, cells, begin, points)
+    check_rows(count, points)
+    return Raw(rows, notes)
+
+
+def _without_lists(lines: Iterable[str], columns: Sequence[Column]) -> Iterator[str]:
+    """Lines with one dash in place of each list, so that every column has its place."""
+    for line in lines:
+        words, at, kept = line.split(), 0, list[str]()
+        for column in columns:
+            if column.length:
+                long = int(words[at]) if at < len(words) and words[at].isdecimal() else 0
+                at, word = at + 1 + long, "-"
+            else:
+                word, at = (words[at] if at < len(words) else ""), at + 1
+            kept.append(word)
+        yield " ".join(kept)

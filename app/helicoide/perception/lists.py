@@ -1,0 +1,84 @@
+"""Rows of bytes with lists in them, each as long as a number before it says."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array
+from helicoide.perception.columns import AXES, Column, check_rows, place
+
+Whole = NDArray[np.int64]
+
+
+def from_lists(columns: Sequence[Column], points: int, data: bytes) -> Array:
+    """Rows that follow each other as bytes, each as long as its lists make it: x, y, z of each, (k, 3)."""
+    places = [place(columns, axis) for axis in AXES]
+    check_rows(len(data) // sum(np.dtype(column.length or column.type).itemsize for column in columns), points)
+    begins = np.zeros((points, 3), dtype=np.int64)
+    _, there = walked(columns, points, data, 0, begins, places)
+    check_rows(there, points)
+    overlapping = (
+        np.ndarray(len(data) - columns[place].size + 1, columns[place].type, data, strides=(1,)) for place in places
+    )
+    return np.column_stack([numbers[begins[:, k]].astype(np.float64) for k, numbers in enumerate(overlapping)])
+
+
+def walked(
+    columns: Sequence[Column],
+    points: int,
+    data: bytes,
+    begin: int,
+    begins: NDArray[np.int64] | None = None,
+    places: Sequence[int] = (),
+) -> tuple[int, int]:
+    """Where so many rows of bytes end, and how many there are; where some of their columns begin goes to begins."""
+    sizes = np.array([np.dtype(column.type).itemsize * column.count for column in columns], dtype=np.int64)
+    lengths = np.array([np.dtype(column.length).itemsize if column.length else 0 for column in columns], dtype=np.int64)
+    big = any(column.length.startswith(">") for column in columns)
+    wished = np.array([*places, -1, -1, -1][:3], dtype=np.int64)
+    there = np.zeros((0, 3), dtype=np.int64) if begins is None else begins
+    ended = walk(np.frombuffer(data, np.uint8), (begin, min(points, len(data)), big), sizes, lengths, wished, there)
+    return int(ended[0]), int(ended[1])
+
+
+@kernel
+def walk(
+    data: NDArray[np.uint8],
+    way: tuple[int, int, bool],
+    sizes: Whole,
+    lengths: Whole,
+    places: Whole,
+    begins: Whole,
+) -> tuple[int, int]:
+    """Go through rows: where the last one ends, and how many there were before the bytes end.
+
+    Args: way: the first byte, how many rows, and whether numbers are big-endian; sizes (n,) of a number of each column,
+    bytes; lengths (n,): of the number that says how many there are, 0 where there is one; places (3,): the columns
+    whose first bytes are written into begins (rows, 3), or none where begins has no rows.
+    """
+    at, rows, big = way
+    for row in range(rows):
+        for k in range(sizes.shape[0]):
+            if lengths[k] == 0:
+                for axis in range(3):
+                    if places[axis] == k and row < begins.shape[0]:
+                        begins[row, axis] = at
+                at += sizes[k]
+                if at > data.shape[0]:
+                    return at, row
+                continue
+            if at + lengths[k] > data.shape[0]:
+                return at, row
+            many = 0
+            for i in range(lengths[k]):
+                many = many * 256 + int(data[at + i if big else at + lengths[k] - 1 - i])
+            if many < 0 or many > data.shape[0]:
+                return at, row
+            at += lengths[k] + many * sizes[k]
+            if at > data.shape[0]:
+                return at, row
+    return at, rows

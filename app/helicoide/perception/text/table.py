@@ -1,0 +1,128 @@
+"""Rows of numbers in text: quickly where all are well, and one by one where some are not."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.perception.broken import Broken
+from helicoide.perception.text.cells import Cells, number
+from helicoide.text import Text
+
+_BLOCK = 10_000
+# Rows that cannot be read are passed over up to this share; more say that the file is another than it seems.
+_FORGIVEN = 0.05
+
+
+@dataclass
+class _Bad:
+    """Rows that cannot be read: how many, and what is wrong with the first."""
+
+    count: int = 0
+    first: Text | None = None
+
+    def add(self, why: Text) -> None:
+        """One more."""
+        self.count += 1
+        self.first = self.first or why
+
+    def check(self, rows: int) -> None:
+        """Raise Broken where they are too many."""
+        if self.first is not None and self.count > max(_FORGIVEN * rows, 0):
+            raise Broken(
+                Text(
+                    en="{first}; so it is with {n} of {k} rows", pt_BR="{first}; assim estão {n} de {k} linhas"
+                ).format(first=self.first, n=self.count, k=rows)
+            )
+
+    def notes(self, rows: int) -> tuple[Text, ...]:
+        """What is said of them."""
+        if self.first is None:
+            return ()
+        skipped = Text(en="Rows passed over: {n} of {k}; {first}.", pt_BR="Linhas não lidas: {n} de {k}; {first}.")
+        return (skipped.format(n=self.count, k=rows, first=self.first),)
+
+
+def table(
+    lines: Iterator[str],
+    places: Sequence[int],
+    cells: Cells | None = None,
+    begin: int = 1,
+    most: int | None = None,
+    comment: str | None = None,
+) -> tuple[Array, tuple[Text, ...], int]:
+    """The numbers in some columns of lines (k, n), sentences on rows that were passed over, and how many there were.
+
+    begin: the number of the first line; most: how many rows there are; comment: what a comment begins with.
+    """
+    cells, bad = cells or Cells(), _Bad()
+    parts, rows = list[Array](), 0
+    while most is None or rows < most:
+        block = list(islice(lines, _BLOCK if most is None else min(_BLOCK, most - rows)))
+        if not block:
+            break
+        if cells.decimal:
+            block = [line.replace(",", ".") for line in block]
+        known = bad.count
+        try:
+            part = _quick(block, places, cells, comment)
+        except ValueError:
+            part = _careful(block, places, cells, comment, begin, bad)
+        parts.append(part)
+        rows, begin = rows + len(part) + bad.count - known, begin + len(block)
+        if bad.count > _BLOCK:
+            bad.check(rows)
+    bad.check(rows)
+    return np.concatenate([np.empty((0, len(places))), *parts]), bad.notes(rows), rows
+
+
+def _quick(block: list[str], places: Sequence[int], cells: Cells, comment: str | None) -> Array:
+    with warnings.catch_warnings():  # of lines without numbers, which are not counted
+        warnings.simplefilter("ignore", UserWarning)
+        rows = np.loadtxt(block, delimiter=cells.between, usecols=tuple(places), ndmin=2, comments=comment)
+    return rows.reshape(-1, len(places))
+
+
+def _careful(
+    block: list[str], places: Sequence[int], cells: Cells, comment: str | None, begin: int, bad: _Bad
+) -> Array:
+    """The same line by line; what is wrong is added to what is bad."""
+    numbers = list[list[float]]()
+    for n, line in enumerate(block, begin):
+        if comment is not None:
+            line = line.partition(comment)[0]
+        if not line.strip():
+            continue
+        row = cells.of(line)
+        try:
+            numbers.append([number(row[place]) for place in places])
+        except (ValueError, IndexError):
+            bad.add(_why(n, row, places))
+    return np.array(numbers, dtype=np.float64).reshape(-1, len(places))
+
+
+def _why(line: int, row: list[str], places: Sequence[int]) -> Text:
+    """What is wrong with a row."""
+    if len(row) <= max(places):
+        return Text(
+            en="line {line} has {n} columns; valid are at least {k}",
+            pt_BR="a linha {line} tem {n} colunas; valem no mínimo {k}",
+        ).format(line=line, n=len(row), k=max(places) + 1)
+    place = next(place for place in places if not _reads(row[place]))
+    return Text(
+        en="line {line}, column {column} holds “{cell}”; valid is a number such as 0.7",
+        pt_BR="a linha {line}, coluna {column}, contém “{cell}”; vale um número como 0.7",
+    ).format(line=line, column=place + 1, cell=row[place][:40])
+
+
+def _reads(cell: str) -> bool:
+    try:
+        number(cell)
+    except ValueError:
+        return False
+    return True

@@ -1,0 +1,86 @@
+"""What the numbers of a cloud count: as a person chose, as the file says, or as they look."""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.perception.broken import Broken
+from helicoide.text import Text
+
+Unit = Literal["m", "cm", "mm", "inch"]
+UNITS: tuple[Unit, ...] = get_args(Unit)
+METRES: dict[Unit, float] = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "inch": 0.0254}
+TITLES: dict[Unit, Text] = {
+    "m": Text(en="metres", pt_BR="metros"),
+    "cm": Text(en="centimetres", pt_BR="centímetros"),
+    "mm": Text(en="millimetres", pt_BR="milímetros"),
+    "inch": Text(en="inches", pt_BR="polegadas"),
+}
+# What an arm sees is not as wide in metres, nor as narrow in millimetres; between the two nobody can tell.
+WIDEST_M, NARROWEST_MM = 10.0, 400.0
+# An arm looks for planes among points that are nearer to its base, m.
+ROOM = 20.0
+ENOUGH = 200_000
+SAYS = Text(en="In {unit}, as the file says", pt_BR="Em {unit}, como diz o arquivo")
+CHOSEN = Text(en="In {unit}, as chosen", pt_BR="Em {unit}, como foi escolhido")
+LOOKS = Text(en="In {unit}, as it looks", pt_BR="Em {unit}, ao que parece")
+
+
+def unit_of(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, Text]:
+    """What the numbers of rows (k, 3) count, and why; raises Broken where that cannot be told, or is far away."""
+    unit, why = (chosen, CHOSEN) if chosen else (said, SAYS) if said else (None, LOOKS)
+    some = _finite(rows)
+    if unit is None:
+        unit = _looks(some)
+    _check_near(some, unit)
+    return unit, why.format(unit=TITLES[unit])
+
+
+def _finite(rows: Array) -> Array:
+    """Of many rows some, and only those that are near enough to be of this Earth, in whatever unit."""
+    some = rows[:: max(1, len(rows) // ENOUGH)]
+    return some[(np.abs(some) < 1e15).all(axis=1)]
+
+
+def _looks(rows: Array) -> Unit:
+    """The unit by how widely most points are spread."""
+    if not len(rows):
+        return "m"
+    sizes = np.percentile(rows, 95, axis=0) - np.percentile(rows, 5, axis=0)
+    if sizes.max() < WIDEST_M or _nearest(rows) * METRES["mm"] > ROOM:
+        return "m"
+    if sizes.max() >= NARROWEST_MM:
+        return "mm"
+    fields = dict(zip("xyz", sizes, strict=True))
+    raise Broken(
+        Text(
+            en="its numbers spread over {x:.0f} × {y:.0f} × {z:.0f}, and whether these are centimetres, inches, "
+            "millimetres or metres it does not say; choose the unit, then give the file again",
+            pt_BR="os números se espalham por {x:.0f} × {y:.0f} × {z:.0f}, e ele não diz se são centímetros, "
+            "polegadas, milímetros ou metros; escolha a unidade e envie o arquivo de novo",
+        ).format(**fields)
+    )
+
+
+def _nearest(rows: Array) -> float:
+    """How near the nearest points come to the base, along the axis where they are farthest, but for a few strays."""
+    return float(np.percentile(np.abs(rows).max(axis=1), 5))
+
+
+def _check_near(rows: Array, unit: Unit) -> None:
+    if not len(rows) or _nearest(rows) * METRES[unit] <= ROOM:
+        return
+    middle = dict(zip("xyz", np.median(rows, axis=0), strict=True))
+    raise Broken(
+        Text(
+            en="its points lie far from the arm's base, around ({x:.1f}, {y:.1f}, {z:.1f}) in {unit}, as the "
+            "coordinates of a map do; valid are coordinates from the base, with points within {room:.0f} m of it: "
+            "subtract the origin before, or choose another unit",
+            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}, {y:.1f}, {z:.1f}) em {unit}, como "
+            "coordenadas de um mapa; valem coordenadas a partir da base, com pontos a até {room:.0f} m dela: subtraia "
+            "antes a origem ou escolha outra unidade",
+        ).format(unit=TITLES[unit], room=ROOM, **middle)
+    )

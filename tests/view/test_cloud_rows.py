@@ -1,0 +1,49 @@
+"""The rows that take a cloud of points: with the unit that the person chose, each in their own window."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import pytest
+
+from helicoide.kinematics.library import load
+from helicoide.perception.units import UNITS
+from helicoide.state import Seat, initial
+from helicoide.view.enclosure import plane_rows
+from helicoide.view.rows import Choice, Folder, ForSeat, ReadCloud, Row, Upload, View
+
+STATE = initial(load("movemaster"))
+SEAT = Seat("token", "en")
+
+
+def all_rows(rows: Sequence[Row]) -> Iterator[Row]:
+    for row in rows:
+        yield row
+        if isinstance(row, Folder) and isinstance(row.rows, Sequence):
+            yield from all_rows(row.rows)
+
+
+ROWS = list(all_rows([plane_rows(STATE.robot)]))
+(UNIT,) = [row for row in ROWS if isinstance(row, Choice)]
+UPLOADS = [row for row in ROWS if isinstance(row, Upload) and row.label.en.startswith("Look for")]
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_the_unit_that_is_chosen_goes_with_the_file(unit: str) -> None:
+    chosen = UNIT.wish(unit)
+    assert isinstance(chosen, ForSeat)
+    view = View(STATE, chosen.update(SEAT))
+    assert UNIT.value(view) == unit
+    wishes = [row.wish(view, "room.xyz", b"1 2 3") for row in UPLOADS]
+    assert [wish.unit for wish in wishes if isinstance(wish, ReadCloud)] == [unit] * 3
+
+
+def test_at_first_and_after_nonsense_a_file_tells_its_unit() -> None:
+    for seat in (SEAT, replace(SEAT, cloud_unit="furlong")):
+        wish = UPLOADS[0].wish(View(STATE, seat), "room.xyz", b"1 2 3")
+        assert isinstance(wish, ReadCloud)
+        assert wish.unit is None
+    assert UNIT.value(View(STATE, SEAT)) == ""
+    assert not callable(UNIT.options)
+    assert {key for key, _ in UNIT.options} == {"", *UNITS}

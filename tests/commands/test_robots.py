@@ -20,7 +20,7 @@ from helicoide.commands.robots import POSTURES
 from helicoide.kinematics.library import load, packaged
 
 APP = Path(__file__).parents[2] / "app"
-FIELDS = {"name", "title", "source", "ours", "reach", "disagreement", "joints"}
+FIELDS = {"name", "title", "source", "base", "tip", "remarks", "ours", "reach", "disagreement", "joints"}
 
 
 @pytest.fixture(scope="module")
@@ -62,16 +62,17 @@ def test_people_read_joints_limits_source_and_agreement(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     said = words(monkeypatch, capsys, "scara", "movemaster")
-    first, joints, source, agreement, *rest = said.splitlines()
+    first, links, joints, source, agreement, *rest = said.splitlines()
     assert first.startswith("scara: ")
     assert "4 joints" in first
+    assert f"from link {load('scara').base_link} to link {load('scara').tool_link}" in links
     assert [load("scara").joints[i].name in joints for i in range(4)] == [True] * 4
     assert "°" in joints
     assert " mm" in joints
     assert load("scara").source in source
     assert f"over {POSTURES} random postures" in agreement
     assert rest[0].startswith("movemaster: ")
-    assert len(rest) == 4
+    assert len(rest) == 5
 
 
 def test_the_whole_list_ends_with_the_names_of_packages(

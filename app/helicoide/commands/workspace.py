@@ -37,8 +37,8 @@ MANIPULABILITY = Text(
 
 
 STAYS = Text(
-    en="   the tool stays in one place, whatever the joints do: only its orientation changes",
-    pt_BR="   a ferramenta fica no mesmo lugar, façam o que fizerem as juntas: só a orientação muda",
+    en="{robot}: the tool stays at {position} m whatever the joints do; only its orientation changes",
+    pt_BR="{robot}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
 )
 
 
@@ -101,7 +101,7 @@ def described(robot: Robot, found: Map) -> dict[str, Any]:
         "cell": found.cells.size,
         "shape": list(found.cells.shape),
         "reached": int(found.reached.sum()),
-        "measure": found.measure,
+        "measure": 0.0 if robot.turns_only else found.measure,
         "best": {"value": float(found.values[best]), "position": found.cells.centres[best].tolist()},
         "mean": float(found.values[found.reached].mean()),
     }
@@ -122,7 +122,7 @@ def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
     if found.kind == "manipulability":
         lines.append(MANIPULABILITY.format(value=value, position=position, mean=mean))
     if robot.turns_only:
-        lines.insert(1, STAYS)
+        lines[:2] = [STAYS.format(robot=robot.name, position=position)]
     return [line[spoken] for line in [lines[0], ends(robot), *lines[1:]]]
 
 

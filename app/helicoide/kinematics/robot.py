@@ -192,13 +192,13 @@ class Robot:
         """Length of the stretched chain from the first axis to the tool, with every slide that is bounded out, m."""
         ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
         ways[0] -= (ways[0] @ self.directions[0]) * self.directions[0]
-        slides = sum(max(abs(joint.lower), abs(joint.upper)) for joint in self.bounded if joint.slides)
+        slides = sum(_out(joint) for joint in self.variables if joint.slides and not joint.ours)
         return float(np.linalg.norm(ways, axis=1).sum() + slides)
 
     @cached_property
-    def bounded(self) -> tuple[Joint, ...]:
-        """The variables whose range is not ours."""
-        return tuple(joint for joint in self.variables if not joint.ours)
+    def extended(self) -> float:
+        """How far the tool may be at most, m: `reach`, and the slides whose range is ours out as well."""
+        return self.reach + sum(_out(joint) for joint in self.variables if joint.slides and joint.ours)
 
     @cached_property
     def turns_only(self) -> bool:
@@ -234,6 +234,10 @@ class Robot:
                 )
             )
         return frozen(values)
+
+
+def _out(joint: Joint) -> float:
+    return max(abs(joint.lower), abs(joint.upper))
 
 
 def _between_guarded_points(robot: Robot) -> tuple[Capsule, ...]:

@@ -23,7 +23,7 @@ TOOLS = (
     {"gripper", "grasp", "grasping", "grip", "palm"},
     {"tip", "fingertip", "nozzle", "probe", "end"},
 )
-NOTHING_MOVES = Text(en="it has no moving joints", pt_BR="não tem juntas móveis")
+NOTHING_MOVES = Text(en="it has no moving joints beyond link {base}", pt_BR="não tem juntas móveis além do elo {base}")
 HELD = Text(
     en="it has no moving joints: lower and upper of {joints} are the same",
     pt_BR="não tem juntas móveis: lower e upper de {joints} são iguais",
@@ -51,7 +51,7 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
     joints_below = below(robot)
     beyond = _moving_beyond(base, joints_below)
     if not beyond[base]:
-        raise broken(path, HELD.format(joints=", ".join(held)) if held else NOTHING_MOVES)
+        raise broken(path, HELD.format(joints=", ".join(held)) if held else NOTHING_MOVES.format(base=base))
 
     def count(joint: yourdfpy.Joint) -> int:
         return moves(joint) + beyond[joint.child]

@@ -18,7 +18,7 @@ from helicoide.kinematics.urdf_clean import cleaned
 from helicoide.kinematics.urdf_mend import mend
 from helicoide.kinematics.urdf_mesh import mesh_file, without_meshes
 from helicoide.kinematics.urdf_xml import PLAIN, broken, tree
-from helicoide.text import Text, same
+from helicoide.text import Text, joined, same
 
 LOOSE = Text(
     en="links that no joint holds are left out: {names}", pt_BR="elos que nenhuma junta segura ficam de fora: {names}"
@@ -84,8 +84,7 @@ def not_drawn(path: Path, parameters: Mapping[str, float] = PLAIN) -> Text | Non
         return None
     said = [NOT_DRAWN_OF.format(link=link, why=why) for link, why in missing[:MOST_SAID]]
     more = MORE.format(n=len(missing) - MOST_SAID) if len(missing) > MOST_SAID else same("")
-    listed = Text(en="; ".join(text.en for text in said), pt_BR="; ".join(text.pt_BR for text in said))
-    return NOT_DRAWN.format(listed=listed, more=more)
+    return NOT_DRAWN.format(listed=joined(said), more=more)
 
 
 def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:

@@ -162,3 +162,14 @@ def test_json_lists_the_joints_that_are_outside(
         assert [one["joint"] for one in outside] == expected
         assert all(one["lower"] < one["upper"] < one["value"] for one in outside)
         assert err == ""
+
+
+def test_what_of_a_file_is_ours_is_said_beside_the_pose(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = str(write(tmp_path, 'lower="-1" upper="2" ', ""))
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", path, "--tip", "lower", "--base", "upper", "--q", "0.5"])
+    __main__.main()
+    out, err = capsys.readouterr()
+    assert "from link upper to link lower" in out
+    assert err.count("the range is ours") == 1

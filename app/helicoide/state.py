@@ -20,7 +20,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Kind, Map
-from helicoide.text import Language, Text
+from helicoide.text import Language, Text, joined
 from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape
 from helicoide.trajectory.path import JointPath
@@ -209,7 +209,8 @@ class State:
 
     problem: the arm, its limits, and the planes, obstacles and entry point around it; t, s; taught: the waypoints;
     compared: a second arm beside the first; seen: the clouds that were read, by the name of the plane that was looked
-    for; workspace: the maps of where the tool comes; notice: what the last refusal says.
+    for; workspace: the maps of where the tool comes; notice: what the last refusal
+    says, or at first what is to be said of the robot's file.
     """
 
     problem: Problem
@@ -263,7 +264,7 @@ def points_on(robot: Robot, poses: Array) -> Array:
 
 
 def initial(robot: Robot) -> State:
-    """The arm at `ready`, holding, inside the planes of its file."""
+    """The arm at `ready`, holding, inside the planes of its file; what is to be said of the file is its notice."""
     q = robot.poses["ready"]
     limits = Limits(robot.lower, robot.upper, robot.speed, robot.acceleration)
     poses = frozen(plain(link_poses)(robot.chain, q))
@@ -272,6 +273,7 @@ def initial(robot: Robot) -> State:
         arm=ArmState(q, frozen(np.zeros(len(q))), poses),
         request=Request(),
         taught=Taught(robot),
+        notice=joined(robot.remarks) if robot.remarks else None,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, get_args
 
@@ -30,6 +31,11 @@ class Text:
 def same(word: str) -> Text:
     """A name or symbol that is written alike in both languages."""
     return Text(en=word, pt_BR=word)
+
+
+def joined(texts: Sequence[Text], by: str = "; ") -> Text:
+    """Several texts as one, one after another."""
+    return Text(en=by.join(text.en for text in texts), pt_BR=by.join(text.pt_BR for text in texts))
 
 
 class HelicoideError(Exception):

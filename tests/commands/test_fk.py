@@ -62,8 +62,9 @@ def test_the_words_for_people_carry_the_same_numbers(
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "movemaster", "--q", *turns, "1.5707963267948966"])
     __main__.main()
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 3
-    assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines)
+    assert lines[:2] == ["movemaster:", f"   from link {load('movemaster').base_link} to link tool"]
+    assert len(lines) == 5
+    assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines[2:])
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
@@ -88,7 +89,7 @@ def test_every_mistake_in_a_urdf_ends_the_command_alike(
         (["{arm}", "--tip", "nowhere", "--q", "0", "0"], ["{arm}", "'nowhere'", "base, upper, lower, tool"]),
         (["{arm}", "--q", "0"], ["2 finite joint values", "one, two"]),
         (["{arm}", "--set", "l1=1", "--q", "0", "0"], ["--set"]),
-        (["{arm}x.urdf", "--q", "0", "0"], ["{arm}x.urdf", "there is no such file"]),
+        (["{arm}x.urdf", "--q", "0", "0"], ["{arm}x.urdf", "no such file"]),
         (["planar2r", "--tip", "tool", "--q", "0", "0"], ["--tip"]),
         (["planar2r", "--set", "l1=abc", "--q", "0", "0"], ["l1=abc", "l1=1500"]),
     ],
@@ -139,7 +140,7 @@ def test_joints_outside_their_limits_are_named_beside_the_pose(
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments])
     __main__.main()
     out, err = capsys.readouterr()
-    assert len(out.splitlines()) == 3
+    assert len(out.splitlines()) == 5
     assert [word for word in words if word not in err] == []
     assert "is at" not in out
     monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")
@@ -161,3 +162,14 @@ def test_json_lists_the_joints_that_are_outside(
         assert [one["joint"] for one in outside] == expected
         assert all(one["lower"] < one["upper"] < one["value"] for one in outside)
         assert err == ""
+
+
+def test_what_of_a_file_is_ours_is_said_beside_the_pose(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = str(write(tmp_path, 'lower="-1" upper="2" ', ""))
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", path, "--tip", "lower", "--base", "upper", "--q", "0.5"])
+    __main__.main()
+    out, err = capsys.readouterr()
+    assert "from link upper to link lower" in out
+    assert err.count("the range is ours") == 1

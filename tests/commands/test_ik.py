@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.kinematics.arms import arm
-from tests.kinematics.urdfs import write
+from tests.kinematics.urdfs import chain_of, write
 
 from helicoide import __main__
 from helicoide.geometry import euler, rotation
@@ -56,6 +56,7 @@ def test_the_json_has_its_keys_and_the_numbers_lead_to_the_goal(
     goal = ("--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
     answer = answered(monkeypatch, capsys, "puma560", *goal, "--all")
     keys = {"robot", "joints", "goal", "solved", "moved", "turned", "reached", "short", "status", "words", "branches"}
+    keys |= {"base", "tip", "remarks"}
     assert set(answer) == keys
     assert answer["reached"] is True
     assert answer["robot"] == "puma560"
@@ -212,3 +213,14 @@ def test_lengths_and_tips_are_set(
     assert answered(monkeypatch, capsys, *goal)["branches"][0]["q"] == pytest.approx([0, 0], abs=3e-3)
     answer = answered(monkeypatch, capsys, str(write(tmp_path)), "--tip", "lower", "--position", "0.3", "0", "0.3")
     assert answer["joints"] == ["one", "two"]
+
+
+def test_what_only_turns_is_driven_by_orientation(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A turntable whose tool does not move away from its axis."""
+    text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', 'xyz="0 0 0.3"')
+    (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
+    answer = answered(monkeypatch, capsys, str(path), "--position", "0", "0", "0.3", "--rpy", "0", "0", "0.7")
+    assert answer["reached"]
+    assert answer["branches"][0]["q"] == pytest.approx([0.7], abs=1e-6)

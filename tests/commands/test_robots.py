@@ -20,7 +20,7 @@ from helicoide.commands.robots import POSTURES
 from helicoide.kinematics.library import load, packaged
 
 APP = Path(__file__).parents[2] / "app"
-FIELDS = {"name", "title", "source", "ours", "reach", "disagreement", "joints"}
+FIELDS = {"name", "title", "source", "base", "tip", "remarks", "ours", "reach", "disagreement", "joints"}
 
 
 @pytest.fixture(scope="module")
@@ -62,16 +62,17 @@ def test_people_read_joints_limits_source_and_agreement(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     said = words(monkeypatch, capsys, "scara", "movemaster")
-    first, joints, source, agreement, *rest = said.splitlines()
+    first, links, joints, source, agreement, *rest = said.splitlines()
     assert first.startswith("scara: ")
     assert "4 joints" in first
+    assert f"from link {load('scara').base_link} to link {load('scara').tool_link}" in links
     assert [load("scara").joints[i].name in joints for i in range(4)] == [True] * 4
     assert "°" in joints
     assert " mm" in joints
     assert load("scara").source in source
     assert f"over {POSTURES} random postures" in agreement
     assert rest[0].startswith("movemaster: ")
-    assert len(rest) == 4
+    assert len(rest) == 5
 
 
 def test_the_whole_list_ends_with_the_names_of_packages(
@@ -93,3 +94,29 @@ def test_a_urdf_is_told_of_by_its_path(
 
 def test_an_unknown_robot_is_one_line(refused: Callable[..., str]) -> None:
     assert re.search(r"'nobody'.*movemaster", refused("robots", "nobody"))
+
+
+def test_tip_and_base_may_be_chosen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = str(write(tmp_path))
+    [table] = json.loads(words(monkeypatch, capsys, path, "--tip", "lower", "--base", "upper", "--json"))
+    assert (table["base"], table["tip"], table["remarks"]) == ("upper", "lower", [])
+    assert [joint["name"] for joint in table["joints"]] == ["two"]
+    [table] = json.loads(words(monkeypatch, capsys, path, "--json"))
+    assert (table["base"], table["tip"]) == ("base", "tool")
+
+
+def test_a_range_that_is_ours_is_marked_and_said_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = str(write(tmp_path, 'lower="-1" upper="2" ', ""))
+    monkeypatch.setattr(sys, "argv", ["helicoide", "robots", path])
+    __main__.main()
+    out, err = capsys.readouterr()
+    assert "two -10000…10000 mm (ours)" in out
+    assert err.count("two -10…10 m") == 1
+    [table] = json.loads(words(monkeypatch, capsys, path, "--json"))
+    assert [joint["ours"] for joint in table["joints"]] == [False, True]
+    assert set(table["remarks"][0]) == {"en", "pt_BR"}
+    assert table["ours"] == ["limits"]

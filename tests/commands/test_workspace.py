@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.kinematics.arms import arm
+from tests.kinematics.urdfs import chain_of
 
 from helicoide import __main__
 from helicoide.commands import workspace as command
@@ -246,3 +247,18 @@ def test_a_bar_is_drawn_on_a_terminal_alone(
     said = capsys.readouterr().err
     assert "█" * 20 + "·" * 20 + "  50%" in said
     assert said.endswith("100%\n")
+
+
+def test_a_tool_that_stays_where_it_is_is_said_to(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', 'xyz="0 0 0.3"')
+    (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
+    monkeypatch.setattr(sys, "argv", ["helicoide", "workspace", str(path), "--samples", "1000", "--workers", "1"])
+    __main__.main()
+    assert "the tool stays at 0.000, 0.000, 0.300 m" in capsys.readouterr().out
+    sys.argv.append("--json")
+    __main__.main()
+    told = json.loads(capsys.readouterr().out)
+    assert (told["measure"], told["reached"]) == (0, 1)
+    assert told["best"]["position"] == pytest.approx([0, 0, 0.3])

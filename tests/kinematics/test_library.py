@@ -115,6 +115,25 @@ def test_xacro_is_not_taken_for_a_name(tmp_path: Path) -> None:
     assert "is xacro" in refused(str(path.rename(tmp_path / "arm.urdf.xacro"))).en
 
 
+def test_a_broken_file_of_a_package_does_not_hide_a_good_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    files = {PACKAGES[0]: [tmp_path / "arm.urdf"], PACKAGES[1]: [write(tmp_path).rename(tmp_path / "arm_robot.urdf")]}
+    files[PACKAGES[0]][0].write_text("<robot name='arm'/>", "utf-8")
+    monkeypatch.setattr(library, "_files", files.get)
+    packaged.cache_clear()
+    try:
+        assert load("arm").urdf == tmp_path / "arm_robot.urdf"
+        files[PACKAGES[1]] = []
+        assert "it has no links" in refused("arm").en
+    finally:
+        packaged.cache_clear()
+
+
+@pytest.mark.parametrize("name", ["arm.URDF", "ARM.Xml"])
+def test_the_suffix_of_a_path_may_be_in_capitals(tmp_path: Path, name: str) -> None:
+    path = write(tmp_path).rename(tmp_path / name)
+    assert load(str(path), "tool", (), "upper").base_link == "upper"
+
+
 @pytest.fixture
 def without_packages(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     def missing(package: str) -> None:

@@ -24,7 +24,8 @@ from helicoide.kinematics.forward import ROADS, dh_frames, link_motors, link_pos
 from helicoide.kinematics.jacobian import geometric, joint_axes
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_file import mesh_file, parsed
+from helicoide.kinematics.urdf_file import parsed
+from helicoide.kinematics.urdf_mesh import mesh_file
 from helicoide.text import LANGUAGES
 
 AGREE = 1e-9

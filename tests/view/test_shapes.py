@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import trimesh
 import yourdfpy
+from tests.kinematics.urdfs import chain_of, write
 from viser._messages import Message, SetOrientationMessage, SetPositionMessage
 
 from helicoide import content
@@ -18,9 +19,9 @@ from helicoide.geometry import rotation
 from helicoide.kinematics import urdf_file
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
-from helicoide.text import HelicoideError
 from helicoide.view import shapes
 from helicoide.view.layers.arm import Placed
+from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
 BOX, CYLINDER, SPHERE = '<box size="0.1 0.2 0.4"/>', '<cylinder radius="0.1" length="0.6"/>', '<sphere radius="0.2"/>'
@@ -125,11 +126,64 @@ def test_a_box_shows_flat_faces_with_twelve_edges(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("nothing", ['<box size="0 0 0"/>', '<cylinder radius="0" length="1"/>'])
 def test_a_solid_without_a_size_is_not_drawn(tmp_path: Path, nothing: str) -> None:
-    assert drawn(tmp_path, visual(nothing)) == []
+    assert [shape.name for shape in drawn(tmp_path, visual(nothing))] == ["base", "upper"]  # as lines
     assert len(meshes(*drawn(tmp_path, visual(nothing), visual(BOX)))) == 1
 
 
-@pytest.mark.parametrize("geometry", ['<box size="1 1"/>', '<box size="1 nan 1"/>', '<sphere radius="wide"/>'])
-def test_a_size_that_is_none_is_refused_with_its_link(tmp_path: Path, geometry: str) -> None:
-    with pytest.raises(HelicoideError, match=r"upper.*finite"):
-        drawn(tmp_path, visual(geometry))
+@pytest.mark.parametrize("origin", ["", TURNED])
+def test_a_capsule_is_a_cylinder_between_two_spheres(tmp_path: Path, origin: str) -> None:
+    """Radius 0.1 m about a piece of 0.6 m: 0.8 m long."""
+    (shape,) = drawn(tmp_path, visual('<capsule radius="0.1" length="0.6"/>', origin))
+    bounds = np.array([mesh.bounds for mesh in meshes(shape)])
+    low, high = bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)
+    np.testing.assert_allclose(np.sort(high - low), [0.2, 0.2, 0.8], atol=1e-3)
+    np.testing.assert_allclose((low + high) / 2, [1, 2, 3] if origin else [0, 0, 0], atol=1e-6)
+
+
+def test_an_arm_that_shows_nothing_is_drawn_as_lines_and_cylinders(tmp_path: Path) -> None:
+    robot = load(str(write(tmp_path)), "tool")
+    found = shapes.load(robot)
+    assert [(shape.name, shape.link) for shape in found] == [("base", 0), ("upper", 1), ("lower", 2)]
+    for shape, end in zip(found, np.diff([[0, 0, 0], *robot.points, robot.T_world_tool_0[:3, 3]], axis=0), strict=True):
+        assert len(shape.edges) > 0
+        spread = np.array([mesh.bounds for mesh in meshes(shape)])
+        assert np.all(spread[:, 0].min(axis=0) <= np.minimum(end, 0) + 1e-6)
+        assert np.all(spread[:, 1].max(axis=0) >= np.maximum(end, 0) - 1e-6)
+
+
+def test_a_link_in_whose_place_nothing_is_seen_is_added_where_most_are_missing(tmp_path: Path) -> None:
+    box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    robot = load(str(write(tmp_path, '<link name="base"/>', f'<link name="base">{box}</link>')), "tool")
+    assert [(shape.name, shape.link) for shape in shapes.load(robot)] == [("base", 0), ("upper", 1), ("lower", 2)]
+
+
+def test_what_follows_stands_where_it_stands_at_zero(tmp_path: Path) -> None:
+    """The pose on the link is that at zero, not that to which the shift of a follower would bring it."""
+    follows = '<limit lower="-1" upper="2" velocity="0.5"/><mimic joint="one" offset="0.5"/>'
+    box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    path = write(tmp_path, '<limit lower="-1" upper="2" velocity="0.5"/>', follows)
+    path.write_text(
+        path.read_text("utf-8").replace('<link name="lower"/>', f'<link name="lower">{box}</link>'), "utf-8"
+    )
+    (shape,) = (shape for shape in shapes.load(load(str(path), "tool")) if shape.name == "lower")
+    assert shape.link == 2
+    np.testing.assert_allclose(shape.T_link_shape[:3, 3], 0, atol=1e-12)
+
+
+def test_a_later_base_is_where_the_scene_begins(tmp_path: Path) -> None:
+    box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    path = write(tmp_path, '<link name="tool"/>', f'<link name="tool">{box}</link>')
+    robot = load(str(path), "tool", (), "upper")
+    (shape,) = (shape for shape in shapes.load(robot) if shape.name == "tool")
+    poses = link_poses(robot.chain, np.zeros(1))
+    np.testing.assert_allclose(poses[shape.link] @ shape.T_link_shape, robot.T_world_tool_0, atol=1e-12)
+
+
+@pytest.mark.parametrize("height", [0.0, 0.3])
+def test_an_arm_that_reaches_nowhere_is_seen(tmp_path: Path, height: float) -> None:
+    text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', f'xyz="0 0 {height}"')
+    (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
+    robot = load(str(path))
+    place, looked_at = outlook(robot)
+    assert np.linalg.norm(place - looked_at) > 0.2
+    assert [shape.name for shape in shapes.load(robot)][-1] == "plate"

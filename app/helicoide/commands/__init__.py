@@ -16,10 +16,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from helicoide import __version__
-from helicoide.text import HelicoideError, Language
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Language, Text
 
 WRONG_INPUT = 2
 NOT_REACHED = 3
+ENDS = Text(en="   from link {base} to link {tip}", pt_BR="   do elo {base} ao elo {tip}")
 CLOSED = 141  # what a shell says of a program that a closed pipe has ended, 128 + SIGPIPE
 
 # signs that Unicode does not take apart, as they are written where there are only letters and digits
@@ -80,6 +82,23 @@ def _plain(character: str) -> str:
 
 
 codecs.register_error(_alike.__name__, _alike)
+
+
+def ends(robot: Robot) -> Text:
+    """From where to where the arm goes."""
+    return ENDS.format(base=robot.base_link, tip=robot.tool_link)
+
+
+def remark(robot: Robot, lang: Language | None = None) -> None:
+    """Say on the error output how a robot's file was read where it leaves something open."""
+    for text in robot.remarks:
+        print(f"{robot.name}: {text[lang or language()]}", file=sys.stderr)
+
+
+def described_ends(robot: Robot) -> dict[str, object]:
+    """The same for --json: the links where the arm begins and ends, and what is to be said of its file."""
+    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in robot.remarks]
+    return {"base": robot.base_link, "tip": robot.tool_link, "remarks": remarks}
 
 
 def language() -> Language:

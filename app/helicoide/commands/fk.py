@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 import tyro
 
-from helicoide.commands import language
+from helicoide.commands import described_ends, ends, language, remark
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.chain import Array, Joint
@@ -51,6 +51,7 @@ def run(
     q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values: rad, or m where a joint slides")],
     deg: bool = False,
     tip: str | None = None,
+    base: str | None = None,
     set: tuple[str, ...] = (),
     json: bool = False,
 ) -> None:
@@ -64,10 +65,12 @@ def run(
         q: joint values.
         deg: values of turning joints are in degrees.
         tip: the link of a URDF where the arm ends.
+        base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
         json: print JSON.
     """
-    arm = load(robot, tip, set)
+    arm = load(robot, tip, set, base)
+    remark(arm)
     values = arm.check_joints(q)
     if deg:
         values = np.where([joint.slides for joint in arm.variables], values, np.radians(values))
@@ -75,6 +78,7 @@ def run(
         print(json_format.dumps(_told(arm, values), indent=1))
         return
     spoken = language()
+    print(f"{arm.name}:\n{ends(arm)[spoken]}")
     for name, road in ROADS.items():
         pose = road(arm, values)
         position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
@@ -87,6 +91,7 @@ def _told(robot: Robot, q: Array) -> dict[str, Any]:
     """What --json prints: the pose by each road, and the joints that are outside their limits."""
     return {
         "robot": robot.name,
+        **described_ends(robot),
         "q": q.tolist(),
         "roads": {name: described(road(robot, q)) for name, road in ROADS.items()},
         "outside": [

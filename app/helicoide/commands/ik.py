@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 import tyro
 
-from helicoide.commands import NOT_REACHED, language
+from helicoide.commands import NOT_REACHED, described_ends, ends, language, remark
 from helicoide.geometry import euler, rotation
 from helicoide.ik.postures.branch import Answer, Branch
 from helicoide.ik.postures.solve import reached, solve, solve_by, status
@@ -37,6 +37,7 @@ def run(
     all: bool = False,
     start: Annotated[tuple[float, ...] | None, tyro.conf.arg(name="from")] = None,
     tip: str | None = None,
+    base: str | None = None,
     set: tuple[str, ...] = (),
     json: bool = False,
 ) -> None:
@@ -54,10 +55,12 @@ def run(
         all: print every posture, not only the nearest to where the arm is.
         start: joint values where the arm is, rad, or m where a joint slides; its posture ready if there are none.
         tip: the link of a URDF where the arm ends.
+        base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
         json: print JSON (SI units).
     """
-    arm = load(robot, tip, set)
+    arm = load(robot, tip, set, base)
+    remark(arm)
     R = _orientation(quat, rpy, deg)
     T = np.eye(4)
     T[:3, 3] = _checked(position, "--position", 3)
@@ -82,6 +85,7 @@ def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientatio
     """
     return {
         "robot": robot.name,
+        **described_ends(robot),
         "joints": [joint.name for joint in robot.variables],
         "goal": _pose(T_world_tool, with_orientation),
         "solved": _pose(answer.T_world_goal, with_orientation),
@@ -117,6 +121,7 @@ def _lines(robot: Robot, answer: Answer, deg: bool, spoken: Language) -> list[st
     """The answer as people read it."""
     return [
         f"{robot.name}: {status(answer)[spoken]}",
+        ends(robot)[spoken],
         *([f"   {answer.words[spoken]}"] if answer.words[spoken] else []),
         *(line for branch in answer.branches for line in _of_branch(robot, branch, deg, spoken)),
     ]

@@ -9,7 +9,7 @@ import numpy as np
 import tyro
 
 from helicoide import content
-from helicoide.commands import language
+from helicoide.commands import described_ends, ends, language, remark
 from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.forward import disagreement
 from helicoide.kinematics.library import load, packaged
@@ -22,6 +22,7 @@ HEAD = Text(
 )
 SOURCE = Text(en="   from {source}{ours}", pt_BR="   de {source}{ours}")
 OURS = Text(en=" (ours: {fields})", pt_BR=" (por nossa conta: {fields})")
+OURS_HERE = Text(en=" (ours)", pt_BR=" (por nossa conta)")
 AGREEMENT = Text(
     en="   the roads agree to {error:.1e} over {n} random postures",
     pt_BR="   as três maneiras diferem no máximo em {error:.1e}, em {n} posturas aleatórias",
@@ -38,11 +39,19 @@ def described(robot: Robot) -> dict[str, Any]:
         "name": robot.name,
         "title": robot.title.en,
         "source": robot.source,
+        **described_ends(robot),
         "ours": list(robot.ours),
-        "reach": robot.reach,
+        "reach": robot.stretched,
         "disagreement": max(disagreement(robot, q) for q in postures),
         "joints": [
-            {"name": joint.name, "kind": joint.kind, "lower": joint.lower, "upper": joint.upper, "speed": joint.speed}
+            {
+                "name": joint.name,
+                "kind": joint.kind,
+                "lower": joint.lower,
+                "upper": joint.upper,
+                "speed": joint.speed,
+                "ours": joint.ours,
+            }
             for joint in robot.variables
         ],
     }
@@ -52,20 +61,25 @@ def run(
     names: Annotated[
         tyro.conf.Positional[tuple[str, ...]], tyro.conf.arg(help="robots to describe; all that have a folder if none")
     ] = (),
+    tip: str | None = None,
+    base: str | None = None,
     json: bool = False,
 ) -> None:
     """List the robots: joints, types, limits, source, and the largest disagreement of the three roads (m).
 
     Args:
         names: names of robots or paths of URDF files.
+        tip: the link of the URDF files where the arm ends.
+        base: the link of the URDF files where the arm begins; the root if none.
         json: print JSON (SI units).
     """
-    robots = [load(name) for name in names or sorted(content.found("robots"))]
+    robots = [load(name, tip, (), base) for name in names or sorted(content.found("robots"))]
     if json:
         print(json_format.dumps([described(robot) for robot in robots], indent=1))
         return
     spoken = language()
     for robot in robots:
+        remark(robot)
         print("\n".join(_lines(robot, spoken)))
     if not names:
         print(PACKAGED.format(names=", ".join(sorted(packaged())) or NONE)[spoken])
@@ -73,11 +87,12 @@ def run(
 
 def _lines(robot: Robot, spoken: Language) -> list[str]:
     """What is said of a robot, as people read it."""
-    head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.reach)
+    head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.stretched)
     ours = OURS.format(fields=", ".join(robot.ours)) if robot.ours else ""
     agreement = AGREEMENT.format(error=described(robot)["disagreement"], n=POSTURES)
     return [
         head[spoken],
+        ends(robot)[spoken],
         "   " + ", ".join(map(_limits, robot.variables)),
         SOURCE.format(source=robot.source, ours=ours)[spoken],
         agreement[spoken],
@@ -86,4 +101,5 @@ def _lines(robot: Robot, spoken: Language) -> list[str]:
 
 def _limits(joint: Joint) -> str:
     scale, unit = (1000.0, " mm") if joint.slides else (180 / np.pi, "°")
-    return f"{joint.name} {scale * joint.lower:.0f}…{scale * joint.upper:.0f}{unit}"
+    ours = OURS_HERE[language()] if joint.ours else ""
+    return f"{joint.name} {scale * joint.lower:.0f}…{scale * joint.upper:.0f}{unit}{ours}"

@@ -11,9 +11,10 @@ import warnings
 from typing import Literal, NoReturn
 
 from helicoide import kernels
-from helicoide.commands import language
+from helicoide.commands import language, remark
 from helicoide.jobs.apart import end_all
 from helicoide.kinematics.library import load, welcome
+from helicoide.kinematics.urdf_file import not_drawn
 from helicoide.lesson import load as read_lesson
 from helicoide.session.lab import Lab
 
@@ -24,6 +25,7 @@ LOOK = 0.25
 def run(
     robot: str | None = None,
     tip: str | None = None,
+    base: str | None = None,
     set: tuple[str, ...] = (),
     host: str = "127.0.0.1",
     port: int = 8080,
@@ -36,6 +38,7 @@ def run(
     Args:
         robot: name of a robot (see the command robots), or the path of a URDF file; that of the lesson if none.
         tip: the link of a URDF where the arm ends.
+        base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
         host: address to listen on.
         port: port to listen on; 0 takes any free one.
@@ -44,7 +47,8 @@ def run(
         lesson: name of the lesson to begin with.
     """
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
-    arm = load(robot or default, tip, set)
+    arm = load(robot or default, tip, set, base)
+    remark(arm, lang)
     welcome(arm)
     lab = Lab(arm, lang, lesson)
     if kernels.CACHE_NOTE is not None:
@@ -53,6 +57,8 @@ def run(
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
+    if (text := not_drawn(arm.urdf, arm.parameters)) is not None:
+        print(f"{arm.name}: {text[lang or language()]}", file=sys.stderr)
     while not stopped.wait(LOOK):  # without an end to it, Windows would not tell of Ctrl+C
         pass
     _end(lab)

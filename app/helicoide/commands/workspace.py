@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import numpy as np
 import tyro
 
-from helicoide.commands import language
+from helicoide.commands import described_ends, ends, language, remark
 from helicoide.jobs import chunks
 from helicoide.jobs.chunks import Backend
 from helicoide.kinematics.library import load
@@ -36,6 +36,12 @@ MANIPULABILITY = Text(
 )
 
 
+STAYS = Text(
+    en="{robot}: the tool stays at {position} m whatever the joints do; only its orientation changes",
+    pt_BR="{robot}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
+)
+
+
 def run(
     robot: tyro.conf.Positional[str],
     kind: Kind = "reachable",
@@ -43,6 +49,7 @@ def run(
     workers: Annotated[int | None, tyro.conf.arg(help="processes; as many as there are processors if none")] = None,
     backend: Backend = "loky",
     tip: str | None = None,
+    base: str | None = None,
     set: tuple[str, ...] = (),
     json: bool = False,
     out: Path | None = None,
@@ -57,11 +64,13 @@ def run(
         samples: how many postures; the more, the finer the map.
         backend: processes of this machine, or those of a Dask or Ray cluster: DASK_SCHEDULER_ADDRESS, RAY_ADDRESS.
         tip: the link of a URDF where the arm ends.
+        base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
         json: print JSON (SI units).
         out: write the map to this file (.npz): hits, values, shape, origin, axes and size of the cells, m.
     """
-    arm = load(robot, tip, set)
+    arm = load(robot, tip, set, base)
+    remark(arm)
     _check(out)
     plan = planned(arm, kind, samples)
     found = chunks.workspace_map(plan, os.cpu_count() or 1 if workers is None else workers, backend, _show)
@@ -85,13 +94,14 @@ def described(robot: Robot, found: Map) -> dict[str, Any]:
     best = int(np.argmax(found.values))
     return {
         "robot": robot.name,
+        **described_ends(robot),
         "kind": found.kind,
         "samples": found.samples,
         "dimensions": len(found.cells.shape),
         "cell": found.cells.size,
         "shape": list(found.cells.shape),
         "reached": int(found.reached.sum()),
-        "measure": found.measure,
+        "measure": 0.0 if robot.turns_only else found.measure,
         "best": {"value": float(found.values[best]), "position": found.cells.centres[best].tolist()},
         "mean": float(found.values[found.reached].mean()),
     }
@@ -111,7 +121,9 @@ def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
         lines.append(DEXTEROUS.format(value=value, position=position, mean=mean))
     if found.kind == "manipulability":
         lines.append(MANIPULABILITY.format(value=value, position=position, mean=mean))
-    return [line[spoken] for line in lines]
+    if robot.turns_only:
+        lines[:2] = [STAYS.format(robot=robot.name, position=position)]
+    return [line[spoken] for line in [lines[0], ends(robot), *lines[1:]]]
 
 
 def _show(share: float) -> None:

@@ -53,7 +53,7 @@ def set_entry(position: ArrayLike) -> Update:
 def _place(state: State, position: ArrayLike) -> Array:
     if state.problem.entry is None:
         raise HelicoideError(NONE_HELD)
-    asked, far = finite(position, (3,)), FARTHEST * state.robot.reach
+    asked, far = finite(position, (3,)), FARTHEST * state.robot.extended
     if abs(asked).max() > far:
         raise HelicoideError(
             Text(

@@ -128,7 +128,7 @@ def _check(state: State, index: int) -> None:
 
 def _place(state: State, index: int, position: ArrayLike) -> Array:
     _check(state, index)
-    asked, far = finite(position, (3,)), FARTHEST * state.robot.reach
+    asked, far = finite(position, (3,)), FARTHEST * state.robot.extended
     if np.abs(asked).max() > far:
         raise HelicoideError(
             Text(

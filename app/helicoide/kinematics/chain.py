@@ -44,7 +44,8 @@ class Mimic:
 class Joint:
     """A moving joint: its axis at q = 0 in the base frame; limits in rad and rad/s, m and m/s where it slides.
 
-    mimic: what it follows instead of a variable of its own; acceleration: rad/s² or m/s², infinite where none is given.
+    mimic: what it follows instead of a variable of its own; acceleration: rad/s² or m/s², infinite where none is given;
+    ours: whether the file that it comes from bounds it nowhere, so that its range says nothing of how large the arm is.
     """
 
     name: str
@@ -58,6 +59,7 @@ class Joint:
     speed: float
     mimic: Mimic | None = None
     acceleration: float = math.inf
+    ours: bool = False
 
     @property
     def slides(self) -> bool:

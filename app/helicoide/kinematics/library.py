@@ -22,8 +22,25 @@ def packaged() -> Mapping[str, Path]:
     """The URDF files of installed packages by name, such as "panda"; the first package wins."""
     found: dict[str, Path] = {}
     for file in (file for package in PACKAGES for file in _files(package)):
-        found.setdefault(file.stem.removesuffix("_robot"), file)
+        found.setdefault(_name_of(file), file)
     return found
+
+
+def _name_of(file: Path) -> str:
+    return file.stem.removesuffix("_robot")
+
+
+def _from_package(name: str, tip: str | None, base: str | None) -> Robot:
+    """The robot of the first file of that name that can be used; raises what is wrong with the first where none can."""
+    first = packaged()[name]
+    try:
+        return from_urdf(first, tip, base)
+    except HelicoideError:
+        every = (file for package in PACKAGES for file in _files(package))
+        for file in (file for file in every if _name_of(file) == name and file != first):
+            with suppress(HelicoideError):
+                return from_urdf(file, tip, base)
+        raise
 
 
 def _files(package: str) -> list[Path]:
@@ -70,23 +87,23 @@ def _titles_of_folders() -> Mapping[str, Text]:
     return found
 
 
-def load(robot: str, tip: str | None = None, settings: Sequence[str] = ()) -> Robot:
+def load(robot: str, tip: str | None = None, settings: Sequence[str] = (), base: str | None = None) -> Robot:
     """A robot by name or by the path of a URDF file.
 
-    tip: the link of a URDF where the arm ends; settings: parameters of a robot's file to change, mm, such as "l1=1500".
+    tip and base: the links of a URDF where the arm ends and begins; settings: parameters of a robot's file to change,
+    mm, such as "l1=1500".
     Raises HelicoideError that lists the names there are, or says what is wrong in a file.
     """
-    if robot in _guests and tip is None and not settings:
+    if robot in _guests and tip is None and base is None and not settings:
         return _guests[robot]
     folders = content.found("robots")
-    path = Path(robot) if robot.endswith((".urdf", ".xml", ".xacro")) else None
-    if path is None and robot not in folders:
-        path = packaged().get(robot)
-    if path is not None:
+    is_file = robot.lower().endswith((".urdf", ".xml", ".xacro"))
+    if is_file or (robot not in folders and robot in packaged()):
         _refuse(settings, robot, "--set")
-        return from_urdf(path, tip)
+        return from_urdf(Path(robot), tip, base) if is_file else _from_package(robot, tip, base)
     if robot in folders:
         _refuse(tip, robot, "--tip")
+        _refuse(base, robot, "--base")
         return from_folder(folders[robot], dict(map(_setting, settings)))
     raise _unknown(robot)
 
@@ -108,8 +125,10 @@ def _refuse(given: object, robot: str, option: str) -> None:
     if given:
         raise HelicoideError(
             Text(
-                en="{option} does not go with {robot}: --tip is for URDF files, --set for robots with parameters.",
-                pt_BR="{option} não serve para {robot}: --tip é para arquivos URDF, --set para robôs com parâmetros.",
+                en="{option} does not go with {robot}: --tip and --base are for URDF files, --set for robots with "
+                "parameters.",
+                pt_BR="{option} não serve para {robot}: --tip e --base são para arquivos URDF, --set para robôs com "
+                "parâmetros.",
             ).format(option=option, robot=robot)
         )
 

@@ -14,11 +14,14 @@ from numpy.typing import ArrayLike, NDArray
 from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, Chain, Joint, chain_of, frozen
 from helicoide.kinematics.dh import DhTable
+from helicoide.kinematics.urdf_file import read, root_of
 from helicoide.text import HelicoideError, Text
 
 # Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
-# unless a slide makes them longer.
+# unless a slide makes them longer. And what an arm is taken to reach that reaches nowhere, m: as a divisor, below which
+# the tool counts as not moving away from its axes, and where its file gives no length at all.
 SLENDER = 0.04
+NO_REACH, SOME_REACH = 1e-6, 0.5
 FRAME_TITLES = {
     "station": Text(en="station", pt_BR="estação"),
     "wrist": Text(en="wrist", pt_BR="punho"),
@@ -98,7 +101,8 @@ class Robot:
     Of a shipped robot, screws, DH rows and the URDF are separate statements: none is derived from another.
     parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
     is seen first, and where to, m. ours: what the source does not give: lengths, limits or speeds. capsules: what the
-    file gives of its bodies; self_collision: pairs of them that must not touch, by number.
+    file gives of its bodies; self_collision: pairs of them that must not touch, by number. base: the URDF link from
+    where the chain begins, "" for the root; remarks: what is to be said of how its file was read.
     """
 
     name: str
@@ -124,6 +128,8 @@ class Robot:
     capsules: tuple[Capsule, ...] = ()
     self_collision: tuple[tuple[int, int], ...] = ()
     actuators: Actuators | None = None
+    base: str = ""
+    remarks: tuple[Text, ...] = ()
 
     @cached_property
     def variables(self) -> tuple[Joint, ...]:
@@ -182,12 +188,35 @@ class Robot:
         return on_link(self.T_world_tool_0, self.points[-1])
 
     @cached_property
-    def reach(self) -> float:
-        """Length of the stretched chain from the first axis to the tool, with every slide out, m."""
+    def stretched(self) -> float:
+        """Length of the stretched chain from the first axis to the tool, with every slide that is bounded out, m."""
         ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
         ways[0] -= (ways[0] @ self.directions[0]) * self.directions[0]
-        slides = sum(max(abs(joint.lower), abs(joint.upper)) for joint in self.variables if joint.slides)
+        slides = sum(_out(joint) for joint in self.variables if joint.slides and not joint.ours)
         return float(np.linalg.norm(ways, axis=1).sum() + slides)
+
+    @cached_property
+    def extended(self) -> float:
+        """How far the tool may be at most, m: `reach`, and the slides whose range is ours out as well."""
+        return self.reach + sum(_out(joint) for joint in self.variables if joint.slides and joint.ours)
+
+    @cached_property
+    def turns_only(self) -> bool:
+        """Whether the tool stays where it is, whatever the joints do: only its orientation changes."""
+        return self.stretched < NO_REACH and not any(joint.slides for joint in self.joints)
+
+    @cached_property
+    def reach(self) -> float:
+        """How large the arm is, m, never zero: `stretched`, else how far its joints and its tool lie from the base."""
+        if self.stretched >= NO_REACH:
+            return self.stretched
+        far = float(np.linalg.norm([*self.points, self.T_world_tool_0[:3, 3]], axis=1).max())
+        return far if far >= NO_REACH else SOME_REACH
+
+    @cached_property
+    def base_link(self) -> str:
+        """The URDF link that stands still, from where the chain begins."""
+        return self.base or root_of(read(self.urdf, self.parameters).robot)
 
     def check_joints(self, q: ArrayLike) -> Array:
         """The joint values as a read-only array (n,); raises HelicoideError unless there are n finite numbers."""
@@ -205,6 +234,10 @@ class Robot:
                 )
             )
         return frozen(values)
+
+
+def _out(joint: Joint) -> float:
+    return max(abs(joint.lower), abs(joint.upper))
 
 
 def _between_guarded_points(robot: Robot) -> tuple[Capsule, ...]:

@@ -26,6 +26,7 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 # across, in a plane and in space.
 CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
 PARALLEL = 1e-9
+POINT = 1e-3  # of the reach: half of the only cell of an arm whose tool stays where it is
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,8 +154,13 @@ def _cells(robot: Robot, kind: Kind, samples: int) -> Cells:
     # an even number, so that the first axis, in the middle, runs between cells
     across = 2 * (min(max(int((samples / each) ** (1 / d)), least), most) // 2)
     centre, reach = extent(robot)
-    half = reach * (1 + 1e-9)
-    if normal is not None:
+    if robot.turns_only:  # one cell around where the tool stays
+        half, across = POINT * robot.reach, 1
+    else:
+        half = reach * (1 + 1e-9)
+    if robot.turns_only:
+        centre = robot.T_world_tool_0[:3, 3]
+    elif normal is not None:
         centre = centre + ((robot.T_world_tool_0[:3, 3] - centre) @ normal) * normal
     return Cells(frozen(centre - half * axes.sum(axis=0)), frozen(axes), 2 * half / across, (across,) * d)
 

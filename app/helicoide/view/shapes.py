@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -12,6 +13,9 @@ import yourdfpy
 from helicoide.kinematics import urdf_file
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.urdf_xml import broken
+from helicoide.text import same
+from helicoide.view import skeleton
 
 SHARP = np.radians(50.0)
 SHORTEST_EDGE = 0.015
@@ -35,18 +39,48 @@ class Shape:
 
 @lru_cache(maxsize=32)
 def load(robot: Robot) -> list[Shape]:
-    """The shapes of a robot; raises HelicoideError when the URDF is broken or a mesh is missing."""
-    closed = urdf_file.parsed(robot.urdf, robot.parameters, meshes=True)
+    """The shapes of a robot, with lines and cylinders where less than half of it can be drawn.
+
+    Raises HelicoideError when the URDF is broken.
+    """
+    closed = _urdf(robot)
     opened = closed
     if robot.gripper:
-        opened = urdf_file.parsed(robot.urdf, robot.parameters, meshes=True)
+        opened = _urdf(robot)
         if robot.gripper.joint not in opened.actuated_joint_names:
             known = ", ".join(opened.actuated_joint_names)
-            raise urdf_file.broken(robot.urdf, f"gripper joint {robot.gripper.joint!r}: {known}")
+            raise broken(robot.urdf, same(f"gripper joint {robot.gripper.joint!r}: {known}"))
         upper = float(opened.joint_map[robot.gripper.joint].limit.upper)
         opened.update_cfg({robot.gripper.joint: upper})
     drawn = {link.name: _visuals(closed, link.name) for link in closed.robot.links if link.visuals}
-    return [_shape(robot, closed, opened, name, scene) for name, scene in drawn.items() if not scene.is_empty]
+    shapes = [_shape(robot, closed, opened, name, scene) for name, scene in drawn.items() if not scene.is_empty]
+    seen = {shape.link for shape in shapes}
+    moving = len(seen - {0})
+    return shapes if 2 * moving >= len(robot.joints) else [*shapes, *_lines(robot, seen)]
+
+
+def _lines(robot: Robot, seen: Set[int]) -> list[Shape]:
+    """The shapes of an arm of which too little else can be seen; not of its links that are."""
+    shortest = SHORTEST_EDGE * robot.reach
+    return [
+        Shape(name, _glb(scene), _edges(scene, shortest), i, np.eye(4), np.zeros(3))
+        for i, (name, scene) in enumerate(skeleton.drawn(robot))
+        if not scene.is_empty and i not in seen
+    ]
+
+
+def _glb(scene: trimesh.Scene) -> bytes:
+    return bytes(scene.export(file_type="glb", include_normals=True))
+
+
+def _urdf(robot: Robot) -> yourdfpy.URDF:
+    """The URDF with its meshes; the joints of the arm stand at zero, also those that follow others."""
+    urdf = urdf_file.read(robot.urdf, robot.parameters).robot
+    of_arm = {joint.name for joint in robot.joints}
+    for joint in urdf.joints:
+        if joint.name in of_arm:
+            joint.mimic = None
+    return urdf_file.with_meshes(robot.urdf, urdf)
 
 
 def _carrier(robot: Robot, urdf: yourdfpy.URDF, link: str) -> int:
@@ -60,12 +94,11 @@ def _carrier(robot: Robot, urdf: yourdfpy.URDF, link: str) -> int:
 
 def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str, scene: trimesh.Scene) -> Shape:
     link = _carrier(robot, closed, name)
-    T_link_shape = np.array(closed.get_transform(name))
-    slide = opened.get_transform(name)[:3, 3] - T_link_shape[:3, 3]
+    T_link_shape = np.array(closed.get_transform(name, robot.base_link))
+    slide = opened.get_transform(name, robot.base_link)[:3, 3] - T_link_shape[:3, 3]
     if link > 0:
         T_link_shape[:3, 3] -= robot.points[link - 1]
-    glb = bytes(scene.export(file_type="glb", include_normals=True))
-    return Shape(name, glb, _edges(scene, SHORTEST_EDGE * robot.reach), link, T_link_shape, slide)
+    return Shape(name, _glb(scene), _edges(scene, SHORTEST_EDGE * robot.reach), link, T_link_shape, slide)
 
 
 def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:

@@ -1,0 +1,61 @@
+"""The range and the speed of a URDF's joint; where the file gives none that bounds anything, they are ours."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import yourdfpy
+
+from helicoide.kinematics.urdf_xml import broken
+from helicoide.text import Text
+
+SPEED, SLIDE_SPEED = math.pi / 3, 0.25
+FASTEST = 1e3
+# What a file means by no limit: turns, rad, and slides, m or as many times what the links give, whichever is more. And
+# the range that is taken instead, to both sides.
+BOUNDLESS_TURN, TURN = 1e3, 2 * math.pi
+BOUNDLESS_SLIDE, SLIDE = 100.0, 10.0
+
+
+def speed_of(joint: yourdfpy.Joint) -> float | None:
+    """How fast a joint moves, rad/s or m/s; None where the file does not say."""
+    speed = joint.limit.velocity if joint.limit is not None else None
+    return float(speed) if speed and 0 < speed <= FASTEST else None
+
+
+def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, float, bool]:
+    """Lower and upper limit of a joint, rad or m, and whether one of them is ours.
+
+    What is left out beside one that is given is zero, as the format says. Raises HelicoideError for limits in falling
+    order. A follower without a range of its own has an infinite one. Args: size: m, what the links of the chain add to.
+    """
+    slides, limit = joint.type == "prismatic", joint.limit
+    ours = SLIDE * max(size, 1.0) if slides else TURN
+    most = BOUNDLESS_SLIDE * max(size, 1.0) if slides else BOUNDLESS_TURN
+    free = joint.type == "continuous" or limit is None or (limit.lower is None and limit.upper is None)
+    if joint.mimic is not None and (free or limit.lower == limit.upper):
+        return -math.inf, math.inf, False
+    if free:
+        return -ours, ours, True
+    lower, upper = limit.lower or 0.0, limit.upper or 0.0
+    if lower > upper:
+        raise broken(path, wrong_limits(joint.name, lower, upper))
+    below, above = lower < -most, upper > most
+    if below and above:
+        return -ours, ours, True
+    if above:
+        upper = max(ours, lower + ours)
+    elif below:
+        lower = min(-ours, upper - ours)
+    if not lower < upper:
+        raise broken(path, wrong_limits(joint.name, lower, upper))
+    return float(lower), float(upper), below or above
+
+
+def wrong_limits(name: str, lower: float, upper: float) -> Text:
+    """That a joint cannot be anywhere."""
+    return Text(
+        en=f"the limits of joint {name!r} are {lower:g} to {upper:g}; lower must be below upper",
+        pt_BR=f"os limites da junta {name!r} são {lower:g} a {upper:g}; lower deve ser menor que upper",
+    )

@@ -1,0 +1,71 @@
+"""Where the mesh files of a URDF lie, and which of them can be drawn."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import trimesh
+import yourdfpy
+
+from helicoide.text import Text
+
+# What other programs write for package://
+PACKAGE = re.compile(r"^(?:package://|model://|\$\(find\s+([^)]+)\)/)")
+NO_MESH = Text(en="there is no mesh {file}", pt_BR="não há malha {file}")
+BROKEN_MESH = Text(en="the mesh {file} cannot be read", pt_BR="não dá para ler a malha {file}")
+
+
+def mesh_file(path: Path) -> Callable[[str], str]:
+    """Where the mesh files that a URDF names lie: seen from it, or for package:// in or as a folder above it."""
+    return partial(_mesh_file, path.absolute().parent)
+
+
+def _mesh_file(folder: Path, fname: str) -> str:
+    name = fname.replace("\\", "/")
+    package = PACKAGE.match(name)
+    inside = name if package is None else f"{package[1] or ''}/{name[package.end() :]}".lstrip("/")
+    if package is None:
+        inside = inside.rpartition("://")[2]
+        return str(_alike(folder / inside) or folder / inside)
+    if ".." in inside.split("/"):
+        return fname
+    ways = (inside, inside.partition("/")[2].lstrip("/"))
+    places = (above / way for above in (folder, *folder.parents) for way in ways if way)
+    return str(next((found for place in places if (found := _alike(place))), fname))
+
+
+def _alike(place: Path) -> Path | None:
+    """The file of that name, be its suffix in capitals or not; None where there is none."""
+    try:
+        names = (place, *(place.with_suffix(way(place.suffix)) for way in (str.lower, str.upper) if place.suffix))
+        return next((name for name in names if name.is_file()), None)
+    except (OSError, ValueError):  # names that no file can have
+        return None
+
+
+def without_meshes(path: Path, robot: yourdfpy.Robot, tried: bool) -> list[tuple[str, Text]]:
+    """Take away the meshes that are not there or, if tried, cannot be read; returns of which links, and why."""
+    found, known = list[tuple[str, Text]](), dict[str, Text | None]()
+    for link in robot.links:
+        for visual in [visual for visual in link.visuals if visual.geometry.mesh]:
+            name = visual.geometry.mesh.filename
+            if name not in known:
+                known[name] = _why_not(Path(mesh_file(path)(name)), tried)
+            if (why := known[name]) is not None:
+                link.visuals.remove(visual)
+                found.append((str(link.name), why.format(file=name)))
+    return found
+
+
+def _why_not(file: Path, tried: bool) -> Text | None:
+    if _alike(file) is None:
+        return NO_MESH
+    try:
+        if tried:
+            trimesh.load(file, ignore_broken=True, force="scene")
+    except Exception:  # readers raise whatever a broken file makes them stumble over
+        return BROKEN_MESH
+    return None

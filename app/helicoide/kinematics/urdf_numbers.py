@@ -1,0 +1,22 @@
+"""Numbers as a URDF has them: apart by spaces, or by commas as some programs write."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+MOST = 1e9
+
+
+def numbers(words: str | None, count: int, most: float = MOST) -> list[float]:
+    """So many numbers up to a size, or none where there are not; infinity where the size is."""
+    try:
+        values = [float(word) for word in (words or "").replace(",", " ").split()]
+    except ValueError:
+        return []
+    return values if len(values) == count and all(abs(value) <= most for value in values) else []
+
+
+def written(values: Sequence[float]) -> str:
+    """The numbers as `numbers` reads them, to the last bit."""
+    return " ".join(repr(0.0 if value == 0 or math.isnan(value) else float(value)) for value in values)

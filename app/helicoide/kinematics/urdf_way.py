@@ -1,0 +1,130 @@
+"""The joints of a URDF between the base and the tip of an arm, and whom those follow that follow another."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import yourdfpy
+
+from helicoide.kinematics.urdf_mend import MOVING
+from helicoide.kinematics.urdf_tip import moves
+from helicoide.kinematics.urdf_xml import broken
+from helicoide.text import Text
+
+LOOSE_BASE = ("planar", "floating")
+BEGINS = Text(
+    en="joint {joint} is {kind}: the arm begins at link {base}, which stands still here",
+    pt_BR="a junta {joint} é {kind}: o braço começa no elo {base}, que aqui fica parado",
+)
+ALONE = Text(
+    en="joint {joint} follows {leader}, which is not between base and tip: it is moved by itself",
+    pt_BR="a junta {joint} segue {leader}, que não está entre a base e a ponta: ela se move por conta própria",
+)
+
+
+def between(
+    path: Path, robot: yourdfpy.Robot, base: str | None, tip: str
+) -> tuple[str, list[yourdfpy.Joint], list[Text]]:
+    """The base, the joints from there to a tip, and what is to be said of that.
+
+    Without a base that is the root, or the link under the last joint that leaves the whole arm free. Raises
+    HelicoideError for links that are not there or not one above the other, and for joints that no arm has.
+    """
+    for link in (tip, base):
+        if link is not None and link not in (names := [link.name for link in robot.links]):
+            there = ", ".join(names)
+            raise broken(
+                path,
+                Text(en=f"there is no link {link!r}; there is: {there}", pt_BR=f"não há elo {link!r}; há: {there}"),
+            )
+    way, above = _way_up(robot, base, tip)
+    if base not in (None, above):
+        links = ", ".join([above, *(joint.child for joint in way)])
+        raise broken(
+            path,
+            Text(
+                en=f"link {base!r} is not above {tip!r}; on its way are: {links}",
+                pt_BR=f"o elo {base!r} não está acima de {tip!r}; no caminho estão: {links}",
+            ),
+        )
+    begun, remarks = above, list[Text]()
+    for i, joint in enumerate(way):
+        if joint.type in LOOSE_BASE and base is None and not any(map(moves, way[:i])):
+            begun = joint.child
+            remarks = [BEGINS.format(joint=joint.name, kind=joint.type, base=begun)]
+        elif joint.type not in (*MOVING, "fixed"):
+            raise broken(path, _unknown(joint))
+    start = next((i + 1 for i, joint in enumerate(way) if joint.child == begun), 0)
+    return begun, way[start:], remarks
+
+
+def _way_up(robot: yourdfpy.Robot, base: str | None, tip: str) -> tuple[list[yourdfpy.Joint], str]:
+    """The joints from a base, or from the root, to a tip, and the link above them."""
+    parents = {joint.child: joint for joint in robot.joints}
+    way, link = list[yourdfpy.Joint](), tip
+    while link in parents and link != base:
+        way.append(parents[link])
+        link = way[-1].parent
+    return way[::-1], link
+
+
+def _unknown(joint: yourdfpy.Joint) -> Text:
+    kinds = ", ".join((*MOVING, "fixed"))
+    if joint.type in LOOSE_BASE:
+        return Text(
+            en=f"joint {joint.name!r} is of type {joint.type!r}, which only a base has; begin below it with "
+            f"--base, at link {joint.child!r}, or use one of: {kinds}",
+            pt_BR=f"a junta {joint.name!r} é do tipo {joint.type!r}, que só uma base tem; comece abaixo dela com "
+            f"--base, no elo {joint.child!r}, ou use um destes: {kinds}",
+        )
+    kinds = ", ".join((*MOVING, "fixed", *LOOSE_BASE))
+    return Text(
+        en=f"joint {joint.name!r} is of type {joint.type!r}; use one of: {kinds}",
+        pt_BR=f"a junta {joint.name!r} é do tipo {joint.type!r}; use um destes: {kinds}",
+    )
+
+
+def led_from_the_way(path: Path, robot: yourdfpy.Robot, way: list[yourdfpy.Joint]) -> list[Text]:
+    """Have every joint of the way that follows one follow one of the way; returns what is to be said of that.
+
+    Of several that follow a joint beside the way the first, at y = r z + s, moves by itself, and the others, at
+    y′ = r′ z + s′, follow it: y′ = (r′/r) y + s′ − (r′/r) s. Changes the joints.
+    """
+    known, on_way = {joint.name: joint for joint in robot.joints}, {joint.name for joint in way}
+    first, remarks = dict[str, tuple[yourdfpy.Joint, yourdfpy.Mimic]](), list[Text]()
+    for joint in (joint for joint in way if joint.mimic is not None and joint.mimic.joint not in on_way):
+        mimic, leader = joint.mimic, known.get(joint.mimic.joint)
+        if leader is None or leader.type not in MOVING:
+            raise broken(path, _no_leader(joint))
+        if leader.name not in first:
+            first[leader.name] = (joint, mimic)
+            _bound(joint, mimic, leader)
+            joint.mimic = None
+            remarks.append(ALONE.format(joint=joint.name, leader=leader.name))
+        else:
+            before, led = first[leader.name]
+            ratio = mimic.multiplier / led.multiplier
+            joint.mimic = yourdfpy.Mimic(before.name, ratio, mimic.offset - ratio * led.offset)
+    for joint in way:
+        if joint.mimic is not None and known[joint.mimic.joint].mimic is not None:
+            raise broken(path, _no_leader(joint))
+    return remarks
+
+
+def _bound(joint: yourdfpy.Joint, mimic: yourdfpy.Mimic, leader: yourdfpy.Joint) -> None:
+    """Give a joint that moves by itself from now on the range that its leader gave it, where that gave one."""
+    limit = leader.limit
+    if leader.type == "continuous" or limit is None or limit.lower is None or limit.upper is None:
+        return
+    lower, upper = sorted(mimic.multiplier * end + mimic.offset for end in (limit.lower, limit.upper))
+    own = joint.limit or yourdfpy.Limit()
+    if joint.limit is not None and own.lower is not None and own.upper is not None and own.lower < own.upper:
+        lower, upper = max(lower, own.lower), min(upper, own.upper)
+    joint.limit = yourdfpy.Limit(effort=own.effort, velocity=own.velocity, lower=lower, upper=upper)
+
+
+def _no_leader(joint: yourdfpy.Joint) -> Text:
+    return Text(
+        en=f"joint {joint.name!r} follows {joint.mimic.joint!r}, which is no joint that moves by itself",
+        pt_BR=f"a junta {joint.name!r} segue {joint.mimic.joint!r}, que não é uma junta que se move por si",
+    )

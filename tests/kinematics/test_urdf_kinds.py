@@ -1,0 +1,355 @@
+"""URDF files as people have them: what is in them that others read differently, and what each comes to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tests.kinematics.urdfs import GOOD, chain_of, write
+
+from helicoide.kinematics.chain import Array, Mimic
+from helicoide.kinematics.forward import ROADS, tool_by_screws
+from helicoide.kinematics.robot import NO_REACH, Robot
+from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.kinematics.urdf_limits import SLIDE
+from helicoide.text import HelicoideError
+
+LIMIT = '<limit lower="-1" upper="2" velocity="0.5"/>'
+Q = np.array([0.7, 0.35])
+
+
+def said(robot: Robot) -> str:
+    for text in robot.remarks:
+        assert text.en != text.pt_BR
+        assert len(text.en.splitlines()) == len(text.pt_BR.splitlines()) == 1
+    return " ".join(text.en for text in robot.remarks)
+
+
+def good_tool(folder: Path, q: Array = Q) -> Array:
+    return tool_by_screws(from_urdf(write(folder), "tool"), q)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"\xef\xbb\xbf" + GOOD.encode(),
+        GOOD.encode("utf-16"),
+        GOOD.encode("utf-16-le"),
+        GOOD.encode("utf-32"),
+        GOOD.replace('"1.0"?', '"1.0" encoding="utf-16"?').encode("utf-16"),
+        GOOD.replace('"1.0"?', '"1.0" encoding="utf-16"?').encode(),
+        GOOD.replace('"1.0"?', '"1.0" encoding="ISO-8859-1"?').replace("arm", "braço").encode("latin-1"),
+        GOOD.replace('"1.0"?', '"1.0" encoding="windows-1252"?').replace("arm", "braço").encode("cp1252"),
+        GOOD.replace('"1.0"?', '"1.0" encoding="gb2312"?').replace("arm", "机械臂").encode("gb2312"),
+        GOOD.replace("arm", "braço").encode("latin-1"),
+        b"\n \n<!-- made by a program -->" + GOOD.encode(),
+        GOOD.replace("<robot ", '<robot xmlns="http://ros.org" ').encode(),
+        GOOD.replace("\n", "\r\n").encode(),
+        GOOD.replace("\n", "\r").encode(),
+    ],
+)
+def test_a_file_is_read_in_the_encoding_that_it_has(tmp_path: Path, content: bytes) -> None:
+    (path := tmp_path / "other.urdf").write_bytes(content)
+    robot = from_urdf(path, "tool")
+    np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
+    assert robot.title.en in ("arm", "braço", "机械臂")
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        '<xacro:property name="a" value="1"/>',
+        '<ros2_control name="s"><joint name="one"><command_interface name="position"/></joint></ros2_control>',
+        '<transmission name="t"><joint name="nowhere"/></transmission>',
+        '<gazebo reference="nowhere"><sensor:imu x="${y}"/></gazebo>',
+        '<material name="grey"><color rgba="a b"/></material><material name="grey"/><material/>',
+        "<!-- ${nothing} --><?program does?>",
+    ],
+)
+def test_what_others_add_stops_no_arm(tmp_path: Path, more: str) -> None:
+    robot = from_urdf(write(tmp_path, "</robot>", more + "</robot>"), "tool")
+    np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        '<inertial><mass value="nan"/><inertia ixx="-"/></inertial>',
+        '<inertial><origin xyz="1 2"/></inertial>',
+        '<collision><geometry><capsule radius="?"/></geometry></collision>',
+        '<visual><geometry><box size="1 1 1"/></geometry><material name="m"><color rgba="1 2 3"/></material></visual>',
+        '<visual><geometry><box size="1 1 1"/></geometry><material/></visual>',
+    ],
+)
+def test_what_is_no_kinematics_of_a_link_stops_no_arm(tmp_path: Path, inside: str) -> None:
+    robot = from_urdf(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{inside}</link>'), "tool")
+    np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
+
+
+def test_an_entity_of_the_file_is_filled_in_and_none_from_outside(tmp_path: Path) -> None:
+    inside = GOOD.replace("<robot", '<!DOCTYPE robot [<!ENTITY h "0.3">]><robot', 1).replace("0.1 0 0.3", "0.1 0 &h;")
+    (path := tmp_path / "entity.urdf").write_text(inside, "utf-8")
+    np.testing.assert_array_equal(tool_by_screws(from_urdf(path, "tool"), Q), good_tool(tmp_path))
+    (tmp_path / "secret").write_text("here it is", "utf-8")
+    outside = f'<!DOCTYPE robot [<!ENTITY h SYSTEM "file://{tmp_path}/secret">]><robot'
+    for what in ('name="arm"', '<link name="tool"/>'):
+        text = GOOD.replace("<robot", outside, 1).replace(what, what.replace("arm", "&h;").replace("/>", ">&h;</link>"))
+        path.write_text(text, "utf-8")
+        try:
+            words = from_urdf(path, "tool").title.en
+        except HelicoideError as error:
+            words = error.text.en
+        assert "here it is" not in words
+
+
+def test_entities_of_entities_end_soon(tmp_path: Path) -> None:
+    many = "".join(f'<!ENTITY a{i} "{10 * f"&a{i - 1};"}">' for i in range(1, 12))
+    text = GOOD.replace("<robot", f'<!DOCTYPE robot [<!ENTITY a0 "lol">{many}]><robot', 1).replace('"arm"', '"&a11;"')
+    (path := tmp_path / "laughs.urdf").write_text(text, "utf-8")
+    with pytest.raises(HelicoideError):
+        from_urdf(path, "tool")
+
+
+def test_a_robot_without_a_name_is_called_as_its_file(tmp_path: Path) -> None:
+    for robot in ("<robot>", '<robot name="">'):
+        assert from_urdf(write(tmp_path, '<robot name="arm">', robot)).title.en == "arm"
+
+
+def test_commas_between_numbers_are_read(tmp_path: Path) -> None:
+    robot = from_urdf(write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0.1, 0,0.3"'), "tool")
+    np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
+    with pytest.raises(HelicoideError, match="origin xyz"):
+        from_urdf(write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0,1 0 0,3"'))
+
+
+def test_a_type_in_capitals_is_that_type(tmp_path: Path) -> None:
+    robot = from_urdf(write(tmp_path, 'type="prismatic"', 'type=" PRISMATIC"'), "tool")
+    np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
+
+
+def test_an_unknown_type_is_not_passed_over_by_the_default_tip(tmp_path: Path) -> None:
+    with pytest.raises(HelicoideError, match=r"'two'.*'hinge'.*revolute, continuous, prismatic, fixed, planar, float"):
+        from_urdf(write(tmp_path, 'type="prismatic"', 'type="hinge"'))
+    assert from_urdf(write(tmp_path, 'type="prismatic"', 'type="hinge"'), "upper").tool_link == "upper"
+
+
+@pytest.mark.parametrize(
+    ("limits", "expected"),
+    [
+        ("", (-SLIDE, SLIDE)),
+        ('<limit effort="1" velocity="0.5"/>', (-SLIDE, SLIDE)),
+        ('<limit lower="-inf" upper="inf" velocity="0.5"/>', (-SLIDE, SLIDE)),
+        ('<limit lower="-1e16" upper="1e16"/>', (-SLIDE, SLIDE)),
+        ('<limit lower="-1e6" upper="1e6"/>', (-SLIDE, SLIDE)),
+        ('<limit lower="0" upper="1e6"/>', (0, SLIDE)),
+        ('<limit lower="-1e6" upper="30"/>', (-SLIDE, 30)),
+    ],
+)
+def test_limits_of_a_slide_that_bound_nothing_are_no_lengths(
+    tmp_path: Path, limits: str, expected: tuple[float, float]
+) -> None:
+    robot = from_urdf(write(tmp_path, LIMIT, limits), "tool")
+    assert (robot.lower[1], robot.upper[1]) == expected
+    assert [joint.ours for joint in robot.joints] == [False, True]
+    assert "limits" in robot.ours
+    assert "two" in said(robot)
+    assert robot.reach == pytest.approx(0.6)  # 0.2 m and 0.4 m of links, whatever the slide does
+
+
+def test_a_long_slide_that_is_bounded_is_a_length(tmp_path: Path) -> None:
+    robot = from_urdf(write(tmp_path, 'upper="2"', 'upper="60"'), "tool")
+    assert (robot.upper[1], robot.remarks, robot.ours) == (60, (), ())
+    assert robot.reach == pytest.approx(60.6)
+
+
+@pytest.mark.parametrize("limits", ["", '<limit velocity="1"/>', '<limit lower="-1e16" upper="1e16"/>'])
+def test_limits_of_a_turn_that_bound_nothing_are_two_turns(tmp_path: Path, limits: str) -> None:
+    path = write(tmp_path, '<limit lower="-1.5" upper="1.5" velocity="1" effort="1"></limit>', limits)
+    robot = from_urdf(path, "tool")
+    assert (robot.lower[0], robot.upper[0]) == pytest.approx((-2 * np.pi, 2 * np.pi))
+    assert "one -360…360°" in said(robot)
+
+
+def test_of_a_joint_that_turns_without_end_nothing_needs_to_be_said(tmp_path: Path) -> None:
+    robot = from_urdf(write(tmp_path, 'type="revolute"', 'type="continuous"'), "tool")
+    assert robot.remarks == ()
+    assert robot.joints[0].ours
+    assert "limits" in robot.ours
+
+
+def test_a_limit_that_is_left_out_beside_another_is_zero(tmp_path: Path) -> None:
+    robot = from_urdf(write(tmp_path, 'lower="-1" ', ""), "tool")
+    assert (robot.lower[1], robot.upper[1], robot.remarks) == (0, 2, ())
+
+
+@pytest.mark.parametrize("velocity", ["inf", "nan", "fast", "1e16"])
+def test_a_speed_that_is_none_is_ours(tmp_path: Path, velocity: str) -> None:
+    robot = from_urdf(write(tmp_path, 'velocity="0.5"', f'velocity="{velocity}"'), "tool")
+    assert robot.ours == ("speeds",)
+    assert np.isfinite(robot.speed).all()
+
+
+def test_a_joint_whose_limits_are_one_value_stands_there(tmp_path: Path) -> None:
+    for value in (0.0, 0.35):
+        robot = from_urdf(write(tmp_path, 'lower="-1" upper="2"', f'lower="{value}" upper="{value}"'), "tool")
+        assert [joint.name for joint in robot.joints] == ["one"]
+        tool = tool_by_screws(robot, np.array([0.7]))
+        np.testing.assert_allclose(tool, good_tool(tmp_path, np.array([0.7, value])), atol=1e-15)
+        assert "two" in said(robot)
+
+
+def test_an_arm_that_its_limits_hold_says_so(tmp_path: Path) -> None:
+    path = write(tmp_path)
+    text = GOOD.replace('lower="-1" upper="2"', 'lower="1" upper="1"').replace("-1.5", "1.5")
+    path.write_text(text, "utf-8")
+    with pytest.raises(HelicoideError, match="lower and upper of one, two are the same"):
+        from_urdf(path)
+
+
+FOUR = chain_of(["base", "a", "b", "c", "d"])
+BESIDE = '<link name="x"/><joint name="base-x" type="revolute"><parent link="base"/><child link="x"/>{limit}</joint>'
+
+
+def following(folder: Path, mimics: dict[str, str], more: str = "") -> Path:
+    """An arm of four joints a-b and so on, of which some follow others."""
+    text = FOUR
+    for child, mimic in mimics.items():
+        text = text.replace(f'<child link="{child}"/>', f'<child link="{child}"/><mimic {mimic}/>')
+    (path := folder / "four.urdf").write_text(f'<robot name="four">{text}{more}</robot>', "utf-8")
+    return path
+
+
+def test_what_follows_a_follower_follows_its_leader(tmp_path: Path) -> None:
+    """x_c = −x_b + 0.3 and x_b = 2 x_a + 0.1: x_c = −2 x_a + 0.2."""
+    mimics = {"c": 'joint="a-b" multiplier="-1" offset="0.3"', "b": 'joint="base-a" multiplier="2" offset="0.1"'}
+    robot = from_urdf(following(tmp_path, mimics))
+    assert [joint.mimic for joint in robot.joints[:2]] == [None, Mimic(0, 2.0, 0.1)]
+    third = robot.joints[2].mimic
+    assert third is not None
+    assert (third.driver, third.ratio) == (0, -2.0)
+    assert third.shift == pytest.approx(0.2)
+    assert [joint.name for joint in robot.variables] == ["base-a", "c-d"]
+
+
+def test_a_leader_may_come_after(tmp_path: Path) -> None:
+    robot = from_urdf(following(tmp_path, {"b": 'joint="c-d" multiplier="0.5"'}))
+    assert robot.joints[1].mimic == Mimic(2, 0.5, 0.0)
+
+
+def test_followers_of_a_joint_beside_the_arm_go_together(tmp_path: Path) -> None:
+    """x_b = 2 z + 0.1 and x_d = z − 0.2 for z of −0.2 to 0.3: x_d = x_b/2 − 0.25, x_b of −0.3 to 0.7."""
+    mimics = {"b": 'joint="base-x" multiplier="2" offset="0.1"', "d": 'joint="base-x" offset="-0.2"'}
+    limit = '<limit lower="-0.2" upper="0.3" velocity="1"/>'
+    robot = from_urdf(following(tmp_path, mimics, BESIDE.format(limit=limit)), "d")
+    assert [joint.name for joint in robot.variables] == ["base-a", "a-b", "b-c"]
+    mimic = robot.joints[3].mimic
+    assert mimic is not None
+    assert (mimic.driver, mimic.ratio) == (1, 0.5)
+    assert mimic.shift == pytest.approx(-0.25)
+    assert (robot.lower[1], robot.upper[1]) == pytest.approx((-0.3, 0.7))
+    assert "a-b follows base-x" in said(robot)
+
+
+def test_what_follows_a_joint_that_is_fixed_is_fixed(tmp_path: Path) -> None:
+    limit = '<limit lower="0.4" upper="0.4" velocity="1"/>'
+    mimics = {"b": 'joint="base-x" multiplier="2" offset="0.1"'}
+    robot = from_urdf(following(tmp_path, mimics, BESIDE.format(limit=limit)), "d")
+    assert [joint.name for joint in robot.joints] == ["base-a", "b-c", "c-d"]
+    free = from_urdf(following(tmp_path, {}), "d")
+    np.testing.assert_allclose(
+        tool_by_screws(robot, np.array([0.1, 0.2, 0.3])),
+        tool_by_screws(free, np.array([0.1, 0.9, 0.2, 0.3])),
+        atol=1e-15,
+    )
+
+
+@pytest.mark.parametrize(
+    "mimics", [{"b": 'joint="a-b"'}, {"b": 'joint="b-c"', "c": 'joint="a-b"'}, {"b": 'joint="gone"'}, {"b": ""}]
+)
+def test_who_follows_nobody_is_refused_where_it_counts(tmp_path: Path, mimics: dict[str, str]) -> None:
+    with pytest.raises(HelicoideError, match=r"'a-b' follows"):
+        from_urdf(following(tmp_path, mimics), "d")
+    assert len(from_urdf(following(tmp_path, mimics), "a").variables) == 1
+
+
+@pytest.mark.parametrize("kind", ["planar", "floating"])
+def test_an_arm_on_a_free_base_begins_above_it(tmp_path: Path, kind: str) -> None:
+    text = GOOD.replace("<link ", '<link name="world"/><link ', 1)
+    joint = f'<joint name="free" type="{kind}"><parent link="world"/><child link="base"/><origin xyz="9 9 9"/></joint>'
+    (path := tmp_path / "free.urdf").write_text(text.replace("</robot>", f"{joint}</robot>"), "utf-8")
+    for base in (None, "base"):
+        robot = from_urdf(path, "tool", base)
+        assert robot.base_link == "base"
+        np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
+        assert ("free" in said(robot)) == (base is None)
+    with pytest.raises(HelicoideError, match=f"'free' is of type '{kind}'"):
+        from_urdf(path, "tool", "world")
+
+
+def test_a_base_begins_the_chain_later(tmp_path: Path) -> None:
+    whole, later = from_urdf(write(tmp_path), "tool"), from_urdf(write(tmp_path), "tool", "upper")
+    assert [joint.name for joint in later.joints] == ["two"]
+    upper = tool_by_screws(from_urdf(write(tmp_path), "upper"), Q[:1])
+    for road in ROADS.values():
+        np.testing.assert_allclose(upper @ road(later, Q[1:]), tool_by_screws(whole, Q), atol=1e-14)
+    for tip, base in (("upper", "tool"), ("tool", "nowhere"), (None, "nowhere"), (None, "tool")):
+        with pytest.raises(HelicoideError, match=base):
+            from_urdf(write(tmp_path), tip, base)
+
+
+def test_a_link_that_no_joint_holds_is_left_out(tmp_path: Path) -> None:
+    robot = from_urdf(write(tmp_path, "</robot>", '<link name="table"/></robot>'), "tool")
+    assert "table" in said(robot)
+
+
+@pytest.mark.parametrize(
+    ("links", "expected"),
+    [
+        (["left_EndEffector", "cover"], "left_EndEffector"),
+        (["link_eef"], "link_eef"),
+        (["gripper_base", "fingertip"], "gripper_base"),
+        (["Tip"], "Tip"),
+        (["tipper", "handle", "legend"], "b"),
+        (["gripper", "tool_frame"], "tool_frame"),
+    ],
+)
+def test_the_tool_is_known_by_what_it_is_called(tmp_path: Path, links: list[str], expected: str) -> None:
+    more = "".join(
+        f'<link name="{link}"/><joint name="to-{link}" type="fixed"><parent link="b"/><child link="{link}"/></joint>'
+        for link in links
+    )
+    text = f'<robot name="three">{chain_of(["base", "a", "b"])}{more}</robot>'
+    (path := tmp_path / "three.urdf").write_text(text, "utf-8")
+    assert from_urdf(path).tool_link == expected
+
+
+def test_the_tool_may_be_beside_the_fingers(tmp_path: Path) -> None:
+    """Where the fingers hang on another link that is fixed to the same one as the tool."""
+    fixed = '<joint name="to-{0}" type="fixed"><parent link="a"/><child link="{0}"/></joint>'
+    fingers = chain_of(["fork", "left"]) + chain_of(["fork", "right"]).replace('<link name="fork"/>', "")
+    more = '<link name="tool0"/>' + fixed.format("tool0") + fixed.format("fork") + fingers
+    (path := tmp_path / "fork.urdf").write_text(f'<robot name="r">{chain_of(["base", "a"])}{more}</robot>', "utf-8")
+    assert from_urdf(path).tool_link == "tool0"
+
+
+def test_a_jaw_beyond_the_tool_is_no_joint_of_the_arm(tmp_path: Path) -> None:
+    arm = chain_of(["base", "a", "tool0"])
+    jaw = chain_of(["tool0", "jaw"]).replace("revolute", "prismatic").replace('<link name="tool0"/>', "")
+    (path := tmp_path / "jaw.urdf").write_text(f'<robot name="r">{arm}{jaw}</robot>', "utf-8")
+    assert from_urdf(path).tool_link == "tool0"
+
+
+@pytest.mark.parametrize("height", [0.0, 0.3])
+def test_an_arm_that_reaches_nowhere_has_a_size(tmp_path: Path, height: float) -> None:
+    text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', f'xyz="0 0 {height}"')
+    (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
+    robot = from_urdf(path)
+    assert robot.stretched < NO_REACH
+    assert robot.turns_only
+    assert robot.reach == pytest.approx(height or 0.5)
+    assert not from_urdf(write(tmp_path), "tool").turns_only
+
+
+def test_millimetres_are_suspected(tmp_path: Path) -> None:
+    assert "millimetres" in said(from_urdf(write(tmp_path, 'xyz="0.2 0 0"', 'xyz="420 0 0"'), "tool"))

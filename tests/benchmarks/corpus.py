@@ -20,7 +20,7 @@ TITLE = "URDF files as others write them: each has an arm or is refused for a re
 HOW = (
     "Each file by itself, and with --tip for each end that moves where it branches or has no arm by itself. Forward",
     f"kinematics by all roads in {POSTURES} postures of each arm beside a reading of our own; there and back by what",
-    f"`ik` calls from {POSES} postures in the limits, once per set of joints; a picture. {PATIENCE:.0f} s a file.",
+    f"`ik` calls from {POSES} postures in the limits, once per set of joints; a picture. {PATIENCE:.0f} s of CPU each.",
 )
 # Reasons for which a file is to be refused: it is no robot arm, or no URDF, or contradicts itself.
 RIGHT = (

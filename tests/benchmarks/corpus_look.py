@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 from types import FrameType
 
 import numpy as np
@@ -26,7 +26,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 from helicoide.view import shapes
 
-PATIENCE = 10.0  # of a file, s
+PATIENCE = 10.0  # of a file, s of the processor, so that a busy machine makes no file slow
 POSTURES, POSES = 5, 20  # of an arm, for forward kinematics and there and back
 FARTHEST = 10.0  # from zero that a posture is drawn, rad or m
 TOLERANCE = 1e-6  # of a pose and of a limit, m and rad
@@ -71,8 +71,8 @@ class Findings:
 
 
 def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Findings:
-    """What comes of a file in so many seconds; solving: inverse kinematics."""
-    found, begun = Findings(), perf_counter()
+    """What comes of a file in so many seconds of the processor; solving: inverse kinematics."""
+    found, begun = Findings(), process_time()
     doing = "reading"
     try:
         with _limited(patience):
@@ -96,7 +96,7 @@ def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Find
         found.late = doing
     finally:
         shapes.load.cache_clear()
-    found.seconds = perf_counter() - begun
+    found.seconds = process_time() - begun
     return found
 
 
@@ -115,13 +115,13 @@ def _limited(seconds: float) -> Iterator[None]:
     def over(signum: int, frame: FrameType | None) -> None:
         raise TooLong
 
-    before = signal.signal(signal.SIGALRM, over)
-    signal.setitimer(signal.ITIMER_REAL, seconds, 1.0)
+    before = signal.signal(signal.SIGPROF, over)
+    signal.setitimer(signal.ITIMER_PROF, seconds, 1.0)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0.0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
 
 
 @contextmanager

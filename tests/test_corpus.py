@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import yourdfpy
 from tests.benchmarks.corpus import is_right, report
-from tests.benchmarks.corpus_look import POSES, look, reason_of
+from tests.benchmarks.corpus_look import POSES, look, reason_of, words_of
 from tests.benchmarks.corpus_tree import Tree
 from tests.kinematics.urdfs import write
 
@@ -41,7 +41,7 @@ def lasting(robot: Robot, T: Array, q: Array) -> Answer:
 def refusal(path: Path) -> str:
     with pytest.raises(HelicoideError) as caught:
         load(str(path))
-    return reason_of(caught.value)
+    return reason_of(words_of(caught.value))
 
 
 def test_our_own_reading_is_that_of_the_parser(tmp_path: Path) -> None:
@@ -56,7 +56,7 @@ def test_our_own_reading_is_that_of_the_parser(tmp_path: Path) -> None:
 
 def test_an_arm_that_answers_rightly_is_not_listed(tmp_path: Path) -> None:
     found = look(write(tmp_path), patience=AMPLE)
-    assert (found.arms, found.asked, found.reason) == (["tool"], POSES, "")
+    assert (found.arms, found.asked, found.refusal) == (["tool"], POSES, "")
     assert [found.missed, found.false, found.faults, found.late] == [[], [], [], ""]
     assert found.worst[0] < 1e-12
     assert found.picture == 0
@@ -93,5 +93,5 @@ def test_refusals_of_one_kind_are_one_reason(tmp_path: Path) -> None:
 def test_an_object_is_rightly_refused(tmp_path: Path) -> None:
     (path := tmp_path / "cup.urdf").write_text('<robot name="cup"><link name="cup"/></robot>', "utf-8")
     found = look(path, patience=AMPLE)
-    assert found.reason
-    assert is_right(found.reason)
+    assert found.refusal
+    assert is_right(found.refusal)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import logging
 import warnings
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from time import perf_counter
 
 from tests.benchmarks.corpus_files import FOLDER, files, pins
-from tests.benchmarks.corpus_look import PATIENCE, POSES, POSTURES, Findings, look
+from tests.benchmarks.corpus_look import PATIENCE, POSES, POSTURES, Findings, look, reason_of
 from tests.benchmarks.peers import LeftOut
 from tests.benchmarks.report import verdict
 
@@ -26,8 +27,15 @@ HOW = (
 RIGHT = (
     "it has no moving joints",
     "it has no links",
+    "it has several roots",
     "it is xacro",
     "it starts with",
+    "joint … names link …, which is not there",
+    "joint … needs a name of its own",
+    "link … needs a name of its own",
+    "syntax error",
+    "the links go in a circle",
+    "two parents of link",
 )
 Named = Mapping[str, Findings]
 
@@ -56,8 +64,8 @@ def run(only: Sequence[str] = ()) -> None:
 
 def report(found: Named) -> None:
     """Print what came of the files by name: what is listed first, then the figures."""
-    _refusals("Files refused", {name: [each.reason] for name, each in found.items() if each.reason})
-    ends = {name: [r for tip, r in each.refused.items() if tip] for name, each in found.items() if each.arms}
+    _refusals("Files refused", {name: [each.refusal] for name, each in found.items() if each.refusal})
+    ends = {name: [words for tip, words in each.refused.items() if tip] for name, each in found.items() if each.arms}
     _refusals("Ends refused in files that have an arm", ends)
     _refusals("Pictures refused", {name: [_unseen(name, each)] for name, each in found.items() if each.unseen})
     empty = [name for name, each in found.items() if each.picture == 0]
@@ -72,21 +80,21 @@ def report(found: Named) -> None:
 
 def _figures(each: Sequence[Findings], found: Named) -> None:
     arms, asked, missed = (sum(map(count, each)) for count in (_arms, _asked, _missed))
-    worst, where = max(((*seen.worst, name) for name, seen in found.items()), default=(0.0, "", ""))[0::2]
+    worst, road, name = max(((*seen.worst, name) for name, seen in found.items()), default=(0.0, "", ""))
     print(f"  {len(each)} files, {sum(bool(seen.arms) for seen in each)} with {arms} arms, {asked} poses")
-    wrong = [seen.reason for seen in each if seen.reason and not is_right(seen.reason)]
+    wrong = [seen.refusal for seen in each if seen.refusal and not is_right(seen.refusal)]
     verdict("files refused for another reason", len(wrong), 0, "")
     verdict("tracebacks", sum(len(seen.faults) for seen in each), 0, "")
-    verdict(f"forward kinematics, worst difference ({where})", 1e9 * worst, 1, " nm, or 1e-9")
+    verdict(f"forward kinematics, worst difference ({name}: {road})", 1e9 * worst, 1, " nm, or 1e-9")
     verdict("not reached, of 1,000 poses", 1000 * missed / max(asked, 1), 1, "")
     verdict('false "reached"', sum(len(seen.false) for seen in each), 0, "")
     verdict("pictures empty or refused", sum(seen.picture == 0 or bool(seen.unseen) for seen in each), 0, "")
     verdict(f"files that take longer than {PATIENCE:.0f} s", sum(bool(seen.late) for seen in each), 0, "")
 
 
-def is_right(reason: str) -> bool:
+def is_right(words: str) -> bool:
     """Whether a file is to be refused for that."""
-    return reason.startswith(RIGHT)
+    return reason_of(words).startswith(RIGHT)
 
 
 def _arms(each: Findings) -> int:
@@ -103,8 +111,11 @@ def _missed(each: Findings) -> int:
 
 def _unseen(name: str, each: Findings) -> str:
     """Why there is no picture, and whether the package has files of these names somewhere."""
-    there = set(each.meshes) <= _shipped(name.partition(":")[0])
-    return f"{each.unseen} (the package has {'all' if there else 'not all'} that the file names)"
+    if "no mesh" not in each.unseen:
+        return each.unseen
+    return (
+        f"{'they are' if set(each.meshes) <= _shipped(name.partition(':')[0]) else 'not'} in the package, {each.unseen}"
+    )
 
 
 @cache
@@ -112,17 +123,19 @@ def _shipped(package: str) -> set[str]:
     return {file.name for file in (FOLDER / package).rglob("*")}
 
 
-def _refusals(title: str, reasons: Mapping[str, Iterable[str]]) -> None:
+def _refusals(title: str, refusals: Mapping[str, Iterable[str]]) -> None:
     """Reasons with how often they are given, the most frequent first; files are named unless a reason is all right."""
-    files_of: dict[str, list[str]] = {}
-    for name, given in reasons.items():
-        for reason in given:
-            files_of.setdefault(reason, []).append(name)
-    print(f"  {title}: {sum(map(len, files_of.values()))}")
-    for reason, named in sorted(files_of.items(), key=lambda item: -len(item[1])):
-        print(f"    {len(named):4} × {reason}{' · all right' if is_right(reason) else ''}")
-        for name in dict.fromkeys(() if is_right(reason) else named):
-            print(f"             {name}")
+    given: dict[str, dict[str, str]] = {}
+    counted = Counter[str]()
+    for name, each in refusals.items():
+        for words in each:
+            counted[reason_of(words)] += 1
+            given.setdefault(reason_of(words), {}).setdefault(name, words)
+    print(f"  {title}: {counted.total()}")
+    for reason, count in counted.most_common():
+        print(f"    {count:4} × {reason}{' · all right' if is_right(reason) else ''}")
+        for name, words in () if is_right(reason) else given[reason].items():
+            print(f"             {name}: {words[:150]}")
 
 
 def _listed(title: str, lines: Iterable[str]) -> None:

@@ -42,7 +42,7 @@ class TooLong(BaseException):
 class Findings:
     """What comes of a file.
 
-    arms: the links where arms end; refused: reasons by tip, "" for the file without one; worst: of forward kinematics,
+    arms: the links where arms end; refused: why not, by tip, "" for the file without one; worst: of forward kinematics,
     and where; asked: poses; missed and false: what was answered to those that were not reached, and to those that were
     said to be, by tip and posture; faults: exceptions that are none of ours; picture: how many shapes, None where it is
     refused; unseen: why; meshes: the files of meshes that it names; late: what was done when the time was over.
@@ -63,11 +63,11 @@ class Findings:
     seconds: float = 0.0
 
     @property
-    def reason(self) -> str:
+    def refusal(self) -> str:
         """Why the file has no arm; empty where it has one."""
         if self.arms or not self.refused:
             return ""
-        return next((reason for tip, reason in self.refused.items() if tip), self.refused[""])
+        return next((words for tip, words in self.refused.items() if tip), self.refused[""])
 
 
 def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Findings:
@@ -100,14 +100,18 @@ def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Find
     return found
 
 
-def reason_of(error: HelicoideError) -> str:
-    """What is wrong, without what is of one file: the path, names in quotes, numbers, lists."""
-    said = error.text.en.rpartition("cannot be used: ")[2]
-    said = re.sub(r"limits of joint '[^']*' are (\S+) to \1;", "limits of a joint are equal;", said)
-    said = re.sub(r"(of type )'(\w*)'", r"\1\2", said)
-    said = re.sub(r"'[^']*'(, '[^']*')*|\"[^\"]*\"", "…", said)
-    said = re.sub(r"(several roots|no mesh for link …|there is|the ends are|in a circle|circle): .*", r"\1: …", said)
-    return re.sub(r"-?\b\d[\d.]*(e[+-]?\d+)?\b", "#", said)[:150]
+def words_of(error: HelicoideError) -> str:
+    """What is wrong, without the path of the file."""
+    return error.text.en.rpartition("cannot be used: ")[2]
+
+
+def reason_of(words: str) -> str:
+    """What is wrong, without what is of one file: names in quotes, numbers, lists."""
+    words = re.sub(r"limits of joint '[^']*' are (\S+) to \1;", "limits of a joint are equal;", words)
+    words = re.sub(r"(of type )'(\w*)'", r"\1\2", words)
+    words = re.sub(r"'[^']*'(, '[^']*')*|\"[^\"]*\"", "…", words)
+    words = re.sub(r"(roots|mesh for link …|parents of link …|there is|the ends are|circle): .*", r"\1: …", words)
+    return re.sub(r"-?\b\d[\d.]*(e[+-]?\d+)?\b", "#", words)[:150]
 
 
 @contextmanager
@@ -152,7 +156,7 @@ def _arms(path: Path, tree: Tree | None, found: Findings) -> Iterator[Robot]:
             try:
                 robot = load(str(path), tip)
             except HelicoideError as error:
-                found.refused[tip or ""] = reason_of(error)
+                found.refused[tip or ""] = words_of(error)
             else:
                 found.arms.append(robot.tool_link)
                 yield robot
@@ -189,7 +193,7 @@ def _picture(robot: Robot, found: Findings) -> None:
     try:
         found.picture = len(shapes.load(robot))
     except HelicoideError as error:
-        found.unseen = reason_of(error)
+        found.unseen = words_of(error)
 
 
 def _there_and_back(robot: Robot, tree: Tree | None, found: Findings, solving: Solve) -> None:

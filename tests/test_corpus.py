@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 import yourdfpy
 from tests.benchmarks.corpus import is_right, report
-from tests.benchmarks.corpus_look import POSES, look, reason_of, words_of
+from tests.benchmarks.corpus_findings import reason_of, words_of
+from tests.benchmarks.corpus_look import POSES, look
 from tests.benchmarks.corpus_tree import Tree
 from tests.kinematics.urdfs import write
 

@@ -11,7 +11,8 @@ from functools import cache
 from time import perf_counter
 
 from tests.benchmarks.corpus_files import FOLDER, files, pins
-from tests.benchmarks.corpus_look import PATIENCE, POSES, POSTURES, Findings, look, reason_of
+from tests.benchmarks.corpus_findings import Findings, reason_of
+from tests.benchmarks.corpus_look import PATIENCE, POSES, POSTURES, look
 from tests.benchmarks.peers import LeftOut
 from tests.benchmarks.report import verdict
 

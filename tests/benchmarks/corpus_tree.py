@@ -1,0 +1,137 @@
+"""The links of a URDF file, read and moved anew: nothing here comes from Helicoide or from the parser it uses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+Array = NDArray[np.float64]
+TURNING, SLIDING = ("revolute", "continuous"), ("prismatic",)
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint: where it is on its parent (4, 4), m, its unit axis (3,), its limits, and what it follows.
+
+    follows: the name of another joint, the ratio and the shift; None for a joint that is free.
+    """
+
+    name: str
+    kind: str
+    parent: str
+    child: str
+    T_parent_joint: Array
+    axis: Array
+    lower: float
+    upper: float
+    follows: tuple[str, float, float] | None
+
+    @property
+    def moves(self) -> bool:
+        return self.kind in TURNING + SLIDING
+
+    def value(self, values: Mapping[str, float]) -> float:
+        """Where it stands, rad or m, when the free joints stand there."""
+        if self.follows is None:
+            return values[self.name]
+        name, ratio, shift = self.follows
+        return ratio * values[name] + shift
+
+    def transform(self, values: Mapping[str, float]) -> Array:
+        """From the child to the parent, (4, 4), m."""
+        T = np.eye(4)
+        if self.kind in TURNING:
+            T[:3, :3] = Rotation.from_rotvec(self.value(values) * self.axis).as_matrix()
+        elif self.kind in SLIDING:
+            T[:3, 3] = self.value(values) * self.axis
+        return self.T_parent_joint @ T
+
+
+class Tree:
+    """The joints of a file by the links that they carry."""
+
+    def __init__(self, path: Path) -> None:
+        root = ElementTree.parse(path).getroot()
+        joints = [_joint(element) for element in root.findall("joint") if element.find("child") is not None]
+        self.above = {joint.child: joint for joint in joints}
+        self.links = [link.get("name", "") for link in root.findall("link")]
+        self.is_drawn = root.find("link/visual/geometry") is not None
+        named = (mesh.get("filename", "") for mesh in root.findall("link/visual/geometry/mesh"))
+        self.meshes = tuple(Path(name).name for name in named)
+
+    def way(self, tip: str) -> list[Joint]:
+        """The joints from the root to a link."""
+        way: list[Joint] = []
+        while tip in self.above and self.above[tip] not in way:
+            way.insert(0, self.above[tip])
+            tip = way[0].parent
+        return way
+
+    def tips(self) -> list[str]:
+        """The links at the ends that a free joint moves."""
+        parents = {joint.parent for joint in self.above.values()}
+        ends = [link for link in self.links if link not in parents]
+        return [end for end in ends if any(joint.moves and not joint.follows for joint in self.way(end))]
+
+    def pose(self, tip: str, values: Mapping[str, float]) -> Array:
+        """T_world_tip (4, 4), m, when the free joints stand at values by name, rad or m."""
+        T = np.eye(4)
+        for joint in self.way(tip):
+            T = T @ joint.transform(values)
+        return T
+
+    def beyond(self, tip: str, values: Mapping[str, float]) -> float:
+        """How far the joints on the way to a link are beyond their limits at most, rad or m; 0 within them."""
+        excess = [0.0]
+        for joint in (joint for joint in self.way(tip) if joint.moves and joint.kind != "continuous"):
+            x = joint.value(values)
+            excess += [joint.lower - x, x - joint.upper]
+        return max(excess)
+
+
+def apart(T_a: Array, T_b: Array) -> float:
+    """How far two poses are from each other: the greater of the way, m, and the turn, rad."""
+    turn = Rotation.from_matrix(T_a[:3, :3].T @ T_b[:3, :3]).magnitude()
+    return max(float(np.linalg.norm(T_a[:3, 3] - T_b[:3, 3])), float(turn))
+
+
+def _joint(element: ElementTree.Element) -> Joint:
+    origin, axis = _numbers(element, "origin", "xyz", "0 0 0"), _numbers(element, "axis", "xyz", "1 0 0")
+    T = np.eye(4)
+    T[:3, :3] = Rotation.from_euler("xyz", _numbers(element, "origin", "rpy", "0 0 0")).as_matrix()
+    T[:3, 3] = origin
+    lower, upper = (_numbers(element, "limit", end, "nan")[0] for end in ("lower", "upper"))
+    mimic = element.find("mimic")
+    follows = None
+    if mimic is not None:
+        ratio, shift = (_numbers(element, "mimic", *given)[0] for given in (("multiplier", "1"), ("offset", "0")))
+        follows = (mimic.get("joint", ""), float(ratio), float(shift))
+    return Joint(
+        name=element.get("name", ""),
+        kind=element.get("type", ""),
+        parent=_link(element, "parent"),
+        child=_link(element, "child"),
+        T_parent_joint=T,
+        axis=axis / (np.linalg.norm(axis) or 1.0),
+        lower=-math.inf if np.isnan(lower) else float(lower),
+        upper=math.inf if np.isnan(upper) else float(upper),
+        follows=follows,
+    )
+
+
+def _link(element: ElementTree.Element, end: str) -> str:
+    found = element.find(end)
+    return "" if found is None else found.get("link", "")
+
+
+def _numbers(element: ElementTree.Element, tag: str, attribute: str, otherwise: str) -> Array:
+    found = element.find(tag)
+    words = otherwise if found is None else found.get(attribute, otherwise)
+    return np.array(list(map(float, words.split())))

@@ -15,9 +15,9 @@ import numpy as np
 from tests.benchmarks.corpus_findings import Findings, words_of
 from tests.benchmarks.corpus_tree import Tree, apart
 
-from helicoide.commands.ik import described, is_reached
+from helicoide.commands.ik import described
 from helicoide.ik.postures.branch import Answer
-from helicoide.ik.postures.solve import solve, status
+from helicoide.ik.postures.solve import reached, solve, status
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
@@ -156,7 +156,7 @@ def _there_and_back(robot: Robot, tree: Tree | None, found: Findings, solving: S
         json.dumps(described(robot, answer, T, True), allow_nan=False)
         found.asked += 1
         said = f"{robot.tool_link}: {status(answer).en}; q = {[round(float(x), 6) for x in q]}"
-        if not is_reached(answer):
+        if not reached(answer):
             found.missed.append(said)
         elif (short := _falseness(robot, tree, answer, T)) > TOLERANCE:
             found.false.append(f"{said}; the pose or a limit is missed by {short:.2g}")

@@ -60,7 +60,7 @@ def test_an_arm_that_answers_rightly_is_not_listed(tmp_path: Path) -> None:
     assert (found.arms, found.asked, found.refusal) == (["tool"], POSES, "")
     assert [found.missed, found.false, found.faults, found.late] == [[], [], [], ""]
     assert found.worst[0] < 1e-12
-    assert found.picture == 0
+    assert found.picture > 0
 
 
 def test_what_is_falsely_said_to_be_reached_is_listed_loudly(
@@ -76,7 +76,7 @@ def test_an_exception_is_listed_with_its_last_line_and_stops_nothing(tmp_path: P
     found = look(write(tmp_path), failing, AMPLE)
     (fault,) = found.faults
     assert "ZeroDivisionError: no length (tests/test_corpus.py:" in fault
-    assert found.picture == 0
+    assert found.picture > 0
 
 
 def test_a_file_that_takes_too_long_is_left(tmp_path: Path) -> None:

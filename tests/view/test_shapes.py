@@ -124,7 +124,9 @@ def test_a_box_shows_flat_faces_with_twelve_edges(tmp_path: Path) -> None:
     assert len(shape.edges) == 12
 
 
-@pytest.mark.parametrize("nothing", ['<box size="0 0 0"/>', '<cylinder radius="0" length="1"/>'])
+@pytest.mark.parametrize(
+    "nothing", ['<box size="0 0 0"/>', '<cylinder radius="0" length="1"/>', '<capsule radius="0" length="0"/>']
+)
 def test_a_solid_without_a_size_is_not_drawn(tmp_path: Path, nothing: str) -> None:
     assert [shape.name for shape in drawn(tmp_path, visual(nothing))] == ["base", "upper"]  # as lines
     assert len(meshes(*drawn(tmp_path, visual(nothing), visual(BOX)))) == 1
@@ -187,3 +189,15 @@ def test_an_arm_that_reaches_nowhere_is_seen(tmp_path: Path, height: float) -> N
     place, looked_at = outlook(robot)
     assert np.linalg.norm(place - looked_at) > 0.2
     assert [shape.name for shape in shapes.load(robot)][-1] == "plate"
+
+
+def test_whatever_stands_beside_the_arm_it_is_drawn(tmp_path: Path) -> None:
+    box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    beside = "".join(
+        f'<link name="{kind}">{box}</link><joint name="to-{kind}" type="{kind}"><parent link="upper"/>'
+        f'<child link="{kind}"/><axis xyz="0 0 0"/><mimic joint="gone"/></joint>'
+        for kind in ("floating", "planar", "hinge", "revolute")
+    )
+    path = write(tmp_path, "</robot>", beside + "</robot>")
+    found = shapes.load(load(str(path), "tool"))
+    assert {"floating", "planar", "hinge", "revolute"} <= {shape.name for shape in found}

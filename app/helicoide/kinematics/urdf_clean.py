@@ -19,6 +19,7 @@ from helicoide.text import Text, same
 URDF = euler.EXTRINSIC + "xyz"
 SOLIDS = {"box": {"size": 3}, "cylinder": {"radius": 1, "length": 1}, "sphere": {"radius": 1}}
 ROUND = {"radius": 1, "length": 1}
+NOTHING = written([0.0])
 NO_GEOMETRY = Text(en="no geometry", pt_BR="sem geometria")
 WRONG_PLACE = Text(en="its place is no finite numbers", pt_BR="a posição não são números finitos")
 WRONG_SIZE = Text(en="its {tag} has no size in finite numbers", pt_BR="o {tag} não tem tamanho em números finitos")
@@ -102,7 +103,9 @@ def _visuals(visual: Element) -> Iterator[Element]:
     elif solid.tag == "mesh":
         yield _visual(visual, origin, "mesh", _mesh(solid))
     elif solid.tag in SOLIDS:
-        yield _visual(visual, origin, solid.tag, _sizes(solid, SOLIDS[solid.tag]))
+        sizes = _sizes(solid, SOLIDS[solid.tag])
+        if NOTHING not in sizes.values():
+            yield _visual(visual, origin, solid.tag, sizes)
     else:
         raise NotDrawn(UNKNOWN.format(tag=same(str(solid.tag))))
 
@@ -119,7 +122,10 @@ def _visual(visual: Element, origin: Element, tag: str, sizes: dict[str, str]) -
 def _capsule(visual: Element, origin: Element, solid: Element) -> Iterator[Element]:
     """length is that of the straight piece, as in SDFormat and MuJoCo."""
     sizes = _sizes(solid, ROUND)
-    yield _visual(visual, origin, "cylinder", sizes)
+    if sizes["radius"] == NOTHING:
+        return
+    if sizes["length"] != NOTHING:
+        yield _visual(visual, origin, "cylinder", sizes)
     xyz, rpy = (np.array(numbers(origin.get(key), 3)) for key in ("xyz", "rpy"))
     up = euler.matrix(rpy, URDF)[:, 2] * float(sizes["length"]) / 2
     for end in (xyz + up, xyz - up):

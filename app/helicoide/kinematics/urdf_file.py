@@ -15,7 +15,7 @@ import yourdfpy
 
 from helicoide.kinematics.urdf_check import check_parts, check_tree
 from helicoide.kinematics.urdf_clean import cleaned
-from helicoide.kinematics.urdf_mend import mend
+from helicoide.kinematics.urdf_mend import MOVING, mend
 from helicoide.kinematics.urdf_mesh import mesh_file, without_meshes
 from helicoide.kinematics.urdf_xml import PLAIN, broken, tree
 from helicoide.text import Text, joined, same
@@ -89,9 +89,9 @@ def not_drawn(path: Path, parameters: Mapping[str, float] = PLAIN) -> Text | Non
 
 def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
     """The robot with all that can be drawn of it; of what is beside the arm, whatever it follows. Changes it."""
-    for joint in robot.joints:
-        if not np.any(joint.axis):  # of a joint beside the arm; the scene would divide by its length
-            joint.axis = np.array([1.0, 0.0, 0.0])
+    for joint in robot.joints:  # beside the arm there may be some of which the scene can make nothing
+        if joint.type not in MOVING or not np.any(joint.axis):
+            joint.type, joint.mimic = "fixed", None
     leaders = {joint.name for joint in robot.joints if joint.mimic is None and joint.type != "fixed"}
     for joint in robot.joints:
         if joint.mimic is not None and joint.mimic.joint not in leaders:

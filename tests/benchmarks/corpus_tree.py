@@ -37,20 +37,18 @@ class Joint:
     def moves(self) -> bool:
         return self.kind in TURNING + SLIDING
 
-    def value(self, values: Mapping[str, float]) -> float:
-        """Where it stands, rad or m, when the free joints stand there."""
-        if self.follows is None:
-            return values[self.name]
-        name, ratio, shift = self.follows
-        return ratio * values[name] + shift
+    @property
+    def free(self) -> bool:
+        """Whether something decides where it stands: whoever moves the arm, or the joint that it follows."""
+        return self.moves and (self.lower < self.upper or self.follows is not None)
 
     def transform(self, values: Mapping[str, float]) -> Array:
-        """From the child to the parent, (4, 4), m."""
+        """From the child to the parent, (4, 4), m, when every joint stands at a value by name, rad or m."""
         T = np.eye(4)
         if self.kind in TURNING:
-            T[:3, :3] = Rotation.from_rotvec(self.value(values) * self.axis).as_matrix()
+            T[:3, :3] = Rotation.from_rotvec(values[self.name] * self.axis).as_matrix()
         elif self.kind in SLIDING:
-            T[:3, 3] = self.value(values) * self.axis
+            T[:3, 3] = values[self.name] * self.axis
         return self.T_parent_joint @ T
 
 
@@ -82,16 +80,29 @@ class Tree:
 
     def pose(self, tip: str, values: Mapping[str, float]) -> Array:
         """T_world_tip (4, 4), m, when the free joints stand at values by name, rad or m."""
-        T = np.eye(4)
+        T, there = np.eye(4), self.settled(values)
         for joint in self.way(tip):
-            T = T @ joint.transform(values)
+            T = T @ joint.transform(there)
         return T
+
+    def settled(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Where every joint stands: those that follow, whom they follow, and what its limits hold at one value."""
+        joints = list(self.above.values())
+        there = {joint.name: joint.lower if joint.lower == joint.upper else 0.0 for joint in joints if not joint.free}
+        there |= values
+        for _ in joints:
+            for name, leader, ratio, shift in ((joint.name, *joint.follows) for joint in joints if joint.follows):
+                if name in there and leader not in there and ratio:
+                    there[leader] = (there[name] - shift) / ratio
+                elif leader in there and name not in there:
+                    there[name] = ratio * there[leader] + shift
+        return there
 
     def beyond(self, tip: str, values: Mapping[str, float]) -> float:
         """How far the joints on the way to a link are beyond their limits at most, rad or m; 0 within them."""
-        excess = [0.0]
+        excess, there = [0.0], self.settled(values)
         for joint in (joint for joint in self.way(tip) if joint.moves and joint.kind != "continuous"):
-            x = joint.value(values)
+            x = there[joint.name]
             excess += [joint.lower - x, x - joint.upper]
         return max(excess)
 

@@ -20,7 +20,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Kind, Map
-from helicoide.text import Language, Text, joined
+from helicoide.text import Language, Text, joined, same
 from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape
 from helicoide.trajectory.path import JointPath
@@ -273,7 +273,9 @@ def initial(robot: Robot) -> State:
         arm=ArmState(q, frozen(np.zeros(len(q))), poses),
         request=Request(),
         taught=Taught(robot),
-        notice=joined(robot.remarks) if robot.remarks else None,
+        notice=same("{robot}: {remarks}.").format(robot=robot.title, remarks=joined(robot.remarks))
+        if robot.remarks
+        else None,
     )
 
 

@@ -92,7 +92,7 @@ def test_broken_files_are_refused_in_words(tmp_path: Path, content: bytes, said:
 
 
 def test_files_that_are_not_there_are_refused_in_words(tmp_path: Path, robot: Robot) -> None:
-    with pytest.raises(HelicoideError, match="it is a folder, not a file"):
+    with pytest.raises(HelicoideError, match="it is a folder: name a file in it"):
         plane_file.load(tmp_path)
     with pytest.raises(HelicoideError, match="there is no such file"):
         plane_file.load(tmp_path / "planes.toml")

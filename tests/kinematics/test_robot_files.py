@@ -98,7 +98,7 @@ def test_a_missing_file_is_named(tmp_path: Path) -> None:
 
 def test_a_folder_in_its_place_is_named(tmp_path: Path) -> None:
     (tmp_path / "robot.toml").mkdir()
-    assert "it is a folder, not a file" in refused(tmp_path)
+    assert "it is a folder: name a file in it" in refused(tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -6,19 +6,25 @@ from pathlib import Path
 
 from helicoide.text import HelicoideError, Text
 
+MISSING = Text(en="there is no such file", pt_BR="esse arquivo não existe")
+A_FOLDER = Text(en="it is a folder: name a file in it", pt_BR="é uma pasta: indique um arquivo dela")
+CLOSED = Text(en="it cannot be read", pt_BR="não dá para lê-lo")
+
 
 def text(path: Path, most: int) -> str:
-    """What is written in a file of at most so many bytes."""
+    """What is written in a file of at most so many bytes, in UTF-8."""
+    return decoded(raw(path, most), most)
+
+
+def raw(path: Path, most: int) -> bytes:
+    """The bytes of a file, or the first of one that has more than so many; a device or a pipe may never end."""
     try:
+        if not path.is_file():
+            raise HelicoideError(A_FOLDER if path.is_dir() else MISSING)
         with path.open("rb") as file:
-            content = file.read(most + 1)
-    except FileNotFoundError as error:
-        raise HelicoideError(Text(en="there is no such file", pt_BR="esse arquivo não existe")) from error
+            return file.read(most + 1)
     except (OSError, ValueError) as error:  # the second for a name with a zero byte
-        folder = Text(en="it is a folder, not a file", pt_BR="é uma pasta, não um arquivo")
-        closed = Text(en="it cannot be read", pt_BR="não dá para lê-lo")
-        raise HelicoideError(folder if isinstance(error, OSError) and path.is_dir() else closed) from error
-    return decoded(content, most)
+        raise HelicoideError(CLOSED) from error
 
 
 def decoded(content: bytes, most: int) -> str:

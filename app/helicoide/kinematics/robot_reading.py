@@ -45,7 +45,7 @@ def _with_parameters(table: dict[str, Any], changed: Mapping[str, float]) -> dic
         return table
     for name in changed:
         if name not in known:
-            raise HelicoideError(NO_PARAMETER.format(name=name, known=", ".join(known) or "-"))
+            raise HelicoideError(NO_PARAMETER.format(name=name, known=", ".join(known) or NONE))
     known = {**known, **changed}
     for name, value in known.items():
         if not 0 < value <= MOST:
@@ -71,6 +71,7 @@ def _summed(part: Any, known: Mapping[str, float]) -> Any:
 NO_NUMBER = Text(
     en="{number} is not a finite number up to {most:g}", pt_BR="{number} não é um número finito de até {most:g}"
 )
+NONE = Text(en="none", pt_BR="nenhum")
 NO_PARAMETER = Text(en="there is no parameter {name}; there is: {known}", pt_BR="não há parâmetro {name}; há: {known}")
 NO_LENGTH = Text(
     en="parameter {name} must be a positive number of millimetres, not {value}",

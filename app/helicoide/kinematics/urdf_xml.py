@@ -11,6 +11,7 @@ from types import MappingProxyType
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
+from helicoide.files import written
 from helicoide.text import HelicoideError, Text
 
 PLAIN: Mapping[str, float] = MappingProxyType({})
@@ -38,9 +39,6 @@ WRONG = {
 }
 NO_XML = Text(en="this is no XML", pt_BR="isto não é XML")
 AT = Text(en="line {line}, column {column}: {why}", pt_BR="linha {line}, coluna {column}: {why}")
-MISSING = Text(en="there is no such file", pt_BR="esse arquivo não existe")
-A_FOLDER = Text(en="it is a folder: name a file in it", pt_BR="é uma pasta: indique um arquivo dela")
-UNREADABLE = Text(en="the file cannot be read", pt_BR="não dá para ler o arquivo")
 TOO_BIG = Text(en="it has more than {mb:.0f} MB", pt_BR="tem mais de {mb:.0f} MB")
 NO_TEXT = Text(en="it is not text in {encoding}, as it says", pt_BR="não é um texto em {encoding}, como ele diz")
 
@@ -73,7 +71,12 @@ def tree(path: Path, parameters: Mapping[str, float] = PLAIN) -> Element:
 
 def _text(path: Path) -> str:
     """What a file says, in the encoding of its byte order mark, else of its declaration, else in UTF-8 or Latin-1."""
-    content = _content(path)
+    try:
+        content = written.raw(path, MOST_BYTES)
+    except HelicoideError as error:
+        raise broken(path, error.text) from error
+    if len(content) > MOST_BYTES:
+        raise broken(path, TOO_BIG.format(mb=MOST_BYTES / 1e6))
     marked = next((encoding for mark, encoding in MARKS if content.startswith(mark)), None)
     declared = DECLARED.search(content[:1000])
     encoding = marked or (declared[1].decode() if declared else "utf-8")
@@ -85,14 +88,3 @@ def _text(path: Path) -> str:
         if encoding == "utf-8":
             return content.decode("latin-1")
         raise broken(path, NO_TEXT.format(encoding=encoding)) from error
-
-
-def _content(path: Path) -> bytes:
-    try:
-        if not path.is_file():  # a device or a pipe may never end
-            raise broken(path, A_FOLDER if path.is_dir() else MISSING)
-        if path.stat().st_size > MOST_BYTES:
-            raise broken(path, TOO_BIG.format(mb=MOST_BYTES / 1e6))
-        return path.read_bytes()
-    except (OSError, ValueError) as error:
-        raise broken(path, UNREADABLE) from error

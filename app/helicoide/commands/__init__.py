@@ -14,10 +14,13 @@ import sys
 import unicodedata
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from helicoide import __version__
-from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Language, Text
+
+if TYPE_CHECKING:  # it brings the kernels with it, which --version does not wait for
+    from helicoide.kinematics.robot import Robot
 
 WRONG_INPUT = 2
 NOT_REACHED = 3

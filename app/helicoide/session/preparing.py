@@ -17,6 +17,7 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.closed import puma560
 from helicoide.ik.postures import numeric
+from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.nearest import nearest
 from helicoide.ik.postures.subspace import project
 from helicoide.jobs.apart import Apart, Failed, Killed
@@ -76,6 +77,7 @@ def _look(state: State) -> None:
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
     distances(*state.problem.plane_arrays[:2], state.guarded_points)
     numeric.posture(robot, T, q)
+    left(robot, q, T)
     nearest(robot, T, q, with_orientation=True)
     tool.tool_pose(tool.packed(robot), q)
     tool.tool_jacobian(tool.packed(robot), q)

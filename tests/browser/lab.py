@@ -169,6 +169,7 @@ def tab(page: Page, name: str) -> None:
 
 def speak(lab: Lab, page: Page, language: Language) -> None:
     """Let the newest window speak a language."""
+    until(page, lambda: bool(lab.session.visitors))
     visitor = list(lab.session.visitors.values())[-1]
     lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: replace(seat, language=language))
     page.get_by_role("tab", name=panels.found()[0].TITLE[language]).wait_for()

@@ -29,7 +29,7 @@ FULL = Text(
 
 
 class Bay:
-    """Its jobs, and its display, None while it has no windows. Only on the event loop.
+    """A workcell, its jobs, and its display, None while it has no windows. Only on the event loop.
 
     maps: how many maps of the lab may be counted at once.
     """

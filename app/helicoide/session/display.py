@@ -79,17 +79,19 @@ class Display:
     async def enter(self, window: Window) -> None:
         """One more window, which sees at once what there is, unless it leaves before it may."""
         self._entering.add(window)
-        async with self._putting_up:
-            await self._up_to_date()
-            if window not in self._entering:
-                return
-            self._entering.remove(window)
-            self.audience.enter(window.client)
-            self.windows.append(window)
-            view = self.view(window)
-            if view.state.robot is self._drawn[0]:  # else it is put up with the others
-                window.stage(view, shapes.load(view.state.robot))
-                window.draw(view)
+        try:
+            async with self._putting_up:
+                await self._up_to_date()
+                if window not in self._entering:
+                    return
+                self.audience.enter(window.client)
+                self.windows.append(window)
+                view = self.view(window)
+                if view.state.robot is self._drawn[0]:  # else it is put up with the others
+                    window.stage(view, shapes.load(view.state.robot))
+                    window.draw(view)
+        finally:
+            self._entering.discard(window)
         self.redraw()
 
     def leave(self, window: Window) -> None:

@@ -85,9 +85,7 @@ class Surveying:
             state = self.state()
             cloud = await asyncio.to_thread(seen_by, camera, state)
             await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
-            if (
-                self.state().request.command is not state.request.command
-            ):  # stopped, or sent elsewhere, while the cloud was read
+            if self.state().request.command is not state.request.command:  # the arm was asked something else
                 return
         self.post(gate.while_asked(state, gate.get_ready()))
 

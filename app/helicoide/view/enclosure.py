@@ -155,7 +155,7 @@ def _units() -> Choice:
         Text(en="unit of the file", pt_BR="unidade do arquivo"),
         [("", Text(en="as it looks", pt_BR="ao que parece")), *((unit, UNIT_TITLES[unit]) for unit in UNITS)],
         lambda view: view.seat.cloud_unit,
-        lambda unit: ForSeat(lambda seat: replace(seat, cloud_unit=unit)),
+        lambda unit: ForSeat(lambda seat: replace(seat, cloud_unit=unit if unit in UNITS else "")),
     )
 
 

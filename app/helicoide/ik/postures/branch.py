@@ -42,10 +42,9 @@ class Answer:
 
     T_world_goal (4, 4), m: what was solved for, the asked pose or, for an arm that cannot take every pose, the nearest
     one of its subspace; moved, m, and turned, rad: from the one to the other; left: what the first branch leaves of
-    what was solved for, m and rad. short: how far the goal lies beyond the
-    edge of the workspace, m, 0 inside. free: joints that may take any value here (the current one was kept). words:
-    what is to be said. values: what the form worked out on the way, by symbol, for one branch after another;
-    once, where there is no branch.
+    what was solved for, m and rad. short: how far the goal lies beyond the edge of the workspace, m, 0 inside. free:
+    joints that may take any value here (the current one was kept). words: what is to be said. values: what the form
+    worked out on the way, by symbol, for one branch after another; once, where there is no branch.
     """
 
     branches: tuple[Branch, ...]

@@ -209,8 +209,8 @@ class State:
 
     problem: the arm, its limits, and the planes, obstacles and entry point around it; t, s; taught: the waypoints;
     compared: a second arm beside the first; seen: the clouds that were read, by the name of the plane that was looked
-    for; workspace: the maps of where the tool comes; notice: what the last refusal says, or at first what is to be said of
-    the robot's file.
+    for; workspace: the maps of where the tool comes; notice: what the last refusal says, or at first what is to be said
+    of the robot's file.
     """
 
     problem: Problem

@@ -19,11 +19,12 @@ from helicoide.kinematics import workspace
 from helicoide.kinematics.library import load
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.tour import found_in, readings, seen_by
+from helicoide.seat import Seat
 from helicoide.session.mapping import plan_of
 from helicoide.session.preparing import rehearse
 from helicoide.session.replaying import along_fastest, through
 from helicoide.session.workcell import TICK
-from helicoide.state import Seat, State, Update, initial
+from helicoide.state import State, Update, initial
 from helicoide.text import HelicoideError
 from helicoide.trajectory.waypoints import WAYS
 from helicoide.view import layers, panels, shapes

@@ -23,6 +23,7 @@ geometry
 kinematics
 confinement · trajectory
 ik
+command · seat
 state
 advance
 foresight · readout · gate · lesson · recorder
@@ -40,7 +41,7 @@ NOT = {"view": {"hardware", "store", "jobs"}}
 OUTSIDE = {"viser": {"view"}, "serial": {"hardware"}}
 BUILDS = {"solids"}
 LESSONS = {
-    "geometry", "kinematics", "confinement", "trajectory", "ik", "state",
+    "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",
     "advance", "foresight", "readout", "gate", "lesson", "recorder", "console", "perception", "studies", "text",
 }  # fmt: skip
 

@@ -10,10 +10,11 @@ import pytest
 from tests.driving import after, at, beside, turning_z_to
 
 from helicoide import gate
+from helicoide.command import GetReady, Hold, Park, ToPose
 from helicoide.foresight import lived, search, wants_search
 from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
-from helicoide.state import GetReady, Hold, Park, State, ToPose, Update, initial
+from helicoide.state import State, Update, initial
 
 NAN, INF = float("nan"), float("inf")
 UP = [1.0, 0.0, 0.0, 0.0]

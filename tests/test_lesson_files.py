@@ -9,7 +9,8 @@ from helicoide import content, lesson
 from helicoide.foresight import lived
 from helicoide.kinematics.library import load
 from helicoide.lesson import Lesson, Step
-from helicoide.state import Seat, initial
+from helicoide.seat import Seat
+from helicoide.state import initial
 from helicoide.text import LANGUAGES, HelicoideError, same
 
 GOOD = """

@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 
 from helicoide import content, gate, lesson
+from helicoide.command import Hold
 from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import load as load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Step
-from helicoide.state import Hold, Seat, State, Update, initial
+from helicoide.seat import Seat
+from helicoide.state import State, Update, initial
 from helicoide.text import LANGUAGES, Language, Text
 from helicoide.view import page, panels
 from helicoide.view.rows import Button, Changing, Choice, Folder, Row, Slider, Tick, Triple, View

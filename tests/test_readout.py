@@ -10,12 +10,13 @@ import pytest
 from tests.driving import after, at, clear_posture
 
 from helicoide import gate, readout
+from helicoide.command import ToJoints, ToPose
 from helicoide.confinement import Zone
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik import Contact
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
-from helicoide.state import State, ToJoints, ToPose
+from helicoide.state import State
 
 UP = [1.0, 0.0, 0.0, 0.0]
 

@@ -9,13 +9,14 @@ import pytest
 from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
 
 from helicoide import gate
+from helicoide.command import Along
 from helicoide.foresight import lived
 from helicoide.ik import Limits
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import Along, State, commanded, initial
+from helicoide.state import State, commanded, initial
 from helicoide.trajectory.straight import Line
 
 RIDES = 6

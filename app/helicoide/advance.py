@@ -7,6 +7,7 @@ from math import dist, hypot
 
 import numpy as np
 
+from helicoide.command import Along, Command, GetReady, Hold, Park, Replay, ToJoints, ToPose
 from helicoide.ik import drive as drives
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import allowed_point
@@ -17,19 +18,7 @@ from helicoide.ik.rcm.at_work import by_method
 from helicoide.ik.task import EVERY, GAIN, joint_task, pose_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.state import (
-    Along,
-    Command,
-    Compared,
-    GetReady,
-    Held,
-    Hold,
-    Park,
-    Replay,
-    State,
-    ToJoints,
-    ToPose,
-)
+from helicoide.state import Compared, Held, State
 from helicoide.trajectory.path import placed
 
 ARRIVED_JOINTS = 1e-3

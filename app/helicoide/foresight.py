@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from helicoide.advance import advance
+from helicoide.command import Along, GetReady, Park, ToJoints, ToPose
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal, best_goal, goal_at_joints, goal_at_pose
 from helicoide.kinematics.chain import frozen
-from helicoide.state import Along, ArmState, GetReady, Park, State, ToJoints, ToPose, Update
+from helicoide.state import ArmState, State, Update
 
 SETTLED = 0.5
 # For how long nothing must have been asked until an arm rests, s: all that is said of waiting is said before.

@@ -11,7 +11,8 @@ from pathlib import Path
 from types import ModuleType
 
 from helicoide import content
-from helicoide.state import Seat, State, Update
+from helicoide.seat import Seat
+from helicoide.state import State, Update
 from helicoide.text import LANGUAGES, HelicoideError, Language, Text
 
 Goal = Callable[[State, Seat], bool]

@@ -1,4 +1,4 @@
-"""One arm and its scene (State), one person in front of it (Seat), and what the arm may be asked to do (Command)."""
+"""One arm and its scene at one instant: where the arm is, what it is asked, what stands around it."""
 
 from __future__ import annotations
 
@@ -10,101 +10,18 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.command import Command, Course, Hold
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.drive import Drive
 from helicoide.ik.goal import Goal, tool_pose
-from helicoide.ik.task import EVERY
 from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Kind, Map
-from helicoide.text import Language, Text, joined, same
-from helicoide.trajectory import Path
-from helicoide.trajectory.fastest import Shape
-from helicoide.trajectory.path import JointPath
+from helicoide.text import Text, joined, same
 from helicoide.trajectory.waypoints import Taught
-
-
-@dataclass(frozen=True)
-class Hold:
-    """Nothing moves."""
-
-    stopped: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class ToPose:
-    """Bring the tool to T_world_target (4, 4), m.
-
-    settles: whether the target goes to where the arm can come, once that has been searched for.
-    """
-
-    T_world_target: Array
-    settles: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class ToJoints:
-    """Bring the joints to q (n,), rad; `yielding`: the joint that stops first at a plane, or every one alike."""
-
-    q: Array
-    yielding: int = EVERY
-
-
-@dataclass(frozen=True)
-class Course:
-    """The path that Play follows: its key among those of the arm, its time scaling, and how long it takes, s.
-
-    None: the first of the arm, and as long as it takes of its own.
-    """
-
-    name: str | None = None
-    shape: Shape = "constant speed"
-    duration: float | None = None
-
-
-@dataclass(frozen=True)
-class Along:
-    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path.
-
-    nearest: how near it has come so far, m; waited: since when it has come no nearer, s.
-    """
-
-    path: Path
-    s: float
-    playing: bool
-    arrived: bool = False
-    nearest: float = np.inf
-    waited: float = 0.0
-
-
-@dataclass(frozen=True, eq=False)
-class Replay:
-    """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
-
-    waits: whether its time slows down where the arm cannot keep up.
-    """
-
-    path: JointPath
-    title: Text
-    waits: bool = True
-    s: float = 0.0
-    arrived: bool = False
-
-
-@dataclass(frozen=True)
-class Park:
-    """Go to `ready`, then with the planes off to `home`."""
-
-
-@dataclass(frozen=True)
-class GetReady:
-    """Go to `ready`; from `home` with the planes off."""
-
-
-Command = Hold | ToPose | ToJoints | Along | Replay | Park | GetReady
 
 
 @dataclass(frozen=True)
@@ -153,11 +70,11 @@ class Request:
     pass through; goal: where the command leads.
     """
 
-    command: Command = Hold()
+    command: Command = field(default_factory=Hold)
     drive: Drive = field(default_factory=Drive)
     with_orientation: bool = True
     gripper: float = 0.0
-    course: Course = Course()
+    course: Course = field(default_factory=Course)
     path_s: float = 0.0
     grasp: Grasp | None = None
     rested: float = 0.0
@@ -304,33 +221,3 @@ def _things(problem: Problem) -> tuple[int, int, bool]:
 def grasped(state: State, grasp: Grasp | None) -> State:
     """The same state with that in somebody's hand, or nothing."""
     return replace(state, request=replace(state.request, grasp=grasp))
-
-
-@dataclass(frozen=True)
-class Seat:
-    """One person: language, where they are in a lesson, what they selected and what they want to see.
-
-    done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
-    while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
-    arm's reach; cloud_unit: what the numbers in files of clouds count, "" as it looks.
-    """
-
-    token: str
-    language: Language
-    lesson: str | None = None
-    step: int = 0
-    done: frozenset[str] = frozenset()
-    hint_open: bool = False
-    selected: str | None = None
-    picked: tuple[tuple[float, ...], ...] | None = None
-    shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
-    map_kind: Kind = "reachable"
-    cut: float = 0.0
-    cloud_unit: str = ""
-
-    def showing(self, name: str, on: bool) -> Seat:
-        """The same seat with one layer of the scene shown or hidden."""
-        return replace(self, shows=MappingProxyType({**self.shows, name: on}))
-
-
-SeatUpdate = Callable[[Seat], Seat]

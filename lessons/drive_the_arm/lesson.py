@@ -7,11 +7,13 @@ from dataclasses import replace
 import numpy as np
 
 from helicoide import gate
+from helicoide.command import Course, Hold, ToPose
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.lesson import Step
 from helicoide.readout import plane_distances
-from helicoide.state import Course, Hold, Seat, State, ToPose, Update
+from helicoide.seat import Seat
+from helicoide.state import State, Update
 from helicoide.text import Text
 
 TITLE = Text(en="Drive the arm", pt_BR="Conduza o braço")

@@ -13,12 +13,13 @@ from tests.benchmarks.report import p50, spread, verdict
 
 from helicoide import gate, kernels
 from helicoide.advance import advance
+from helicoide.command import Command, ToJoints, ToPose
 from helicoide.foresight import foreseen
 from helicoide.ik.guard import guarded
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.session.preparing import TICK, exercise
-from helicoide.state import Command, State, ToJoints, ToPose, commanded, initial
+from helicoide.state import State, commanded, initial
 
 TITLE = "One tick of the Movemaster with its planes"
 TICKS = 1500

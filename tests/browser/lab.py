@@ -12,10 +12,11 @@ from playwright.sync_api import Page
 from helicoide.confinement import distances
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
+from helicoide.seat import Seat
 from helicoide.session.display import Display
 from helicoide.session.lab import Lab as Session
 from helicoide.session.workcell import TICK, Workcell
-from helicoide.state import Seat, State, Update, initial
+from helicoide.state import State, Update, initial
 from helicoide.text import Language
 from helicoide.view import panels, shapes
 from helicoide.view.window import Window

@@ -12,11 +12,11 @@ from tests.browser.lab import Lab, grab, pixels, status, tab, until
 from tests.perception.views import between
 
 from helicoide import gate
+from helicoide.command import Hold, Replay, ToJoints
 from helicoide.confinement import pane_axes, planes_of
 from helicoide.confinement.plane_file import written
 from helicoide.kinematics.chain import Array
 from helicoide.readout import plane_distances
-from helicoide.state import Hold, Replay, ToJoints
 
 SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"
 RING = 0.65 * 0.2  # where a gizmo of this size has its rings

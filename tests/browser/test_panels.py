@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, press, status, tab, until
 
-from helicoide.state import Along, Hold, ToPose
+from helicoide.command import Along, Hold, ToPose
 from helicoide.text import Language
 
 

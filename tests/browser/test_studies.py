@@ -11,7 +11,7 @@ from tests.browser.lab import Lab, speak, status, tab, until
 from tests.browser.test_methods import choose
 
 from helicoide import studies
-from helicoide.state import Replay
+from helicoide.command import Replay
 from helicoide.studies.desk import Desk, Run
 from helicoide.text import LANGUAGES
 from helicoide.view.panels import study

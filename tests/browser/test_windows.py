@@ -14,9 +14,9 @@ from tests.browser.lab import Lab, Session, box, press, status, tab, until
 from tests.browser.proxy import PREFIX, behind
 
 from helicoide import gate
+from helicoide.command import Hold, ToJoints
 from helicoide.kinematics.library import load
 from helicoide.session.workcell import Workcell
-from helicoide.state import Hold, ToJoints
 
 THUMB = ".mantine-Slider-thumb"
 

@@ -32,7 +32,7 @@ from helicoide.commands import serve
 from helicoide.session import preparing, studies
 from helicoide.session.lab import Lab
 from helicoide.session.seats import Place
-from helicoide.state import Seat
+from helicoide.seat import Seat
 from helicoide.studies import desk, names
 
 opened, place = Lab.open, Place(Seat("", "en"))

@@ -15,7 +15,8 @@ from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import KINDS, Kind, Map
-from helicoide.state import Counting, Seat, State, Update
+from helicoide.seat import Seat
+from helicoide.state import Counting, State, Update
 from helicoide.text import same
 
 SEAT = Seat("", "en", cut=0.25)

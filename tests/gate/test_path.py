@@ -12,11 +12,12 @@ import pytest
 from tests.driving import after
 
 from helicoide import gate
+from helicoide.command import Along, Course, Hold, Replay, ToJoints
 from helicoide.foresight import lived
 from helicoide.kinematics.library import load, titles
 from helicoide.readout import plane_distances
 from helicoide.session.replaying import along_fastest
-from helicoide.state import Along, Course, Hold, Replay, State, ToJoints, Update, initial
+from helicoide.state import State, Update, initial
 from helicoide.trajectory.joints import tool_at
 
 PRESETS = [(name, key) for name in titles() for key in gate.presets(load(name))]

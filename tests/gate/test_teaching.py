@@ -9,12 +9,13 @@ import pytest
 from tests.driving import after, turning_z_to
 
 from helicoide import gate
+from helicoide.command import Replay, ToJoints
 from helicoide.foresight import lived
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
 from helicoide.session.replaying import through
-from helicoide.state import Replay, State, ToJoints, initial
+from helicoide.state import State, initial
 from helicoide.text import same
 from helicoide.trajectory.joints import tool_at
 from helicoide.trajectory.waypoint_file import encoded

@@ -11,6 +11,7 @@ from tests.driving import Worst, at, watch
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.command import ToPose
 from helicoide.confinement import planes_of
 from helicoide.geometry import rotation
 from helicoide.ik.drive import Drive, step, task_of
@@ -21,7 +22,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, ToPose, initial
+from helicoide.state import State, initial
 from helicoide.text import HelicoideError, Text
 from helicoide.view.formula import mathml
 

@@ -14,6 +14,7 @@ from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate, lesson
+from helicoide.command import Hold
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.session import arms, bay
@@ -21,7 +22,7 @@ from helicoide.session.display import Display
 from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
 from helicoide.session.workcell import Workcell
-from helicoide.state import Hold, initial
+from helicoide.state import initial
 
 SILENT = 30
 

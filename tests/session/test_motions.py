@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 
 from helicoide import gate
+from helicoide.command import Hold, Replay
 from helicoide.kinematics.robot import Robot
 from helicoide.session import arms
 from helicoide.session.arms import Arms
 from helicoide.session.replaying import along_fastest
 from helicoide.session.workcell import Workcell
-from helicoide.state import Hold, Replay, State, Update, initial
+from helicoide.state import State, Update, initial
 from helicoide.studies.study import Motion
 
 Meanwhile = Callable[[Workcell], object] | None

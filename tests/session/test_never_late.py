@@ -16,11 +16,11 @@ from tests.session.labs import after_ticks, eventually, running, state, window
 from tests.session.turns import Turns, counted
 
 from helicoide import gate, studies
+from helicoide.command import Hold
 from helicoide.jobs import chunks
 from helicoide.kinematics.workspace import KINDS
 from helicoide.session import mapping
 from helicoide.session.lab import Lab
-from helicoide.state import Hold
 from helicoide.view.mapping import TITLES
 
 LONGEST = 0.1

@@ -9,8 +9,9 @@ import pytest
 from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
+from helicoide.command import Hold
 from helicoide.session.lab import Lab
-from helicoide.state import Hold, State, initial
+from helicoide.state import State, initial
 
 BUSY = 0.3
 HERE = {"wxyz": (0.0, 1.0, 0.0, 0.0), "position": (0.5, 0.1, 0.3)}

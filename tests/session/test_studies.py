@@ -12,10 +12,10 @@ import pytest
 
 from helicoide import studies as all_studies
 from helicoide.jobs.apart import Apart, Report
+from helicoide.seat import Seat
 from helicoide.session import studies
 from helicoide.session.seats import Place
 from helicoide.session.studies import FAILED, Studies
-from helicoide.state import Seat
 from helicoide.studies import desk as desks
 from helicoide.studies.desk import Desk
 

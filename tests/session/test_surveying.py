@@ -12,11 +12,12 @@ import pytest
 from tests.driving import at
 
 from helicoide import gate
+from helicoide.command import Hold, ToJoints
 from helicoide.perception import realsense
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.units import Unit
 from helicoide.session.surveying import Surveying
-from helicoide.state import Hold, State, ToJoints, Update
+from helicoide.state import State, Update
 from helicoide.text import HelicoideError, same
 
 

@@ -10,7 +10,7 @@ from tests.browser.lab import PROJECT, Lab, opened
 from tests.soak.engines import until
 from tests.soak.windows import ESCAPE, Window, window
 
-from helicoide.state import Hold
+from helicoide.command import Hold
 
 pytestmark = pytest.mark.soak
 

@@ -9,7 +9,8 @@ import pytest
 
 from helicoide.kinematics.library import load
 from helicoide.perception.units import UNITS
-from helicoide.state import Seat, initial
+from helicoide.seat import Seat
+from helicoide.state import initial
 from helicoide.view.enclosure import plane_rows
 from helicoide.view.rows import Choice, Folder, ForSeat, ReadCloud, Row, Upload, View
 

@@ -16,8 +16,8 @@ from tests.session.labs import state as arm
 from websockets.exceptions import ConnectionClosed
 
 from helicoide import gate
+from helicoide.command import Hold, ToJoints
 from helicoide.session.lab import Lab
-from helicoide.state import Hold, ToJoints
 from helicoide.view.news import tell_once
 from helicoide.view.window import Window
 

@@ -15,7 +15,8 @@ from tests.hostile import HARMLESS, NAMES, Page, renamed, result_named, study_na
 from helicoide import gate, lesson, studies
 from helicoide.confinement import plane_file
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Seat, Seen, State, initial
+from helicoide.seat import Seat
+from helicoide.state import Seen, State, initial
 from helicoide.studies.desk import Desk, Run
 from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.trajectory.waypoints import Waypoint

@@ -11,7 +11,8 @@ import pytest
 import viser
 from markupsafe import Markup
 
-from helicoide.state import Seat, State
+from helicoide.seat import Seat
+from helicoide.state import State
 from helicoide.text import LANGUAGES, Language, same
 from helicoide.view.placed import FAILED, place
 from helicoide.view.rows import (

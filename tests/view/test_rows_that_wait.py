@@ -15,7 +15,8 @@ import viser
 from numba.core import event
 from helicoide.kinematics.library import load
 from helicoide.kernels import KERNELS
-from helicoide.state import Seat, initial
+from helicoide.seat import Seat
+from helicoide.state import initial
 from helicoide.view import layers, panels
 from helicoide.view.placed import place
 from helicoide.view.rows import View

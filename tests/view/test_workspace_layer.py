@@ -15,7 +15,8 @@ from helicoide.kinematics.cells import Cells
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.workspace import Kind, Map
-from helicoide.state import Seat, Workspace, initial, points_on
+from helicoide.seat import Seat
+from helicoide.state import Workspace, initial, points_on
 from helicoide.text import LANGUAGES
 from helicoide.view import shapes
 from helicoide.view.layers import Stage

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.command import GetReady, Hold, Park, ToJoints
 from helicoide.gate.check import checked, driven, finite
 from helicoide.kinematics.chain import frozen
-from helicoide.state import GetReady, Hold, Park, State, ToJoints, Update, commanded, grasped
+from helicoide.state import State, Update, commanded, grasped
 from helicoide.text import HelicoideError, Text
 
 NO_PARKING = Text(

@@ -11,7 +11,8 @@ import numpy as np
 from helicoide.gate.check import finite
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import KINDS, Kind, Map
-from helicoide.state import Counting, Seat, SeatUpdate, State, Update
+from helicoide.seat import Seat, SeatUpdate
+from helicoide.state import Counting, State, Update
 from helicoide.text import HelicoideError, Text
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from helicoide.command import Along, Course, Hold
 from helicoide.gate.check import driven, finite
 from helicoide.gate.presets import path_of
-from helicoide.state import Along, Course, Hold, State, Update, commanded
+from helicoide.state import State, Update, commanded
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.fastest import Shape
 

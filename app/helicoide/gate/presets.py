@@ -9,13 +9,13 @@ from types import MappingProxyType
 
 import numpy as np
 
+from helicoide.command import Course
 from helicoide.ik.rcm.paths import PATHS as COUTINHO
 from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import normal_of
-from helicoide.state import Course
 from helicoide.text import HelicoideError, Text, same
 from helicoide.trajectory.cerbaro import EQ_33, EQ_34, EQ_35, MOVEMASTER_ELLIPSE, ORCA_CIRCLE
 from helicoide.trajectory.chained import Chain

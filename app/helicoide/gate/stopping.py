@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from helicoide.state import Hold, State, Update, commanded
+from helicoide.command import Hold
+from helicoide.state import State, Update, commanded
 
 
 def stop() -> Update:

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from helicoide.command import Along, ToPose
 from helicoide.ik import Reason, reasons
 from helicoide.ik.drive import task_of
 from helicoide.ik.methods import named
@@ -16,7 +17,7 @@ from helicoide.ik.rcm.passage import refusal
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.manipulability import Manipulability, analysed
-from helicoide.state import Along, State, ToPose
+from helicoide.state import State
 from helicoide.text import Text
 
 _STILL = frozen(np.zeros(3))

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from helicoide.command import Along, GetReady, Hold, Park, Replay, ToPose
 from helicoide.ik import (
     AtAcceleration,
     AtLimit,
@@ -22,7 +23,7 @@ from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.readout.distances import distances_of
 from helicoide.readout.instruments import errors, held_by
-from helicoide.state import Along, GetReady, Hold, Park, Replay, State, ToPose, points_on
+from helicoide.state import State, points_on
 from helicoide.text import Text
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]

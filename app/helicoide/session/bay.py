@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
+from helicoide.command import Hold
 from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms
 from helicoide.session.display import Display
@@ -15,7 +16,7 @@ from helicoide.session.replaying import along_fastest, through
 from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import Workcell
-from helicoide.state import Hold, State, commanded, initial
+from helicoide.state import State, commanded, initial
 from helicoide.text import HelicoideError, Text
 from helicoide.view import rows
 from helicoide.view.rows import Wish

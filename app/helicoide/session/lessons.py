@@ -7,7 +7,8 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from helicoide import lesson
-from helicoide.state import Seat, State
+from helicoide.seat import Seat
+from helicoide.state import State
 
 log = logging.getLogger("helicoide")
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from helicoide import gate, kernels
 from helicoide.advance import advance
+from helicoide.command import ToJoints, ToPose
 from helicoide.confinement.planes import distances
 from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
@@ -29,7 +30,7 @@ from helicoide.perception.lists import walked
 from helicoide.perception.lzf import unpacked
 from helicoide.perception.planes import find
 from helicoide.session.workcell import TICK
-from helicoide.state import State, ToJoints, ToPose, commanded, initial
+from helicoide.state import State, commanded, initial
 from helicoide.text import Text
 
 COMPILING = Text(

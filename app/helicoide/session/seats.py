@@ -6,8 +6,8 @@ import secrets
 from dataclasses import dataclass, field
 from time import monotonic
 
+from helicoide.seat import Seat
 from helicoide.session.workcell import Workcell
-from helicoide.state import Seat
 from helicoide.studies.desk import EMPTY, Desk
 from helicoide.text import Language
 from helicoide.view.window import seated

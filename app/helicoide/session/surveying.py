@@ -10,13 +10,14 @@ from functools import partial
 from typing import Any
 
 from helicoide import gate
+from helicoide.command import ToJoints
 from helicoide.kinematics.chain import Array
 from helicoide.perception import cloud_file, realsense
 from helicoide.perception.camera import DepthCamera, SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.tour import NOISE, OUTLIERS, READINGS, Reading, found_in, readings, seen_by
 from helicoide.perception.units import Unit
-from helicoide.state import State, ToJoints, Update
+from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
 
 LOOK, STILL = 0.05, 1e-3

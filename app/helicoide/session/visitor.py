@@ -6,10 +6,11 @@ import asyncio
 from dataclasses import dataclass
 
 from helicoide import lesson
+from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay
 from helicoide.session.seats import Place
-from helicoide.state import Grasp, SeatUpdate
+from helicoide.state import Grasp
 from helicoide.view.rows import View
 from helicoide.view.window import Window
 

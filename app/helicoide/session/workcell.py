@@ -11,8 +11,9 @@ from threading import Lock
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.command import Along
 from helicoide.foresight import foreseen, leads_elsewhere, rests, search, wants_search
-from helicoide.state import Along, State, Update
+from helicoide.state import State, Update
 from helicoide.text import Text
 
 TICK = 0.01

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from viser import Icon
 
 from helicoide import gate
+from helicoide.command import Along
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Along, Update
+from helicoide.state import Update
 from helicoide.text import Text
 from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape

@@ -11,7 +11,8 @@ from viser import IconName
 
 from helicoide.kinematics.workspace import Kind
 from helicoide.perception.units import Unit
-from helicoide.state import Seat, SeatUpdate, State, Update
+from helicoide.seat import Seat, SeatUpdate
+from helicoide.state import State, Update
 from helicoide.studies.desk import EMPTY, Desk, DeskUpdate
 from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text

@@ -7,7 +7,8 @@ import viser
 
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Seat, initial
+from helicoide.seat import Seat
+from helicoide.state import initial
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape

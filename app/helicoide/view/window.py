@@ -19,7 +19,7 @@ from helicoide import gate
 from helicoide.ik import methods
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Seat
+from helicoide.seat import Seat
 from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.view import bind, layers, panels
 from helicoide.view.layers import Layers, Stage

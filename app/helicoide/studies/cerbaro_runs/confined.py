@@ -11,6 +11,7 @@ from functools import partial
 
 import numpy as np
 
+from helicoide.command import Along
 from helicoide.confinement import planes_of
 from helicoide.foresight import lived
 from helicoide.ik import Limits, Problem, limit_gains, objectives
@@ -22,7 +23,7 @@ from helicoide.ik.limit_gains import Memory
 from helicoide.ik.secondary import push
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
-from helicoide.state import Along, State, commanded, initial
+from helicoide.state import State, commanded, initial
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.study import Progress
 from helicoide.trajectory import EQ_33, Ellipse

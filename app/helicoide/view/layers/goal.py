@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.command import Along, Hold
 from helicoide.readout import SHORT
-from helicoide.state import Along, Hold, State
+from helicoide.state import State
 from helicoide.view.layers import Stage
 from helicoide.view.outline import Outline
 from helicoide.view.rows import View

@@ -6,7 +6,7 @@ import numpy as np
 import viser
 
 from helicoide import gate
-from helicoide.state import Along, Course
+from helicoide.command import Along, Course
 from helicoide.text import Text
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View

@@ -8,9 +8,10 @@ import numpy as np
 import viser
 
 from helicoide import gate
+from helicoide.command import ToPose
 from helicoide.kinematics.chain import Array
 from helicoide.readout import SHORT
-from helicoide.state import Grasp, State, ToPose
+from helicoide.state import Grasp, State
 from helicoide.view import bind
 from helicoide.view.layers import Stage
 from helicoide.view.pose import stand

@@ -12,7 +12,7 @@ from viser import Icon
 from helicoide import content
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Lesson, Prose, entered, load
-from helicoide.state import Seat
+from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view import html
 from helicoide.view.rows import Button, Choice, ForArm, ForSeat, Row, View, Wish, Words

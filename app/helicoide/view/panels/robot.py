@@ -6,13 +6,14 @@ import numpy as np
 from viser import Icon
 
 from helicoide import gate
+from helicoide.command import Along, ToJoints, ToPose
 from helicoide.geometry import rotation
 from helicoide.ik.goal import tool_pose
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Along, State, ToJoints, ToPose
+from helicoide.state import State
 from helicoide.text import Text, same
 from helicoide.view import layers
 from helicoide.view.enclosure import plane_rows

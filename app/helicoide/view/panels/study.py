@@ -11,11 +11,11 @@ from markupsafe import Markup
 from viser import Icon
 
 from helicoide import studies
+from helicoide.command import Replay
 from helicoide.export.readable import readable
 from helicoide.export.study_table import HEADINGS, NOTHING, alone, number, source, verdict
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
-from helicoide.state import Replay
 from helicoide.studies import desk as desks
 from helicoide.studies.desk import Desk, Run
 from helicoide.studies.study import Chart, Line, Verdict

@@ -1,0 +1,94 @@
+"""What an arm may be asked to do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.ik.task import EVERY
+from helicoide.kinematics.chain import Array
+from helicoide.text import Text
+from helicoide.trajectory import Path
+from helicoide.trajectory.fastest import Shape
+from helicoide.trajectory.path import JointPath
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Nothing moves."""
+
+    stopped: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class ToPose:
+    """Bring the tool to T_world_target (4, 4), m.
+
+    settles: whether the target goes to where the arm can come, once that has been searched for.
+    """
+
+    T_world_target: Array
+    settles: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class ToJoints:
+    """Bring the joints to q (n,), rad; `yielding`: the joint that stops first at a plane, or every one alike."""
+
+    q: Array
+    yielding: int = EVERY
+
+
+@dataclass(frozen=True)
+class Course:
+    """The path that Play follows: its key among those of the arm, its time scaling, and how long it takes, s.
+
+    None: the first of the arm, and as long as it takes of its own.
+    """
+
+    name: str | None = None
+    shape: Shape = "constant speed"
+    duration: float | None = None
+
+
+@dataclass(frozen=True)
+class Along:
+    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path.
+
+    nearest: how near it has come so far, m; waited: since when it has come no nearer, s.
+    """
+
+    path: Path
+    s: float
+    playing: bool
+    arrived: bool = False
+    nearest: float = np.inf
+    waited: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Replay:
+    """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
+
+    waits: whether its time slows down where the arm cannot keep up.
+    """
+
+    path: JointPath
+    title: Text
+    waits: bool = True
+    s: float = 0.0
+    arrived: bool = False
+
+
+@dataclass(frozen=True)
+class Park:
+    """Go to `ready`, then with the planes off to `home`."""
+
+
+@dataclass(frozen=True)
+class GetReady:
+    """Go to `ready`; from `home` with the planes off."""
+
+
+Command = Hold | ToPose | ToJoints | Along | Replay | Park | GetReady

@@ -1,0 +1,40 @@
+"""One person in front of an arm: what is theirs, whatever the arm does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+from helicoide.kinematics.workspace import Kind
+from helicoide.text import Language
+
+
+@dataclass(frozen=True)
+class Seat:
+    """One person: language, where they are in a lesson, what they selected and what they want to see.
+
+    done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
+    while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
+    arm's reach; cloud_unit: what the numbers in files of clouds count, "" as it looks.
+    """
+
+    token: str
+    language: Language
+    lesson: str | None = None
+    step: int = 0
+    done: frozenset[str] = frozenset()
+    hint_open: bool = False
+    selected: str | None = None
+    picked: tuple[tuple[float, ...], ...] | None = None
+    shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
+    map_kind: Kind = "reachable"
+    cut: float = 0.0
+    cloud_unit: str = ""
+
+    def showing(self, name: str, on: bool) -> Seat:
+        """The same seat with one layer of the scene shown or hidden."""
+        return replace(self, shows=MappingProxyType({**self.shows, name: on}))
+
+
+SeatUpdate = Callable[[Seat], Seat]

@@ -23,6 +23,8 @@ from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
 from helicoide.session.workcell import Workcell
 from helicoide.state import initial
+from helicoide.view.rows import View
+from helicoide.view.window import Window
 
 SILENT = 30
 
@@ -194,6 +196,32 @@ def test_a_display_that_somebody_is_about_to_enter_stays_when_the_last_one_leave
     assert eventually(lambda: second.page.frames > frames + 5)
     second.close()
     assert eventually(lambda: not lab.visitors)
+
+
+def test_a_window_that_leaves_while_others_are_furnished_for_another_arm_costs_nobody(
+    lab: Lab, hand: Hand, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    leaves, stays = window(lab), window(lab)
+    display, before = put_up(lab), state(lab).robot
+    assert eventually(lambda: len(display.windows) == 3)
+    first, goes, last = display.windows
+    goes_on = asyncio.Event()
+
+    async def slow(view: View) -> None:
+        await goes_on.wait()
+        await Window.fill(first, view)
+
+    monkeypatch.setattr(first, "fill", slow)
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
+    assert eventually(lambda: display._drawn[0] is not before)
+    leaves.close()
+    assert eventually(lambda: goes not in display.windows)
+    lab.loop.call_soon_threadsafe(goes_on.set)
+    assert eventually(lambda: first.robot is last.robot is state(lab).robot is not before)
+    stays.close()
+    assert caplog.records == []
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, before.name)
+    assert eventually(lambda: first.robot.name == before.name)
 
 
 def test_what_takes_longer_than_a_tick_is_no_part_of_one(lab: Lab, hand: Hand) -> None:

@@ -20,6 +20,7 @@ from helicoide.state import State, commanded, initial
 from helicoide.text import HelicoideError, Text
 from helicoide.view import rows
 from helicoide.view.rows import Wish
+from helicoide.view.window import Window
 
 MOST_OWN, MAPS = 64, 2  # arms of somebody's own; maps that are counted at once
 
@@ -32,10 +33,10 @@ FULL = Text(
 class Bay:
     """A workcell, its jobs, and its display, None while it has no windows. Only on the event loop.
 
-    maps: how many maps of the lab may be counted at once.
+    maps: how many maps of the lab may be counted at once; put_up: makes the display.
     """
 
-    def __init__(self, workcell: Workcell, maps: asyncio.Semaphore) -> None:
+    def __init__(self, workcell: Workcell, maps: asyncio.Semaphore, put_up: Callable[[Workcell], Display]) -> None:
         def now() -> State:
             return workcell.state
 
@@ -44,6 +45,25 @@ class Bay:
         self.survey = Surveying(now, workcell.tell)
         self.mapping = Mapping(now, workcell.tell, maps)
         self.display: Display | None = None
+        self._put_up = put_up
+
+    async def enter(self, window: Window) -> None:
+        """One more window in front of it, unless it leaves before it may enter."""
+        self.workcell.pause(False)
+        if self.display is None:
+            self.display = self._put_up(self.workcell)
+        if not window.gone:
+            await self.display.enter(window)
+        if window.gone:
+            self.leave(window)
+
+    def leave(self, window: Window) -> None:
+        """A window shows another workcell, or nothing any more."""
+        if self.display is not None:
+            self.display.leave(window)
+            if self.display.empty:
+                self.display.close()
+                self.display = None
 
     def do(self, wish: Wish) -> None:
         """Do what is wished of the arm and its scene."""
@@ -69,12 +89,18 @@ class Bay:
 class Bays:
     """The shared one, and those that are somebody's own.
 
-    wake: called when a workcell has something to do; searcher: where searches run. workcells: for the clock's thread,
-    replaced as a whole.
+    wake: called when a workcell has something to do; searcher: where searches run; put_up: makes what the windows of a
+    workcell show. workcells: for the clock's thread, replaced as a whole.
     """
 
-    def __init__(self, robot: Robot, wake: Callable[[], None], searcher: ThreadPoolExecutor) -> None:
-        self.wake, self.searcher = wake, searcher
+    def __init__(
+        self,
+        robot: Robot,
+        wake: Callable[[], None],
+        searcher: ThreadPoolExecutor,
+        put_up: Callable[[Workcell], Display],
+    ) -> None:
+        self.wake, self.searcher, self.put_up = wake, searcher, put_up
         self.maps = asyncio.Semaphore(MAPS)
         self.all: dict[Workcell, Bay] = {}
         self.shared = self._add(initial(robot))
@@ -83,7 +109,7 @@ class Bays:
         return iter(tuple(self.all.values()))
 
     def _add(self, state: State) -> Bay:
-        bay = Bay(Workcell(state, self.wake, self.searcher), self.maps)
+        bay = Bay(Workcell(state, self.wake, self.searcher), self.maps, self.put_up)
         self.all[bay.workcell] = bay
         self.workcells = tuple(self.all)
         return bay

@@ -146,9 +146,10 @@ class Display:
                 self._scene.update(View(state, NOBODY))
             self._drawn = robot, None
             for window in tuple(self.windows):
-                view = replace(self.view(window), state=state)
-                window.stage(view, drawn)
-                await window.fill(view)
+                if window in self.windows:  # it may leave while others are filled
+                    view = replace(self.view(window), state=state)
+                    window.stage(view, drawn)
+                    await window.fill(view)
         return state
 
     async def _write(self) -> None:

@@ -13,15 +13,14 @@ from time import monotonic
 from helicoide import content, gate
 from helicoide.jobs.apart import Apart
 from helicoide.kinematics.robot import Robot
-from helicoide.session import lessons
-from helicoide.session.bay import Bay, Bays
+from helicoide.session.bay import Bays
 from helicoide.session.clock import Clock
-from helicoide.session.display import CLEARED, Display
+from helicoide.session.display import Display
 from helicoide.session.preparing import compiled, compiling, prepare
 from helicoide.session.seats import Place, Seats
 from helicoide.session.studies import Studies
 from helicoide.session.visitor import Visitor
-from helicoide.session.workcell import FAILED
+from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, Control, Hello, Line, Notice, introduce
@@ -55,7 +54,7 @@ class Lab:
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
         self.studies = Studies(self._news)
         self.pen = asyncio.Lock()
-        self.bays = Bays(robot, self.clock.wake, self.searcher)
+        self.bays = Bays(robot, self.clock.wake, self.searcher, self._put_up)
         self.shared = self.bays.shared
         self.said = compiling(0)
         self._compilation = Apart(compiled)
@@ -172,35 +171,8 @@ class Lab:
         if not self.ready:
             self._say_to(visitor)
         await window.furnish(visitor.view(self.ready))
-        await self._attach(visitor, bay)
-        await self._settle(visitor)
-
-    async def _attach(self, visitor: Visitor, bay: Bay) -> None:
-        """Put a window in front of a workcell."""
-        visitor.bay, robots = bay, (bay.workcell.state.robot.name, bay.arms.wanted)
-        if not lessons.is_about(visitor.place.seat, robots):
-            visitor.place.seat = lessons.seated_at(robots, visitor.place.seat)
-        bay.workcell.pause(False)
-        if bay.display is None:
-            bay.display = Display(self.server, self.control, bay.workcell, self.view, self._arrived, self.pen)
-        if self._is_here(visitor):
-            await bay.display.enter(visitor.window)
-        if not self._is_here(visitor):
-            self._detach(visitor)
-
-    def _detach(self, visitor: Visitor) -> None:
-        """Take a window away from its workcell; what it held is let go where it is."""
-        bay = visitor.bay
-        if bay.display is not None:
-            bay.display.leave(visitor.window)
-            if bay.display.empty:
-                bay.display.close()
-                bay.display = None
-        if (grasp := visitor.grasp) is not None:
-            bay.workcell.tell(gate.let_go(grasp))
-
-    def _is_here(self, visitor: Visitor) -> bool:
-        return self.visitors.get(visitor.window.client.client_id) is visitor
+        await visitor.attach(bay)
+        await visitor.settle(self.bays, self.view)
 
     async def _leave(self, client: Client) -> None:
         """A window closes."""
@@ -211,7 +183,7 @@ class Lab:
         if visitor is not None:
             visitor.window.leave()
             self.seats.leave(visitor.place)
-            self._detach(visitor)
+            visitor.detach()
             if visitor.place.windows == 0:
                 self.studies.forget(visitor.place)
 
@@ -295,26 +267,11 @@ class Lab:
                 return
         visitor.place.at_own = own
         if visitor.settled:
-            visitor.moving = self.loop.create_task(self._settle(visitor))
+            visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
 
-    async def _settle(self, visitor: Visitor) -> None:
-        """Bring a window to the workcell where its person wishes to be, however often they change their mind."""
-        visitor.settled = False
-        try:
-            await self._moved(visitor)
-        finally:
-            visitor.settled = True
-
-    async def _moved(self, visitor: Visitor) -> None:
-        while self._is_here(visitor) and (bay := self.bays.of(visitor.place)) is not visitor.bay:
-            self._detach(visitor)
-            robot, visitor.bay = visitor.bay.workcell.state.robot, bay
-            visitor.window.clear()
-            visitor.window.client.flush()
-            await asyncio.sleep(CLEARED)
-            if bay.workcell.state.robot is not robot:
-                await visitor.window.fill(visitor.view(self.ready))
-            await self._attach(visitor, bay)
+    def _put_up(self, workcell: Workcell) -> Display:
+        """What the windows of a workcell show."""
+        return Display(self.server, self.control, workcell, self.view, self._arrived, self.pen)
 
     def _arrived(self, display: Display) -> None:
         """Another arm stands in a workcell."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from helicoide import lesson
+from helicoide import gate, lesson
 from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
-from helicoide.session.bay import Bay
+from helicoide.session.bay import Bay, Bays
+from helicoide.session.display import CLEARED
 from helicoide.session.seats import Place
 from helicoide.state import Grasp
 from helicoide.view.rows import View
@@ -32,6 +34,40 @@ class Visitor:
         """What the window shows; ready: whether the arms live."""
         place = self.place
         return View(self.bay.workcell.state, place.seat, place.desk, ready, self.bay.workcell is place.own)
+
+    async def attach(self, bay: Bay) -> None:
+        """Bring the window in front of a workcell."""
+        self.bay, robots = bay, (bay.workcell.state.robot.name, bay.arms.wanted)
+        if not lessons.is_about(self.place.seat, robots):
+            self.place.seat = lessons.seated_at(robots, self.place.seat)
+        await bay.enter(self.window)
+        if self.window.gone:
+            self.detach()
+
+    def detach(self) -> None:
+        """Take the window away from its workcell; what it held is let go where it is."""
+        self.bay.leave(self.window)
+        if (grasp := self.grasp) is not None:
+            self.bay.workcell.tell(gate.let_go(grasp))
+
+    async def settle(self, bays: Bays, view: Callable[[Window], View]) -> None:
+        """Bring the window to the workcell where its person wishes to be, however often they change their mind."""
+        self.settled = False
+        try:
+            while not self.window.gone and (bay := bays.of(self.place)) is not self.bay:
+                await self._move(bay, view)
+        finally:
+            self.settled = True
+
+    async def _move(self, bay: Bay, view: Callable[[Window], View]) -> None:
+        self.detach()
+        robot, self.bay = self.bay.workcell.state.robot, bay
+        self.window.clear()
+        self.window.client.flush()
+        await asyncio.sleep(CLEARED)
+        if bay.workcell.state.robot is not robot and not self.window.gone:
+            await self.window.fill(view(self.window))
+        await self.attach(bay)
 
     def write(self) -> None:
         """What the window shows may be something else."""

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import numpy as np
 import pytest
+from tests.studies.record import numbers, recorded
 
 from helicoide import studies
+from helicoide.export import errata
 from helicoide.ik.method import OneOf, Quantity, changed, settings
 from helicoide.kinematics.library import load
-from helicoide.studies.study import Result, Verdict
-from helicoide.text import HelicoideError, Text
+from helicoide.studies.study import Result, Statement, Verdict
+from helicoide.text import LANGUAGES, HelicoideError, Language, Text
 
 NAMES = studies.names()
+BOUND = re.compile(r"(?P<sign>[<≤>≥])\s*(?P<number>[-−]?\d+(?:\.\d+)?)(?:\s.*)?")
 
 
 @cache
@@ -62,18 +66,43 @@ def test_its_options_are_settings_whose_defaults_are_valid(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_its_short_form_differs_nowhere_without_excuse(name: str) -> None:
+def test_its_numbers_are_those_that_were_recorded(name: str) -> None:
+    assert numbers(short(name)[0]) == pytest.approx(recorded(name), rel=5e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_differs_says_why_and_what_is_fitted_holds_around_its_value(name: str) -> None:
     result, _ = short(name)
     assert result.rows
-    assert [(row.quantity.en, row.ours, row.digest) for row in result.rows if row.verdict is Verdict.DIFFERS] == []
-    assert any(row.digest is not None for row in result.rows)
+    assert [row.quantity.en for row in result.rows if row.verdict is Verdict.DIFFERS and row.why is None] == []
+    for value in result.fitted:
+        assert min(value.least, value.most) <= value.value - 0.05 * abs(value.value), value
+        assert max(value.least, value.most) >= value.value + 0.05 * abs(value.value), value
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_number_is_as_printed_against_the_bound_that_is_printed(name: str) -> None:
+    """By the words themselves: "< 1.2", "≥ 80", "0.0246"."""
+    for row in short(name)[0].rows:
+        if isinstance(row.source, Statement) and (read := BOUND.fullmatch(row.source.words.en)):
+            bound = float(read["number"].replace("−", "-"))
+            breaks = {"<": row.ours >= bound, "≤": row.ours > bound, ">": row.ours <= bound, "≥": row.ours < bound}
+            assert not (row.verdict in (Verdict.PRINTED, Verdict.FITTED) and breaks[read["sign"]]), row
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_erratum_that_it_names_is_on_the_page(name: str, language: Language) -> None:
+    for row in short(name)[0].rows:
+        if row.erratum:
+            assert f'id="{row.erratum}"' in errata.page(language)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_its_rows_are_numbers_and_named_once(name: str) -> None:
     result, _ = short(name)
     assert not np.isnan([row.ours for row in result.rows]).any()
-    named = [(row.quantity, row.relation, row.digest) for row in result.rows]
+    named = [(row.quantity, row.unit) for row in result.rows]
     assert len(named) == len(set(named))
     for text in texts(result):
         assert text.en.strip()
@@ -93,9 +122,10 @@ def test_its_charts_have_data(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_its_motion_is_one_of_its_robot(name: str) -> None:
-    motion = short(name)[0].motion
-    if motion is not None:
+def test_its_motions_are_of_a_robot_and_have_names_of_their_own(name: str) -> None:
+    motions = short(name)[0].motions
+    assert len({motion.title for motion in motions}) == len(motions)
+    for motion in motions:
         robot = load(motion.robot, None, motion.parameters)
         assert motion.q.shape == (len(motion.times), len(robot.variables))
         assert np.isfinite(motion.q).all()

@@ -8,60 +8,90 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.studies.study import Row, Verdict
+from helicoide.studies.study import Figure, Fitted, Relation, Result, Row, Statement, Verdict, printed, unstated
 from helicoide.text import same
 
+SAID = Statement(same("2"), "§1", 2.0, "=", 0.1)
 ROW = Row(same("q"), 1.0)
+GAIN = Fitted(same("γ"), 5.0, 4.0, 6.0)
 numbers = st.floats(-1e6, 1e6)
-widths = st.floats(0, 10)
-relations = st.sampled_from(["=", "≥", "≤"])
-
-
-def test_without_a_digest_a_number_stands_alone() -> None:
-    assert ROW.verdict is Verdict.AGREES
-    assert replace(ROW, ours=float("nan")).verdict is Verdict.DIFFERS
 
 
 @pytest.mark.parametrize(
-    ("relation", "ours", "agrees"),
+    ("words", "value", "relation", "within"),
+    [
+        ("< 1,2", 1.2, "<", 0.0),
+        ("≥ 80", 80.0, "≥", 0.0),
+        ("0,0246", 0.0246, "=", 5e-5),
+        ("8.3 × 10⁻⁴", 8.3e-4, "=", 5e-6),
+        ("≈ 9", 9.0, "=", 1.0),
+        ("~ 1 × 10⁻³", 1e-3, "~", 0.0),
+        ("−1", -1.0, "=", 0.5),
+    ],
+)
+def test_a_printed_number_is_met_to_its_last_digit(words: str, value: float, relation: str, within: float) -> None:
+    statement = printed(words, "fig. 1")
+    assert (statement.value, statement.relation) == (pytest.approx(value), relation)
+    assert statement.within == pytest.approx(within)
+    assert ("," in statement.words.en, "." in statement.words.pt_BR) == (False, False)
+
+
+@pytest.mark.parametrize("words", ["", "small", "1 to 2", "<"])
+def test_words_that_are_no_number_are_none(words: str) -> None:
+    with pytest.raises(ValueError, match="no number"):
+        printed(words, "fig. 1")
+
+
+@pytest.mark.parametrize(
+    ("relation", "ours", "holds"),
     [
         ("=", 2.1, True),
         ("=", 2.11, False),
         ("=", 1.89, False),
-        ("≥", 9, True),
+        ("~", 6.0, True),
+        ("~", 7.0, False),
+        ("~", 0.5, False),
+        ("<", 2.0, False),
+        ("<", 1.99, True),
+        (">", 2.0, False),
+        (">", 2.01, True),
         ("≥", 1.91, True),
         ("≥", 1.89, False),
-        ("≤", -9, True),
         ("≤", 2.09, True),
         ("≤", 2.11, False),
     ],
 )
-def test_a_relation_holds_to_within_its_tolerance(relation: str, ours: float, agrees: bool) -> None:
-    row = Row(same("q"), ours, 2.0, 0.1 + 1e-12, relation=relation)  # type: ignore[arg-type]
-    assert row.agrees is agrees
+def test_a_relation_holds_or_not(relation: Relation, ours: float, holds: bool) -> None:
+    assert Statement(same("2"), "§1", 2.0, relation, 0.1 + 1e-12).holds(ours) is holds
 
 
-@given(ours=numbers, digest=numbers, tolerance=widths)
-def test_equal_is_both_at_least_and_at_most(ours: float, digest: float, tolerance: float) -> None:
-    equal, least, most = (Row(same("q"), ours, digest, tolerance, relation=r).agrees for r in ("=", "≥", "≤"))
-    assert equal == (least and most)
-    assert least or most
-
-
-@given(ours=numbers, digest=numbers, relation=relations)
-def test_an_excuse_counts_only_for_a_difference_and_a_doubt_first(ours: float, digest: float, relation: str) -> None:
-    plain = Row(same("q"), ours, digest, relation=relation)  # type: ignore[arg-type]
-    doubted, assumed = replace(plain, doubt="D6"), replace(plain, assumed=same("gains"))
-    both = replace(doubted, assumed=same("gains"))
-    if plain.agrees:
-        assert {row.verdict for row in (plain, doubted, assumed, both)} == {Verdict.AGREES}
+@given(
+    ours=numbers,
+    fitted=st.booleans(),
+    erratum=st.sampled_from(["", "vargas-1"]),
+    why=st.sampled_from([None, same("!")]),
+)
+def test_the_verdict_is_about_the_statement_alone(ours: float, fitted: bool, erratum: str, why: None) -> None:
+    row = Row(same("q"), ours, "", SAID, (GAIN,) if fitted else (), erratum, why)
+    if SAID.holds(ours):
+        assert row.verdict is (Verdict.FITTED if fitted else Verdict.PRINTED)
     else:
-        found = [row.verdict for row in (plain, doubted, assumed, both)]
-        assert found == [Verdict.DIFFERS, Verdict.DOUBT, Verdict.ASSUMED, Verdict.DOUBT]
+        assert row.verdict is (Verdict.ERRATUM if erratum else Verdict.DIFFERS)
+    assert replace(row, source=None).verdict is Verdict.OURS
+    assert replace(row, source=Figure("fig. 1")).verdict is Verdict.FIGURE
 
 
-@pytest.mark.parametrize("excuse", [{"doubt": "D6"}, {"assumed": same("gains")}])
-def test_what_is_no_number_agrees_with_nothing(excuse: dict[str, object]) -> None:
-    row = replace(ROW, ours=float("nan"), digest=1.0, tolerance=9.0)
+@pytest.mark.parametrize("source", [None, SAID, Figure("fig. 1")])
+def test_what_is_no_number_differs_from_everything(source: Statement | Figure | None) -> None:
+    row = Row(same("q"), float("nan"), "", source, (GAIN,), "vargas-1")
     assert row.verdict is Verdict.DIFFERS
-    assert replace(row, **excuse).verdict is not Verdict.AGREES  # type: ignore[arg-type]
+
+
+def test_with_other_settings_every_number_stands_alone() -> None:
+    (row,) = unstated((Row(same("q"), 2.0, "m", SAID, (GAIN,), "vargas-1", same("!")),))
+    assert row == Row(same("q"), 2.0, "m")
+
+
+def test_a_value_that_was_fitted_for_several_statements_counts_once() -> None:
+    rows = (replace(ROW, fitted=(GAIN,)), replace(ROW, ours=2.0, fitted=(GAIN, replace(GAIN, name=same("κ")))))
+    assert [value.name.en for value in Result(rows).fitted] == ["γ", "κ"]

@@ -18,11 +18,11 @@ from tqdm import tqdm
 
 from helicoide import studies
 from helicoide.commands import NOT_REACHED, language
-from helicoide.export.study_report import FAILED, Record, chosen, counted, page
-from helicoide.export.study_table import HEADINGS, cells
+from helicoide.export.study_report import DIFFERS, FAILED, Record, by_source, chosen, counted, differences, page
+from helicoide.export.study_table import HEADINGS, cells, in_order
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
 from helicoide.jobs.several import Outcome, Progress, in_processes, timed
-from helicoide.studies.study import Chart, Result, Row
+from helicoide.studies.study import Chart, Figure, Motion, Result, Row, Statement
 from helicoide.text import HelicoideError, Language, Text, same
 
 WORDS = {"true": True, "yes": True, "sim": True, "false": False, "no": False, "não": False}
@@ -51,10 +51,10 @@ def run(
         tyro.conf.arg(help="language of what is printed and reported; that of the terminal if none"),
     ] = None,
 ) -> None:
-    """Run an experiment of the sources, or all of them, and print its numbers beside those of the source.
+    """Run an experiment of the sources, or all of them, and print what the source states beside what comes out.
 
-    Ends with 0 when all is well, with 1 where a number differs without a doubt of the digest or something that the
-    source does not give, with 3 when a study did not run to its end, and with 2 for wrong input.
+    Ends with 0 when all is well, with 1 where something differs and nobody knows why, with 3 when a study did not run
+    to its end, and with 2 for wrong input.
 
     Args:
         list: print the names of all studies and their options.
@@ -82,7 +82,7 @@ def run(
         _print(records, seconds, spoken)
     if any(record.result is None for record in records):
         sys.exit(NOT_REACHED)
-    if any(record.differs for record in records):
+    if any(record.unexplained for record in records):
         sys.exit(1)
 
 
@@ -100,7 +100,7 @@ def described(record: Record) -> dict[str, Any]:
         "failure": None if record.failure is None else _words(record.failure),
         "rows": [] if result is None else [_row(row) for row in result.rows],
         "charts": [] if result is None else [_chart(chart) for chart in result.charts],
-        "motion": None if result is None else _motion(result),
+        "motions": [] if result is None else [_motion(motion) for motion in result.motions],
     }
 
 
@@ -108,31 +108,37 @@ def _row(row: Row) -> dict[str, Any]:
     return {
         "quantity": _words(row.quantity),
         "unit": row.unit,
-        "source": _words(row.source if isinstance(row.source, Text) else same(row.source)),
-        "relation": row.relation,
-        "digest": row.digest,
-        "tolerance": row.tolerance,
+        "source": _source(row.source),
         "ours": row.ours if isfinite(row.ours) else None,
         "verdict": row.verdict.name.lower(),
-        "doubt": row.doubt,
-        "assumed": None if row.assumed is None else _words(row.assumed),
+        "fitted": [{**vars(value), "name": _words(value.name)} for value in row.fitted],
+        "erratum": row.erratum or None,
+        "why": None if row.why is None else _words(row.why),
     }
+
+
+def _source(source: Statement | Figure | None) -> dict[str, Any] | None:
+    match source:
+        case Statement():
+            return {**vars(source), "words": _words(source.words)}
+        case Figure(place):
+            return {"figure": place}
+    return None
 
 
 def _chart(chart: Chart) -> dict[str, Any]:
     return {
         "title": _words(chart.title),
+        "figure": chart.figure,
         "across": _words(chart.across),
         "up": _words(chart.up),
         "lines": [{"title": _words(e.title), "x": e.x.tolist(), "y": e.y.tolist()} for e in chart.lines],
     }
 
 
-def _motion(result: Result) -> dict[str, Any] | None:
-    motion = result.motion
-    if motion is None:
-        return None
+def _motion(motion: Motion) -> dict[str, Any]:
     return {
+        "title": _words(motion.title),
         "robot": motion.robot,
         "parameters": [*motion.parameters],
         "times": motion.times.tolist(),
@@ -275,9 +281,12 @@ def _print(records: list[Record], seconds: float, language: Language) -> None:
             print(line)
         print()
     print(counted(records, seconds)[language])
+    for line in (*by_source(records), DIFFERS, *differences(records)):
+        print(line[language])
 
 
 def _table(result: Result, language: Language) -> list[str]:
-    rows = [tuple(head[language] for head in HEADINGS), *(cells(row, language) for row in result.rows)]
+    lines = [HEADINGS, *(cells(row) for row in in_order(result.rows))]
+    rows = [tuple(cell[language] for cell in line) for line in lines]
     widths = [max(len(row[i]) for row in rows) for i in range(len(HEADINGS))]
     return ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]

@@ -17,7 +17,13 @@ LEAST_SPAN, MOST_VALUE = 0.05, 1e4
 
 
 def readable(chart: Chart) -> Chart:
-    """The chart with y in a power of ten in which three decimals are enough; `up` names the power."""
+    """The chart with y in a power of ten in which three decimals are enough; `up` names the power.
+
+    One that is drawn by powers of ten stays as it is, without what has no logarithm.
+    """
+    if chart.log:
+        lines = tuple(replace(line, y=np.where(line.y > 0, line.y, np.nan)) for line in chart.lines)
+        return replace(chart, lines=lines)
     power = _power(np.concatenate([line.y[np.isfinite(line.y)] for line in chart.lines]))
     if power == 0:
         return chart

@@ -8,29 +8,41 @@ from typing import Any
 
 from markupsafe import Markup
 
+from helicoide.export import errata
 from helicoide.export.readable import readable
-from helicoide.export.study_table import HEADINGS, alone, cells
+from helicoide.export.study_table import HEADINGS, cells, in_order, ours, source
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
-from helicoide.studies.study import Result, Row, Study, Verdict
-from helicoide.text import Language, Text
+from helicoide.studies.study import Result, Row, Statement, Study, Verdict
+from helicoide.text import Language, Text, same
 
 TITLE = Text(en="Studies of Helicoide", pt_BR="Estudos do Helicoide")
 COUNTED = Text(
-    en="Studies: {studies}. Numbers: {rows}; {counts}. The full run took {seconds:.0f} s.",
-    pt_BR="Estudos: {studies}. Números: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
+    en="Studies: {studies}. Rows: {rows}; {counts}. The full run took {seconds:.0f} s.",
+    pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
 )
-ALONE = Text(en="nothing to compare with", pt_BR="sem termo de comparação")
+OF_SOURCE = Text(
+    en="{source}: {stated} statements beside ours, {fitted} fitted values",
+    pt_BR="{source}: {stated} afirmações ao lado das nossas, {fitted} valores ajustados",
+)
+DIFFERS = Text(en="What differs", pt_BR="O que difere")
+DIFFERENCE = Text(
+    en="{name}, {quantity}: printed {printed}; ours {ours}{why}",
+    pt_BR="{name}, {quantity}: impresso {printed}; nosso {ours}{why}",
+)
+AND_WHY = same(". {why}")
+NONE_DIFFERS = Text(en="Nothing.", pt_BR="Nada.")
 ABOUT_VERDICTS = Text(
-    en="The source’s column shows what the source prints; the digest’s, what was recomputed from it, with corrections. "
-    "Doubts are those that the digest numbers.",
-    pt_BR="A coluna da fonte mostra o que a fonte imprime; a da síntese, o que dela foi recalculado, com correções. As "
-    "dúvidas são as que a síntese numera.",
+    en="First comes what a source prints, with its place, and the verdict is about that. Values that the source does "
+    "not give may have been fitted so that its statements hold: they are named, with the range in which they do. What "
+    "a source shows in a figure only, and what nobody printed, stands apart.",
+    pt_BR="Primeiro vem o que a fonte imprime, com o lugar, e é disso que trata o veredito. Valores que a fonte não "
+    "informa podem ter sido ajustados para que suas afirmações valham: são nomeados, com a faixa em que valem. O que "
+    "a fonte só mostra em figura, e o que ninguém imprimiu, fica à parte.",
 )
 SHORT = Text(en="short form", pt_BR="forma curta")
 FAILED = Text(en="did not run to its end: {why}", pt_BR="não chegou ao fim: {why}")
 TOOK = Text(en="{robot} · took {seconds:.1f} s", pt_BR="{robot} · levou {seconds:.1f} s")
-COLOUR = {Verdict.AGREES: "agrees", Verdict.DOUBT: "doubt", Verdict.ASSUMED: "assumed", Verdict.DIFFERS: "differs"}
 STYLE = Markup("""
 :root { color-scheme: light; font: 16px/1.5 system-ui, sans-serif; color: #1c2430; background: #fff; }
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
@@ -39,9 +51,10 @@ h2 { margin-top: 3rem; border-top: 1px solid #ccd2da; padding-top: 1rem; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 0.9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 0.25rem 0.6rem; border-bottom: 1px solid #e3e7ec; vertical-align: top; }
-td:nth-child(3), td:nth-child(4) { white-space: nowrap; }
+td:nth-child(3) { white-space: nowrap; }
 .verdict { font-weight: 600; border-left: 0.4rem solid; padding-left: 0.5rem; }
-.agrees { color: #1b6b3a; } .doubt { color: #8a5a00; } .assumed { color: #5a3fa0; } .differs { color: #b3261e; }
+.printed { color: #1b6b3a; } .fitted { color: #5a3fa0; } .erratum { color: #8a5a00; } .differs { color: #b3261e; }
+.figure, .ours { color: #55606e; font-weight: 400; }
 figure { margin: 1.5rem 0; max-width: 44rem; } figcaption { font-weight: 600; }
 figure ul, .axes { list-style: none; margin: 0; padding: 0; display: flex; flex-wrap: wrap; gap: 0.2rem 1.2rem; }
 .axes { justify-content: space-between; font-size: 0.9rem; }
@@ -52,7 +65,7 @@ svg { width: 100%; height: auto; font-size: 12px; fill: #1c2430; } svg.swatch { 
   tr { display: grid; grid-template-columns: 2fr 3fr 3fr; border-bottom: 1px solid #e3e7ec; padding: 0.3rem 0; }
   th, td { border: 0; padding: 0 0.4rem 0 0; } th:first-child, th:last-child { display: none; }
   td:first-child, td:last-child { grid-column: 1 / -1; } td:first-child { font-weight: 600; }
-  td:nth-child(3), td:nth-child(4) { white-space: normal; } td:last-child:not(:has(.verdict)) { display: none; }
+  td:nth-child(3) { white-space: normal; }
   svg { font-size: 15px; } }
 @media print { body { max-width: none; margin: 0; font-size: 10pt; } h2, figcaption { break-after: avoid; }
   table, figure, tr { break-inside: avoid; } * { print-color-adjust: exact; } }
@@ -67,9 +80,13 @@ PAGE = Markup("""\
 </style></head><body>
 <h1>{title}</h1>
 <p>{counted}</p>
+<ul>{of_sources}</ul>
 <p>{about}</p>
 <ol>{contents}</ol>
 {sections}
+<section id="differs"><h2>{differs}</h2>
+{differences}</section>
+<section id="errata">{errata}</section>
 </body></html>
 """)
 SECTION = Markup("""\
@@ -98,22 +115,34 @@ class Record:
     seconds: float
 
     @property
-    def differs(self) -> bool:
-        """Whether it failed, or a row differs without a doubt or an assumption."""
-        return self.result is None or any(row.verdict is Verdict.DIFFERS for row in self.result.rows)
+    def differences(self) -> tuple[Row, ...]:
+        """The rows that are not as the source prints them."""
+        return () if self.result is None else tuple(r for r in self.result.rows if r.verdict is Verdict.DIFFERS)
+
+    @property
+    def unexplained(self) -> bool:
+        """Whether it failed, or differs nobody knows why."""
+        return self.result is None or any(row.why is None for row in self.differences)
 
 
 def page(records: Sequence[Record], seconds: float, language: Language) -> Markup:
     """The report as an HTML document. Args: seconds: of the full run."""
     entry = Markup('<li><a href="#{}">{}</a></li>')
+    item = Markup("<li>{}</li>")
     return PAGE.format(
         language="pt-BR" if language == "pt_BR" else "en",
         title=TITLE[language],
         style=STYLE,
         counted=counted(records, seconds)[language],
+        of_sources=_joined(item.format(words[language]) for words in by_source(records)),
         about=ABOUT_VERDICTS[language],
         contents=_joined(entry.format(record.name, record.study.TITLE[language]) for record in records),
         sections=Markup("\n").join(_section(record, language) for record in records),
+        differs=DIFFERS[language],
+        differences=Markup("<ul>{}</ul>").format(
+            _joined(item.format(words[language]) for words in differences(records))
+        ),
+        errata=errata.page(language),
     )
 
 
@@ -122,16 +151,42 @@ def _joined(parts: Iterable[Markup]) -> Markup:
 
 
 def counted(records: Sequence[Record], seconds: float) -> Text:
-    """How many numbers there are of each verdict, and how long the full run took."""
-    rows = [row for record in records if record.result for row in record.result.rows]
-    compared = [row for row in rows if not alone(row)]
-    found = [(verdict.value, sum(row.verdict is verdict for row in compared)) for verdict in Verdict]
-    found.append((ALONE, len(rows) - len(compared)))
+    """How many rows there are of each verdict, and how long the full run took."""
+    verdicts = [row.verdict for record in records if record.result for row in record.result.rows]
+    found = [(verdict.value, verdicts.count(verdict)) for verdict in Verdict]
     counts = Text(
         en="; ".join(f"{words.en}: {n}" for words, n in found if n) or "–",
         pt_BR="; ".join(f"{words.pt_BR}: {n}" for words, n in found if n) or "–",
     )
-    return COUNTED.format(studies=len(records), rows=len(rows), counts=counts, seconds=seconds)
+    return COUNTED.format(studies=len(records), rows=len(verdicts), counts=counts, seconds=seconds)
+
+
+def by_source(records: Sequence[Record]) -> list[Text]:
+    """How many rows of each source have a printed statement, and how many values were fitted for them."""
+    results = [(record.study.SOURCE.partition(",")[0], record.result) for record in records if record.result]
+    lines = []
+    for name in dict.fromkeys(name for name, _ in results):
+        of_it = [result for other, result in results if other == name]
+        stated = sum(isinstance(row.source, Statement) for result in of_it for row in result.rows)
+        chosen = {value for result in of_it for value in result.fitted}
+        lines.append(OF_SOURCE.format(source=name, stated=stated, fitted=len(chosen)))
+    return lines
+
+
+def differences(records: Sequence[Record]) -> list[Text]:
+    """What is not as its source prints it, a sentence each."""
+    found = [(record.study, row) for record in records for row in record.differences]
+    return [_difference(study, row) for study, row in found] or [NONE_DIFFERS]
+
+
+def _difference(study: Study, row: Row) -> Text:
+    return DIFFERENCE.format(
+        name=study.TITLE,
+        quantity=row.quantity,
+        printed=source(row),
+        ours=ours(row),
+        why=same("") if row.why is None else AND_WHY.format(why=row.why),
+    )
 
 
 def chosen(record: Record, language: Language) -> str:
@@ -171,14 +226,14 @@ def _body(record: Record, language: Language) -> Markup:
         return Markup('<p class="verdict differs">{}</p>').format(FAILED.format(why=why)[language])
     return TABLE.format(
         heads=_joined(Markup("<th>{}</th>").format(head[language]) for head in HEADINGS),
-        rows=Markup("\n").join(_row(row, language) for row in record.result.rows),
+        rows=Markup("\n").join(_row(row, language) for row in in_order(record.result.rows)),
         charts=Markup("\n").join(figure(readable(chart), language) for chart in record.result.charts),
     )
 
 
 def _row(row: Row, language: Language) -> Markup:
-    *plain, verdict = cells(row, language)
-    kind = "" if alone(row) else f"verdict {COLOUR[row.verdict]}"
-    return Markup('<tr>{}<td><span class="{}">{}</span></td></tr>').format(
-        _joined(Markup("<td>{}</td>").format(cell) for cell in plain), kind, verdict
+    *plain, verdict = (cell[language] for cell in cells(row))
+    said = Markup('<a href="#{}">{}</a>').format(row.erratum, verdict) if row.verdict is Verdict.ERRATUM else verdict
+    return Markup('<tr>{}<td><span class="verdict {}">{}</span></td></tr>').format(
+        _joined(Markup("<td>{}</td>").format(cell) for cell in plain), row.verdict.name.lower(), said
     )

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import floor, isfinite, log10
 
-from helicoide.studies.study import Row, Verdict
-from helicoide.text import Language, Text
+from helicoide.studies.study import Fitted, Row, Statement, Verdict
+from helicoide.text import Text, joined, same
 
 HEADINGS = (
     Text(en="quantity", pt_BR="grandeza"),
-    Text(en="source", pt_BR="fonte"),
-    Text(en="digest", pt_BR="síntese"),
+    Text(en="the source prints", pt_BR="a fonte imprime"),
     Text(en="ours", pt_BR="nosso"),
     Text(en="verdict", pt_BR="veredito"),
 )
 NOTHING = "–"
+PLACED, BECAUSE = same("{words} ({place})"), same("{said}: {why}")
+HOLDS = Text(en="{name} = {value} (holds from {least} to {most})", pt_BR="{name} = {value} (vale de {least} a {most})")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FINEST, DIGITS = 1e-6, 6
 
@@ -24,6 +26,12 @@ def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = D
     decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 1 else 0
     shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else short(value, digits)
     return f"{shown}{unit}" if unit in ("", "°") else f"{shown} {unit}"
+
+
+def written(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> Text:
+    """The same number in both languages."""
+    digits_and_unit = number(value, unit, tolerance, digits)
+    return Text(en=digits_and_unit, pt_BR=digits_and_unit.replace(".", ","))
 
 
 def short(value: float, digits: int) -> str:
@@ -37,40 +45,46 @@ def raised(exponent: int) -> str:
     return "10" + str(exponent).translate(RAISED)
 
 
-def source(row: Row, language: Language) -> str:
-    """What the source prints."""
-    said = row.source[language] if isinstance(row.source, Text) else row.source
-    return said or NOTHING
+def in_order(rows: Sequence[Row]) -> list[Row]:
+    """What the source prints first, then what it shows in figures, and ours apart at the end."""
+    last = (Verdict.FIGURE, Verdict.OURS)
+    return sorted(rows, key=lambda row: last.index(row.verdict) + 1 if row.verdict in last else 0)
 
 
-def digest(row: Row) -> str:
-    """What the digest asks for: a number and how far one may be from it, or a bound."""
-    if row.digest is None:
-        return NOTHING
-    if row.relation != "=":
-        return f"{row.relation} {number(row.digest, row.unit)}"
-    return number(row.digest, row.unit, row.tolerance) + (f" ± {short(row.tolerance, 2)}" if row.tolerance else "")
+def source(row: Row) -> Text:
+    """What the source prints, and where."""
+    match row.source:
+        case None:
+            return same(NOTHING)
+        case Statement(words, place):
+            return PLACED.format(words=words, place=place)
+    return same(row.source.place)
 
 
-def alone(row: Row) -> bool:
-    """Whether our number stands alone."""
-    return row.digest is None and row.agrees
+def ours(row: Row, digits: int = DIGITS) -> Text:
+    """Our number, as far as it counts."""
+    return written(row.ours, row.unit, row.source.within if isinstance(row.source, Statement) else 0.0, digits)
 
 
-def verdict(row: Row, language: Language) -> str:
-    """The verdict, with the doubt or the assumption that excuses it; none where there is nothing to compare with."""
-    found = row.verdict
-    if alone(row):
-        return NOTHING
-    said = found.value[language]
-    if found is Verdict.DOUBT:
-        return f"{said} ({row.doubt})"
-    if found is Verdict.ASSUMED and row.assumed is not None:
-        return f"{said}: {row.assumed[language]}"
+def verdict(row: Row) -> Text:
+    """The verdict, with the values that were fitted, the erratum, or why it differs."""
+    said = row.verdict.value
+    match row.verdict:
+        case Verdict.FITTED:
+            return BECAUSE.format(said=said, why=joined([fitted(value) for value in row.fitted]))
+        case Verdict.ERRATUM:
+            return BECAUSE.format(said=said, why=row.erratum)
+        case Verdict.DIFFERS if row.why is not None:
+            return BECAUSE.format(said=said, why=row.why)
     return said
 
 
-def cells(row: Row, language: Language) -> tuple[str, str, str, str, str]:
+def fitted(chosen: Fitted) -> Text:
+    """A value that was chosen, and how far the statements hold."""
+    ends = {"least": written(chosen.least, digits=3), "most": written(chosen.most, digits=3)}
+    return HOLDS.format(name=chosen.name, value=written(chosen.value, chosen.unit), **ends)
+
+
+def cells(row: Row) -> tuple[Text, Text, Text, Text]:
     """The columns of `HEADINGS`."""
-    ours = number(row.ours, row.unit, row.tolerance if row.relation == "=" else 0.0)
-    return row.quantity[language], source(row, language), digest(row), ours, verdict(row, language)
+    return row.quantity, source(row), ours(row), verdict(row)

@@ -12,6 +12,7 @@ from math import ceil, floor, log10
 import numpy as np
 from markupsafe import Markup
 
+from helicoide.export.study_table import short
 from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Line
 from helicoide.text import Language
@@ -34,6 +35,12 @@ def ticks(lower: float, upper: float) -> Array:
     return np.asarray(np.arange(ceil(lower / step), floor(upper / step) + 1) * step)
 
 
+def powers(lower: float, upper: float) -> Array:
+    """Powers of ten within a range, at most `MOST` of them."""
+    first, last = round(log10(lower)), round(log10(upper))
+    return np.asarray(10.0 ** np.arange(first, last + 1, max(1, ceil((last - first) / MOST))))
+
+
 def labels(values: Array) -> list[str]:
     """Ticks with as many decimals as tell them apart; powers of ten where they would be many."""
     step, largest = (float(values[1] - values[0]) if len(values) > 1 else 1.0), float(np.abs(values).max())
@@ -45,8 +52,11 @@ def labels(values: Array) -> list[str]:
     return [f"{value:.{digits}g}" for value in values]
 
 
-def span(values: list[Array]) -> tuple[float, float]:
-    """The range of several curves with a little room, also where they are constant."""
+def span(values: list[Array], log: bool = False) -> tuple[float, float]:
+    """The range of several curves with a little room, also where they are constant; log: whole powers of ten."""
+    if log:
+        powers = np.log10([value for v in values for value in v[v > 0]] or [1.0])
+        return 10.0 ** floor(powers.min()), 10.0 ** max(ceil(powers.max()), floor(powers.min()) + 1)
     lower, upper = min(float(v.min()) for v in values), max(float(v.max()) for v in values)
     room = 0.04 * (upper - lower) or max(0.1 * abs(upper), 1e-9)
     return lower - room, upper + room
@@ -66,12 +76,16 @@ def thinned(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Frame:
-    """A chart of a size, in the unit of its SVG: what is across and up, from lower to upper."""
+    """A chart of a size, in the unit of its SVG: what is across and up, from lower to upper.
+
+    log: whether up goes by powers of ten.
+    """
 
     width: int
     height: int
     across: tuple[float, float]
     up: tuple[float, float]
+    log: bool = False
 
     @property
     def floor(self) -> int:
@@ -85,12 +99,14 @@ class Frame:
 
     def down(self, y: Array) -> Array:
         """Where values of y stand."""
-        return np.asarray(self.floor - (y - self.up[0]) / (self.up[1] - self.up[0]) * (self.floor - TOP))
+        lower, upper, y = (np.log10(v) if self.log else np.asarray(v) for v in (*self.up, y))
+        return np.asarray(self.floor - (y - lower) / (upper - lower) * (self.floor - TOP))
 
 
 def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
     """A chart as an SVG element, without words."""
-    frame = Frame(*size, span([line.x for line in chart.lines]), span([line.y for line in chart.lines]))
+    across = span([line.x for line in chart.lines])
+    frame = Frame(*size, across, span([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log), chart.log)
     inside = (*_grid(frame), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
     return Markup('<svg viewBox="0 0 {} {}" role="img" aria-label="{}">\n{}\n</svg>').format(
         frame.width, frame.height, chart.title[language], Markup("\n").join(inside)
@@ -99,8 +115,9 @@ def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Marku
 
 def caption(chart: Chart, language: Language) -> Markup:
     """The title of a chart, what is up and what is across, as words of the page, which can wrap."""
+    title = f"{chart.title[language]} ({chart.figure})" if chart.figure else chart.title[language]
     return Markup('<figcaption>{}</figcaption>\n<p class="axes"><span>↑ {}</span> <span>→ {}</span></p>').format(
-        chart.title[language], chart.up[language], chart.across[language]
+        title, chart.up[language], chart.across[language]
     )
 
 
@@ -115,7 +132,8 @@ def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Ma
 
 
 def _grid(frame: Frame) -> list[Markup]:
-    x, y, floor_y, edge = ticks(*frame.across), ticks(*frame.up), frame.floor, frame.width - RIGHT
+    x, y = ticks(*frame.across), powers(*frame.up) if frame.log else ticks(*frame.up)
+    floor_y, edge = frame.floor, frame.width - RIGHT
     frame_of = Markup('<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>')
     path = Markup('<path class="grid" d="{}"/>')
     text = Markup('<text x="{}" y="{}" text-anchor="{}">{}</text>')
@@ -123,7 +141,7 @@ def _grid(frame: Frame) -> list[Markup]:
     for at, label in zip(frame.right(x), labels(x), strict=True):
         rows.append(path.format(f"M{at:.1f} {TOP}V{floor_y}"))
         rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", label))
-    for at, label in zip(frame.down(y), labels(y), strict=True):
+    for at, label in zip(frame.down(y), [short(v, 2) for v in y] if frame.log else labels(y), strict=True):
         rows.append(path.format(f"M{LEFT} {at:.1f}H{edge}"))
         rows.append(text.format(LEFT - 6, f"{at + 4:.1f}", "end", label))
     return rows
@@ -142,6 +160,7 @@ def _swatch(index: int) -> Markup:
 
 
 def _polyline(line: Line, index: int, frame: Frame) -> Markup:
-    x, y = thinned(line.x, line.y)
+    there = np.isfinite(line.y)
+    x, y = thinned(line.x[there], line.y[there])
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(frame.right(x), frame.down(y), strict=True))
     return Markup('<polyline class="line" points="{}" {}/>').format(points, _pen(index))

@@ -1,71 +1,134 @@
-"""What a study is: an experiment of a source that runs by itself, its numbers beside the source's, and its curves."""
+"""What a study is: an experiment of a source that runs by itself, what the source prints of it, and what comes out."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any, Literal, Protocol
 
 from helicoide.kinematics.chain import Array
 from helicoide.text import Text
 
-FIGURE_ONLY = Text(en="figure only", pt_BR="só em figura")
 Progress = Callable[[float], None]
+THE_RUN = Text(en="the run", pt_BR="a execução")
+Relation = Literal["=", "~", "<", "≤", ">", "≥"]
+
+_NUMBER = re.compile(r"([~≈<≤>≥=])?\s*([-−]?\d+(?:[.,]\d+)?)(?:\s*[×·]\s*10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
+_LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 class Verdict(Enum):
-    """How a number stands beside that of the digest."""
+    """How ours stands to what the source prints."""
 
-    AGREES = Text(en="agrees", pt_BR="confere")
-    DOUBT = Text(en="differs, as the digest doubts", pt_BR="difere, como a síntese já duvidava")
-    ASSUMED = Text(en="differs, by what the source does not give", pt_BR="difere, pelo que a fonte não informa")
+    PRINTED = Text(en="as printed", pt_BR="como impresso")
+    FITTED = Text(en="as printed, with a fitted value", pt_BR="como impresso, com valor ajustado")
     DIFFERS = Text(en="differs", pt_BR="difere")
+    ERRATUM = Text(en="erratum of the source", pt_BR="errata da fonte")
+    FIGURE = Text(en="only in a figure", pt_BR="só em figura")
+    OURS = Text(en="ours", pt_BR="nosso")
+
+
+@dataclass(frozen=True)
+class Statement:
+    """What a source prints about a quantity.
+
+    words: as printed, in either language; place: such as "fig. 3.11" or "§4.2.1"; value: the number that
+    they ask for, in the unit of the row; relation: "=" to `within`, "~" to a factor of √10, or a bound.
+    """
+
+    words: Text
+    place: str
+    value: float
+    relation: Relation = "="
+    within: float = 0.0
+
+    def holds(self, ours: float) -> bool:
+        """Whether a number is as it is stated; what is no number never is."""
+        match self.relation:
+            case "=":
+                return abs(ours - self.value) <= self.within
+            case "~":
+                return self.value / 10**0.5 <= ours <= self.value * 10**0.5
+            case "<":
+                return ours < self.value
+            case "≤":
+                return ours <= self.value + self.within
+            case ">":
+                return ours > self.value
+            case "≥":
+                return ours >= self.value - self.within
+
+
+def printed(words: str, place: str) -> Statement:
+    """A number as it is printed, such as "< 1,2", "≈ 9" or "8,3 × 10⁻⁴"; it is met to half a unit of its last digit.
+
+    One that is printed as "about" is met to a whole unit. Raises ValueError for words that are no number.
+    """
+    if not (match := _NUMBER.fullmatch(words.strip())):
+        raise ValueError(f"{words!r} is no number with a relation, such as '< 1,2'")
+    sign, digits, power = match[1] or "=", match[2].replace(",", ".").replace("−", "-"), match[3]
+    scale = 10.0 ** int((power or "0").translate(_LOWERED))
+    unit = scale * 10.0 ** -len(digits.partition(".")[2])
+    relation: Relation = "=" if sign == "≈" else sign  # type: ignore[assignment]
+    within = {"=": 0.5, "≈": 1.0}.get(sign, 0.0) * unit * (1 + 1e-9)
+    said = Text(en=words.replace(",", "."), pt_BR=words.replace(".", ","))
+    return Statement(said, place, float(digits) * scale, relation, within)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """The source shows the quantity in a figure only: its place."""
+
+    place: str
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A value that the source does not give, chosen so that what it prints holds, as it does from `least` to `most`."""
+
+    name: Text
+    value: float
+    least: float
+    most: float
+    unit: str = ""
 
 
 @dataclass(frozen=True)
 class Row:
-    """A quantity: the source's value as printed (or `FIGURE_ONLY`), the digest's, and ours.
+    """A quantity: what the source has of it, None where it has nothing, and ours.
 
-    relation: how ours must stand to the digest's: "=" to within `tolerance`, "≥" or "≤" up to it; without a digest's
-    value ours stands alone. doubt: the number of the digest's doubt, such as "D6"; assumed: what the source does not
-    give and had to be chosen. Either excuses a difference.
+    fitted: the chosen values by which the statement holds; erratum: the number of the error of the source because of
+    which it does not, such as "vargas-2"; why: why ours differs, where that is known.
     """
 
     quantity: Text
     ours: float
-    digest: float | None = None
-    tolerance: float = 0.0
     unit: str = ""
-    source: str | Text = ""
-    relation: Literal["=", "≥", "≤"] = "="
-    doubt: str = ""
-    assumed: Text | None = None
-
-    @property
-    def agrees(self) -> bool:
-        """Whether ours stands to the digest's as it must; what is no number never does."""
-        if self.ours != self.ours:
-            return False
-        if self.digest is None:
-            return True
-        apart = self.ours - self.digest
-        match self.relation:
-            case "=":
-                return abs(apart) <= self.tolerance
-            case "≥":
-                return apart >= -self.tolerance
-            case "≤":
-                return apart <= self.tolerance
+    source: Statement | Figure | None = None
+    fitted: tuple[Fitted, ...] = ()
+    erratum: str = ""
+    why: Text | None = None
 
     @property
     def verdict(self) -> Verdict:
-        """How ours stands beside the digest's."""
-        if self.agrees:
-            return Verdict.AGREES
-        if self.doubt:
-            return Verdict.DOUBT
-        return Verdict.DIFFERS if self.assumed is None else Verdict.ASSUMED
+        """How ours stands to what the source prints; what is no number differs from everything."""
+        if self.ours != self.ours:
+            return Verdict.DIFFERS
+        match self.source:
+            case None:
+                return Verdict.OURS
+            case Figure():
+                return Verdict.FIGURE
+            case Statement() as statement if statement.holds(self.ours):
+                return Verdict.FITTED if self.fitted else Verdict.PRINTED
+        return Verdict.ERRATUM if self.erratum else Verdict.DIFFERS
+
+
+def unstated(rows: tuple[Row, ...]) -> tuple[Row, ...]:
+    """The rows of a study with settings that are not those of its source: every number stands alone."""
+    return tuple(replace(row, source=None, fitted=(), erratum="", why=None) for row in rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,34 +142,45 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Chart:
-    """Curves over a common quantity; `across` and `up` name the axes, with their units."""
+    """Curves over a common quantity; `across` and `up` name the axes, with their units.
+
+    figure: that of the source beside which it stands, such as "fig. 3.11"; log: whether up goes by powers of ten.
+    """
 
     title: Text
     across: Text
     up: Text
     lines: tuple[Line, ...]
+    figure: str = ""
+    log: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """What the arm did: times (k,), s, and joint values (k, n), rad or m, of a robot by its name.
+    """What the arm did in one of the runs: times (k,), s, and joint values (k, n), rad or m, of a robot by its name.
 
-    parameters: lengths of the robot that were chosen, mm, as `load` takes them.
+    parameters: lengths of the robot that were chosen, mm, as `load` takes them; title: the name of the run.
     """
 
     robot: str
     times: Array
     q: Array
     parameters: tuple[str, ...] = ()
+    title: Text = THE_RUN
 
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """What a study came to."""
+    """What a study came to: its rows, its curves, and what the arm did in each of its runs."""
 
     rows: tuple[Row, ...]
     charts: tuple[Chart, ...] = ()
-    motion: Motion | None = None
+    motions: tuple[Motion, ...] = ()
+
+    @property
+    def fitted(self) -> tuple[Fitted, ...]:
+        """All values that were chosen so that printed statements hold."""
+        return tuple(dict.fromkeys(value for row in self.rows for value in row.fitted))
 
 
 class Study(Protocol):
@@ -122,10 +196,10 @@ class Study(Protocol):
 
     @property
     def Options(self) -> type:
-        """The class of its settings; its defaults are those of the source, or of the digest where that gives none."""
+        """The class of its settings; its defaults are those of the source, or what was chosen where that gives none."""
 
     def run(self, options: Any, short: bool, progress: Progress) -> Result:
-        """Run it. short: a coarser or shorter form of a few seconds, whose rows hold with their own tolerances.
+        """Run it. short: a coarser or shorter form of a few seconds; what it cannot judge is no row of it.
 
         progress: told the share that is done, 0 to 1.
         """

@@ -9,14 +9,14 @@ from markupsafe import Markup
 
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.chain import Array
-from helicoide.view import html
+from helicoide.markup import formula
 
 ZERO = 5e-4
 
 
 def mathml(tex: str, index: str = "") -> Markup:
     """A formula for an HTML row; index: a name that stands below it."""
-    return Markup('<div class="helicoide-formula">{}</div>').format(html.formula(tex, index))
+    return Markup('<div class="helicoide-formula">{}</div>').format(formula(tex, index))
 
 
 def _blade(name: str) -> Markup:

@@ -17,7 +17,8 @@ from markupsafe import Markup
 from websockets.datastructures import Headers
 from websockets.http11 import Request, Response
 
-from helicoide.text import LANGUAGES, Text
+from helicoide.export import errata
+from helicoide.text import LANGUAGES, Language, Text
 
 STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
 STOP_ALL = Text(en="Stop motion, real arm too", pt_BR="Parar tudo, também o braço real")
@@ -35,6 +36,15 @@ TAGS = Markup(
     '<script src="static/helicoide.js" data-words="{}" defer></script>'
 )
 TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")
+
+# A long page, beside the lab.
+LONG = Markup("""\
+<!doctype html>
+<html lang="{language}"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Helicoide</title><link rel="stylesheet" href="../../static/page.css" /></head>
+<body>{body}</body></html>
+""")
 
 # viser's page is one file with inline scripts, blob workers and new Function; everything else stays on this host.
 POLICY = "; ".join(
@@ -66,6 +76,7 @@ TYPES = {
 def site(static: Path) -> Callable[[Request], Response]:
     """Answer any GET; files are found in a table made once, so no path leads out of the folder."""
     page = gzip.compress(_page().encode())
+    pages = {f"/pages/{language}/sources": _long(language) for language in LANGUAGES}
     files = {f"/static/{file.relative_to(static).as_posix()}": file for file in static.rglob("*") if file.is_file()}
 
     def answer(request: Request) -> Response:
@@ -77,6 +88,8 @@ def site(static: Path) -> Callable[[Request], Response]:
             return reply(HTTPStatus.FOUND, headers={"Location": "./"})
         if path == "/":
             return reply(HTTPStatus.OK, page, {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip"})
+        if body := pages.get(path):
+            return reply(HTTPStatus.OK, body, {"Content-Type": TYPES[".html"]})
         if file := files.get(unquote(path)):
             return _file(file, request)
         return reply(HTTPStatus.NOT_FOUND, b"not found")
@@ -104,6 +117,10 @@ def _file(file: Path, request: Request) -> Response:
     if request.headers.get("If-None-Match") == tag:
         return reply(HTTPStatus.NOT_MODIFIED, headers=headers)
     return reply(HTTPStatus.OK, body, headers)
+
+
+def _long(language: Language) -> bytes:
+    return LONG.format(language=language.replace("_", "-"), body=errata.page(language)).encode()
 
 
 def _page() -> str:

@@ -40,7 +40,7 @@ def turns_back(chart: Chart) -> bool:
 def heights(chart: Chart) -> tuple[float, float]:
     """From where to where the chart reaches, which uPlot cannot find in a curve that is not everywhere."""
     lines = [line.y[np.isfinite(line.y)] for line in chart.lines]
-    return span([y for y in lines if len(y)] or [np.zeros(1)])
+    return span([y for y in lines if len(y)] or [np.ones(1)], chart.log)
 
 
 class Plotted:
@@ -93,7 +93,12 @@ class Plotted:
             series.append(uplot.Series(label=line.title[language], stroke=colour, width=1.5))
         self.reach = heights(chart)
         return self.gui.add_uplot(
-            common(chart), tuple(series), axes=AXES, scales=scales(self.reach), height=HEIGHT, padding=PADDING
+            common(chart),
+            tuple(series),
+            axes=AXES,
+            scales=scales(self.reach, chart.log),
+            height=HEIGHT,
+            padding=PADDING,
         )
 
     def _reach(self, chart: Chart) -> None:
@@ -105,13 +110,14 @@ class Plotted:
             return
         if (lower, upper) != self.reach:
             self.reach = (lower, upper)
-            self.handle.scales = scales(self.reach)
+            self.handle.scales = scales(self.reach, chart.log)
 
     def remove(self) -> None:
         """Take it out of the window."""
         self.place.remove()
 
 
-def scales(reach: tuple[float, float]) -> dict[str, uplot.Scale]:
-    """Numbers across, and up from where to where."""
-    return {"x": uplot.Scale(time=False), "y": uplot.Scale(range=reach)}
+def scales(reach: tuple[float, float], log: bool) -> dict[str, uplot.Scale]:
+    """Numbers across, and up from where to where, by their powers of ten if wanted."""
+    up = uplot.Scale(range=reach, distr=3) if log else uplot.Scale(range=reach)
+    return {"x": uplot.Scale(time=False), "y": up}

@@ -12,6 +12,7 @@ from viser import Icon
 from helicoide import content
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Lesson, Prose, entered, load
+from helicoide.markup import markdown
 from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view import html
@@ -114,7 +115,7 @@ def _step(view: View) -> Markup:
         _dots(lesson, view.seat),
         view.seat.step + 1,
         prose.title[language],
-        html.markdown(prose.body[language]),
+        markdown(prose.body[language]),
         _verdict(lesson, view),
         _hint(prose, view),
     )
@@ -123,7 +124,7 @@ def _step(view: View) -> Markup:
 def _hint(prose: Prose, view: View) -> Markup:
     if not view.seat.hint_open:
         return Markup("")
-    return Markup("<blockquote>{}</blockquote>").format(html.markdown(prose.hint[view.seat.language]))
+    return Markup("<blockquote>{}</blockquote>").format(markdown(prose.hint[view.seat.language]))
 
 
 def _dots(lesson: Lesson, seat: Seat) -> Markup:

@@ -13,12 +13,12 @@ from viser import Icon
 from helicoide import studies
 from helicoide.command import Replay
 from helicoide.export.readable import readable
-from helicoide.export.study_table import HEADINGS, NOTHING, alone, number, source, verdict
+from helicoide.export.study_table import HEADINGS, NOTHING, in_order, ours, source, verdict
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
 from helicoide.studies import desk as desks
 from helicoide.studies.desk import Desk, Run
-from helicoide.studies.study import Chart, Line, Verdict
+from helicoide.studies.study import Chart, Line, Motion, Verdict
 from helicoide.studies.study import Row as Quantity
 from helicoide.text import Language, Text
 from helicoide.view import html
@@ -31,9 +31,16 @@ ICON = Icon.FLASK
 MOST_CHARTS, DIGITS = 8, 5
 
 RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End the run", pt_BR="Encerrar a execução")
-PLAY = Text(en="Play it on the arm", pt_BR="Reproduzir no braço")
 BEFORE = Text(en="before", pt_BR="antes")
-SIGNS = {Verdict.AGREES: "✓", Verdict.DOUBT: "?", Verdict.ASSUMED: "≈", Verdict.DIFFERS: "✗"}
+SIGNS = {
+    Verdict.PRINTED: "✓",
+    Verdict.FITTED: "≈",
+    Verdict.DIFFERS: "✗",
+    Verdict.ERRATUM: "!",
+    Verdict.FIGURE: "",
+    Verdict.OURS: "",
+}
+PAGE = Markup("<a href='pages/{}/sources#{}' target='_blank'>{}</a>")
 TONES = {found: f"helicoide-{found.name.lower()}" for found in Verdict}
 
 
@@ -60,14 +67,17 @@ def rows(robot: Robot) -> list[Row]:
             lambda view: bool(view.desk.study),
         ),
         Bar(lambda view: view.desk.progress),
-        Button(lambda _: PLAY, _play, Icon.PLAYER_PLAY, shown=_has_motion),
+        *(Plot(charts, index) for index in range(MOST_CHARTS)),
+        Folder(
+            Text(en="Play it on the arm", pt_BR="Reproduzir no braço"),
+            Changing(lambda view: tuple(motion.title for motion in _motions(view)), _players),
+        ),
         Tick(
-            Text(en="beside the run before", pt_BR="ao lado da execução anterior"),
+            Text(en="compare with the previous run", pt_BR="comparar com a execução anterior"),
             lambda view: view.desk.compared,
             lambda on: ForDesk(lambda desk: replace(desk, compared=bool(on))),
         ),
         Words(_table),
-        *(Plot(charts, index) for index in range(MOST_CHARTS)),
     ]
 
 
@@ -82,8 +92,10 @@ def _about(view: View) -> Markup:
 
 
 CHOOSE = Text(
-    en="Each study is an experiment of one of the sources, run again here: its numbers stand beside the printed ones.",
-    pt_BR="Cada estudo é um experimento de uma das fontes, refeito aqui: seus números ficam ao lado dos impressos.",
+    en="Each study is an experiment of one of the sources, run again here: what the source prints stands beside what "
+    "comes out.",
+    pt_BR="Cada estudo é um experimento de uma das fontes, refeito aqui: o que a fonte imprime fica ao lado do que "
+    "sai.",
 )
 
 
@@ -98,18 +110,26 @@ def _settings(name: str) -> Sequence[Row]:
     return rows_of(options, 1.0, chosen, lambda setting, value: ForDesk(desks.set_option(setting, value)))
 
 
-def _has_motion(view: View) -> bool:
-    return bool(view.desk.shown) and view.desk.shown[0].result.motion is not None
+def _motions(view: View) -> tuple[Motion, ...]:
+    return view.desk.shown[0].result.motions if view.desk.shown else ()
 
 
-def _play(view: View) -> Play:
-    motion = view.desk.shown[0].result.motion
-    assert motion is not None
-    return Play(motion)
+def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
+    """A button for each run whose motion there is."""
+    if not titles:
+        return [Words(lambda view: html.note(NO_MOTION[view.seat.language]))]
+    return [_player(index, title) for index, title in enumerate(titles)]
+
+
+def _player(index: int, title: Text) -> Button:
+    return Button(lambda _: title, lambda view: Play(_motions(view)[index]), Icon.PLAYER_PLAY)
+
+
+NO_MOTION = Text(en="This study has no motion to play.", pt_BR="Este estudo não tem movimento para reproduzir.")
 
 
 def _table(view: View) -> Markup:
-    """The quantities of the runs shown, beside the source's and the digest's."""
+    """The rows of the runs shown: what the source prints, and ours."""
     runs, language = view.desk.shown, view.seat.language
     if not runs:
         return Markup("")
@@ -118,9 +138,9 @@ def _table(view: View) -> Markup:
 
 @lru_cache(maxsize=16)
 def _written(runs: tuple[Run, ...], language: Language) -> Markup:
-    heads = [head[language] for head in (HEADINGS[1:4] if len(runs) == 1 else (*HEADINGS[2:4], BEFORE))]
+    heads = [head[language] for head in (HEADINGS[1:3] if len(runs) == 1 else (HEADINGS[2], BEFORE))]
     others = [{row.quantity: row for row in run.result.rows} for run in runs[1:]]
-    rows = runs[0].result.rows
+    rows = in_order(runs[0].result.rows)
     body = Markup("").join(_lines(row, [other.get(row.quantity) for other in others], language) for row in rows)
     named = Markup("").join(Markup("<th>{}</th>").format(head) for head in heads)
     table = Markup("<table class='helicoide-study'><tr>{}</tr>{}</table>").format(named, body)
@@ -128,31 +148,29 @@ def _written(runs: tuple[Run, ...], language: Language) -> Markup:
 
 
 def _counted(rows: Sequence[Quantity], language: Language) -> Markup:
-    """How many numbers there are of each verdict."""
-    compared = [row.verdict for row in rows if not alone(row)]
+    """How many rows there are of each verdict."""
+    verdicts = [row.verdict for row in rows]
     said = Markup("").join(
         Markup("<span class='{}'>{} {}: {}</span>").format(TONES[verdict], SIGNS[verdict], verdict.value[language], n)
         for verdict in Verdict
-        if (n := compared.count(verdict))
+        if (n := verdicts.count(verdict))
     )
     return Markup("<p class='helicoide-counted'>{}</p>").format(said)
 
 
 def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> Markup:
-    """A quantity over its numbers, and under them why one differs. A run before takes the place of the source."""
-    compared, found = not alone(row), row.verdict
-    tone, sign = (TONES[found], f"{SIGNS[found]} ") if compared else ("", "")
-    unit = Markup(" <i>{}</i>").format(row.unit) if row.unit else ""
-    head = Markup("<tr class='quantity {}'><td colspan='3'>{}{}{}</td></tr>")
-    said = verdict(row, language) if compared and found is not Verdict.AGREES else ""
-    why = said and Markup("<tr class='{}'><td colspan='3'>{}</td></tr>").format(tone, said)
-    tolerance = row.tolerance if row.relation == "=" else 0.0
-    bound = f"{row.relation} " if row.digest is not None and row.relation != "=" else ""
-    values = (row.digest, row.ours, *(None if other is None else other.ours for other in others))
-    asked, *ours = (NOTHING if v is None else number(v, "", tolerance, DIGITS).replace("-", "−") for v in values)
-    printed = [] if others else [source(row, language)]
-    numbers = Markup("").join(Markup("<td>{}</td>").format(cell) for cell in (*printed, bound + asked, *ours))
-    return head.format(tone, sign, row.quantity[language], unit) + Markup("<tr>{}</tr>{}").format(numbers, why)
+    """A quantity over its numbers, and under them its verdict. A run before takes the place of the source."""
+    tone, head = TONES[row.verdict], Markup("<tr class='quantity {}'><td colspan='2'>{} {}</td></tr>")
+    here = ours(row, DIGITS)[language]
+    before = [NOTHING if other is None else ours(other, DIGITS)[language] for other in others]
+    numbers = [here, *before] if others else [source(row)[language], here]
+    said: str = verdict(row)[language]
+    if row.verdict is Verdict.ERRATUM:
+        said = PAGE.format(language, row.erratum, said)
+    shown = row.verdict in (Verdict.FIGURE, Verdict.OURS)
+    why = Markup("") if shown else Markup("<tr class='{}'><td colspan='2'>{}</td></tr>").format(tone, said)
+    cells = Markup("").join(Markup("<td>{}</td>").format(cell) for cell in numbers)
+    return head.format(tone, SIGNS[row.verdict], row.quantity[language]) + Markup("<tr>{}</tr>{}").format(cells, why)
 
 
 def charts(view: View) -> Sequence[Chart]:
@@ -165,9 +183,8 @@ def charts(view: View) -> Sequence[Chart]:
 
 
 def _is_played(desk: Desk, command: Replay) -> bool:
-    motion = desk.shown[0].result.motion if desk.shown else None
-    ends = None if motion is None else float(motion.times[-1] - motion.times[0])
-    return ends is not None and abs(ends - command.path.duration) < 1e-9
+    motions = desk.shown[0].result.motions if desk.shown else ()
+    return any(abs(motion.times[-1] - motion.times[0] - command.path.duration) < 1e-9 for motion in motions)
 
 
 def _is_timed(chart: Chart) -> bool:

@@ -1,0 +1,50 @@
+"""What other libraries write as HTML: Markdown and formulas.
+
+Here alone what is no literal is taken as Markup. Everywhere else Markup is made of literals, whose `format` and `join`
+escape what is filled in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from html import unescape
+from typing import Any
+from xml.etree.ElementTree import Element, SubElement, tostring
+
+from latex2mathml.converter import convert_to_element
+from markdown_it import MarkdownIt
+from markdown_it.renderer import RendererHTML
+from markdown_it.token import Token
+from markupsafe import Markup
+
+_markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
+
+
+def markdown(text: str) -> Markup:
+    """Markdown as HTML; tags in it are shown as text. A heading such as "Vargas 2: …" has the anchor "vargas-2"."""
+    return Markup(_markdown.render(text))
+
+
+def _heading(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
+    name, colon, _ = tokens[at + 1].content.partition(":")
+    if colon:
+        tokens[at].attrSet("id", name.lower().replace(" ", "-"))
+    return renderer.renderToken(tokens, at, options, env)
+
+
+_markdown.add_render_rule("heading_open", _heading)
+
+
+@lru_cache(maxsize=256)
+def formula(tex: str, index: str = "") -> Markup:
+    """A formula as MathML; index: a name that stands below it, as it is."""
+    math = convert_to_element(tex)
+    for node in math.iter():
+        node.text = unescape(node.text or "")  # the library writes its signs as numbers of HTML
+    if index:
+        below = Element("msub")
+        below.extend(math)
+        SubElement(below, "mtext").text = index
+        math[:] = [below]
+    return Markup(tostring(math, encoding="unicode"))

@@ -281,8 +281,8 @@ def _print(records: list[Record], seconds: float, language: Language) -> None:
             print(line)
         print()
     print(counted(records, seconds)[language])
-    for line in (*by_source(records), DIFFERS, *differences(records)):
-        print(line[language])
+    for said in (*by_source(records), DIFFERS, *differences(records)):
+        print(said[language])
 
 
 def _table(result: Result, language: Language) -> list[str]:

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from helicoide.ik.method import OneOf
-from helicoide.studies.study import Chart, Line, Result, Row
+from helicoide.studies.study import Chart, Figure, Fitted, Line, Result, Row, Statement
 from helicoide.text import Text, same
 
 NAMES = (
@@ -30,7 +30,7 @@ HARMLESS = {
     "pre", "rect", "span", "strong", "sub", "svg", "table", "td", "text", "th", "tr", "u", "ul", "math",
     "mfrac", "mi", "mn", "mo", "mover", "mrow", "mspace", "mstyle", "msub", "msubsup", "msup", "mtext", "munder",
 }  # fmt: skip
-OUTLINE = {"a", "body", "h1", "h2", "head", "html", "meta", "ol", "section", "style", "tbody", "thead", "title"}
+OUTLINE = {"code", "a", "body", "h1", "h2", "head", "html", "meta", "ol", "section", "style", "tbody", "thead", "title"}
 AROUND = np.linspace(0, 2 * np.pi, 50)
 
 
@@ -56,10 +56,12 @@ def study_named(name: str) -> Any:
 
 def result_named(name: str) -> Result:
     """A row of each kind, a chart of each kind, all of that name."""
-    row = Row(same(name), 2.0, 1.0, 0.1, name, name, assumed=same(name))
+    said, chosen = Statement(same(name), name, 1.0), Fitted(same(name), 1.0, 0.5, 1.5, name)
+    row = Row(same(name), 1.0, name, said, (chosen,))
+    rows = (row, replace(row, ours=2.0, erratum=name), replace(row, ours=2.0, why=same(name)), Row(same(name), 1.0))
     lines = Line(same(name), AROUND, np.sin(AROUND)), Line(same(name), np.cos(AROUND), np.sin(AROUND))
     charts = [Chart(same(name), same(name), same(name), (line,)) for line in lines]
-    return Result((row, replace(row, assumed=None, doubt=name), Row(same(name), 1.0)), tuple(charts))
+    return Result((*rows, replace(row, source=Figure(name))), tuple(charts))
 
 
 class Page(HTMLParser):

@@ -8,19 +8,23 @@ from html.parser import HTMLParser
 
 import numpy as np
 import pytest
+from markupsafe import escape
 from tests.hostile import HARMLESS, NAMES, OUTLINE, Page, result_named, study_named
 
 from helicoide import studies
-from helicoide.export.study_report import COLOUR, STYLE, Record, counted, page
+from helicoide.export.study_report import STYLE, Record, by_source, counted, differences, page
 from helicoide.export.study_table import cells, number
-from helicoide.studies.study import FIGURE_ONLY, Chart, Line, Result, Row, Verdict
+from helicoide.studies.study import Chart, Figure, Fitted, Line, Result, Row, Verdict, printed
 from helicoide.text import LANGUAGES, Language, Text, same
 
+GAIN = Fitted(Text(en="gain <b>", pt_BR="ganho <b>"), 5.5, 4.0, 6.0, "1/s")
 ROWS = (
-    Row(Text(en="right", pt_BR="certo"), 1.0, 1.0, 0.1, "mm", "1.0"),
-    Row(Text(en="doubtful", pt_BR="duvidoso"), 2.0, 1.0, 0.1, "mm", FIGURE_ONLY, doubt="D6"),
-    Row(Text(en="assumed", pt_BR="suposto"), 2.0, 1.0, assumed=Text(en="no gains <b>", pt_BR="sem ganhos <b>")),
-    Row(Text(en="wrong", pt_BR="errado"), 2.0, 1.0, relation="≤"),
+    Row(Text(en="right", pt_BR="certo"), 1.0, "mm", printed("1,0", "fig. 1")),
+    Row(Text(en="chosen", pt_BR="escolhido"), 2.0, "", printed("< 2,5", "§2"), fitted=(GAIN,)),
+    Row(Text(en="wrong", pt_BR="errado"), 2.0, "", printed("≤ 1", "§3"), why=Text(en="the step", pt_BR="o passo")),
+    Row(Text(en="misprinted", pt_BR="mal impresso"), 3.0, "m", printed("1,0", "§4"), erratum="vargas-2"),
+    Row(Text(en="drawn", pt_BR="desenhado"), 3.0, "", Figure("fig. 5")),
+    Row(Text(en="alone", pt_BR="sozinho"), 3.0),
 )
 LINE = Line(same("line"), np.array([0.0, 1.0]), np.array([1.0, 2.0]))
 CHART = Chart(Text(en="a chart", pt_BR="um gráfico"), same("x"), same("y"), (LINE,))
@@ -59,7 +63,7 @@ def test_the_page_is_whole_and_asks_for_nothing_from_outside(language: Language)
     text = page([record(*ROWS)], 3.0, language)
     tags = Tags(text)
     assert tags.open == []
-    assert tags.addresses == [f"#{NAME}"]
+    assert tags.addresses == [f"#{NAME}", "#vargas-2"]
     assert f'id="{NAME}"' in text
     assert not re.search(r"https?:|//\w|url\(|@import|<script|<link|<img|<iframe", text)
     assert f'lang="{language.replace("_", "-")}"' in text
@@ -71,12 +75,25 @@ def test_every_verdict_is_there_in_words_and_colour(language: Language) -> None:
     for row, verdict in zip(ROWS, Verdict, strict=True):
         assert row.verdict is verdict
         assert row.quantity[language] in text
-        assert f'<span class="verdict {COLOUR[verdict]}">{verdict.value[language]}' in text
-        assert f".{COLOUR[verdict]} {{ color:" in STYLE
-    assert "(D6)" in text
+        kind = verdict.name.lower()
+        assert re.search(f'<span class="verdict {kind}">(<a [^>]+>)?{verdict.value[language]}', text)
+        assert re.search(rf"\.{kind}\b[^}}]*{{ color:", STYLE)
     assert "&lt;b&gt;" in text
-    assert FIGURE_ONLY[language] in text
     assert CHART.title[language] in text
+
+
+@pytest.mark.parametrize("language", ["en", "pt_BR"])
+def test_what_differs_is_listed_at_the_end_with_what_is_printed_and_why(language: Language) -> None:
+    (said,) = differences([record(*ROWS)])
+    assert str(escape(said[language])) in page([record(*ROWS)], 3.0, language).partition('id="differs"')[2]
+    for part in (ROWS[2].quantity, same("≤ 1 (§3)"), same("2"), ROWS[2].why):
+        assert part is not None
+        assert part[language] in said[language]
+
+
+def test_statements_and_fitted_values_are_counted_by_source() -> None:
+    (said,) = by_source([record(*ROWS), record(*ROWS)])
+    assert said.en == "Cerbaro 2022: 8 statements beside ours, 1 fitted values"
 
 
 def test_the_languages_do_not_mix() -> None:
@@ -94,15 +111,15 @@ def test_it_prints_on_paper() -> None:
     assert "print-color-adjust: exact" in STYLE
 
 
-def test_a_study_that_failed_says_why_and_counts_as_a_difference() -> None:
+def test_a_study_that_failed_says_why_and_is_unexplained() -> None:
     failed = record(failure=same("no robot <here>"))
-    assert failed.differs
+    assert failed.unexplained
     assert "no robot &lt;here&gt;" in page([failed], 1.0, "en")
 
 
-@pytest.mark.parametrize(("rows", "differs"), [(ROWS, True), (ROWS[:3], False), ((), False)])
-def test_doubt_and_assumption_are_no_difference(rows: tuple[Row, ...], differs: bool) -> None:
-    assert record(*rows).differs is differs
+@pytest.mark.parametrize(("rows", "unexplained"), [(ROWS, False), ((replace(ROWS[2], why=None),), True), ((), False)])
+def test_a_difference_whose_cause_is_known_is_explained(rows: tuple[Row, ...], unexplained: bool) -> None:
+    assert record(*rows).unexplained is unexplained
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -117,10 +134,9 @@ def test_names_make_no_tags(name: str, language: Language) -> None:
     assert read.text.count(name) > 20
 
 
-def test_all_numbers_are_counted() -> None:
-    words = counted([record(*ROWS), record(ROWS[0], replace(ROWS[0], digest=None))], 12.3)
-    assert words.en.startswith("Studies: 2. Numbers: 6; agrees: 2; ")
-    assert "nothing to compare with: 1. " in words.en
+def test_all_rows_are_counted() -> None:
+    words = counted([record(*ROWS), record(ROWS[0])], 12.3)
+    assert words.en.startswith("Studies: 2. Rows: 7; as printed: 2; ")
     assert "12 s" in words.pt_BR
 
 
@@ -140,6 +156,6 @@ def test_numbers_are_written_as_far_as_they_count(value: float, unit: str, toler
     assert number(value, unit, tolerance) == said
 
 
-def test_a_row_without_source_or_digest_has_dashes() -> None:
-    assert cells(Row(same("q"), 1.5), "en") == ("q", "–", "–", "1.5", "–")
-    assert cells(replace(ROWS[3], ours=float("nan"), digest=None), "pt_BR")[2:] == ("–", "nan", "difere")
+def test_a_row_without_source_has_a_dash() -> None:
+    assert [cell.en for cell in cells(Row(same("q"), 1.5))] == ["q", "–", "1.5", "ours"]
+    assert [cell.pt_BR for cell in cells(replace(ROWS[2], ours=float("nan"), why=None))][2:] == ["nan", "difere"]

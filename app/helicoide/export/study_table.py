@@ -30,7 +30,7 @@ def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = D
 
 def written(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> Text:
     """The same number in both languages."""
-    digits_and_unit = number(value, unit, tolerance, digits)
+    digits_and_unit = number(value, unit, tolerance, digits).replace("-", "−")
     return Text(en=digits_and_unit, pt_BR=digits_and_unit.replace(".", ","))
 
 

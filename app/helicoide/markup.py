@@ -22,14 +22,13 @@ _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
 def markdown(text: str) -> Markup:
-    """Markdown as HTML; tags in it are shown as text. A heading such as "Vargas 2: …" has the anchor "vargas-2"."""
+    """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name, up to a colon: "vargas-2"."""
     return Markup(_markdown.render(text))
 
 
 def _heading(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
-    name, colon, _ = tokens[at + 1].content.partition(":")
-    if colon:
-        tokens[at].attrSet("id", name.lower().replace(" ", "-"))
+    name = tokens[at + 1].content.partition(":")[0]
+    tokens[at].attrSet("id", name.lower().replace(" ", "-"))
     return renderer.renderToken(tokens, at, options, env)
 
 

@@ -24,7 +24,7 @@ from websockets.exceptions import ConnectionClosedError, InvalidStatus
 from websockets.sync.client import connect
 from websockets.typing import Origin, Subprotocol
 
-from helicoide.text import HelicoideError
+from helicoide.text import LANGUAGES, HelicoideError, Language
 from helicoide.view import serve as door
 from helicoide.view.page import POLICY
 from helicoide.view.serve import serve
@@ -150,6 +150,14 @@ def test_a_link_cannot_name_another_server(port: int, query: str) -> None:
 
 def test_healthz_is_ok(port: int) -> None:
     assert get(port, "/healthz")[::2] == (200, b"ok")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_of_the_sources_is_served_in_each_language(port: int, language: Language) -> None:
+    status, headers, body = get(port, f"/pages/{language}/sources")
+    assert (status, headers["Content-Type"]) == (200, "text/html; charset=utf-8")
+    assert b'id="vargas-2013"' in body
+    assert b"static/page.css" in body
 
 
 @pytest.mark.parametrize(

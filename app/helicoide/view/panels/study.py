@@ -87,10 +87,14 @@ def _about(view: View) -> Markup:
     if not desk.study:
         return html.note(CHOOSE[language])
     study = studies.named(desk.study)
-    about = Markup("<div class='helicoide-note'><p>{}</p><p>{}</p></div>").format(study.ABOUT[language], study.SOURCE)
+    of_source = PAGE.format(language, study.SOURCE.partition(",")[0].lower().replace(" ", "-"), OPEN[language])
+    about = Markup("<div class='helicoide-note'><p>{}</p><p>{}. {}</p></div>").format(
+        study.ABOUT[language], study.SOURCE, of_source
+    )
     return about if desk.failure is None else about + html.note(desk.failure[language])
 
 
+OPEN = Text(en="What is wrong or left open in it", pt_BR="O que nela está errado ou em aberto")
 CHOOSE = Text(
     en="Each study is an experiment of one of the sources, run again here: what the source prints stands beside what "
     "comes out.",

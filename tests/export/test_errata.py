@@ -1,0 +1,52 @@
+"""The page of the sources: the same entries in both languages, each with what shows it."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from helicoide import content, studies
+from helicoide.export import errata
+from helicoide.kinematics.library import names as robots
+from helicoide.text import LANGUAGES, Language
+
+ROOT = Path(__file__).parents[2]
+COMMAND, TEST = re.compile(r"`helicoide ([^`]+)`"), re.compile(r"`(tests/[\w/]+\.py)(?:::\w+)?`")
+
+
+def entries(language: Language) -> dict[str, str]:
+    """The entries by their name, such as "Vargas 2"."""
+    text = (content.STATIC / "pages" / language / "sources.md").read_text("utf-8")
+    parts = re.split(r"^#{2,3} ", text, flags=re.MULTILINE)
+    return {part.partition(":")[0]: part for part in parts if re.match(r"\w+ \d+:", part)}
+
+
+def test_both_languages_have_the_same_entries_in_the_same_order() -> None:
+    english, portuguese = entries("en"), entries("pt_BR")
+    assert list(english) == list(portuguese)
+    assert english
+    for name in english:
+        assert re.findall(r"`[^`]+`", english[name]) == re.findall(r"`[^`]+`", portuguese[name]), name
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_page_has_an_anchor_for_each_entry_and_source(language: Language) -> None:
+    page = errata.page(language)
+    for anchor in (*entries(language), *{studies.named(name).SOURCE.partition(",")[0] for name in studies.names()}):
+        assert f'id="{anchor.lower().replace(" ", "-")}"' in page
+
+
+@pytest.mark.parametrize("name", entries("en"))
+def test_an_entry_names_a_command_or_a_test_that_is_there(name: str) -> None:
+    entry = entries("en")[name]
+    tests = TEST.findall(entry)
+    commands = [shlex.split(command) for command in COMMAND.findall(entry)]
+    assert tests or commands
+    assert [test for test in tests if not (ROOT / test).is_file()] == []
+    known = {"study": studies.names(), "fk": robots(), "ik": robots(), "workspace": robots()}
+    for command, *arguments in commands:
+        assert command in known or command in ("robots", "check")
+        assert not arguments or command not in known or arguments[0] in known[command]

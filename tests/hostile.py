@@ -26,8 +26,8 @@ NAMES = (
     "north: wall",
 )
 HARMLESS = {
-    "a", "b", "blockquote", "br", "div", "em", "figcaption", "figure", "h3", "header", "i", "li", "p", "path", "polyline",
-    "pre", "rect", "span", "strong", "sub", "svg", "table", "td", "text", "th", "tr", "u", "ul", "math",
+    "a", "b", "blockquote", "br", "div", "em", "figcaption", "figure", "h3", "header", "i", "li", "p", "path",
+    "polyline", "pre", "rect", "span", "strong", "sub", "svg", "table", "td", "text", "th", "tr", "u", "ul", "math",
     "mfrac", "mi", "mn", "mo", "mover", "mrow", "mspace", "mstyle", "msub", "msubsup", "msup", "mtext", "munder",
 }  # fmt: skip
 OUTLINE = {"code", "body", "h1", "h2", "head", "html", "meta", "ol", "section", "style", "tbody", "thead", "title"}

@@ -22,7 +22,7 @@ _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
 def markdown(text: str) -> Markup:
-    """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name, up to a colon: "vargas-2"."""
+    """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name up to a colon, "vargas-2"."""
     return Markup(_markdown.render(text))
 
 

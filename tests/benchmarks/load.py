@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from time import perf_counter, sleep
 from typing import Any
 
@@ -64,24 +65,48 @@ def lab(module: str = "tests.benchmarks.watched") -> Iterator[tuple[Child, str]]
         yield server, found[1]
 
 
+@dataclass(frozen=True)
+class Span:
+    """What a server and a crowd did within `SECONDS`: ticks, frames, processor and duration, s, the longest gap, s, and
+    the changes that the slowest page saw.
+    """
+
+    ticks: float
+    frames: float
+    used: float
+    took: float
+    gap: float
+    changes: float
+
+
+def _watched(server: Child, crowd: Child) -> Span:
+    before, used, began = server.ask("tell"), server.processor(), perf_counter()
+    changes = np.array(crowd.ask("count"))
+    sleep(SECONDS)
+    changes = np.array(crowd.ask("count")) - changes
+    after, used, took = server.ask("tell"), server.processor() - used, perf_counter() - began
+    ticks, frames = (after.get(what, 0) - before.get(what, 0) for what in ("ticks", "frames"))
+    return Span(ticks, max(1, frames), used, took, after["gap"], float(changes.min()))
+
+
+def _said(span: Span) -> str:
+    return (
+        f"longest gap {1000 * span.gap:.0f} ms, {span.frames / span.took:.0f} frames/s, "
+        f"{span.changes / span.took:.0f} changes/s at the slowest page, "
+        f"{1000 * span.used / span.frames:.2f} ms of processor a frame"
+    )
+
+
 def _shared(server: Child, port: str, count: int) -> None:
     with child("tests.benchmarks.crowd", port) as crowd:
         joined = crowd.ask("join", count, 0)
         crowd.ask("play", 0)
         sleep(2.0)
-        before, used, began = server.ask("tell"), server.processor(), perf_counter()
-        changes = np.array(crowd.ask("count"))
-        sleep(SECONDS)
-        changes = np.array(crowd.ask("count")) - changes
-        after, used, took = server.ask("tell"), server.processor() - used, perf_counter() - began
-        ticks = (after["ticks"] - before["ticks"]) / took
+        span = _watched(server, crowd)
+        ticks = span.ticks / span.took
         print(
             f"  {count} windows, joined in {joined:.1f} s: {ticks:.1f} ticks/s, "
-            f"longest gap {1000 * after['gap']:.0f} ms, "
-            f"{(after['frames'] - before['frames']) / took:.0f} frames/s, "
-            f"{changes.min() / took:.0f} changes/s at the slowest page, "
-            f"{1000 * used / max(1, after['ticks'] - before['ticks']):.2f} ms of processor a tick, "
-            f"{1000 * used / max(1, after['frames'] - before['frames']):.2f} a frame"
+            f"{1000 * span.used / max(1, span.ticks):.2f} ms of processor a tick, {_said(span)}"
         )
         drags = 1000 * np.array(crowd.ask("drag", DRAGS))
         stops = 1000 * np.array(crowd.ask("stop", STOPS))
@@ -93,7 +118,7 @@ def _shared(server: Child, port: str, count: int) -> None:
             verdict("60 windows: time of a tick over a hundredth of a second", 100 / ticks, 100 / 99, "×")
             verdict("60 windows: stop heard p95", float(np.percentile(stops, 95)), 50.0, " ms")
         if count == 30:
-            verdict("30 windows: time of a frame", 1000 * took / (after["frames"] - before["frames"]), 1000 / 15, " ms")
+            verdict("30 windows: time of a frame", 1000 * span.took / span.frames, 1000 / 15, " ms")
         crowd.ask("leave")
 
 
@@ -101,17 +126,7 @@ def _bare(server: Child, port: str, count: int) -> None:
     with child("tests.benchmarks.crowd", port) as crowd:
         crowd.ask("watch", count)
         sleep(2.0)
-        before, used, began = server.ask("tell"), server.processor(), perf_counter()
-        changes = np.array(crowd.ask("count"))
-        sleep(SECONDS)
-        changes = np.array(crowd.ask("count")) - changes
-        after, used, took = server.ask("tell"), server.processor() - used, perf_counter() - began
-        frames = after["frames"] - before["frames"]
-        print(
-            f"  bare viser, {count} windows: {frames / took:.0f} frames/s, longest gap {1000 * after['gap']:.0f} ms, "
-            f"{changes.min() / took:.0f} changes/s at the slowest page, "
-            f"{1000 * used / max(1, frames):.2f} ms of processor a frame"
-        )
+        print(f"  bare viser, {count} windows: {_said(_watched(server, crowd))}")
         crowd.ask("leave")
 
 
@@ -130,19 +145,10 @@ def _private(server: Child, port: str) -> None:
         crowd.ask("private")
         crowd.ask("play", 1)
         sleep(4.0)
-        used, began, changes = server.processor(), perf_counter(), np.array(crowd.ask("count"))
-        server.ask("tell")
-        sleep(SECONDS)
-        changes = np.array(crowd.ask("count")) - changes
-        took = perf_counter() - began
-        gap = server.ask("tell")["gap"]
-        print(
-            f"  {PRIVATE} arms: longest gap {1000 * gap:.0f} ms, "
-            f"{(server.processor() - used) / took:.0%} of a processor"
-        )
-        verdict(
-            f"{PRIVATE} arms of one's own: time between changes, slowest", 1000 * took / changes.min(), 1000 / 30, " ms"
-        )
+        span = _watched(server, crowd)
+        print(f"  {PRIVATE} arms: longest gap {1000 * span.gap:.0f} ms, {span.used / span.took:.0%} of a processor")
+        slowest = 1000 * span.took / span.changes
+        verdict(f"{PRIVATE} arms of one's own: time between changes, slowest", slowest, 1000 / 30, " ms")
 
 
 def run() -> None:

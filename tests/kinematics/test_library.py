@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 from collections.abc import Iterator
 from dataclasses import replace
 from importlib.metadata import PackageNotFoundError
@@ -72,6 +74,22 @@ def test_a_robot_is_loaded_by_name_path_or_package(tmp_path: Path) -> None:
 def test_a_tip_ends_the_arm(tmp_path: Path) -> None:
     assert load(str(write(tmp_path)), "upper").tool_link == "upper"
     assert load("panda", "panda_link4").tool_link == "panda_link4"
+
+
+def test_an_arm_that_comes_back_is_the_same_one_until_its_files_change(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every change of arm made another one before, and kept its meshes and all that was worked out of it."""
+    folder = tmp_path / "robots" / "mine"
+    shutil.copytree(content.SHIPPED / "robots" / "planar2r", folder)
+    monkeypatch.setattr(content, "user_folder", lambda: tmp_path)
+    first = load("mine")
+    assert load("mine") is first
+    assert load("movemaster") is load("movemaster")
+    assert load("planar3r", None, ("l1=1500",)) is not load("planar3r")
+    file = folder / "robot.toml"
+    os.utime(file, ns=(file.stat().st_atime_ns, file.stat().st_mtime_ns + 1))
+    assert load("mine") is not first
 
 
 def test_settings_change_the_lengths() -> None:

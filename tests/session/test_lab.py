@@ -108,8 +108,10 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
 def test_a_lesson_stays_that_was_chosen_while_another_arm_was_on_its_way(
     lab: Lab, hand: Hand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    first = hand.page.made["Lesson"]
     lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
-    assert eventually(lambda: state(lab).robot.name == "planar2r")
+    assert eventually(lambda: state(lab).robot.name == "planar2r" and hand.page.made["Lesson"] is not first)
+    second = hand.page.made["Lesson"]
     (visitor,) = lab.visitors.values()
     coming, load = threading.Event(), arms._loaded
 
@@ -122,7 +124,7 @@ def test_a_lesson_stays_that_was_chosen_while_another_arm_was_on_its_way(
     assert eventually(lambda: visitor.place.seat.lesson == "drive_the_arm")
     lab.loop.call_soon_threadsafe(visitor.meet)
     lab.loop.call_soon_threadsafe(coming.set)
-    assert eventually(lambda: state(lab).robot.name == "movemaster")
+    assert eventually(lambda: state(lab).robot.name == "movemaster" and hand.page.made["Lesson"] is not second)
     assert visitor.place.seat.lesson == "drive_the_arm"
     hand.do(hand.page.give("Lesson", "Free play"))
     assert eventually(lambda: visitor.place.seat.lesson is None)
@@ -179,6 +181,20 @@ def test_a_window_that_leaves_while_it_enters_is_not_drawn(
     assert eventually(lambda: display.frames > frames)
     assert len(display.windows) == before
     assert caplog.records == []
+
+
+def test_a_window_that_enters_while_another_arm_comes_is_furnished_for_it(lab: Lab, hand: Hand) -> None:
+    display, before = put_up(lab), state(lab).robot
+    asyncio.run_coroutine_threadsafe(display._putting_up.acquire(), lab.loop).result()
+    late = Hand(lab.server.get_port())
+    assert eventually(lambda: len(display._entering) == 1)
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, "planar2r")
+    assert eventually(lambda: state(lab).robot is not before)
+    lab.loop.call_soon_threadsafe(display._putting_up.release)
+    assert eventually(lambda: {visitor.window.robot for visitor in lab.visitors.values()} == {state(lab).robot})
+    late.close()
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, before.name)
+    assert eventually(lambda: state(lab).robot.name == before.name)
 
 
 def test_a_display_that_somebody_is_about_to_enter_stays_when_the_last_one_leaves(lab: Lab) -> None:

@@ -16,7 +16,7 @@ from helicoide.command import Hold, ToJoints
 from helicoide.perception import realsense
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.units import Unit
-from helicoide.session.surveying import Surveying
+from helicoide.session.surveying import LOOK, Surveying
 from helicoide.state import State, Update
 from helicoide.text import HelicoideError, same
 
@@ -64,6 +64,21 @@ def test_every_plane_is_read(state: State) -> None:
     assert set(arm.state.seen) == {"+z", "+y", "-y"}
     assert set(arm.state.problem.planes.names) == {"+z", "+y", "-y", "-z"}
     assert len(arm.sent) == 3
+
+
+def test_a_tour_waits_for_an_arm_whose_thread_is_late(state: State) -> None:
+    arm, late = _Arm(state), 4 * LOOK
+
+    async def run() -> None:
+        loop = asyncio.get_running_loop()
+        survey = Surveying(lambda: arm.state, lambda update: loop.call_later(late, arm.post, update) and None)
+        survey.tour()
+        assert survey._task is not None
+        await survey._task
+        await asyncio.sleep(2 * late)
+
+    asyncio.run(run())
+    assert set(arm.state.seen) == {"+z", "+y", "-y"}
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])

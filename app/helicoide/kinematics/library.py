@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
@@ -34,13 +34,18 @@ def _from_package(name: str, tip: str | None, base: str | None) -> Robot:
     """The robot of the first file of that name that can be used; raises what is wrong with the first where none can."""
     first = packaged()[name]
     try:
-        return from_urdf(first, tip, base)
+        return _of_package(first, tip, base)
     except HelicoideError:
         every = (file for package in PACKAGES for file in _files(package))
         for file in (file for file in every if _name_of(file) == name and file != first):
             with suppress(HelicoideError):
-                return from_urdf(file, tip, base)
+                return _of_package(file, tip, base)
         raise
+
+
+@lru_cache(maxsize=32)
+def _of_package(file: Path, tip: str | None, base: str | None) -> Robot:
+    return from_urdf(file, tip, base)
 
 
 def _files(package: str) -> list[Path]:
@@ -104,8 +109,16 @@ def load(robot: str, tip: str | None = None, settings: Sequence[str] = (), base:
     if robot in folders:
         _refuse(tip, robot, "--tip")
         _refuse(base, robot, "--base")
-        return from_folder(folders[robot], dict(map(_setting, settings)))
+        folder = folders[robot]
+        changed = max(file.stat().st_mtime_ns for file in folder.rglob("*") if file.is_file())
+        return _from_folder(folder, tuple(settings), changed)
     raise _unknown(robot)
+
+
+@lru_cache(maxsize=32)
+def _from_folder(folder: Path, settings: tuple[str, ...], changed: int) -> Robot:
+    """The same robot as before while its files have not changed: what is worked out of it once is kept by it."""
+    return from_folder(folder, dict(map(_setting, settings)))
 
 
 def _setting(words: str) -> tuple[str, float]:

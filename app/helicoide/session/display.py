@@ -90,6 +90,8 @@ class Display:
                 if view.state.robot is self._drawn[0]:  # else it is put up with the others
                     window.stage(view, shapes.load(view.state.robot))
                     window.draw(view)
+                    if window.robot is not view.state.robot:  # this arm has come since it was furnished
+                        await window.fill(view)
         finally:
             self._entering.discard(window)
         self.redraw()

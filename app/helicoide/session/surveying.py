@@ -79,8 +79,7 @@ class Surveying:
         state = self.state()
         self.post(gate.clear_planes())
         for seed, reading in enumerate(readings(state.robot)):
-            self.post(gate.while_asked(state, gate.go_to(reading.pose)))
-            await asyncio.sleep(LOOK)
+            await self._done(gate.while_asked(state, gate.go_to(reading.pose)))
             if not await self._arrived(reading.pose):
                 return
             state = self.state()
@@ -89,6 +88,18 @@ class Surveying:
             if self.state().request.command is not state.request.command:  # the arm was asked something else
                 return
         self.post(gate.while_asked(state, gate.get_ready()))
+
+    async def _done(self, wish: Update) -> None:
+        """Hand on a wish, and wait until it has been done: the arm's thread may be late."""
+        loop, done = asyncio.get_running_loop(), asyncio.Event()
+
+        def tell(state: State) -> State:
+            loop.call_soon_threadsafe(done.set)
+            return state
+
+        self.post(wish)
+        self.post(tell)
+        await done.wait()
 
     async def _arrived(self, pose: str) -> bool:
         """Wait until the arm is at a posture; false as soon as it was sent elsewhere, or can come no nearer."""

@@ -34,6 +34,11 @@ class View:
     ready: bool = True
     own: bool = False
 
+    def rearranged(self, old: View | None) -> bool:
+        """Whether what can be dragged may stand elsewhere than in an older view, or be in another hand."""
+        before, now = None if old is None else old.state, self.state
+        return before is None or before.problem is not now.problem or before.request.grasp is not now.request.grasp
+
 
 @dataclass(frozen=True)
 class ForArm:

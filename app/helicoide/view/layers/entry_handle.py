@@ -40,8 +40,5 @@ class EntryHandle:
         state, entry = new.state, new.state.problem.entry
         if self.gizmo.visible != (entry is not None):
             self.gizmo.visible = entry is not None
-        changed = (
-            old is None or old.state.problem.entry is not entry or old.state.request.grasp is not state.request.grasp
-        )
-        if entry is not None and changed and state.request.grasp != Grasp(self.who, gate.ENTRY):
+        if entry is not None and new.rearranged(old) and state.request.grasp != Grasp(self.who, gate.ENTRY):
             self.gizmo.position = entry.point

@@ -42,9 +42,7 @@ class Handles:
         for k in movable - self.gizmos.keys() if shown else ():
             self.gizmos[k] = self._gizmo(k)
             old = None
-        changed = (
-            old is None or old.state.problem is not state.problem or old.state.request.grasp is not state.request.grasp
-        )
+        changed = new.rearranged(old)
         for index, gizmo in self.gizmos.items():
             if gizmo.visible != (shown and index in movable):
                 gizmo.visible = shown and index in movable

@@ -30,10 +30,7 @@ class ObstacleHandles:
     def update(self, old: View | None, new: View) -> None:
         """Follow the obstacles."""
         state, obstacles = new.state, new.state.problem.obstacles
-        changed = (
-            old is None or old.state.problem is not state.problem or old.state.request.grasp is not state.request.grasp
-        )
-        if not changed:
+        if not new.rearranged(old):
             return
         while len(self.gizmos) < len(obstacles.radii):
             self.gizmos.append(self._handle(len(self.gizmos)))

@@ -140,7 +140,7 @@ def _table(view: View) -> Markup:
     return _written(runs, language)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=8)
 def _written(runs: tuple[Run, ...], language: Language) -> Markup:
     heads = [head[language] for head in (HEADINGS[1:3] if len(runs) == 1 else (HEADINGS[2], BEFORE))]
     others = [{row.quantity: row for row in run.result.rows} for run in runs[1:]]
@@ -216,7 +216,7 @@ def _before(chart: Chart, others: tuple[Chart, ...]) -> list[Line]:
     ]
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=16)
 def _until(chart: Chart, s: float) -> Chart:
     """The chart with what comes after a time left blank."""
     return replace(chart, lines=tuple(replace(line, y=np.where(line.x <= s, line.y, np.nan)) for line in chart.lines))

@@ -26,7 +26,7 @@ def fk(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_example_of_the_source_by_all_roads() -> None:
-    """Cerbaro 2022, eqs. 4-6: (470.429, 271.602, 300.000) mm; more digits in the digest, section 8."""
+    """Cerbaro 2022, eqs. 4-6: (470.429, 271.602, 300.000) mm; more digits recomputed."""
     done = fk("movemaster", "--q", "30", "60", "-90", "-30", "90", "--deg", "--json")
     assert done.returncode == 0, done.stderr
     roads = json.loads(done.stdout)["roads"]

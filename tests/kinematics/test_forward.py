@@ -112,7 +112,7 @@ def test_poses_by_every_road(
 
 @pytest.mark.parametrize("road", ROADS.values(), ids=ROADS)
 def test_the_target_of_the_first_experiment(robot: Robot, road: Road) -> None:
-    """Cerbaro 2022, §4.4.4, demonstration 1: four decimals of a degree, so 1e-4 mm; the tool points 60 degrees below level."""
+    """Cerbaro 2022, §4.4.4: four decimals of a degree, so 1e-4 mm; the tool points 60 degrees below level."""
     T = road(robot, np.radians([0, 56.4243, -129.9430, 13.5188, 0]))
     np.testing.assert_allclose(1000 * T[:3, 3], [440.0004, 0, 200.0004], rtol=0, atol=1e-4)
     np.testing.assert_allclose(T[:3, 0], [0.5, 0, -np.sqrt(0.75)], rtol=0, atol=1e-5)

@@ -30,9 +30,9 @@ ABOUT = Text(
     "primeira parada desvia o efetuador por um instante.",
 )
 # Found by tests/studies/fits/cerbaro_algorithm_1.py.
-GAIN = Fitted(Text(en="first gain k₀", pt_BR="ganho inicial k₀"), 0.25, 0.2, 0.32, "1/s")
+GAIN = Fitted(Text(en="first gain k₀", pt_BR="ganho inicial k₀"), 0.25, 0.2, 0.35, "1/s")
 INSIDE = Fitted(
-    Text(en="J3 at the start, inside its limit by", pt_BR="J3 na partida, aquém do limite por"), 0.1, 0.04, 0.2, "°"
+    Text(en="J3 at the start, inside its limit by", pt_BR="J3 na partida, aquém do limite por"), 0.1, 0.02, 0.2, "°"
 )
 FITTED = (GAIN, INSIDE)
 PRINTED_GAIN, SHORT, SETTLED = 500.0, 4.0, 0.1

@@ -46,8 +46,8 @@ LAGS = Text(
     pt_BR="o erro se estabiliza em ẋ_d/K, cinco milésimos de milímetro, na década que a fig. 36 mostra",
 )
 DAMPED = Text(
-    en="J is square, and what turns the tool is the damping λ alone; of it the source gives 0.1",
-    pt_BR="J é quadrado, e só o amortecimento λ gira o efetuador; a fonte informa 0,1",
+    en="only the damping turns the tool; the printed λ = 0.1 gives a tenth of what fig. 36 shows",
+    pt_BR="só o amortecimento gira o efetuador; o λ = 0,1 impresso dá um décimo do que a fig. 36 mostra",
 )
 
 

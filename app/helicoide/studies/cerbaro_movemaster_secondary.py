@@ -19,11 +19,12 @@ SOURCE = "Cerbaro 2022, §4.4.4, dem. 3, fig. 37"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all pulls "
-    "J3 back from beyond its limit, and pays for it with J4, which ends nearer to its own limit than without any pull.",
-    pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz J3 "
-    "de volta de além do limite, à custa de J4, que acaba mais perto do próprio limite do que sem atração nenhuma.",
+    "J3, which begins beyond its limit, back at once, and pays for it with J4, which ends nearer to its own than without "
+    "any pull. How J3 passes its limit later is a matter of gain and start: see Algorithm 1.",
+    pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz J3, "
+    "que parte além do limite, logo de volta, à custa de J4, que acaba mais perto do seu do que sem atração nenhuma. "
+    "Se J3 passa do limite depois é questão de ganho e de partida: veja o Algoritmo 1.",
 )
-PASSES = Statement(Text(en="J3 passes its limit", pt_BR="J3 ultrapassa o limite"), "§4.4.4, fig. 37", -120.0, "<")
 NEARER = Statement(
     Text(en="J4 ends nearer its limit than with k₀ = 0", pt_BR="J4 acaba mais perto do limite do que com k₀ = 0"),
     "§4.4.4, fig. 37",
@@ -62,7 +63,6 @@ def rows(plain: Run, pushed: Run, short: bool) -> tuple[Row, ...]:
     limit = np.degrees(arms.movemaster().limits.upper[3])
     with_k0, without = (float(limit - np.degrees(np.abs(one.q[:, 3]).max())) for one in (pushed, plain))
     found = [
-        Row(Text(en="J3, least, with k₀", pt_BR="J3, mínimo, com k₀"), pushed.degrees(3)[0], "°", PASSES),
         Row(
             Text(en="J4 to its limit with k₀, less that without", pt_BR="J4 até o limite com k₀, menos a sem k₀"),
             with_k0 - without,
@@ -88,8 +88,10 @@ def rows(plain: Run, pushed: Run, short: bool) -> tuple[Row, ...]:
     if not short:
         error = Text(en="largest position error", pt_BR="maior erro de posição")
         first = Text(en="fastest joint, at the very first", pt_BR="junta mais rápida, logo no início")
+        back = Text(en="J3 begins beyond its limit and is back after", pt_BR="J3 parte além do limite e volta após")
         found += [
             Row(error, float(pushed.error.max()), "mm", Figure("fig. 37")),
             Row(first, float(np.degrees(pushed.fastest.max())), "°/s"),
+            Row(back, float(pushed.t[pushed.q[:, 2] < arms.movemaster().limits.lower[2]].max()), "s"),
         ]
     return tuple(found)

@@ -28,7 +28,7 @@ ABOUT = Text(
 
 
 # Found by tests/studies/fits/cerbaro_orca_secondary.py.
-LIMITS = Fitted(Text(en="limits ±120°, ±150°, ±140°, times", pt_BR="limites ±120°, ±150°, ±140°, vezes"), 1.0, 0.8, 1.5)
+LIMITS = Fitted(Text(en="limits ±120°, ±150°, ±140°, times", pt_BR="limites ±120°, ±150°, ±140°, vezes"), 1.0, 0.6, 3.0)
 FARTHER = Statement(
     Text(
         en="the joints stay farther from their limits than with k₀ = 0",

@@ -1,7 +1,7 @@
 """Where J3 must begin, and how small k₀ must be, for what Cerbaro 2022 says of figs. 37 and 38 to hold.
 
-`python -m tests.studies.fits.cerbaro_algorithm_1`: the first seconds over a grid, then the whole turn for pairs five per
-cent beside the chosen one.
+`python -m tests.studies.fits.cerbaro_algorithm_1`: the first seconds over a grid, then the whole turn for the pairs
+five per cent beside the chosen one.
 """
 
 from __future__ import annotations

@@ -272,7 +272,7 @@ def plain_difference(q_target: Array, q: Array) -> Array:
 
 
 def test_with_the_shorter_way_every_pair_converges() -> None:
-    """Recomputed from Vargas 2013, eqs. 2.41–2.48: of 300 random pairs (λ = 5, 6 s) all end within 6e-5°; without the sign 44 are off by 1°."""
+    """Recomputed: of 300 random pairs (λ = 5, 6 s) all end within 6e-5°; without the sign 44 are off by 1°."""
     q_target, q = random_quaternions(300, 1), random_quaternions(300, 2)
     reached = follow(rotation.quaternion_error, q_target, q, 5.0, 6.0, body=False)
     assert np.max(angle_between(q_target, reached)) < 6.5e-5
@@ -281,7 +281,7 @@ def test_with_the_shorter_way_every_pair_converges() -> None:
 
 
 def test_a_body_velocity_needs_the_error_in_the_body_frame() -> None:
-    """Recomputed from Coutinho 2015, §1.3: from R = Rot(x, 180°), R_d = R Rot(z, 20°), K = 2, the base error ends at 179.9°."""
+    """Recomputed: from R = Rot(x, 180°), R_d = R Rot(z, 20°), K = 2, the base error ends at 179.9°."""
     q = rotation.from_axis_angle((1, 0, 0), np.pi)
     q_target = rotation.multiply(q, rotation.from_axis_angle((0, 0, 1), np.radians(20)))
     literal = follow(rotation.quaternion_error, q_target, q, 2.0, 10.0, body=True)

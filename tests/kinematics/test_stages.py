@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from helicoide import content
 from helicoide.geometry import euler, rigid
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import screw_displacements, tool_by_screws
 from helicoide.kinematics.library import load
-from helicoide.kinematics.stages import dh_stages, in_source_units, product_stages, screw_stages
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.stages import Stage, dh_stages, in_source_units, product_stages, screw_stages
+
+Stages = Callable[[Robot, Array], list[Stage]]
 
 # Eqs. 4 and 8; the lengths of eq. 8 are cut after three decimals.
 EQ_4 = [[0.5, -0.75, 0.433, 470.429], [-0.866, -0.433, 0.25, 271.602], [0, -0.5, -0.866, 300], [0, 0, 0, 1]]
@@ -22,7 +28,7 @@ EQ_7 = [[1, 0, 0, -336.86], [0, 1, 0, 309.321], [0, 0, 1, 0], [0, 0, 0, 1]]
     [("movemaster", dh_stages, EQ_4), ("movemaster", screw_stages, EQ_8), ("orca", screw_stages, EQ_7)],
     ids=["eq. 4", "eq. 8", "eq. 7"],
 )
-def test_the_matrices_of_the_source(name: str, stages, printed) -> None:  # type: ignore[no-untyped-def]
+def test_the_matrices_of_the_source(name: str, stages: Stages, printed: list[list[float]]) -> None:
     robot = load(name)
     last = in_source_units(stages(robot, robot.poses["example"])[-1])
     np.testing.assert_allclose(last.partial, printed, rtol=0, atol=1e-3)

@@ -99,9 +99,9 @@ def _described(stage: Stage) -> dict[str, Any]:
 
 
 def _rows(stage: Stage, decimals: int) -> list[Text]:
-    named = {**stage.angles, **stage.lengths, **({} if stage.direction is None else {"s": stage.direction})}
-    numbers = {name: _numbers(np.atleast_1d(value), decimals) for name, value in named.items()}
-    said = [(name, _bracketed(text) if np.ndim(named[name]) else text) for name, text in numbers.items()]
+    angles = {name: np.asarray(value) for name, value in stage.angles.items()}
+    named = angles | stage.lengths | ({} if stage.direction is None else {"s": stage.direction})
+    said = [(name, _told(value, decimals)) for name, value in named.items()]
     head = Text(
         en=f"{stage.joint}: " + ", ".join(f"{name} = {text.en}" for name, text in said),
         pt_BR=f"{stage.joint}: " + "; ".join(f"{name} = {text.pt_BR}" for name, text in said),
@@ -114,8 +114,10 @@ def _numbers(values: Array, decimals: int) -> Text:
     return Text(en=", ".join(said), pt_BR="; ".join(said).replace(".", ","))
 
 
-def _bracketed(text: Text) -> Text:
-    return Text(en=f"({text.en})", pt_BR=f"({text.pt_BR})")
+def _told(value: Array, decimals: int) -> Text:
+    """A number, or three in brackets."""
+    text = _numbers(np.atleast_1d(value), decimals)
+    return Text(en=f"({text.en})", pt_BR=f"({text.pt_BR})") if value.ndim else text
 
 
 def _aligned(row: Array, decimals: int) -> Text:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated
 
@@ -74,7 +75,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         _first(error_chart("fig. 36", *start)),
         joint_chart("fig. 35", named[0][1], (1, 2, 3, 4, 5)),
     )
-    found = rows(*(one for _, one in named), short=short)
+    found = rows([one for _, one in named], short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
     return Result(found if options == Options() else unstated(found), charts, motions)
 
@@ -84,8 +85,9 @@ def _first(chart: Chart) -> Chart:
     return replace(chart, title=title.format(t=SETTLED))
 
 
-def rows(exact: Run, none: Run, eq32: Run, short: bool) -> tuple[Row, ...]:
+def rows(runs: Sequence[Run], short: bool) -> tuple[Row, ...]:
     """The orders that fig. 36 shows beside three loops, and where J3 goes."""
+    exact, none, _ = runs
     place = Text(
         en="largest position error after {t:g} s, {which}", pt_BR="maior erro de posição após {t:g} s, {which}"
     )
@@ -97,7 +99,7 @@ def rows(exact: Run, none: Run, eq32: Run, short: bool) -> tuple[Row, ...]:
     }
     settled = [
         Row(place.format(t=SETTLED, which=which), float(one.since(SETTLED).error.max()), "mm", order["1e-3"], why=why)
-        for which, one, why in ((EXACT, exact, FED), (NONE, none, LAGS), (PRINTED, eq32, LAGS))
+        for one, (which, why) in zip(runs, ((EXACT, FED), (NONE, LAGS), (PRINTED, LAGS)), strict=True)
     ]
     found = [
         *settled,

@@ -18,12 +18,12 @@ TITLE = Text(en="One gain for all joints, and where it fails", pt_BR="Um só gan
 SOURCE = "Cerbaro 2022, §4.4.4, dem. 3, fig. 37"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all pulls "
-    "J3, which begins beyond its limit, back at once, and pays for it with J4, which ends nearer to its own than without "
-    "any pull. How J3 passes its limit later is a matter of gain and start: see Algorithm 1.",
-    pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz J3, "
-    "que parte além do limite, logo de volta, à custa de J4, que acaba mais perto do seu do que sem atração nenhuma. "
-    "Se J3 passa do limite depois é questão de ganho e de partida: veja o Algoritmo 1.",
+    en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all "
+    "pulls J3, which begins beyond its limit, back at once, and pays for it with J4, which ends nearer to its own than "
+    "without any pull. How J3 passes its limit later is a matter of gain and start: see Algorithm 1.",
+    pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz "
+    "J3, que parte além do limite, logo de volta, à custa de J4, que acaba mais perto do seu do que sem atração "
+    "nenhuma. Se J3 passa do limite depois é questão de ganho e de partida: veja o Algoritmo 1.",
 )
 NEARER = Statement(
     Text(en="J4 ends nearer its limit than with k₀ = 0", pt_BR="J4 acaba mais perto do limite do que com k₀ = 0"),

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from helicoide.ik import Problem
 from helicoide.ik.clik import Moment
@@ -47,7 +48,7 @@ class Run:
         """The same run up to t1, s."""
         return self._where(self.t <= t1 + 1e-9)
 
-    def _where(self, s: Array) -> Run:
+    def _where(self, s: NDArray[np.bool_]) -> Run:
         return replace(self, t=self.t[s], q=self.q[s], errors=self.errors[s], fastest=self.fastest[s])
 
     def degrees(self, joint: int) -> tuple[float, float]:

@@ -17,6 +17,7 @@ from helicoide import studies
 from helicoide.ik import clik, limit_gains, secondary
 from helicoide.kinematics import forward
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.manipulability import Manipulability
 from helicoide.studies import cerbaro_algorithm_1 as algorithm_1
 from helicoide.studies.cerbaro_runs import arms, convergence, tracking
 from helicoide.studies.cerbaro_runs.tracking import eq_32, unfed
@@ -216,6 +217,23 @@ def test_without_the_projector_the_tool_leaves_its_path(monkeypatch: pytest.Monk
     usual = tracking.free_ellipse(q, 500.0, 0.01, False, seconds=1.0).error.max()
     monkeypatch.setattr(clik, "answered", no_projector)
     assert tracking.free_ellipse(q, 500.0, 0.01, False, seconds=1.0).error.max() > 10 * usual
+
+
+def test_with_a_wrong_row_of_j_the_heading_of_the_orca_is_not_held(monkeypatch: pytest.MonkeyPatch) -> None:
+    def followed(problem: Any, method: Any, options: Any, aiming: clik.Aiming, *others: Any) -> Any:
+        def skewed(q: Array, t: float) -> clik.Aim:
+            aim = aiming(q, t)
+            return replace(aim, J=np.vstack([aim.J[:-1], [1, 1, 0.9]]))
+
+        return clik.followed(problem, method, options, skewed, *others)
+
+    monkeypatch.setattr(tracking, "followed", followed)
+    assert broken(short("cerbaro_orca_circle").rows) == {"largest error of φ"}
+
+
+def test_without_the_projector_more_than_rows_2_to_4_are_not_zero(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Manipulability, "null_projector", property(lambda found: np.eye(found.J.shape[1])))
+    assert any("J1 and J5" in quantity for quantity in broken(short("cerbaro_redundancy").rows))
 
 
 def test_with_half_of_each_step_the_count_of_iterations_is_another(monkeypatch: pytest.MonkeyPatch) -> None:

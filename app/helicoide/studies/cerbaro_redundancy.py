@@ -12,11 +12,12 @@ from helicoide.ik.clik import Aiming, followed
 from helicoide.ik.method import Quantity
 from helicoide.ik.secondary import push
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_chart, motion, pitch_chart, ran
-from helicoide.studies.study import Chart, Progress, Result, Row, Statement, printed
-from helicoide.text import Text
+from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement, printed
+from helicoide.text import Text, same
 
 TITLE = Text(en="Redundancy of the ORCA", pt_BR="Redundância do ORCA")
 SOURCE = "Cerbaro 2022, §4.4.1, fig. 27"
@@ -128,4 +129,21 @@ def moved_beside(movemaster: Problem) -> float:
 
 def _charts(way: Run) -> tuple[Chart, ...]:
     named = (Text(en="of the tool", pt_BR="do efetuador"), way)
-    return joint_chart("fig. 27", way, (1, 2, 3)), pitch_chart("fig. 27", "φ", named), error_chart("", named)
+    return (
+        _postures(),
+        joint_chart("fig. 27", way, (1, 2, 3)),
+        pitch_chart("fig. 27", "φ", named),
+        error_chart("", named),
+    )
+
+
+def _postures() -> Chart:
+    """The arm in both postures, from above: its joints and its tool."""
+    orca = arms.orca()
+    lines = []
+    for name, q in (("A", A), ("B", B)):
+        joints = link_poses(orca.robot.chain, q)[1:, :2, 3]
+        x, y = 1000 * np.vstack([joints, arms.tool(orca, q)[:2]]).T
+        lines.append(Line(same(name), x, y))
+    title = Text(en="One point, two postures, from above", pt_BR="Um ponto, duas posturas, vistas de cima")
+    return Chart(title, same("x (mm)"), same("y (mm)"), tuple(lines), "fig. 27")

@@ -183,7 +183,7 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
     np.testing.assert_array_equal(state.arm.q, robot.poses["home"])
     assert state.request.command == Hold()
     assert state.arm.parked
-    # the digest of Cerbaro 2022, section 8: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
+    # recomputed from Cerbaro 2022, §6.2.1: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
     assert nearest[-1] == pytest.approx(0.02109, abs=3e-5)
     assert min(nearest) < nearest[-1]
 

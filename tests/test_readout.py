@@ -33,7 +33,7 @@ def foreseen(state: State) -> State:
     return replace(state, request=replace(state.request, goal=goal))
 
 
-# Digest of Cerbaro 2022, section 8, "Plane distances": shoulder, elbow, wrist, tool in mm, for each wall.
+# Recomputed from the planes of Cerbaro 2022, §6.2.1: shoulder, elbow, wrist, tool in mm, for each wall.
 DISTANCES = {
     "zero": [
         [257.47, 244.42, 233.98, 220.93],
@@ -59,7 +59,7 @@ DISTANCES = {
 
 
 @pytest.mark.parametrize("name", DISTANCES)
-def test_plane_distances_of_the_digest(state: State, name: str) -> None:
+def test_plane_distances_in_four_postures(state: State, name: str) -> None:
     """To 0.03 mm: the table is of the printed planes, whose normals are up to 4e-5 short of or beyond length one; the
     robot's planes are made unit, which changes a distance l by 4e-5 l at most (0.02 mm), and the table is rounded."""
     table = 1000 * readout.plane_distances(at(state, state.robot.poses[name]))
@@ -126,7 +126,7 @@ def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None
 
 
 def test_the_nearest_point_and_the_zones(state: State) -> None:
-    """Home: the elbow, 21.09 mm from the ceiling (digest, section 8), so the ceiling alone is critical."""
+    """Home: the elbow, 21.09 mm from the ceiling, so the ceiling alone is critical."""
     home = at(state, state.robot.poses["home"])
     assert readout.nearest(home) == Contact(plane=0, point=2)
     assert readout.zones(home) == (Zone.CRITICAL, Zone.FREE, Zone.FREE, Zone.FREE)

@@ -26,7 +26,7 @@ def fk(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_example_of_the_source_by_all_roads() -> None:
-    """Cerbaro 2022, eqs. 4-6: (470.429, 271.602, 300.000) mm; more digits in the digest, section 8."""
+    """Cerbaro 2022, eqs. 4-6: (470.429, 271.602, 300.000) mm; more digits recomputed."""
     done = fk("movemaster", "--q", "30", "60", "-90", "-30", "90", "--deg", "--json")
     assert done.returncode == 0, done.stderr
     roads = json.loads(done.stdout)["roads"]
@@ -36,6 +36,74 @@ def test_the_example_of_the_source_by_all_roads() -> None:
         assert pose["matrix"][0][:3] == pytest.approx([0.4330, 0.75, 0.5], abs=5.1e-5)
         assert pose["quaternion_wxyz"] == pytest.approx([0.683013, 0.5, 0.5, -0.183013], abs=6e-7)
         assert pose["motor"]["e1e"] == pytest.approx(0.060801270, abs=1e-9)
+
+
+def test_a_pose_says_of_what_and_in_what_frame_it_is(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    example = ("--q", "30", "60", "-90", "-30", "90", "--deg", "--json")
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "movemaster", *example])
+    __main__.main()
+    told = json.loads(capsys.readouterr().out)
+    assert {(pose["frame"], pose["in"]) for pose in told["roads"].values()} == {("tool", "base_link")}
+    assert [motor["pulses"] for motor in told["motors"]] == pytest.approx([5550, 13680, -16740, -4650, 13920])
+    assert told["motors"][4]["motor"] == "A5 (− J4 + J5)"
+    assert "frames" not in told
+
+
+@pytest.mark.parametrize(("units", "scale"), [(["--as", "source"], 1.0), ([], 1e-3)])
+@pytest.mark.parametrize(
+    ("kind", "ends", "says"),
+    [("dh", [470.429, 271.603, 300.0], "DH frame"), ("screws", [-84.641, 413.013, 1010.141], "displacement")],
+)
+def test_the_matrices_of_the_source_in_its_units_and_in_ours(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    units: list[str],
+    scale: float,
+    kind: str,
+    ends: list[float],
+    says: str,
+) -> None:
+    """Cerbaro 2022, eqs. 4 and 8."""
+    asked = ["movemaster", "--q", "30", "60", "-90", "-30", "90", "--deg", "--frames", kind, *units]
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *asked, "--json"])
+    __main__.main()
+    frames = json.loads(capsys.readouterr().out)["frames"]
+    assert says in frames["partial"]
+    assert [row[3] for row in frames["joints"][-1]["partial"][:3]] == pytest.approx(
+        [scale * value for value in ends], abs=6e-4 * scale
+    )
+    assert frames["position"] == pytest.approx([scale * value for value in (470.429, 271.603, 300)], abs=6e-4 * scale)
+
+
+@pytest.mark.parametrize(
+    ("kind", "words"),
+    [
+        ("dh", ["J5: θ = 90.000, α = 0.000, d = 250.000", "-0.866 ", "470.429", "-60.000, 0.000, -150.000"]),
+        ("screws", ["s = (0.000, -1.000, 0.000)", "1010.141", "The tool, at 820.000, 0.000, 400.000 for q = 0"]),
+        ("products", ["ε", "0.683", "10.341", "220.556"]),
+    ],
+)
+def test_joint_by_joint_in_words(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], kind: str, words: list[str]
+) -> None:
+    asked = ["movemaster", "--q", "30", "60", "-90", "-30", "90", "--deg", "--frames", kind, "--as", "source"]
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *asked])
+    __main__.main()
+    said = capsys.readouterr().out
+    assert [word for word in words if word not in said] == []
+    monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")
+    __main__.main()
+    assert "470,429; 271,603; 300,000" in capsys.readouterr().out
+
+
+def test_a_motor_that_cannot_hold_its_angle_is_said(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "motoman_l3", "--deg", "--q", "0", "170", "0", "0", "0"])
+    __main__.main()
+    assert "ball screw" in capsys.readouterr().out
 
 
 def test_wrong_input_ends_in_one_line_without_a_traceback(tmp_path: Path) -> None:
@@ -63,8 +131,9 @@ def test_the_words_for_people_carry_the_same_numbers(
     __main__.main()
     lines = capsys.readouterr().out.splitlines()
     assert lines[:2] == ["movemaster:", f"   from link {load('movemaster').base_link} to link tool"]
-    assert len(lines) == 5
-    assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines[2:])
+    assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines[2:5])
+    assert len(lines) == 5 + 1 + 5
+    assert lines[-1].split() == ["A5", "(−", "J4", "+", "J5):", "120°,", "13920", "pulses"]
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
@@ -91,6 +160,7 @@ def test_every_mistake_in_a_urdf_ends_the_command_alike(
         (["{arm}", "--set", "l1=1", "--q", "0", "0"], ["--set"]),
         (["{arm}x.urdf", "--q", "0", "0"], ["{arm}x.urdf", "no such file"]),
         (["planar2r", "--tip", "tool", "--q", "0", "0"], ["--tip"]),
+        (["planar2r", "--as", "source", "--q", "0", "0"], ["--frames dh, screws"]),
         (["planar2r", "--set", "l1=abc", "--q", "0", "0"], ["l1=abc", "l1=1500"]),
     ],
 )
@@ -140,7 +210,7 @@ def test_joints_outside_their_limits_are_named_beside_the_pose(
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments])
     __main__.main()
     out, err = capsys.readouterr()
-    assert len(out.splitlines()) == 5
+    assert len(out.splitlines()) == (11 if arguments[0] == "movemaster" else 5)
     assert [word for word in words if word not in err] == []
     assert "is at" not in out
     monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")

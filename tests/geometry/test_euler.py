@@ -169,7 +169,7 @@ def test_the_sources_roll_pitch_yaw_is_zyx(angles: Array) -> None:
 
 
 def test_angles_of_the_movemaster_example() -> None:
-    """Cerbaro digest §1.2, eq. 4: (Roll, Pitch, Yaw) = (−1.047, 0, −2.618); pitch −(q₂ + q₃ + q₄), yaw q₅ of R_S."""
+    """Cerbaro 2022, eqs. 4 and 6: (Roll, Pitch, Yaw) = (−1.047, 0, −2.618); pitch −(q₂ + q₃ + q₄), yaw q₅ of R_S."""
     s, c = np.sin(np.pi / 3), np.cos(np.pi / 3)
     R_dh = np.array([[c, -s * s, s * c], [-s, -s * c, c * c], [0, -c, -s]])
     np.testing.assert_allclose(euler.angles(R_dh, euler.ROLL_PITCH_YAW).values, [-1.047, 0, -2.618], atol=5e-4)

@@ -39,7 +39,7 @@ def ellipse(q: Array, k0: float, seconds: float, algorithm_1: bool = True) -> Ru
 
 
 def test_from_outside_the_limits_the_gain_grows_five_times_and_the_tool_is_thrown_off_by_75_mm() -> None:
-    """Cerbaro 2022, §4.5; digest §3.7: J3 500 → 525.5, then inside; the error is gone again at once."""
+    """Cerbaro 2022, §4.5, recomputed: J3 500 → 525.5, then inside; the error is gone again at once."""
     run = ellipse(start_of_ellipse(-60), 500.0, 0.4)
     k0 = run.last.memory.gains
     np.testing.assert_allclose(k0, [500, 500, 500 * 1.01**5, 500, 500], rtol=1e-14)

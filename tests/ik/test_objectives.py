@@ -95,7 +95,7 @@ def test_what_may_be_a_row_is_never_negative(robot_name: str, name: str) -> None
         assert cost(here, name, q).value >= 0
 
 
-# Cerbaro 2022, eqs. 11, 12, 14; digest §8.
+# Cerbaro 2022, eqs. 11, 12, 14, recomputed.
 
 
 def test_the_manipulability_of_the_examples() -> None:
@@ -156,7 +156,7 @@ def test_the_distance_from_an_obstacle_is_that_of_the_nearest_point() -> None:
 
 
 def test_the_barrier_is_flat_inside_and_steep_outside() -> None:
-    """|Δq|/ζ = 3 and k = 10 give f = 3.5e9 α (digest §3.6); at the limit f = α, half way next to nothing."""
+    """|Δq|/ζ = 3 and k = 10 give f = 3.5e9 α (recomputed); at the limit f = α, half way next to nothing."""
     here = problem("planar3r")
     zeta = (here.limits.upper - here.limits.lower) / 2
     middle = (here.limits.upper + here.limits.lower) / 2

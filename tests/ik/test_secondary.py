@@ -51,7 +51,7 @@ GAINS = {"manipulability": 2.0, "limit_distance": 20.0, "obstacle_distance": 0.1
 )
 @pytest.mark.parametrize("name", GAINS)
 def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose: str, elbow: int, name: str) -> None:
-    """Cerbaro 2022, eqs. 11–13; digest §7: w grows and the tool moves by less than 0.01 mm.
+    """Cerbaro 2022, eqs. 11–13: w grows and the tool moves by less than 0.01 mm.
 
     The obstacle stands beside a joint in the middle of the arm.
     """

@@ -62,8 +62,8 @@ def test_an_upright_line_has_the_largest_angle_and_no_row(robot: Robot) -> None:
     np.testing.assert_array_equal(found.angle_row, np.zeros(5))
 
 
-def test_the_plane_distances_of_the_digest(robot: Robot) -> None:
-    """Digest of Cerbaro 2022, section 8: the tool in the example posture, mm."""
+def test_the_plane_distances_of_the_example(robot: Robot) -> None:
+    """Recomputed from the planes of Cerbaro 2022, §6.2.1: the tool in the example posture, mm."""
     tool = robot.frames["tool"]
     for pane, expected in zip(robot.panes, (336.21, 35.91, 585.69), strict=False):
         at = tool.T_link_frame[:3, 3]

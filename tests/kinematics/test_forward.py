@@ -76,7 +76,7 @@ def test_guarded_points_are_carried_by_their_links(robot: Robot, q: Array) -> No
         np.testing.assert_allclose(points[number], moved, rtol=0, atol=AGREE)
 
 
-# Digest of Cerbaro 2022, section 8 (rows marked src are printed in eqs. 4-8): degrees, tool in mm, rotation by rows.
+# Recomputed from tab. 8 of Cerbaro 2022 (the second row is printed in eqs. 4-8): degrees, tool in mm, rotation by rows.
 HOME = [[0.9563, 0, 0.2924], [0, 1, 0], [-0.2924, 0, 0.9563]]
 ROWS: list[tuple[list[float], list[float], list[list[float]]]] = [
     ([0, 0, 0, 0, 0], [820, 0, 400], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
@@ -102,7 +102,7 @@ ROWS: list[tuple[list[float], list[float], list[list[float]]]] = [
 
 @pytest.mark.parametrize("road", ROADS.values(), ids=ROADS)
 @pytest.mark.parametrize(("q_deg", "position_mm", "rotation"), ROWS)
-def test_poses_of_the_digest(
+def test_poses_by_every_road(
     robot: Robot, road: Road, q_deg: list[float], position_mm: list[float], rotation: list[list[float]]
 ) -> None:
     T = road(robot, np.radians(q_deg))
@@ -112,13 +112,13 @@ def test_poses_of_the_digest(
 
 @pytest.mark.parametrize("road", ROADS.values(), ids=ROADS)
 def test_the_target_of_the_first_experiment(robot: Robot, road: Road) -> None:
-    """Digest section 8, last row: four decimals of a degree, so 1e-4 mm; the tool points 60 degrees below level."""
+    """Cerbaro 2022, §4.4.4: four decimals of a degree, so 1e-4 mm; the tool points 60 degrees below level."""
     T = road(robot, np.radians([0, 56.4243, -129.9430, 13.5188, 0]))
     np.testing.assert_allclose(1000 * T[:3, 3], [440.0004, 0, 200.0004], rtol=0, atol=1e-4)
     np.testing.assert_allclose(T[:3, 0], [0.5, 0, -np.sqrt(0.75)], rtol=0, atol=1e-5)
 
 
-# Digest section 8, "Joint points": J1 to J5, mm.
+# Recomputed from tab. 8: J1 to J5, mm.
 JOINT_POINTS = {
     "example": [
         [0, 0, 400],
@@ -132,12 +132,12 @@ JOINT_POINTS = {
 
 
 @pytest.mark.parametrize("name", JOINT_POINTS)
-def test_joint_points_of_the_digest(robot: Robot, name: str) -> None:
+def test_joint_points(robot: Robot, name: str) -> None:
     poses = link_poses(robot.chain, robot.poses[name])
     np.testing.assert_allclose(1000 * poses[1:, :3, 3], JOINT_POINTS[name], rtol=0, atol=6e-4)
 
 
-# Digest section 8, "Dual quaternions", tool pose: 1 i j k and, in mm, the dual part.
+# Recomputed from eqs. 96-102, tool pose: 1 i j k and, in mm, the dual part.
 DUAL_QUATERNIONS = {
     "example": ([0.683013, 0.5, 0.5, -0.183013], [-158.056080, 60.801270, 210.801270, 152.158620]),
     "home": ([0.989016, 0, 0.147809, 0], [0, 200.470984, 0, 287.159779]),
@@ -145,7 +145,7 @@ DUAL_QUATERNIONS = {
 
 
 @pytest.mark.parametrize("name", DUAL_QUATERNIONS)
-def test_dual_quaternions_of_the_digest(robot: Robot, name: str) -> None:
+def test_dual_quaternions(robot: Robot, name: str) -> None:
     turn, shift_mm = DUAL_QUATERNIONS[name]
     coefficients = rigid.dual_quaternion(tool_motor(robot, robot.poses[name]))
     np.testing.assert_allclose(coefficients[:4], turn, rtol=0, atol=6e-7)

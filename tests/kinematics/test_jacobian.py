@@ -206,7 +206,7 @@ def test_a_slide_and_a_joint_that_follows_have_the_columns_of_the_definition() -
     np.testing.assert_allclose(J[:, 2], np.hstack([lever, axes[2] - 0.7 * axes[3]]), rtol=0, atol=1e-14)
 
 
-# Digest of Cerbaro 2022, section 8, "Jacobian, Movemaster example" (eq. 67): first three rows in mm.
+# Recomputed from tab. 8 and eq. 67 of Cerbaro 2022, in the posture of its example: first three rows in mm.
 EXAMPLE: list[list[float]] = [
     [-271.6025, 86.6025, 274.1025, 187.5000, 0],
     [470.4294, 50.0000, 158.2532, 108.2532, 0],
@@ -218,14 +218,14 @@ EXAMPLE: list[list[float]] = [
 ORCA: list[list[float]] = [[-309.3212, -225.5262, 0], [318.1399, 87.9152, 170], [1, 1, 1]]
 
 
-def test_the_jacobian_of_the_digest(robot: Robot) -> None:
+def test_the_jacobian_of_the_example(robot: Robot) -> None:
     J = differential.geometric(robot, robot.poses["example"])
     J[:3] *= 1000
     np.testing.assert_allclose(J, EXAMPLE, rtol=0, atol=5.1e-5)
 
 
-def test_the_planar_jacobian_of_the_digest() -> None:
-    """Digest of Cerbaro 2022, section 8: x, y and φ of the ORCA at (20, 90, −110)°."""
+def test_the_planar_jacobian_of_the_example() -> None:
+    """Recomputed from tab. 7 of Cerbaro 2022: x, y and φ of the ORCA at (20, 90, −110)°."""
     J = differential.geometric(arm("orca"), np.radians([20, 90, -110]))
     np.testing.assert_allclose(np.vstack([1000 * J[:2], J[5]]), ORCA, rtol=0, atol=5.1e-5)
     np.testing.assert_allclose(J[2:5], 0, atol=1e-15)

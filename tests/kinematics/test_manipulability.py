@@ -112,7 +112,7 @@ def test_the_condition_number_is_infinite_where_rank_is_lost(robot: Robot) -> No
     assert found.condition == pytest.approx(np.linalg.cond(found.J))
 
 
-# Digest of Cerbaro 2022, section 8.
+# Recomputed from tab. 8 and eq. 11 of Cerbaro 2022.
 
 
 def test_the_manipulability_of_the_movemaster(robot: Robot) -> None:

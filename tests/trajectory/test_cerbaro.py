@@ -92,7 +92,7 @@ def test_limits(path: Path, lowest: tuple[float, ...], highest: tuple[float, ...
 
 
 def test_the_line_goes_between_its_two_ends() -> None:
-    """Cerbaro 2022, §6.1: A = (550, 250, 280), B = (550, −250, 180) mm, from mid-way; two widths make a turn (E14)."""
+    """Cerbaro 2022, §6.1: A = (550, 250, 280), B = (550, −250, 180) mm, from mid-way; two widths make a turn."""
     a, b = 1000 * EQ_34.point(7.5), 1000 * EQ_34.point(22.5)
     np.testing.assert_allclose([a, b], [[550, 250, 280], [550, -250, 180]], rtol=0, atol=1e-9)
     np.testing.assert_allclose(1000 * EQ_34.point(0.0), (a + b) / 2, atol=1e-9)
@@ -101,7 +101,7 @@ def test_the_line_goes_between_its_two_ends() -> None:
 
 
 def test_the_circle_is_level() -> None:
-    """Eq. 35: parallel to xy (E15), a circle of 220 mm about (480, 100), once round."""
+    """Eq. 35: parallel to xy, a circle of 220 mm about (480, 100), once round."""
     points = 1000 * np.array([EQ_35.point(s) for s in np.linspace(0, 30, 97)])
     np.testing.assert_allclose(np.hypot(points[:, 0] - 480, points[:, 1] - 100), 220, rtol=1e-12)
     assert 1000 * length(EQ_35) == pytest.approx(2 * np.pi * 220, rel=1e-12)
@@ -116,7 +116,7 @@ def test_the_first_turn_is_clockwise_seen_from_above() -> None:
 
 
 def test_eq_32_is_not_the_derivative() -> None:
-    """E11: (π/4) (sin πt, cos πt, cos πt) is printed for every path; that of eq. 31 is (2π rᵢ/T) (sin, cos, cos)."""
+    """Eq. 32: (π/4) (sin πt, cos πt, cos πt) is printed for every path; that of eq. 31 is (2π rᵢ/T) (sin, cos, cos)."""
     w = 2 * np.pi / 30
     expected = [0.06 * w * np.sin(2 * w), 0.28 * w * np.cos(2 * w), 0.14 * w * np.cos(2 * w)]
     np.testing.assert_allclose(EQ_33.twist(2.0)[:3], expected, rtol=1e-14)

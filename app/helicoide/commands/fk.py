@@ -1,22 +1,24 @@
-"""Forward kinematics of a robot by its three roads."""
+"""Forward kinematics of a robot by its three roads, joint by joint if asked for, and what its motors count."""
 
 from __future__ import annotations
 
 import json as json_format
 import sys
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import tyro
 
 from helicoide.commands import described_ends, ends, language, remark
+from helicoide.export import stage_table
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.chain import Array, Joint
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.text import Text
+from helicoide.kinematics.stages import Kind
+from helicoide.text import HelicoideError, Text, same
 
 POSE = Text(
     en="{road:>16}: position {position} m; quaternion wxyz {quaternion}",
@@ -26,13 +28,23 @@ OUTSIDE = Text(
     en="{joint} is at {value}, outside its limits: {lower} … {upper}",
     pt_BR="{joint} está em {value}, fora dos limites: {lower} … {upper}",
 )
+NO_FRAMES = Text(
+    en="--as source is for --frames dh, screws or products.",
+    pt_BR="--as source vale com --frames dh, screws ou products.",
+)
+MOTORS = Text(en="motors, pulses from a zero that is ours:", pt_BR="motores, pulsos a partir de um zero nosso:")
+DRIVEN = Text(
+    en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses", pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos"
+)
 ROUNDING = 1e-9  # of a joint that is put on its limit, rad or m
 
 
-def described(T_world_tool: Array) -> dict[str, object]:
-    """A pose in all its forms: position, m; matrix; quaternion wxyz; motor coefficients by blade."""
+def described(T_world_tool: Array, robot: Robot) -> dict[str, object]:
+    """A pose in all its forms, and of what in what it is: position, m; matrix; quaternion wxyz; motor by blade."""
     motor = rigid.canonical(rigid.motor_from_pose(T_world_tool))
     return {
+        "frame": robot.tool_link,
+        "in": robot.base_link,
         "position": T_world_tool[:3, 3].tolist(),
         "matrix": T_world_tool.tolist(),
         "quaternion_wxyz": rotation.from_matrix(T_world_tool[:3, :3]).tolist(),
@@ -53,6 +65,8 @@ def run(
     tip: str | None = None,
     base: str | None = None,
     set: tuple[str, ...] = (),
+    frames: Kind | None = None,
+    as_: Annotated[Literal["si", "source"], tyro.conf.arg(name="as")] = "si",
     json: bool = False,
 ) -> None:
     """Print where the tool is, by DH rows, successive screws and dual quaternions (SI units).
@@ -67,24 +81,52 @@ def run(
         tip: the link of a URDF where the arm ends.
         base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
+        frames: joint by joint instead: DH rows and frames, screws and displacements, or products of dual quaternions.
+        as_: units of --frames: metres and radians, or the millimetres and degrees that the sources print.
         json: print JSON.
     """
+    if as_ == "source" and frames is None:
+        raise HelicoideError(NO_FRAMES)
     arm = load(robot, tip, set, base)
     remark(arm)
     values = arm.check_joints(q)
     if deg:
         values = np.where([joint.slides for joint in arm.variables], values, np.radians(values))
     if json:
-        print(json_format.dumps(_told(arm, values), indent=1))
+        staged = {} if frames is None else {"frames": stage_table.described(arm, values, frames, as_ == "source")}
+        print(json_format.dumps(_told(arm, values) | staged, indent=1))
         return
     spoken = language()
-    print(f"{arm.name}:\n{ends(arm)[spoken]}")
-    for name, road in ROADS.items():
-        pose = road(arm, values)
-        position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
-        print(POSE.format(road=name, position=position, quaternion=quat)[spoken])
+    for line in _poses(arm, values) if frames is None else stage_table.lines(arm, values, frames, as_ == "source"):
+        print(line[spoken])
     for joint, value in outside(arm, values):
         print(_warning(joint, value, deg)[spoken], file=sys.stderr)
+
+
+def _poses(robot: Robot, q: Array) -> list[Text]:
+    """The tool by each road, and what the motors are driven to."""
+    lines = [same(f"{robot.name}:"), ends(robot)]
+    for name, road in ROADS.items():
+        pose = road(robot, q)
+        position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
+        lines.append(POSE.format(road=name, position=position, quaternion=quat))
+    motors = driven(robot, q)
+    if isinstance(motors, Text):
+        return [*lines, motors]
+    told = [DRIVEN.format(label=label, angle=np.degrees(angle), pulses=pulses) for label, angle, pulses in motors]
+    return [*lines, MOTORS, *told] if told else lines
+
+
+def driven(robot: Robot, q: Array) -> list[tuple[str, float, float]] | Text:
+    """Of each actuator its label, the angle that it drives, rad, and its pulses; or why one cannot hold its angle."""
+    actuators = robot.actuators
+    if actuators is None:
+        return []
+    try:
+        pulses = actuators.from_joints(q)
+    except HelicoideError as error:
+        return error.text
+    return list(zip(actuators.labels, map(float, actuators.coupling @ q), map(float, pulses), strict=True))
 
 
 def _told(robot: Robot, q: Array) -> dict[str, Any]:
@@ -93,12 +135,19 @@ def _told(robot: Robot, q: Array) -> dict[str, Any]:
         "robot": robot.name,
         **described_ends(robot),
         "q": q.tolist(),
-        "roads": {name: described(road(robot, q)) for name, road in ROADS.items()},
+        "roads": {name: described(road(robot, q), robot) for name, road in ROADS.items()},
+        "motors": _motors(driven(robot, q)),
         "outside": [
             {"joint": joint.name, "value": value, "lower": joint.lower, "upper": joint.upper}
             for joint, value in outside(robot, q)
         ],
     }
+
+
+def _motors(found: list[tuple[str, float, float]] | Text) -> list[dict[str, Any]]:
+    if isinstance(found, Text):
+        return []
+    return [{"motor": label, "driven": angle, "pulses": pulses} for label, angle, pulses in found]
 
 
 def _warning(joint: Joint, value: float, deg: bool) -> Text:

@@ -54,13 +54,13 @@ class Plan:
 
     @property
     def key(self) -> str:
-        """A digest of the arm, the settings and the code: equal keys have equal maps."""
+        """A checksum of the arm, the settings and the code: equal keys have equal maps."""
         joints = [self.chain[field] for field in self.chain.dtype.names or ()]
         grid = (self.cells.origin, self.cells.axes, self.cells.size, self.cells.shape)
-        digest = hashlib.sha256(f"{CACHE_FOLDER.name} {self.kind} {self.samples} {self.seed}".encode())
+        checksum = hashlib.sha256(f"{CACHE_FOLDER.name} {self.kind} {self.samples} {self.seed}".encode())
         for part in (*joints, self.T_link_tool, self.lower, self.upper, *grid):
-            digest.update(np.ascontiguousarray(part).tobytes() + b"|")
-        return digest.hexdigest()
+            checksum.update(np.ascontiguousarray(part).tobytes() + b"|")
+        return checksum.hexdigest()
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,10 +8,21 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_chart, motion, part, ranges
-from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, circle
-from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
-from helicoide.text import Text
+from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs.runs import (
+    TIME,
+    Run,
+    error_chart,
+    few,
+    joint_chart,
+    motion,
+    part,
+    turned_chart,
+    way_chart,
+)
+from helicoide.studies.cerbaro_runs.tracking import CIRCLE, DT, DT_SHORT, circle, round_once
+from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row, Statement, printed, unstated
+from helicoide.text import Text, same
 
 TITLE = Text(en="The ORCA round a circle", pt_BR="O ORCA num círculo")
 SOURCE = "Cerbaro 2022, §4.4.3, dem. 2, figs. 31, 32"
@@ -24,8 +35,6 @@ ABOUT = Text(
     "nunca cresce; sem ele (K = 0), o que a regra de Euler deixa de fora se acumula como deriva. Com K Δt perto de 2, "
     "o erro troca de sinal a cada passo.",
 )
-RANGES = ((-40.76, 11.59), (83.55, 141.06), (-130.22, -76.69))
-OTHER = Text(en="another gain than the source’s", pt_BR="ganho diferente do da fonte")
 
 
 @dataclass(frozen=True)
@@ -42,38 +51,54 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     closed = circle(dt, options.place * DT, options.turn * DT, part(progress, 0, 2))
     still_open = circle(dt, 0.0, 0.0, part(progress, 1, 2))
     named = ((Text(en="closed loop", pt_BR="malha fechada"), closed), (Text(en="K = 0", pt_BR="K = 0"), still_open))
-    charts = (joint_chart(closed, (1, 2, 3)), *(error_chart(one) for one in named))
-    return Result(rows(closed, still_open, options, short), charts, motion(ROBOT, closed))
+    charts = (
+        way_chart("fig. 31", arms.orca(), "xy", round_once(CIRCLE), *named),
+        components_chart(closed),
+        error_chart("fig. 32", *named),
+        turned_chart("fig. 32", *named),
+        joint_chart("fig. 31", closed, (1, 2, 3)),
+    )
+    found = rows(closed, still_open, short)
+    motions = tuple(motion(ROBOT, title, one) for title, one in named)
+    return Result(found if options == Options() else unstated(found), charts, motions)
 
 
-def rows(closed: Run, still_open: Run, options: Options, short: bool) -> tuple[Row, ...]:
-    """What the digest gives: ranges, errors and speed; the sizes of errors for steps of 1 ms only."""
-    other = None if options == Options() else OTHER
-    largest = Text(en="largest position error", pt_BR="maior erro de posição")
-    fast = float(np.degrees(closed.fastest.max()))
-    small = Text(en="small, oscillating", pt_BR="pequeno, oscilante")
+def components_chart(run: Run) -> Chart:
+    """Both components of the position error, mm."""
+    names, up = (same("eₓ"), same("e_y")), Text(en="error (mm)", pt_BR="erro (mm)")
+    lines = tuple(Line(name, few(run.t[1:]), few(run.errors[1:, i])) for i, name in enumerate(names))
+    title = Text(en="Components of the position error", pt_BR="Componentes do erro de posição")
+    return Chart(title, TIME, up, lines, "fig. 32")
+
+
+def rows(closed: Run, still_open: Run, short: bool) -> tuple[Row, ...]:
+    """What the source says of fig. 32; the size of the errors for steps of 1 ms only."""
+    signs = np.sign(closed.errors[1:, :2])
+    changes = int((np.diff(signs, axis=0) != 0).sum())
+    heading = Text(en="largest error of φ", pt_BR="maior erro de φ")
+    oscillating = Statement(
+        Text(en="the position error is small and oscillates", pt_BR="o erro de posição é pequeno e oscila"),
+        "§4.4.3, fig. 32",
+        2.0,
+        "≥",
+    )
     found = [
-        Row(largest, float(closed.error.max()), 1e-3, 0.0, "mm", small, "≤", assumed=other),
+        Row(heading, float(np.abs(closed.q.sum(axis=1)).max()), "rad", printed("< 1 × 10⁻¹⁰", "§4.4.3, fig. 32")),
         Row(
-            Text(en="largest error of φ", pt_BR="maior erro de φ"),
-            float(np.abs(closed.q.sum(axis=1)).max()),
-            1e-10,
-            unit="rad",
-            source="< 1e-10 rad",
-            relation="≤",
+            Text(en="changes of sign of eₓ and e_y in a turn", pt_BR="trocas de sinal de eₓ e e_y numa volta"),
+            changes,
+            "",
+            oscillating,
         ),
-        *ranges(closed, RANGES, 0.006, None),
-        Row(Text(en="fastest joint", pt_BR="junta mais rápida"), fast, 3.91, 0.006, "°/s", FIGURE_ONLY),
     ]
     if not short:
+        largest = Text(en="largest position error", pt_BR="maior erro de posição")
+        drift = Text(en="drift of the open loop after a turn", pt_BR="deriva da malha aberta após uma volta")
         found += [
-            Row(largest, float(closed.error.max()), 1.1e-6, 1.1e-7, "mm", FIGURE_ONLY, assumed=other),
-            Row(
-                Text(en="drift of the open loop after a turn", pt_BR="deriva da malha aberta após uma volta"),
-                float(still_open.error[-1]),
-                0.009,
-                5e-4,
-                "mm",
-            ),
+            Row(largest, float(closed.error.max()), "mm", Figure("fig. 32")),
+            Row(drift, float(still_open.error[-1]), "mm"),
         ]
-    return tuple(found)
+    return (
+        *found,
+        Row(Text(en="fastest joint", pt_BR="junta mais rápida"), float(np.degrees(closed.fastest.max())), "°/s"),
+    )

@@ -7,9 +7,9 @@ from typing import Annotated
 
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.convergence import Coming, result
-from helicoide.studies.study import Progress, Result
-from helicoide.text import Text
+from helicoide.studies.cerbaro_runs.convergence import FACTOR, Coming, result
+from helicoide.studies.study import Progress, Result, Statement
+from helicoide.text import Text, same
 
 TITLE = Text(en="Convergence of the ORCA", pt_BR="Convergência do ORCA")
 SOURCE = "Cerbaro 2022, §4.4.3, dem. 1, fig. 30"
@@ -26,14 +26,14 @@ TARGET = (0.26, 0.18)
 
 @dataclass(frozen=True)
 class Options:
-    """factor: κ, which the source does not give; 0.55 to 0.57 come to its count."""
+    """factor: κ, which the source does not give."""
 
-    factor: Annotated[float, Quantity(Text(en="step factor κ", pt_BR="fator de passo κ"), 0.1, 1.0)] = 0.55
+    factor: Annotated[float, Quantity(FACTOR.name, 0.1, 1.0)] = FACTOR.value
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Newton's steps (λ = 0) to 1 mm and 0.01 rad; the short form is the whole."""
     orca = arms.orca()
     aiming = arms.with_heading(orca, arms.standing(*TARGET))
-    counts = {0.5: 8, 0.55: 7, 0.57: 7, 1.0: 3}
-    return result(Coming(orca, aiming, 7, counts, (-0.7608, 130.9822, -130.2214), 4), options.factor, 0.0)
+    coming = Coming(orca, aiming, Statement(same("7"), "§4.4.3, fig. 30", 7), (0.3, 0.5, 1.0), "fig. 30")
+    return result(coming, options.factor, 0.0, options == Options())

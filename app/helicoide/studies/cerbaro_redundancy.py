@@ -12,11 +12,12 @@ from helicoide.ik.clik import Aiming, followed
 from helicoide.ik.method import Quantity
 from helicoide.ik.secondary import push
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_chart, motion, ran
-from helicoide.studies.study import FIGURE_ONLY, Chart, Progress, Result, Row
-from helicoide.text import Text
+from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_chart, motion, pitch_chart, ran
+from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement, printed
+from helicoide.text import Text, same
 
 TITLE = Text(en="Redundancy of the ORCA", pt_BR="Redundância do ORCA")
 SOURCE = "Cerbaro 2022, §4.4.1, fig. 27"
@@ -30,6 +31,14 @@ ABOUT = Text(
 )
 A, B = np.array([np.pi / 4, -np.pi / 4, 0.0]), np.array([0.0087, 0.7852, -0.7942])
 GAIN, SECONDS, DT = 225.0, 12.0, 0.004
+ROWS = Statement(
+    Text(en="only rows 2, 3 and 4 are not zero", pt_BR="só as linhas 2, 3 e 4 não são nulas"), "§4.4.1", 0.0, "=", 1e-9
+)
+EMPTY = Statement(
+    Text(en="five tasks, five joints: the null space is empty", pt_BR="cinco tarefas, cinco juntas: espaço nulo vazio"),
+    "§6.1",
+    0.0,
+)
 
 
 @dataclass(frozen=True)
@@ -47,7 +56,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     here = arms.position(orca, arms.standing(*arms.tool(orca, A)))
     moments = followed(orca, *arms.inverse(0.0), here, GAIN, A, DT, to_b)
     way = ran(moments, SECONDS / 2 if short else SECONDS, progress)
-    return Result(rows=_rows(orca, way), charts=_charts(way), motion=motion(ROBOT, way))
+    return Result(
+        rows=_rows(orca, way),
+        charts=_charts(way),
+        motions=(motion(ROBOT, Text(en="from A to B", pt_BR="de A a B"), way),),
+    )
 
 
 def null_space(aiming: Aiming, q: Array) -> tuple[int, float]:
@@ -60,58 +73,77 @@ def null_space(aiming: Aiming, q: Array) -> tuple[int, float]:
 def _rows(orca: Problem, way: Run) -> tuple[Row, ...]:
     movemaster = arms.movemaster()
     q, goal = movemaster.robot.poses["example"], arms.standing(0.44, 0, 0.2)
-    free, felt = null_space(arms.position(orca, goal), A)
-    free_5r, felt_5r = null_space(arms.position(movemaster, goal), q)
+    free, _ = null_space(arms.position(orca, goal), A)
+    free_5r, _ = null_space(arms.position(movemaster, goal), q)
     held_5r, _ = null_space(arms.with_pitch_and_roll(movemaster, goal, 0.0), q)
     points = [
         Row(
             Text(en=f"{name}: {axis} of the tool", pt_BR=f"{name}: {axis} do efetuador"),
             1000 * arms.tool(orca, posture)[i],
-            digest=digest[i],
-            tolerance=5.1e-5,
-            unit="mm",
-            source=("583.2", "173.2")[i],
+            "mm",
+            printed(("583,2", "173,2")[i], "§4.4.1, fig. 27"),
         )
-        for name, posture, digest in (("A", A, (583.2412, 173.2412)), ("B", B, (583.2474, 173.2228)))
+        for name, posture in (("A", A), ("B", B))
         for i, axis in enumerate("xy")
     ]
     return (
         *points,
-        Row(Text(en="freedoms, ORCA at x, y", pt_BR="liberdades, ORCA em x, y"), free, digest=1, source="1"),
         Row(
-            Text(en="freedoms, Movemaster at x, y, z", pt_BR="liberdades, Movemaster em x, y, z"),
-            free_5r,
-            digest=2,
-            source=Text(en="rows 2, 3, 4 not zero", pt_BR="linhas 2, 3, 4 não nulas"),
+            Text(
+                en="Movemaster, q₅ = 0: largest motion of J1 and J5 in the null space, of all joints",
+                pt_BR="Movemaster, q₅ = 0: maior movimento de J1 e J5 no espaço nulo, de todas as juntas",
+            ),
+            moved_beside(movemaster),
+            "",
+            ROWS,
         ),
         Row(
             Text(en="freedoms, Movemaster with orientation", pt_BR="liberdades, Movemaster com orientação"),
             held_5r,
-            digest=0,
-            source=Text(en="none", pt_BR="nenhuma"),
+            "",
+            EMPTY,
         ),
-        Row(
-            Text(en="‖J N‖/‖J‖, the larger of both arms", pt_BR="‖J N‖/‖J‖, o maior dos dois braços"),
-            max(felt, felt_5r),
-            digest=0,
-            tolerance=1e-12,
-            source="0",
-        ),
+        Row(Text(en="freedoms, ORCA at x, y", pt_BR="liberdades, ORCA em x, y"), free),
+        Row(Text(en="freedoms, Movemaster at x, y, z", pt_BR="liberdades, Movemaster em x, y, z"), free_5r),
         Row(
             Text(en="way from A to B: the tool leaves its point by", pt_BR="de A a B: o efetuador sai do ponto por"),
             float(way.error.max()),
-            digest=0.01,
-            relation="≤",
-            unit="mm",
-            source=FIGURE_ONLY,
+            "mm",
         ),
         Row(
             Text(en="way from A to B: largest joint error at the end", pt_BR="de A a B: maior erro de junta no fim"),
             float(np.degrees(np.abs(way.q[-1] - B).max())),
-            unit="°",
+            "°",
         ),
     )
 
 
+def moved_beside(movemaster: Problem) -> float:
+    """By how much N q̇₀ of eqs. 9, 10 and 14 moves J1 and J5, as a share of what it moves most, where q₅ = 0."""
+    q = movemaster.robot.poses["example"].copy()
+    q[4] = 0.0
+    J = arms.position(movemaster, arms.standing(0, 0))(q, 0.0).J
+    rates = np.abs(analysed(J).null_projector @ push(movemaster, arms.limit_distance(), 1.0)(q, 0.0))
+    return float(rates[[0, 4]].max() / rates.max())
+
+
 def _charts(way: Run) -> tuple[Chart, ...]:
-    return joint_chart(way, (1, 2, 3)), error_chart((Text(en="of the tool", pt_BR="do efetuador"), way))
+    named = (Text(en="of the tool", pt_BR="do efetuador"), way)
+    return (
+        _postures(),
+        joint_chart("fig. 27", way, (1, 2, 3)),
+        pitch_chart("fig. 27", "φ", named),
+        error_chart("", named),
+    )
+
+
+def _postures() -> Chart:
+    """The arm in both postures, from above: its joints and its tool."""
+    orca = arms.orca()
+    lines = []
+    for name, q in (("A", A), ("B", B)):
+        joints = link_poses(orca.robot.chain, q)[1:, :2, 3]
+        x, y = 1000 * np.vstack([joints, arms.tool(orca, q)[:2]]).T
+        lines.append(Line(same(name), x, y))
+    title = Text(en="One point, two postures, from above", pt_BR="Um ponto, duas posturas, vistas de cima")
+    return Chart(title, same("x (mm)"), same("y (mm)"), tuple(lines), "fig. 27")

@@ -24,14 +24,14 @@ WAIST = np.radians(100)
 Path = Callable[[float], tuple[Array, Array]]
 
 
-def orca() -> Problem:
-    """The ORCA without planes; its limits are ours (digest D1)."""
+def orca(limits: float = 1.0) -> Problem:
+    """The ORCA without planes; the source draws its limits in a figure only: ours, or ours times a factor."""
     robot = load("orca")
-    return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()), scale=MM)
+    return Problem(robot, Limits(limits * robot.lower, limits * robot.upper, robot.speed), planes_of(()), scale=MM)
 
 
 def movemaster() -> Problem:
-    """The Movemaster without planes and with the limits of table 3, ±100° at the waist (digest D8)."""
+    """The Movemaster without planes and with the limits of table 3, ±100° at the waist."""
     robot = load("movemaster")
     lower, upper = robot.lower.copy(), robot.upper.copy()
     lower[0], upper[0] = -WAIST, WAIST
@@ -55,9 +55,9 @@ def standing(x: float, y: float, z: float = 0.0) -> Path:
     return lambda t: (np.array([x, y, z]), np.zeros(3))
 
 
-def along(ellipse: Ellipse) -> Path:
-    """A point that runs along an ellipse."""
-    return lambda t: (ellipse.point(t), ellipse.velocity(t))
+def along(ellipse: Ellipse, velocity: Callable[[float], Array] | None = None) -> Path:
+    """A point that runs along an ellipse; velocity: the ẋ_d that is said of it, m/s, its own where none is given."""
+    return lambda t: (ellipse.point(t), (velocity or ellipse.velocity)(t))
 
 
 def position(problem: Problem, path: Path, rows: int = 3) -> Aiming:
@@ -85,14 +85,18 @@ def with_heading(problem: Problem, path: Path, phi: float = 0.0) -> Aiming:
 
 
 def with_pitch_and_roll(problem: Problem, path: Path, pitch: float, roll: float = 0.0) -> Aiming:
-    """Position, pitch q₂ + q₃ + q₄ and roll q₅ of the Movemaster, rad; source: digest §1.2 and §3.3."""
+    """Position, pitch q₂ + q₃ + q₄ and roll q₅ of the Movemaster, rad; the source leaves the rows of J open."""
+    return with_sums(problem, path, np.array([[0, 1, 1, 1, 0], [0, 0, 0, 0, 1]]), np.array([pitch, roll]))
+
+
+def with_sums(problem: Problem, path: Path, sums: Array, wanted: Array) -> Aiming:
+    """Position, and sums (k, n) of joints that are wanted, (k,), rad."""
     plain = position(problem, path)
 
     def aim(q: Array, t: float) -> Aim:
         three = plain(q, t)
-        J = np.vstack([three.J, [0, 1, 1, 1, 0], [0, 0, 0, 0, 1]])
-        error = np.append(three.error, [pitch - q[1:4].sum(), roll - q[4]])
-        return Aim(J, error, np.append(three.ahead, [0, 0]))
+        error = np.append(three.error, wanted - sums @ q)
+        return Aim(np.vstack([three.J, sums]), error, np.append(three.ahead, np.zeros(len(sums))))
 
     return aim
 

@@ -12,79 +12,78 @@ from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Report, Run, by_method, converged
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.study import FIGURE_ONLY, Chart, Line, Motion, Result, Row
+from helicoide.studies.study import Chart, Fitted, Line, Motion, Result, Row, Statement, unstated
 from helicoide.text import Text, same
 
-FACTOR = Text(
-    en="the source does not give its step factor; this many steps need another",
-    pt_BR="a fonte não informa o fator de passo; este número de iterações pede outro",
-)
+# One factor for both arms, which neither demonstration gives: tests/studies/fits/cerbaro_convergence.py.
+FACTOR = Fitted(Text(en="step factor κ", pt_BR="fator de passo κ"), 0.56, 0.532, 0.59)
 
 
 @dataclass(frozen=True, eq=False)
 class Coming:
-    """What is aimed at from home, and the digest's: iterations by step factor; exact solution, degrees."""
+    """What is aimed at from home; what the source prints of the count, and why another comes out; other factors."""
 
     problem: Problem
     aiming: Aiming
-    source: int
-    counts: dict[float, int]
-    solution: tuple[float, ...]
-    decimals: int
+    statement: Statement
+    others: tuple[float, ...]
+    figure: str
+    why: Text | None = None
 
 
-def result(coming: Coming, factor: float, damping: float) -> Result:
-    """The count of iterations with the chosen factor and with those of the digest, and the exact solution."""
-    home = coming.problem.robot.poses["home"]
-    reports = {f: _came(coming, f, damping, home) for f in sorted({factor, *coming.counts})}
-    run = _run(coming, factor, damping)
-    way = np.array([m.q for m in islice(run(coming.aiming, home, None), reports[factor].iterations + 1)])
-    exact = np.degrees(arms.start_at(coming.problem, coming.aiming, home))
-    rows = (_counted(coming, factor, reports[factor]), *_others(coming, factor, reports), *_exact(coming, exact))
-    return Result(rows, _charts(reports), Motion(coming.problem.robot.name, np.arange(float(len(way))), way))
+def result(coming: Coming, factor: float, damping: float, usual: bool) -> Result:
+    """The count of iterations with the chosen factor and with others, and the posture that is reached."""
+    reports = {f: _came(coming, f, damping) for f in sorted({factor, *coming.others})}
+    quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}")
+    fitted = (FACTOR,) if coming.why is None else ()
+    stated = Row(quantity.format(f=factor), reports[factor].iterations, "", coming.statement, fitted, why=coming.why)
+    others = [Row(quantity.format(f=f), reports[f].iterations) for f in coming.others if f != factor]
+    rows = (stated, *others, *_margin(coming))
+    ways = tuple(_motion(coming, f, damping, report) for f, report in reports.items())
+    return Result(rows if usual else unstated(rows), _charts(coming, reports, ways[[*reports].index(factor)]), ways)
 
 
 def _run(coming: Coming, factor: float, damping: float) -> Run:
     return by_method(coming.problem, *arms.inverse(damping), factor)
 
 
-def _came(coming: Coming, factor: float, damping: float, home: Array) -> Report:
-    return converged(coming.problem, _run(coming, factor, damping), coming.aiming, home)
+def _came(coming: Coming, factor: float, damping: float) -> Report:
+    return converged(coming.problem, _run(coming, factor, damping), coming.aiming, coming.problem.robot.poses["home"])
 
 
-def _counted(coming: Coming, factor: float, report: Report) -> Row:
-    quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}").format(f=factor)
-    other = None if coming.counts.get(factor) == coming.source else FACTOR
-    return Row(quantity, report.iterations, coming.source, source=str(coming.source), assumed=other)
+def _motion(coming: Coming, factor: float, damping: float, report: Report) -> Motion:
+    run, robot = _run(coming, factor, damping), coming.problem.robot
+    way = np.array([m.q for m in islice(run(coming.aiming, robot.poses["home"], None), report.iterations + 1)])
+    return Motion(robot.name, np.arange(float(len(way))), way, title=same(f"κ = {factor:g}"))
 
 
-def _others(coming: Coming, factor: float, reports: dict[float, Report]) -> list[Row]:
-    quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}")
-    others = [f for f in coming.counts if f != factor]
-    return [Row(quantity.format(f=f), reports[f].iterations, coming.counts[f]) for f in others]
+def _margin(coming: Coming) -> tuple[Row, ...]:
+    """How far inside its limits the exact solution is, by the joint that is nearest to one."""
+    limits = coming.problem.limits
+    q = arms.start_at(coming.problem, coming.aiming, coming.problem.robot.poses["home"])
+    quantity = Text(en="exact solution: inside its limits by", pt_BR="solução exata: dentro dos limites por")
+    return (Row(quantity, float(np.degrees(np.minimum(q - limits.lower, limits.upper - q).min())), "°"),)
 
 
-def _exact(coming: Coming, exact: Array) -> list[Row]:
-    quantity = Text(en="J{joint} of the exact solution", pt_BR="J{joint} da solução exata")
-    tolerance = 0.51 * 10.0**-coming.decimals
-    return [
-        Row(quantity.format(joint=j), float(ours), digest, tolerance, "°", FIGURE_ONLY)
-        for j, (ours, digest) in enumerate(zip(exact, coming.solution, strict=True), 1)
-    ]
-
-
-def _charts(reports: dict[float, Report]) -> tuple[Chart, ...]:
+def _charts(coming: Coming, reports: dict[float, Report], shown: Motion) -> tuple[Chart, ...]:
     steps = Text(en="iteration", pt_BR="iteração")
     named = (
-        (Text(en="Position error", pt_BR="Erro de posição"), same("log₁₀ (mm)"), 0, 1e3),
-        (Text(en="Orientation error", pt_BR="Erro de orientação"), same("log₁₀ (rad)"), 1, 1.0),
+        (Text(en="Position error", pt_BR="Erro de posição"), Text(en="error (mm)", pt_BR="erro (mm)"), 0, 1e3),
+        (Text(en="Orientation error", pt_BR="Erro de orientação"), Text(en="error (rad)", pt_BR="erro (rad)"), 1, 1.0),
     )
-    return tuple(
-        Chart(title, steps, up, tuple(_errors(f, report, column, scale) for f, report in reports.items()))
+    errors = [
+        Chart(title, steps, up, _lines(reports, column, scale), coming.figure, log=True)
         for title, up, column, scale in named
-    )
+    ]
+    q = np.degrees(shown.q)
+    joints = tuple(Line(same(f"J{j}"), shown.times, q[:, j - 1]) for j in range(1, q.shape[1] + 1))
+    title = Text(en="Joints, {factor}", pt_BR="Juntas, {factor}").format(factor=shown.title)
+    return (*errors, Chart(title, steps, Text(en="joint (°)", pt_BR="junta (°)"), joints, coming.figure))
 
 
-def _errors(factor: float, report: Report, column: int, scale: float) -> Line:
-    errors = np.maximum(scale * report.errors[:, column], 1e-15)
-    return Line(same(f"κ = {factor:g}"), np.arange(float(len(errors))), np.asarray(np.log10(errors)))
+def _lines(reports: dict[float, Report], column: int, scale: float) -> tuple[Line, ...]:
+    return tuple(_line(f, scale * report.errors[:, column]) for f, report in reports.items())
+
+
+def _line(factor: float, errors: Array) -> Line:
+    return Line(same(f"κ = {factor:g}"), np.arange(float(len(errors))), errors)

@@ -3,34 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from helicoide.ik import Problem
 from helicoide.ik.clik import Moment
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import FIGURE_ONLY, Chart, Line, Motion, Progress, Row
+from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.study import Chart, Line, Motion, Progress
 from helicoide.text import Text, same
 
-SHOWN = 600
+SHOWN = 400
 TOLD_EVERY = 500
+Named = tuple[Text, "Run"]
 
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """A run step by step: t (s,), s; q (s, n); error of position (s,), mm; fastest joint (s,), rad/s; last moment."""
+    """A run step by step: t (s,), s; q (s, n); errors (s, r), mm and rad; fastest joint (s,), rad/s; last moment."""
 
     t: Array
     q: Array
-    error: Array
+    errors: Array
     fastest: Array
     last: Moment
 
+    @property
+    def error(self) -> Array:
+        """Error of position (s,), mm."""
+        return np.asarray(np.linalg.norm(self.errors[:, :3], axis=1))
+
+    @property
+    def turned(self) -> Array:
+        """Error of orientation (s,), rad; zero where that is free."""
+        return np.asarray(np.linalg.norm(self.errors[:, 3:], axis=1))
+
     def since(self, t0: float) -> Run:
         """The same run from t0, s."""
-        s = self.t >= t0 - 1e-9
-        return Run(self.t[s], self.q[s], self.error[s], self.fastest[s], self.last)
+        return self._where(self.t >= t0 - 1e-9)
+
+    def until(self, t1: float) -> Run:
+        """The same run up to t1, s."""
+        return self._where(self.t <= t1 + 1e-9)
+
+    def _where(self, s: NDArray[np.bool_]) -> Run:
+        return replace(self, t=self.t[s], q=self.q[s], errors=self.errors[s], fastest=self.fastest[s])
 
     def degrees(self, joint: int) -> tuple[float, float]:
         """The range of a joint, the first is 1."""
@@ -39,18 +58,18 @@ class Run:
 
 def ran(moments: Iterable[Moment], seconds: float, progress: Progress = lambda share: None) -> Run:
     """The moments of a closed loop whose lengths are in mm, up to a time."""
-    t, q, error, fastest = [], [], [], []
+    t, q, errors, fastest = [], [], [], []
     for step, moment in enumerate(moments):
         if moment.t >= seconds:
             break
         t.append(moment.t)
         q.append(moment.q)
-        error.append(np.linalg.norm(moment.aim.error[:3]))
+        errors.append(moment.aim.error)
         fastest.append(np.abs(moment.solution.rates).max())
         last = moment
         if step % TOLD_EVERY == 0:
             progress(moment.t / seconds)
-    return Run(np.array(t), np.array(q), np.array(error), np.array(fastest), last)
+    return Run(np.array(t), np.array(q), np.array(errors), np.array(fastest), last)
 
 
 def few(values: Array) -> Array:
@@ -59,29 +78,18 @@ def few(values: Array) -> Array:
 
 
 TIME = Text(en="time (s)", pt_BR="tempo (s)")
-ERROR = Text(en="position error (mm)", pt_BR="erro de posição (mm)")
 
 
-def ranges(run: Run, told: tuple[tuple[float, float], ...], tolerance: float, assumed: Text | None) -> list[Row]:
-    """The range of each joint beside the digest's, degrees."""
-    rows = []
-    for j, bounds in enumerate(told, 1):
-        for which, ours, digest in zip(_ENDS, run.degrees(j), bounds, strict=True):
-            named = which.format(joint=j)
-            rows.append(Row(named, ours, digest, tolerance, "°", FIGURE_ONLY, assumed=assumed))
-    return rows
+def error_chart(figure: str, *named: Named) -> Chart:
+    """Position errors of runs, mm, over time, by powers of ten."""
+    title, up = Text(en="Position error", pt_BR="Erro de posição"), Text(en="error (mm)", pt_BR="erro (mm)")
+    return Chart(title, TIME, up, tuple(Line(words, few(run.t), few(run.error)) for words, run in named), figure, True)
 
 
-_ENDS = (
-    Text(en="J{joint}, least", pt_BR="J{joint}, mínimo"),
-    Text(en="J{joint}, largest", pt_BR="J{joint}, máximo"),
-)
-
-
-def error_chart(*named: tuple[Text, Run]) -> Chart:
-    """Position errors of runs, mm, over time."""
-    lines = tuple(Line(title, few(run.t), few(run.error)) for title, run in named)
-    return Chart(Text(en="Position error", pt_BR="Erro de posição"), TIME, ERROR, lines)
+def turned_chart(figure: str, *named: Named) -> Chart:
+    """Errors of orientation of runs, rad, over time, by powers of ten."""
+    title, up = Text(en="Orientation error", pt_BR="Erro de orientação"), Text(en="error (rad)", pt_BR="erro (rad)")
+    return Chart(title, TIME, up, tuple(Line(words, few(run.t), few(run.turned)) for words, run in named), figure, True)
 
 
 def limit_lines(problem: Problem, joint: int, seconds: float) -> tuple[Line, ...]:
@@ -93,27 +101,49 @@ def limit_lines(problem: Problem, joint: int, seconds: float) -> tuple[Line, ...
     return tuple(Line(title, np.array([0.0, seconds]), np.full(2, np.degrees(bound))) for title, bound in bounds)
 
 
-def joint_charts(problem: Problem, joints: tuple[int, ...], *named: tuple[Text, Run]) -> tuple[Chart, ...]:
+def joint_charts(figure: str, problem: Problem, joints: tuple[int, ...], *named: Named) -> tuple[Chart, ...]:
     """A chart for each joint, the first is 1: the runs between its limits."""
     charts = []
     for j in joints:
         curves = tuple(Line(title, few(run.t), np.degrees(few(run.q)[:, j - 1])) for title, run in named)
         up = Text(en="J{joint} (°)", pt_BR="J{joint} (°)").format(joint=j)
         title = Text(en="J{joint} between its limits", pt_BR="J{joint} entre seus limites").format(joint=j)
-        charts.append(Chart(title, TIME, up, curves + limit_lines(problem, j, float(named[0][1].t[-1]))))
+        charts.append(Chart(title, TIME, up, curves + limit_lines(problem, j, float(named[0][1].t[-1])), figure))
     return tuple(charts)
 
 
-def motion(robot: str, run: Run) -> Motion:
-    """A run as the motion of a study."""
-    return Motion(robot, few(run.t), few(run.q))
+def pitch_chart(figure: str, name: str, *named: Named) -> Chart:
+    """What `pitch` is, degrees, over time. Args: name: how the source calls it."""
+    lines = tuple(Line(title, few(run.t), np.degrees(pitch(few(run.q)))) for title, run in named)
+    title = Text(en="Orientation {name}, left free", pt_BR="Orientação {name}, deixada livre").format(name=name)
+    return Chart(title, TIME, same(f"{name} (°)"), lines, figure)
 
 
-def joint_chart(run: Run, joints: tuple[int, ...]) -> Chart:
+def pitch(q: Array) -> Array:
+    """φ = q₁ + q₂ + q₃ of the ORCA, q₂ + q₃ + q₄ of the Movemaster, rad. Args: q (s, n)."""
+    return np.asarray((q if q.shape[1] == 3 else q[:, 1:4]).sum(axis=1))
+
+
+def way_chart(figure: str, problem: Problem, axes: str, wanted: Array, *named: Named) -> Chart:
+    """The way of the tool in a plane, such as "xy". Args: wanted (k, 3), m: the path that is asked for."""
+    i, j = ("xyz".index(axis) for axis in axes)
+    ways = ((words, np.array([arms.tool(problem, q) for q in few(run.q)])) for words, run in named)
+    asked = (Text(en="path asked for", pt_BR="trajetória pedida"), wanted)
+    lines = tuple(Line(words, 1000 * way[:, i], 1000 * way[:, j]) for words, way in (asked, *ways))
+    title = Text(en="Way of the tool in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
+    return Chart(title, same(f"{axes[0]} (mm)"), same(f"{axes[1]} (mm)"), lines, figure)
+
+
+def motion(robot: str, title: Text, run: Run) -> Motion:
+    """A run as a motion of a study."""
+    return Motion(robot, few(run.t), few(run.q), title=title)
+
+
+def joint_chart(figure: str, run: Run, joints: tuple[int, ...]) -> Chart:
     """Joints, degrees, over time; the first is 1."""
     t, q = few(run.t), np.degrees(few(run.q))
     lines = tuple(Line(same(f"J{j}"), t, q[:, j - 1]) for j in joints)
-    return Chart(Text(en="Joints", pt_BR="Juntas"), TIME, Text(en="joint (°)", pt_BR="junta (°)"), lines)
+    return Chart(Text(en="Joints", pt_BR="Juntas"), TIME, Text(en="joint (°)", pt_BR="junta (°)"), lines, figure)
 
 
 def part(progress: Progress, index: int, count: int) -> Progress:

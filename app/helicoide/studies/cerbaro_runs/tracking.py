@@ -1,9 +1,12 @@
 """Demonstrations 2 and 3 of Cerbaro 2022, §4.4.3–4.4.4: one turn round a closed path in 60 s, in steps of 1 ms.
 
-In short form the steps are ten times as long, with the same Λ Δt: errors of Euler's rule then grow a hundredfold.
+Where a run has steps ten times as long, with the same Λ Δt, errors of Euler's rule grow a hundredfold.
 """
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, pi, sin
 
 import numpy as np
 
@@ -22,9 +25,26 @@ CIRCLE = Ellipse(centre=(0.36, 0.18, 0), radii=(0.1, 0.1, 0), pitch=0, roll=0, p
 ELLIPSE = Ellipse(centre=(0.52, 0, 0.2), radii=(0.08, 0.08, 0.05), pitch=-np.pi / 3, roll=0, period=TURN)
 DAMPING = 0.1
 
+Velocity = Callable[[float], Array]
+
 
 def nothing(share: float) -> None:
     """A progress that nobody hears."""
+
+
+def round_once(path: Ellipse) -> Array:
+    """A path as points (k, 3), m."""
+    return np.array([path.point(t) for t in np.linspace(0, path.period, 181)])
+
+
+def unfed(t: float) -> Array:
+    """No velocity of the path in the control law, (3,), m/s."""
+    return np.zeros(3)
+
+
+def eq_32(t: float) -> Array:
+    """The velocity that Cerbaro 2022, eq. 32, prints for every path, (3,), m/s; read in the unit of the path, mm."""
+    return arms.MM * pi / 4 * np.array([sin(pi * t), cos(pi * t), cos(pi * t)])
 
 
 def circle(dt: float, place: float, turn: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
@@ -36,18 +56,28 @@ def circle(dt: float, place: float, turn: float, progress: Progress = nothing, s
     return ran(followed(orca, *arms.inverse(0.0), aiming, gains, q, dt), seconds, progress)
 
 
-def ellipse(dt: float, place: float, turn: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
-    """The Movemaster round its ellipse with pitch and roll held. Args as in `circle`."""
+def ellipse(
+    dt: float,
+    place: float,
+    turn: float,
+    progress: Progress = nothing,
+    seconds: float = TURN,
+    velocity: Velocity = ELLIPSE.velocity,
+) -> Run:
+    """The Movemaster round its ellipse with pitch and roll held.
+
+    Args: place and turn as in `circle`; velocity: ẋ_d of the control law, m/s, that of the path if it is right.
+    """
     movemaster = arms.movemaster()
-    aiming = arms.with_pitch_and_roll(movemaster, arms.along(ELLIPSE), ELLIPSE.pitch)
+    aiming = arms.with_pitch_and_roll(movemaster, arms.along(ELLIPSE, velocity), ELLIPSE.pitch)
     q = arms.start_at(movemaster, aiming, movemaster.robot.poses["home"])
     gains = np.array([place] * 3 + [turn] * 2) / dt
     return ran(followed(movemaster, *arms.inverse(DAMPING), aiming, gains, q, dt), seconds, progress)
 
 
-def free_circle(k0: float, dt: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
-    """The ORCA round its circle, its heading free, the joints off their limits by k₀, 1/s."""
-    orca = arms.orca()
+def free_circle(k0: float, dt: float, progress: Progress = nothing, seconds: float = TURN, limits: float = 1.0) -> Run:
+    """The ORCA round its circle, its heading free, the joints off their limits by k₀. Args: limits: times ours."""
+    orca = arms.orca(limits)
     q = arms.start_at(orca, arms.with_heading(orca, arms.along(CIRCLE)), orca.robot.poses["home"])
     pushed = push(orca, arms.limit_distance(), k0)
     aiming = arms.position(orca, arms.along(CIRCLE))
@@ -55,19 +85,36 @@ def free_circle(k0: float, dt: float, progress: Progress = nothing, seconds: flo
 
 
 def start_of_ellipse(pitch_deg: float = -60.0) -> Array:
-    """The posture at (440, 0, 200) mm; −60° is the source's, outside the limits; −68.2° has J3 at −119.91°."""
+    """The posture at (440, 0, 200) mm by its pitch; −60° is the source's, with J3 at −129.94°, outside its limits."""
     movemaster = arms.movemaster()
     point = arms.standing(*ELLIPSE.point(0.0))
     aiming = arms.with_pitch_and_roll(movemaster, point, np.radians(pitch_deg))
     return arms.start_at(movemaster, aiming, movemaster.robot.poses["ready"])
 
 
+def start_inside(degrees: float) -> Array:
+    """The posture at (440, 0, 200) mm with J3 so far inside its lower limit, and no roll."""
+    movemaster = arms.movemaster()
+    sums, wanted = np.eye(5)[[2, 4]], np.array([movemaster.limits.lower[2] + np.radians(degrees), 0.0])
+    aiming = arms.with_sums(movemaster, arms.standing(*ELLIPSE.point(0.0)), sums, wanted)
+    return arms.start_at(movemaster, aiming, movemaster.robot.poses["ready"])
+
+
 def free_ellipse(
-    q: Array, k0: float, dt: float, grows: bool, progress: Progress = nothing, seconds: float = TURN
+    q: Array,
+    k0: float,
+    dt: float,
+    grows: bool,
+    progress: Progress = nothing,
+    seconds: float = TURN,
+    velocity: Velocity = ELLIPSE.velocity,
 ) -> Run:
-    """The Movemaster round its ellipse from q (5,), orientation free, by one k₀, 1/s, or by Algorithm 1 (grows)."""
+    """The Movemaster round its ellipse from q (5,), orientation free, by one k₀, 1/s, or by Algorithm 1 (grows).
+
+    Args: velocity as in `ellipse`.
+    """
     movemaster, chosen = arms.movemaster(), arms.limit_distance()
-    aiming, gain = arms.position(movemaster, arms.along(ELLIPSE)), 1.8 / dt
+    aiming, gain = arms.position(movemaster, arms.along(ELLIPSE, velocity)), 1.8 / dt
     method, options = arms.inverse(DAMPING)
     if not grows:
         pushed = push(movemaster, chosen, k0)

@@ -1,0 +1,129 @@
+"""Forward kinematics joint by joint in words and for programs: rows of a table, and the frames that they lead to."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from helicoide.geometry import euler
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.stages import SOURCE_ANGLE, STAGES, Kind, Stage, in_source_units
+from helicoide.text import Text
+
+HEADS: dict[Kind, Text] = {
+    "dh": Text(
+        en="{robot}: DH rows ({convention}) and the DH frames in {base}; {units}. The last is not the tool's frame.",
+        pt_BR="{robot}: linhas DH ({convention}) e referenciais DH em {base}; {units}. O último não é o do efetuador.",
+    ),
+    "screws": Text(
+        en="{robot}: screws at q = 0 and displacements from there, H₁ … Hᵢ, axes of {base}; {units}.",
+        pt_BR="{robot}: helicoides em q = 0 e deslocamentos a partir daí, H₁ … Hᵢ, eixos de {base}; {units}.",
+    ),
+    "products": Text(
+        en="{robot}: screws at q = 0, dual quaternions h₁ … hᵢ (1, i, j, k | ε, iε, jε, kε), axes of {base}; {units}.",
+        pt_BR="{robot}: helicoides em q = 0, quatérnios duais h₁ … hᵢ (1, i, j, k | ε, iε, jε, kε), eixos de {base}; "
+        "{units}.",
+    ),
+}
+CONVENTIONS = {
+    "standard": Text(en="standard", pt_BR="padrão"),
+    "modified": Text(en="modified", pt_BR="modificada"),
+}
+ENDS: dict[Kind, Text] = {
+    "dh": Text(
+        en="Origin of the last frame: {place}. Roll, Pitch, Yaw (about z, y, x): {turns}.",
+        pt_BR="Origem do último referencial: {place}. Roll, Pitch, Yaw (em torno de z, y, x): {turns}.",
+    ),
+    "screws": Text(
+        en="The tool, at {before} for q = 0, is at {place}. Roll, Pitch, Yaw (about z, y, x): {turns}.",
+        pt_BR="O efetuador, em {before} para q = 0, está em {place}. Roll, Pitch, Yaw (em torno de z, y, x): {turns}.",
+    ),
+}
+ENDS["products"] = ENDS["screws"]
+SOURCE_UNITS, OWN_UNITS = "mm, °", "m, rad"
+DECIMALS = {SOURCE_UNITS: 3, OWN_UNITS: 6}
+
+
+def lines(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Text]:
+    """A table in words: for each joint its numbers, then a matrix or eight coefficients; where all lead at the end."""
+    units = SOURCE_UNITS if as_source else OWN_UNITS
+    convention = CONVENTIONS[robot.dh.convention]
+    head = HEADS[kind].format(robot=robot.name, convention=convention, base=robot.base_link, units=units)
+    places = DECIMALS[units]
+    rows = [row for stage in _stages(robot, q, kind, as_source) for row in _rows(stage, places)]
+    before, place, turns = (_numbers(numbers, places) for numbers in _end(robot, q, kind, as_source))
+    return [head, *rows, ENDS[kind].format(before=before, place=place, turns=turns)]
+
+
+def described(robot: Robot, q: Array, kind: Kind, as_source: bool) -> dict[str, Any]:
+    """The same for programs; what a matrix or product takes from where to where is said with it."""
+    units = SOURCE_UNITS if as_source else OWN_UNITS
+    before, place, turns = _end(robot, q, kind, as_source)
+    return {
+        "kind": kind,
+        "units": units,
+        "partial": {
+            "dh": f"pose of DH frame i in {robot.base_link}; the last is not the tool frame {robot.tool_link}",
+            "screws": f"H_1 … H_i: displacement of link i from q = 0, axes of {robot.base_link}",
+            "products": f"h_1 … h_i: the same as coefficients of 1, i, j, k, ε, iε, jε, kε, axes of {robot.base_link}",
+        }[kind],
+        "convention": robot.dh.convention if kind == "dh" else None,
+        "joints": [_described(stage) for stage in _stages(robot, q, kind, as_source)],
+        "tool_at_zero": before.tolist(),
+        "position": place.tolist(),
+        "roll_pitch_yaw": turns.tolist(),
+    }
+
+
+def _stages(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Stage]:
+    stages = STAGES[kind](robot, q)
+    return [in_source_units(stage) for stage in stages] if as_source else stages
+
+
+def _end(robot: Robot, q: Array, kind: Kind, as_source: bool) -> tuple[Array, Array, Array]:
+    """The tool at q = 0, what is in its place at q, each (3,), and Roll, Pitch, Yaw of what leads there."""
+    length, angle = (1000.0, SOURCE_ANGLE) if as_source else (1.0, 1.0)
+    last = STAGES["dh" if kind == "dh" else "screws"](robot, q)[-1].partial
+    before = robot.T_world_tool_0[:3, 3]
+    place = last[:3, 3] if kind == "dh" else last[:3, :3] @ before + last[:3, 3]
+    turns = euler.angles(last[:3, :3], euler.ROLL_PITCH_YAW).values
+    return length * before, length * place, angle * turns
+
+
+def _described(stage: Stage) -> dict[str, Any]:
+    lengths = {name: np.asarray(value).tolist() for name, value in stage.lengths.items()}
+    direction = {} if stage.direction is None else {"s": stage.direction.tolist()}
+    return {"joint": stage.joint, **stage.angles, **lengths, **direction, "partial": stage.partial.tolist()}
+
+
+def _rows(stage: Stage, decimals: int) -> list[Text]:
+    angles = {name: np.asarray(value) for name, value in stage.angles.items()}
+    named = angles | stage.lengths | ({} if stage.direction is None else {"s": stage.direction})
+    said = [(name, _told(value, decimals)) for name, value in named.items()]
+    head = Text(
+        en=f"{stage.joint}: " + ", ".join(f"{name} = {text.en}" for name, text in said),
+        pt_BR=f"{stage.joint}: " + "; ".join(f"{name} = {text.pt_BR}" for name, text in said),
+    )
+    return [head, *(_aligned(row, decimals) for row in np.atleast_2d(stage.partial))]
+
+
+def _numbers(values: Array, decimals: int) -> Text:
+    said = [f"{value:.{decimals}f}" for value in _rounded(values, decimals)]
+    return Text(en=", ".join(said), pt_BR="; ".join(said).replace(".", ","))
+
+
+def _told(value: Array, decimals: int) -> Text:
+    """A number, or three in brackets."""
+    text = _numbers(np.atleast_1d(value), decimals)
+    return Text(en=f"({text.en})", pt_BR=f"({text.pt_BR})") if value.ndim else text
+
+
+def _aligned(row: Array, decimals: int) -> Text:
+    text = "   [" + " ".join(f"{value:{decimals + 7}.{decimals}f}" for value in _rounded(row, decimals)) + " ]"
+    return Text(en=text, pt_BR=text.replace(".", ","))
+
+
+def _rounded(values: Array, decimals: int) -> Array:
+    return np.asarray(np.round(values, decimals) + 0.0)  # + 0.0: no -0

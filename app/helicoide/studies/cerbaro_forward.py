@@ -1,0 +1,146 @@
+"""The worked examples of forward kinematics, by DH rows and by screws, beside what was measured on the arms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from helicoide.geometry import euler
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.forward import dh_frames, disagreement, screw_displacements, tool_by_screws
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, printed
+from helicoide.text import Text, same
+
+TITLE = Text(en="Forward kinematics, two arms", pt_BR="Cinemática direta, dois braços")
+SOURCE = "Cerbaro 2022, §4.2–4.3, eqs. 1–8, figs. 25, 26"
+ROBOT = "movemaster"
+ABOUT = Text(
+    en="Where the tools of the ORCA and the Movemaster are in one posture each: by DH rows, whose matrix ends in the "
+    "last DH frame, and by successive screws, whose matrix is what the point of the tool at q = 0 is moved by. Two "
+    "people measured both on the arms, ten times.",
+    pt_BR="Onde ficam os efetuadores do ORCA e do Movemaster numa postura de cada um: pelas linhas DH, cuja matriz "
+    "termina no último referencial DH, e por helicoides sucessivos, cuja matriz é o que move o ponto do efetuador em "
+    "q = 0. Duas pessoas mediram ambos nos braços, dez vezes.",
+)
+# Eqs. 4 and 8, entries of R; the lengths of eq. 8 are cut after three decimals, not rounded.
+R_DH = np.array([[0.5, -0.75, 0.433], [-0.866, -0.433, 0.25], [0, -0.5, -0.866]])
+R_SCREWS = np.array([[0.433, 0.75, 0.5], [0.25, 0.433, -0.866], [-0.866, 0.5, 0]])
+MEASURED = {"orca": np.array([335.0, 330.0, 0.0]), "movemaster": np.array([477.0, 275.0, 293.0])}
+FIGURES = {"orca": "fig. 25", "movemaster": "fig. 26"}
+SAMPLES, SECONDS = 200, 5.0
+
+
+@dataclass(frozen=True)
+class Options:
+    """Nothing can be set."""
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """The examples, and how far the roads differ on the way from q = 0 to them; the short form is the whole."""
+    orca, movemaster = robots = (load("orca"), load("movemaster"))
+    motions = tuple(_motion(robot) for robot in robots)
+    rows = (*_of_orca(orca), *_of_movemaster(movemaster), *_measured(orca, "fig. 25", "5,98"))
+    rows = (*rows, *_measured(movemaster, "fig. 26", "1,02", "cerbaro-10"))
+    return Result(rows, _charts(robots, motions), motions)
+
+
+def example(robot: Robot) -> Array:
+    """The posture of the source's example, (n,), rad."""
+    return robot.poses["example"]
+
+
+def cut(words: str, place: str) -> Statement:
+    """A number whose digits after the last one were cut, not rounded: met to a whole unit of that."""
+    statement = printed(words, place)
+    return replace(statement, within=2 * statement.within)
+
+
+def _of_orca(orca: Robot) -> tuple[Row, ...]:
+    H = screw_displacements(orca, example(orca))[-1]
+    tool = H[:3, :3] @ orca.T_world_tool_0[:3, 3] + H[:3, 3]
+    turns = euler.angles(H[:3, :3], euler.ROLL_PITCH_YAW).values
+    return (
+        *_places("ORCA, p′", tool[:2], ("318,140", "309,321"), "eqs. 1–3"),
+        *_places("ORCA, H", H[:2, 3], ("−336,860", "309,321"), "eq. 7"),
+        _entries("ORCA, H", H, np.eye(3), "eq. 7"),
+        *_turns("ORCA", turns, ("0", "0", "0"), "eqs. 1–3"),
+    )
+
+
+def _of_movemaster(movemaster: Robot) -> tuple[Row, ...]:
+    by_dh = dh_frames(movemaster, example(movemaster))[-1]
+    by_screws = screw_displacements(movemaster, example(movemaster))[-1]
+    turns = euler.angles(by_dh[:3, :3], euler.ROLL_PITCH_YAW).values
+    return (
+        *_places("Movemaster, DH", by_dh[:3, 3], ("470,429", "271,602", "300,000"), "eqs. 4–5"),
+        _entries("Movemaster, DH", by_dh, R_DH, "eq. 4"),
+        *_turns("Movemaster, DH", turns, ("−1,047", "0,000", "−2,618"), "eq. 6"),
+        *_places("Movemaster, H", by_screws[:3, 3], ("−84,641", "413,012", "1010,140"), "eq. 8"),
+        _entries("Movemaster, H", by_screws, R_SCREWS, "eq. 8"),
+    )
+
+
+def _places(name: str, place: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
+    told = zip("xyz", 1000 * place, words, strict=False)
+    return tuple(Row(same(f"{name}: {axis}"), float(ours), "mm", cut(said, where)) for axis, ours, said in told)
+
+
+def _entries(name: str, H: Array, R: Array, where: str) -> Row:
+    said = Text(en="its R, to three decimals", pt_BR="o seu R, com três decimais")
+    quantity = Text(en="{name}: largest difference of R", pt_BR="{name}: maior diferença em R").format(name=name)
+    return Row(quantity, float(np.abs(H[:3, :3] - R).max()), "", Statement(said, where, 0.0, "=", 5.1e-4))
+
+
+def _turns(name: str, turns: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
+    told = zip(("Roll", "Pitch", "Yaw"), np.round(turns, 12) + 0.0, words, strict=True)
+    return tuple(Row(same(f"{name}: {axis}"), float(ours), "rad", printed(said, where)) for axis, ours, said in told)
+
+
+def _measured(robot: Robot, figure: str, words: str, erratum: str = "") -> tuple[Row, ...]:
+    tool, measured = 1000 * tool_by_screws(robot, example(robot))[:3, 3], MEASURED[robot.name]
+    length = float(np.linalg.norm(tool))
+    longer = 100 * (float(np.linalg.norm(measured)) - length) / length
+    off = Text(en="{name}: measured point off by", pt_BR="{name}: ponto medido a uma distância de")
+    share = Text(en="{name}: measured point farther out by", pt_BR="{name}: ponto medido mais longe da origem por")
+    return (
+        Row(share.format(name=robot.title), longer, "%", printed(words, figure), erratum=erratum),
+        Row(off.format(name=robot.title), float(np.linalg.norm(measured - tool)), "mm"),
+    )
+
+
+def _motion(robot: Robot) -> Motion:
+    shares = np.linspace(0.0, 1.0, SAMPLES)
+    return Motion(robot.name, SECONDS * shares, shares[:, None] * example(robot), title=robot.title)
+
+
+def _charts(robots: tuple[Robot, ...], motions: tuple[Motion, ...]) -> tuple[Chart, ...]:
+    time = Text(en="time (s)", pt_BR="tempo (s)")
+    apart = tuple(
+        Line(robot.title, motion.times, 1000 * np.array([disagreement(robot, q) for q in motion.q]))
+        for robot, motion in zip(robots, motions, strict=True)
+    )
+    title = Text(en="DH, screws and dual quaternions apart", pt_BR="Diferença entre DH, helicoides e quatérnios duais")
+    return (
+        *(_way(robot, motion) for robot, motion in zip(robots, motions, strict=True)),
+        Chart(title, time, same("mm"), apart, log=True),
+    )
+
+
+def _way(robot: Robot, motion: Motion) -> Chart:
+    way = 1000 * np.array([tool_by_screws(robot, q)[:2, 3] for q in motion.q])
+    measured = np.repeat(MEASURED[robot.name][None, :2], 2, axis=0)
+    lines = (
+        Line(Text(en="from q = 0 to the example", pt_BR="de q = 0 ao exemplo"), way[:, 0], way[:, 1]),
+        Line(
+            Text(en="measured, from the base", pt_BR="medido, a partir da base"),
+            measured[:, 0] * (0, 1),
+            measured[:, 1] * (0, 1),
+        ),
+    )
+    title = Text(en="{robot}: the tool, from above", pt_BR="{robot}: o efetuador, visto de cima").format(
+        robot=robot.title
+    )
+    return Chart(title, same("x (mm)"), same("y (mm)"), lines, FIGURES[robot.name])

@@ -17,15 +17,12 @@ from helicoide.studies.vargas.paths import path_1
 from helicoide.studies.vargas.runs import Run, each, largest
 from helicoide.studies.vargas.secondary import SECONDS, chosen, filtered, follow, nearest
 from helicoide.studies.vargas.table import (
-    FASTEST_AFTER_3,
     NEAREST_AFTER_3,
     WORST_AFTER_3,
     Gain,
-    Sheet,
     Step,
     errors_chart,
-    is_changed,
-    planar_motion,
+    planar_motions,
     rates_chart,
 )
 from helicoide.text import Text, same

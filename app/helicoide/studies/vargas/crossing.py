@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from helicoide.studies.study import Figure, Row
+from helicoide.studies.study import Figure, Row, Statement
 from helicoide.studies.vargas.arms import REACH
 from helicoide.studies.vargas.runs import Run, Way, largest
 from helicoide.studies.vargas.table import ERROR_LATER, FASTEST, FASTEST_LATER, NULL, row, stated
@@ -12,10 +12,12 @@ from helicoide.studies.vargas.table import ERROR_LATER, FASTEST, FASTEST_LATER, 
 COMPARED = ("filtered", "damping")
 
 
-def crossing_rows(ways: Mapping[str, Way], runs: Mapping[str, Run], figures: str) -> list[Row]:
+def crossing_rows(
+    ways: Mapping[str, Way], runs: Mapping[str, Run], figures: str, follows: Statement | None = None
+) -> list[Row]:
     """The fastest joint, of all and from 5 s on, and the largest error from then on.
 
-    figures: where the source shows both methods that it compares.
+    figures: where the source shows both methods that it compares; follows: what it says of the filtered inverse's error.
     """
     rows = []
     for key in [key for key in runs if key != "pseudoinverse"]:
@@ -24,12 +26,11 @@ def crossing_rows(ways: Mapping[str, Way], runs: Mapping[str, Run], figures: str
         rows += [
             row(FASTEST, of, largest(run.rates), "rad/s", shown),
             row(FASTEST_LATER, of, largest(run.rates, later), "rad/s", shown),
-            row(ERROR_LATER, of, largest(run.size, later), "cm", shown),
+            row(ERROR_LATER, of, largest(run.size, later), "cm", (follows if key == "filtered" else None) or shown),
         ]
     return rows
 
 
-def null_error(en: str, pt_BR: str, place: str, of: Way, run: Run) -> Row:
-    """That a method follows from 5 s on."""
-    said = stated(en, pt_BR, place, NULL * REACH, "≤")
-    return row(ERROR_LATER, of.title, largest(run.size, run.t >= 5), "cm", said)
+def null_error(en: str, pt_BR: str, place: str) -> Statement:
+    """That a method follows: its error is null beside the reach of the arm."""
+    return stated(en, pt_BR, place, NULL * REACH, "≤")

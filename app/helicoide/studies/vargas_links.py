@@ -76,6 +76,39 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     names, seen = {key: _name(key) for key in CASES}, {key: _name(key) for key in CASES if key[1] == 8}
     rows = _statements(runs, distances)
     rows += [row(NEAREST_AFTER_3, names[key], distance, "ℓ") for key, distance in distances.items()]
+    rows.append(row(WORST_AFTER_3, names[NEAR, 8], largest(runs[NEAR, 8].size, runs[NEAR, 8].t >= 3), "ℓ"))
+    first, shown = next(iter(seen)), {name: runs[key] for key, name in seen.items()}
+    wished = places(path_5, runs[first].t)[:, :2]
+    charts = (
+        errors_chart(shown, "ℓ", PLACE, log=True),
+        cost_chart(shown, PLACE),
+        way_chart({WISHED: wished, **{name: tool(one, path_5) for name, one in shown.items()}}, "x, ℓ", "y, ℓ", PLACE),
+        joints_chart(runs[first], names[first], PLACE),
+        rates_chart(runs[first], names[first], PLACE),
+        fastest_chart(shown),
+    )
+    return finished(options, rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
+
+
+def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
+    """The arm folds out of the way, and the tool keeps to its path while the obstacle is far from it."""
+    folds = stated("internal reconfiguration", "reconfiguração interna", PLACE, 1.0, ">")
+    null = stated(
+        "null error while the obstacle is far from the target",
+        "erro nulo com o obstáculo longe do alvo",
+        PLACE,
+        NULL * LENGTH,
+        "≤",
+    )
+    ratio = Text(en="{near}, times that without the term", pt_BR="{near}, vezes a sem o termo")
+    return [
+        found
+        for mu in FAR
+        for found in (
+            row(ratio.format(near=NEAREST_AFTER_3), _name((mu, 8)), distances[mu, 8] / distances[mu, 0], "", folds),
+            row(WORST_AFTER_3, _name((mu, 8)), largest(runs[mu, 8].size, runs[mu, 8].t >= 3), "ℓ", null),
+        )
+    ]
 
 
 def _name(key: Key) -> Text:

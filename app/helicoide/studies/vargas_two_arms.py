@@ -102,11 +102,11 @@ def beside_it(
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Without a hill and with two heights; for 16 s, half the time, in the short form."""
-    dt, seconds = (max(options.dt, 4e-3), SECONDS / 2) if short else (options.dt, SECONDS)
-    plans = {(alpha, dt): partial(beside_it, alpha, options.gain, dt, seconds) for alpha in WEIGHTS}
+    """Without a hill and with two heights."""
+    dt = max(options.dt, 8e-3) if short else options.dt
+    plans = {(alpha, dt): partial(beside_it, alpha, options.gain, dt, SECONDS) for alpha in WEIGHTS}
     if not short:
-        plans[ALPHA, dt / 2] = partial(beside_it, ALPHA, options.gain, dt / 2, seconds)
+        plans[ALPHA, dt / 2] = partial(beside_it, ALPHA, options.gain, dt / 2, SECONDS)
     runs = each(plans, progress)
     near = {key: nearest(one, 3.0, second_arm) for key, one in runs.items()}
     names = {valued("α", alpha): runs[alpha, dt] for alpha in WEIGHTS}

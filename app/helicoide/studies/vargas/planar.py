@@ -52,7 +52,7 @@ class Values:
     damping: float = 0.1
     threshold: float = 1.0
     gain: float = 60.0
-    coupling: float = 0.3
+    coupling: float = 0.25
     leak: float = 10.0
 
     @property

@@ -207,7 +207,7 @@ def test_orientation_error_example_of_cerbaro_appendix_f() -> None:
 
 @given(quaternions, quaternions)
 def test_quaternion_errors_are_half_sines_along_the_shorter_turn(q_target: Array, q: Array) -> None:
-    """Vargas digest §1.1, eqs. 2.41–2.42; Cerbaro digest §4.3, eqs. 91–92."""
+    """Vargas 2013, eqs. 2.41–2.42; Cerbaro digest §4.3, eqs. 91–92."""
     (eta_d, *_), (eta, *_) = q_target, q
     difference = eta * q_target[1:] - eta_d * q[1:] - np.cross(q_target[1:], q[1:])
     error, turn = rotation.quaternion_error(q_target, q), rotation.orientation_error(q_target, q)
@@ -233,7 +233,7 @@ def test_quaternion_error_is_0_when_equal_and_1_when_opposite(error: Error) -> N
 
 @given(quaternions, quaternions)
 def test_the_lyapunov_function_falls_as_vargas_says(q_target: Array, q: Array) -> None:
-    """Vargas digest §1.1, eqs. 2.47–2.48: V = 2(1 − Δη), V̇ = −e_oᵀ Λ e_o for ω = Λ e_o."""
+    """Vargas 2013, eqs. 2.47–2.48: V = 2(1 − Δη), V̇ = −e_oᵀ Λ e_o for ω = Λ e_o."""
     q_target = q_target * (np.sign(q_target @ q) or 1.0)
     error = rotation.quaternion_error(q_target, q)
     if q_target @ q > 1e-15:

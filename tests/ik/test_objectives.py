@@ -156,7 +156,7 @@ def test_the_distance_from_an_obstacle_is_that_of_the_nearest_point() -> None:
 
 
 def test_the_barrier_is_flat_inside_and_steep_outside() -> None:
-    """|Δq|/ζ = 3 and k = 10 give f = 3.5e9 α (digest §3.6); at the limit f = α, half way next to nothing."""
+    """|Δq|/ζ = 3 and k = 10 give f = 3.5e9 α; at the limit f = α, half way next to nothing."""
     here = problem("planar3r")
     zeta = (here.limits.upper - here.limits.lower) / 2
     middle = (here.limits.upper + here.limits.lower) / 2

@@ -9,6 +9,8 @@ from math import pi
 import numpy as np
 
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.differential import geometric
+from helicoide.kinematics.singularity import singularity
 from helicoide.studies.study import Figure, Fitted, Progress, Result, Row, printed
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra_wrist
 from helicoide.studies.vargas.paths import faster, path_10, places
@@ -83,7 +85,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     plans |= {(key, FAST): partial(record, arm, ways[key], fast, 5.0, TOOL_DOWN, half, 12.6) for key in FAST_ONES}
     runs = each(plans, progress)
     slow, at_speed = {key: runs[key, 1.0] for key in ways}, {key: runs[key, FAST] for key in FAST_ONES}
-    rows = [*_statements(slow["inverse"], at_speed["inverse"], dt), *_recovered(ways["modified_10"].title, slow)]
+    rows = [
+        *_statements(slow["inverse"], at_speed["inverse"], dt),
+        *_kinds(slow["inverse"]),
+        *_recovered(ways["modified_10"].title, slow),
+    ]
     judged = [key for key in ways if not (short and key == "inverse")]  # whose peaks a long step misses
     for key in judged:
         rows += _passage(ways[key].title, slow[key], Figure(FIGURES) if key == "inverse" else None)
@@ -142,6 +148,20 @@ def _statements(usual: Run, fast: Run, dt: float) -> list[Row]:
         row(decay, None, slope(usual), "1/s", law),
         row(PEAK.format(of=AS_PRINTED), None, peak(usual), "s", said, erratum="vargas-1"),
         row(PEAK.format(of=AT_SPEED), None, peak(fast), "s", said, fitted=(SPEED,)),
+    ]
+
+
+def _kinds(run: Run) -> list[Row]:
+    """What is singular at the peak of the inverse, in words, and that its factors are the determinant."""
+    robot, q = zebra_wrist().robot, run.q[np.abs(run.t - peak(run)).argmin()]
+    here = singularity(robot, q)
+    product = float(np.prod([factor.value for factor in here.factors]))
+    splits = stated("det J_G = det J₁₁ det J₂₂", "det J_G = det J₁₁ det J₂₂", "eq. 3.9", 1.0, "=", 1e-6)
+    ratio = Text(en="product of the factors over det J_G", pt_BR="produto dos fatores sobre det J_G")
+    near = Text(en="at the peak, {kind}: factor", pt_BR="no pico, {kind}: fator")
+    return [
+        row(ratio, None, abs(product / float(np.linalg.det(geometric(robot, q)))), "", splits),
+        *(row(near.format(kind=one.kind.value), None, 100 * abs(one.relative), "%") for one in here.factors),
     ]
 
 

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from helicoide.studies.study import Progress, Result, Row, printed
 from helicoide.studies.vargas.paths import path_3, places
-from helicoide.studies.vargas.planar import below, ellipses, followers, ours, result
 from helicoide.studies.vargas.planar import Five as Options
+from helicoide.studies.vargas.planar import below, ellipses, followers, ours, result
 from helicoide.studies.vargas.runs import Run, sizes
 from helicoide.studies.vargas.table import row
 from helicoide.text import Text

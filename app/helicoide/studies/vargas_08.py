@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import exp
 from typing import Annotated
@@ -27,7 +28,7 @@ vezes para a metade de k; onde k é zero, θ fica parado. Mesmo onde k se esvai,
 )
 ROBOT = "planar3r"
 Beta = Annotated[float, Quantity(Text(en="update gain β", pt_BR="ganho β"), 0.1, 1e4, "1/s", decades=True)]
-CASES = {
+CASES: dict[str, Callable[[float], float]] = {
     "k = 2": lambda t: 2.0,
     "k = 0.5": lambda t: 0.5,
     "k = 0": lambda t: 0.0,

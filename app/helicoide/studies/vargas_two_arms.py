@@ -65,7 +65,7 @@ BASE, RADIUS, ALPHA = 5.8, 0.3, 1.0
 FITTED = (
     Fitted(same("α"), ALPHA, 0.9, 1.1),
     Fitted(same("ρ"), RADIUS, 0.27, 0.33, "ℓ"),
-    Fitted(Text(en="x of the second base", pt_BR="x da segunda base"), BASE, 5.5, 6.1, "ℓ"),
+    Fitted(Text(en="x of the second base", pt_BR="x da segunda base"), BASE, 5.51, 6.09, "ℓ"),
 )
 WEIGHTS = (0.0, 0.5, ALPHA)
 

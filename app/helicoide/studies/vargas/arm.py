@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Progress, Result, Row
+from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.arms import REACH, zebra_arm
 from helicoide.studies.vargas.paths import Path, path_8, places
 from helicoide.studies.vargas.runs import IN_SPACE, Instants, Run, Way, compared, sizes, tracking, way
@@ -61,13 +61,13 @@ def result(
     damped = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("damped")}
     wished = places(path, next(iter(runs.values())).t)
     drawn = {name: (wished - run.e)[:, plane] for name, run in names.items()}
-    axes = [f"{'xyz'[axis]}, cm" for axis in plane]
+    across, up = (f"{'xyz'[axis]}, cm" for axis in plane)
     charts = [
         errors_chart(names, "cm", place, log=True),
         *(rates_chart(runs[key], ways[key].title, place) for key in shown),
         figures_chart(Text(en="inversion error of Θ", pt_BR="erro de inversão de Θ"), "V_c", filtered, "", place),
         *([figures_chart(DAMPED_TITLE, "δ", damped, "cm²", place)] if damped else []),
-        way_chart({WISHED: wished[:, plane], **drawn}, *axes, ways_place),
+        way_chart({WISHED: wished[:, plane], **drawn}, across, up, ways_place),
         w_chart(names, "cm³", place),
         joints_chart(runs[shown[0]], ways[shown[0]].title, place),
         fastest_chart(names),

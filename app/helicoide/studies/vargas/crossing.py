@@ -17,7 +17,7 @@ def crossing_rows(
 ) -> list[Row]:
     """The fastest joint, of all and from 5 s on, and the largest error from then on.
 
-    figures: where the source shows both methods that it compares; follows: what it says of the filtered inverse's error.
+    figures: where the source shows both methods that it compares; follows: what it says of the filtered inverse.
     """
     rows = []
     for key in [key for key in runs if key != "pseudoinverse"]:

@@ -272,7 +272,7 @@ def plain_difference(q_target: Array, q: Array) -> Array:
 
 
 def test_with_the_shorter_way_every_pair_converges() -> None:
-    """Vargas digest §1.1: of 300 random pairs (λ = 5, 6 s) all end within 6e-5°; without the sign 44 are off by 1°."""
+    """Eq. 2.41: of 300 random pairs (λ = 5, 6 s) all end within 6e-5°; without the sign 44 are off by 1°."""
     q_target, q = random_quaternions(300, 1), random_quaternions(300, 2)
     reached = follow(rotation.quaternion_error, q_target, q, 5.0, 6.0, body=False)
     assert np.max(angle_between(q_target, reached)) < 6.5e-5

@@ -22,6 +22,7 @@ from helicoide.studies.vargas.table import (
     condition_chart,
     fastest_chart,
     finished,
+    in_steps,
     joints_chart,
     over_time,
     rates_chart,
@@ -138,10 +139,7 @@ def peak(run: Run) -> float:
 
 def _statements(usual: Run, fast: Run, dt: float) -> list[Row]:
     """The decay, and the instant of the peak with the trajectory as printed and faster."""
-    decay = Text(
-        en="slope of ln‖e_p‖ in steps of {ms:g} ms: inverse",
-        pt_BR="inclinação de ln‖e_p‖ em passos de {ms:g} ms: inversa",
-    ).format(ms=1e3 * dt)
+    decay = in_steps(Text(en="slope of ln‖e_p‖, inverse", pt_BR="inclinação de ln‖e_p‖, inversa"), dt)
     law = stated("exponential decay, Λ = 5I: −5", "decaimento exponencial, Λ = 5I: −5", "sim. 3", -5.0, within=0.15)
     said = printed("≈ 9", f"sim. 3, {FIGURES}")
     return [

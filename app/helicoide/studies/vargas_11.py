@@ -13,7 +13,7 @@ from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.crossing import crossing_rows, null_error
 from helicoide.studies.vargas.paths import path_7
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import FASTEST_LATER, PUSH, Gain, Step, row, stated
+from helicoide.studies.vargas.table import FASTEST_LATER, PUSH, Gain, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 11: through singular postures", pt_BR="Simulação 11: através de singularidades")
@@ -63,7 +63,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows = [*_statements(runs), *crossing_rows(ways, runs, PLACE, follows), *_of_the_step(ways, runs, dt)]
     if not short:  # how near to the singularity the pseudoinverse steps hangs on the step
         plain = runs["pseudoinverse"]
-        title = IN_STEPS.format(what=FASTEST_LATER, ms=1e3 * dt)
+        title = in_steps(FASTEST_LATER, dt)
         rows.append(row(title, PSEUDOINVERSE.title, largest(plain.rates, plain.t >= 5), "rad/s"))
     figures = (PLACE, "figs. 4.13–4.14")
     return result(options, rows, ways, runs, path_7, (1, 2), figures, ("filtered", "damping"))
@@ -94,14 +94,11 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
     ]
 
 
-IN_STEPS = Text(en="{what} in steps of {ms:g} ms", pt_BR="{what} em passos de {ms:g} ms")
-
-
 def _of_the_step(ways: Mapping[str, Way], runs: Mapping[str, Run], dt: float) -> list[Row]:
     """How smooth the joint velocities are; where the damping comes on, the acceleration hangs on the step."""
     pushes = {key: largest(runs[key].push, runs[key].t[1:] >= 5) for key in ("filtered", "modified", "damping")}
     smoother = Text(en="{what}, filtered over damped", pt_BR="{what}, filtrada sobre amortecida")
-    title, said = IN_STEPS.format(what=PUSH, ms=1e3 * dt), stated("smoother q̇", "q̇ mais suave", PLACE, 1.0, "<")
+    title, said = in_steps(PUSH, dt), stated("smoother q̇", "q̇ mais suave", PLACE, 1.0, "<")
     return [
         row(smoother.format(what=title), None, pushes["filtered"] / pushes["damping"], "", said),
         *(row(title, ways[key].title, push, "rad/s²") for key, push in pushes.items()),

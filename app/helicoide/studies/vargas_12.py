@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from math import nan
 
 from helicoide.studies.study import Figure, Progress, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, dips, followers, hertz, re_entry, result
+from helicoide.studies.vargas.arm import DAMPING, dips, first_dip, followers, hertz, re_entry, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
-from helicoide.studies.vargas.reach import IN_STEPS, reach_rows
+from helicoide.studies.vargas.reach import reach_rows
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import MUCH, Gain, Step, row, stated
+from helicoide.studies.vargas.table import MUCH, Gain, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 12: out of reach", pt_BR="Simulação 12: fora do alcance")
@@ -57,7 +58,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     for times in TIMES:
         of, one = ways[f"filtered_{times}"].title, runs[f"filtered_{times}"]
         rows += [
-            row(DIP, of, float(dips(one)[1][0]), "cm", Figure(PLACE)),
+            row(DIP, of, first_dip(one), "cm", Figure(PLACE)),
             row(SWING, of, hertz(one), "Hz", Figure(PLACE)),
             *reach_rows(ways[f"filtered_{times}"], one, Figure(PLACE)),
         ]
@@ -69,7 +70,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     """The oscillation and what a larger γ does to it; how the damped leaves and comes back."""
     filtered, damped = [runs[f"filtered_{times}"] for times in TIMES], runs["damping"]
-    depths, often = [float(dips(one)[1][0]) for one in filtered], [hertz(one) for one in filtered]
+    depths, often = [first_dip(one) for one in filtered], [hertz(one) for one in filtered]
     fastest = [largest(one.rates, one.t >= 5) for one in (damped, filtered[0])]
     back = [re_entry(one)[2] for one in (damped, filtered[0])]
     count = Text(en="dips behind the border with the smallest γ", pt_BR="recuos atrás da fronteira com o menor γ")
@@ -92,8 +93,13 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     )
     return [
         row(count, None, float(dips(filtered[0])[0].size), "", swings),
-        row(at_most.format(what=times.format(what=DIP)), None, max(b / a for a, b in pairwise(depths)), "", smaller),
-        row(at_least.format(what=times.format(what=SWING)), None, min(b / a for a, b in pairwise(often)), "", higher),
-        row(IN_STEPS.format(what=beside, ms=1e3 * dt), None, fastest[0] / fastest[1], "", peaks),
-        row(IN_STEPS.format(what=later, ms=1e3 * dt), None, back[0] / back[1], "", detour),
+        row(at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller),
+        row(at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher),
+        row(in_steps(beside, dt), None, fastest[0] / fastest[1], "", peaks),
+        row(in_steps(later, dt), None, back[0] / back[1], "", detour),
     ]
+
+
+def _times(values: list[float]) -> list[float]:
+    """Each over the one before, no number where that is zero."""
+    return [b / a if a else nan for a, b in pairwise(values)]

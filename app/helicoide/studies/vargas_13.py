@@ -9,9 +9,9 @@ from helicoide.studies.study import Figure, Progress, Result, Row
 from helicoide.studies.vargas.arm import DAMPING, dips, followers, off_the_border, re_entry, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
-from helicoide.studies.vargas.reach import BACK, IN_STEPS, reach_rows
+from helicoide.studies.vargas.reach import BACK, reach_rows
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import MUCH, Gain, Step, row, stated
+from helicoide.studies.vargas.table import MUCH, Gain, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 13: out of reach, at rest", pt_BR="Simulação 13: fora do alcance, em repouso")
@@ -74,7 +74,7 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
 
     def over(what: Text, first: Text, second: Text) -> Text:
         title = Text(en="{what}, {first} over {second}", pt_BR="{what}, {first} sobre {second}")
-        return IN_STEPS.format(what=title.format(what=what, first=first, second=second), ms=1e3 * dt)
+        return in_steps(title.format(what=what, first=first, second=second), dt)
 
     smaller, larger = Text(en="smaller γ", pt_BR="γ menor"), Text(en="larger γ", pt_BR="γ maior")
     damping = Text(en="damped", pt_BR="amortecida")

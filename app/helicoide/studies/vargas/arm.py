@@ -102,9 +102,16 @@ def dips(run: Run) -> tuple[Array, Array]:
     return run.t[outside][inner], depth[inner]
 
 
+def first_dip(run: Run) -> float:
+    """How far, cm, it draws back first; 0 where it does not."""
+    depth = dips(run)[1]
+    return float(depth[0]) if depth.size else 0.0
+
+
 def hertz(run: Run) -> float:
-    """How often a second the elbow swings there: it passes the stretched arm twice in a period."""
-    return float(0.5 / np.diff(dips(run)[0][:4]).mean())
+    """How often a second the elbow swings there: it passes the stretched arm twice in a period; 0 where it does not."""
+    when = dips(run)[0][:4]
+    return float(0.5 / np.diff(when).mean()) if when.size > 1 else 0.0
 
 
 def off_the_border(run: Run) -> float:

@@ -18,6 +18,7 @@ from helicoide.studies.vargas.table import (
     WISHED,
     errors_chart,
     finished,
+    in_steps,
     joints_chart,
     planar_motions,
     rates_chart,
@@ -31,7 +32,7 @@ from helicoide.text import Text
 START = [pi / 6] * 3
 SECONDS = 10.0
 RATES = (1.0, 2.0)
-SLOPE = Text(en="slope of ln‖e‖ in steps of {ms:g} ms", pt_BR="inclinação de ln‖e‖ em passos de {ms:g} ms")
+SLOPE = Text(en="slope of ln‖e‖", pt_BR="inclinação de ln‖e‖")
 
 
 def slope(run: Run) -> float:
@@ -50,7 +51,7 @@ def decays(options: Any, aiming: Aiming, by: Way, dt: float, figures: str, progr
     runs = each(
         {key: partial(record, arm, one, aiming, key[1], START, dt, SECONDS) for key, one in plans.items()}, progress
     )
-    title, rows = SLOPE.format(ms=1e3 * dt), []
+    title, rows = in_steps(SLOPE, dt), []
     for rate in RATES:
         law = stated(
             f"exponential decay, ė + λe = 0: −{rate:g}",

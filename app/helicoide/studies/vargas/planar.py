@@ -65,18 +65,18 @@ class Values:
 
 
 VALUES = Values()
-_RATE = Fitted(same("λ"), VALUES.rate, 0.9, 1.1, "1/s")
+_RATE = Fitted(same("λ"), VALUES.rate, 0.84, 1.2, "1/s")
 FITTED: dict[str, tuple[Fitted, ...]] = {
     "damping": (
         _RATE,
-        Fitted(same("δ₀"), VALUES.damping, 0.09, 0.11, "ℓ²"),
-        Fitted(same("w₀"), VALUES.threshold, 0.9, 1.1, "ℓ²"),
+        Fitted(same("δ₀"), VALUES.damping, 0.084, 0.12, "ℓ²"),
+        Fitted(same("w₀"), VALUES.threshold, 0.84, 1.2, "ℓ²"),
     ),
     "feedback": (
         _RATE,
-        Fitted(same("g"), VALUES.gain, 54.0, 66.0, "1/(ℓ² s)"),
-        Fitted(same("c"), VALUES.coupling, 0.27, 0.33),
-        Fitted(same("α"), VALUES.leak, 9.0, 11.0, "1/s"),
+        Fitted(same("g"), VALUES.gain, 50.0, 72.0, "1/(ℓ² s)"),
+        Fitted(same("c"), VALUES.coupling, 0.21, 0.3),
+        Fitted(same("α"), VALUES.leak, 8.4, 12.0, "1/s"),
     ),
 }
 

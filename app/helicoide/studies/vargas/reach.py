@@ -5,18 +5,17 @@ from __future__ import annotations
 from helicoide.studies.study import Figure, Row
 from helicoide.studies.vargas.arm import re_entry, unreachable
 from helicoide.studies.vargas.runs import Run, Way, largest
-from helicoide.studies.vargas.table import FASTEST_LATER, row
+from helicoide.studies.vargas.table import FASTEST_LATER, in_steps, row
 from helicoide.text import Text
 
 REACHABLE = Text(en="largest error where the path is within reach", pt_BR="maior erro onde o caminho está ao alcance")
 BACK = Text(en="error {after} s after coming back", pt_BR="erro {after} s após a volta")
-IN_STEPS = Text(en="{what}, in steps of {ms:g} ms", pt_BR="{what}, em passos de {ms:g} ms")
 
 
 def reach_rows(one: Way, run: Run, shown: Figure | None, dt: float | None = None) -> list[Row]:
     """The numbers of a method from 5 s on; dt: the step, s, where the numbers hang on it."""
     later = run.t >= 5
-    of = one.title if dt is None else IN_STEPS.format(what=one.title, ms=1e3 * dt)
+    of = one.title if dt is None else in_steps(one.title, dt)
     after = Text(en=BACK.en.format(after=0.5), pt_BR=BACK.pt_BR.format(after="0,5"))
     return [
         row(FASTEST_LATER, of, largest(run.rates, later), "rad/s", shown),

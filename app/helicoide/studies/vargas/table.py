@@ -41,6 +41,12 @@ def row(
     return Row(title, ours, unit, source, **more)
 
 
+def in_steps(what: Text, dt: float) -> Text:
+    """A quantity that hangs on the step dt, s."""
+    ms = digits(f"{1e3 * dt:g}")
+    return Text(en="{what}, in steps of {ms} ms", pt_BR="{what}, em passos de {ms} ms").format(what=what, ms=ms)
+
+
 def stated(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
     """A sentence of the source that asks something of a number."""
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)

@@ -9,9 +9,9 @@ from helicoide.studies.study import Figure, Progress, Result, Row
 from helicoide.studies.vargas.arm import DAMPING, dips, followers, off_the_border, re_entry, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
-from helicoide.studies.vargas.reach import BACK, reach_rows
+from helicoide.studies.vargas.reach import AFTER, reach_rows
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import MUCH, Gain, Step, in_steps, row, stated
+from helicoide.studies.vargas.table import FASTEST_LATER, MUCH, PUSH, Gain, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 13: out of reach, at rest", pt_BR="Simulação 13: fora do alcance, em repouso")
@@ -67,66 +67,40 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     """No oscillation; the smaller γ beside the damped; the larger one beside the smaller."""
     small, large, damped = (runs[key] for key in ("modified_1", "modified_25", "damping"))
     later = small.t >= 5
-    half = [re_entry(one)[1] for one in (small, damped, large)]
-    push = [largest(one.push, later[1:]) for one in (small, damped)]
-    fastest = [largest(one.rates, later) for one in (large, small)]
-    after = Text(en=BACK.en.format(after=0.5), pt_BR=BACK.pt_BR.format(after="0,5"))
 
-    def over(what: Text, first: Text, second: Text) -> Text:
-        title = Text(en="{what}, {first} over {second}", pt_BR="{what}, {first} sobre {second}")
-        return in_steps(title.format(what=what, first=first, second=second), dt)
+    def fastest(run: Run) -> float:
+        return largest(run.rates, later)
 
-    smaller, larger = Text(en="smaller γ", pt_BR="γ menor"), Text(en="larger γ", pt_BR="γ maior")
-    damping = Text(en="damped", pt_BR="amortecida")
-    rate = Text(en="fastest joint from 5 s on", pt_BR="junta mais rápida a partir de 5 s")
-    jerk = Text(en="largest acceleration from 5 s on", pt_BR="maior aceleração a partir de 5 s")
+    def push(run: Run) -> float:
+        return largest(run.push, later[1:])
+
+    dip = Text(en="dips behind the border, larger γ", pt_BR="recuos atrás da fronteira, γ maior")
+    swings = stated("no oscillation", "sem oscilação", PLACE, 0.0)
+    similar = stated("γ = 1: similar to DLS", "γ = 1: semelhante à DLS", PLACE, 1.0, "=", ALIKE)
+    smoother = stated("γ = 1: smoother than DLS", "γ = 1: mais suave que a DLS", PLACE, 1.0, "<")
+    detour = stated("γ = 25: small detour", "γ = 25: pequeno desvio", PLACE, 1 / MUCH, "<")
+    unchanged = stated(
+        "amplitude of q̇ not significantly changed", "amplitude de q̇ sem mudança significativa", PLACE, 1.0, "=", ALIKE
+    )
     rows = [
-        row(
-            Text(en="dips behind the border, {g}", pt_BR="recuos atrás da fronteira, {g}").format(g=larger),
-            None,
-            float(dips(large)[0].size),
-            "",
-            stated("no oscillation", "sem oscilação", PLACE, 0.0),
-        ),
-        row(
-            over(after, smaller, damping),
-            None,
-            half[0] / half[1],
-            "",
-            stated("γ = 1: similar to DLS", "γ = 1: semelhante à DLS", PLACE, 1.0, "=", ALIKE),
-        ),
-        row(
-            over(jerk, smaller, damping),
-            None,
-            push[0] / push[1],
-            "",
-            stated("γ = 1: smoother than DLS", "γ = 1: mais suave que a DLS", PLACE, 1.0, "<"),
-        ),
-        row(
-            over(after, larger, smaller),
-            None,
-            half[2] / half[0],
-            "",
-            stated("γ = 25: small detour", "γ = 25: pequeno desvio", PLACE, 1 / MUCH, "<"),
-        ),
-        row(
-            over(rate, larger, smaller),
-            None,
-            fastest[0] / fastest[1],
-            "",
-            stated(
-                "amplitude of q̇ not significantly changed",
-                "amplitude de q̇ sem mudança significativa",
-                PLACE,
-                1.0,
-                "=",
-                ALIKE,
-            ),
-        ),
+        row(dip, None, float(dips(large)[0].size), "", swings),
+        row(in_steps(TO_DAMPED.format(what=AFTER), dt), None, back(small) / back(damped), "", similar),
+        row(in_steps(TO_DAMPED.format(what=PUSH), dt), None, push(small) / push(damped), "", smoother),
+        row(in_steps(TO_SMALLER.format(what=AFTER), dt), None, back(large) / back(small), "", detour),
+        row(in_steps(TO_SMALLER.format(what=FASTEST_LATER), dt), None, fastest(large) / fastest(small), "", unchanged),
     ]
     if dt <= 1e-3:  # how near to 0 it comes, a longer step does not tell
         least = [float(one.w[later].min()) for one in (large, small)]
         lower = stated("γ = 25: lower w is reached", "γ = 25: w menor é atingida", PLACE, 1.0, "<")
         w = Text(en="least w from 5 s on", pt_BR="menor w a partir de 5 s")
-        rows.append(row(over(w, larger, smaller), None, least[0] / least[1], "", lower))
+        rows.append(row(in_steps(TO_SMALLER.format(what=w), dt), None, least[0] / least[1], "", lower))
     return rows
+
+
+TO_DAMPED = Text(en="{what}, smaller γ over damped", pt_BR="{what}, γ menor sobre amortecida")
+TO_SMALLER = Text(en="{what}, larger γ over smaller γ", pt_BR="{what}, γ maior sobre γ menor")
+
+
+def back(run: Run) -> float:
+    """‖e‖, cm, half a second after the path has come back."""
+    return re_entry(run)[1]

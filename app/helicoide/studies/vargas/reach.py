@@ -9,16 +9,15 @@ from helicoide.studies.vargas.table import FASTEST_LATER, in_steps, row
 from helicoide.text import Text
 
 REACHABLE = Text(en="largest error where the path is within reach", pt_BR="maior erro onde o caminho está ao alcance")
-BACK = Text(en="error {after} s after coming back", pt_BR="erro {after} s após a volta")
+AFTER = Text(en="error 0.5 s after coming back", pt_BR="erro 0,5 s após a volta")
 
 
 def reach_rows(one: Way, run: Run, shown: Figure | None, dt: float | None = None) -> list[Row]:
     """The numbers of a method from 5 s on; dt: the step, s, where the numbers hang on it."""
     later = run.t >= 5
     of = one.title if dt is None else in_steps(one.title, dt)
-    after = Text(en=BACK.en.format(after=0.5), pt_BR=BACK.pt_BR.format(after="0,5"))
     return [
         row(FASTEST_LATER, of, largest(run.rates, later), "rad/s", shown),
         row(REACHABLE, of, largest(run.size, later & ~unreachable(run.t)), "cm", shown),
-        row(after, of, re_entry(run)[1], "cm", shown),
+        row(AFTER, of, re_entry(run)[1], "cm", shown),
     ]

@@ -10,12 +10,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from helicoide.ik import filtered_inverse, modal
-from helicoide.ik.filtered_inverse import Step, Update
+from helicoide.ik.filtered_inverse import Parts, Step, Update
 from helicoide.ik.scalar_filter import crossing_peak
 from helicoide.kinematics.chain import Array
 
 SHAPES = [(3, 3), (2, 3), (3, 6), (6, 6), (3, 2), (6, 7)]
 UPDATES: tuple[Update, ...] = get_args(Update)
+UNEQUAL: Parts = (2.0, 0.5)
 STEPS: tuple[Step, ...] = get_args(Step)
 
 
@@ -37,7 +38,7 @@ def symmetric(n: int, seed: int = 3) -> Array:
     return np.asarray(A @ A.T + 0.5 * np.eye(n))
 
 
-def integrated(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update) -> Array:
+def integrated(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts) -> Array:
     """Θ(dt) by an integrator that knows the slope only."""
 
     def slope(t: float, flat: Array) -> Array:
@@ -66,9 +67,9 @@ def test_the_slope_goes_downhill(shape: tuple[int, int]) -> None:
         np.testing.assert_allclose(filtered_inverse.slope(J, Theta, 1.0, update), -gradient, atol=1e-6)
 
 
-@pytest.mark.parametrize("update", UPDATES)
+@pytest.mark.parametrize("update", [*UPDATES, UNEQUAL])
 @pytest.mark.parametrize("shape", SHAPES)
-def test_the_exact_step_is_the_differential_equation(shape: tuple[int, int], update: Update) -> None:
+def test_the_exact_step_is_the_differential_equation(shape: tuple[int, int], update: Update | Parts) -> None:
     J, Theta = drawn(shape)
     for gain in (0.7, symmetric(shape[1])):
         found = filtered_inverse.exact(J, Theta, gain, 0.3, update)
@@ -86,8 +87,8 @@ def test_a_gain_and_its_multiple_of_one_are_the_same(shape: tuple[int, int], upd
         np.testing.assert_allclose(of_number, of_matrix, atol=1e-12)
 
 
-@pytest.mark.parametrize("update", UPDATES)
-def test_both_rules_of_euler_come_to_the_exact_step(update: Update) -> None:
+@pytest.mark.parametrize("update", [*UPDATES, UNEQUAL])
+def test_both_rules_of_euler_come_to_the_exact_step(update: Update | Parts) -> None:
     """Their error falls with dt², and the backward rule solves its Sylvester equation."""
     J, Theta = drawn((3, 4))
     for rule in (filtered_inverse.euler, filtered_inverse.sylvester):
@@ -160,8 +161,8 @@ def test_rates_of_decay() -> None:
     np.testing.assert_allclose(found, [[0.50037, 0.02182], [0.02182, 1.36237]], atol=5e-6)
 
 
-@pytest.mark.parametrize("update", UPDATES)
-def test_the_limit_of_euler(update: Update) -> None:
+@pytest.mark.parametrize("update", [*UPDATES, UNEQUAL])
+def test_the_limit_of_euler(update: Update | Parts) -> None:
     """99 % of the longest step converges, 101 % diverges."""
     J, Theta = drawn((3, 3))
     limit = filtered_inverse.step_limit(J, 2.0, update)

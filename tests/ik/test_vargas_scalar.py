@@ -31,7 +31,7 @@ def test_the_exact_step_is_the_differential_equation(k: float) -> None:
 @pytest.mark.parametrize("name", CASES)
 def test_simulation_8_is_the_differential_equation(name: str) -> None:
     """Steps of 1 ms with k in their middle."""
-    k = CASES[name][0]
+    k = CASES[name]
     times = np.linspace(0, 10, 101)
     theta = integrated(lambda t, y: [scalar_filter.slope(k(t), y[0], 5)], [1.0], times)[0]
     np.testing.assert_allclose(filtered(k, 1.0, 5, 1e-3, 0.0, 10.0)[::100], theta, rtol=1e-6)

@@ -101,8 +101,11 @@ def test_the_period_is_the_shortest(number: int) -> None:
         assert np.abs(later).max() > 0.1 * path.unit
 
 
-def test_where_they_come_near_the_origin_and_leave_the_reach() -> None:
-    """3 comes nearest to the origin at 25.50 s (0.072), 4 is there at 32 s; 8 leaves the reach of 67.30 cm, by 1.27."""
+def test_where_they_leave_the_reach_and_pass_the_origin() -> None:
+    """3 comes nearest to the origin at 25.50 s (0.072), 4 is there at 32 s; 8 leaves the reach of 67.30 cm, by 1.27.
+
+    Recomputed from the formulas of the source.
+    """
     times = np.linspace(0, 40, 40_001)
     far = np.array([np.linalg.norm(VARGAS[3].point(t)) for t in times])
     assert times[far.argmin()] == pytest.approx(25.50, abs=0.005)

@@ -2,9 +2,10 @@
 
     Θ̇ = −Γ (Jᵀ S_r + S_ℓ Jᵀ),   S_r = J Θ − I,   S_ℓ = Θ J − I
 
-The errors act alone or together: "right", "left", "composite". With both, the equilibrium is the Sylvester equation
-JᵀJ Θ + Θ JJᵀ = 2 Jᵀ, and Θ comes to J† from anywhere if J has full rank. Everywhere J is (r, n), Θ is (n, r), and
-gain is γ or a positive definite symmetric Γ (n, n), 1/s. Source: Vargas 2013, eqs. 4.18–4.38.
+The errors act alone or together: "right", "left", "composite", or each by its own part of Γ, such as (2, 0.5) for
+Γ_r = 2 Γ and Γ_ℓ = Γ/2. With both, the equilibrium is the Sylvester equation JᵀJ Θ + Θ JJᵀ = 2 Jᵀ, and Θ comes to J†
+from anywhere if J has full rank. Everywhere J is (r, n), Θ is (n, r), and gain is γ or a positive definite symmetric Γ
+(n, n), 1/s. Source: Vargas 2013, eqs. 4.18–4.38.
 """
 
 from __future__ import annotations
@@ -16,10 +17,15 @@ import numpy as np
 from helicoide.kinematics.chain import Array
 
 Update = Literal["right", "left", "composite"]
+Parts = tuple[float, float]
 Step = Literal["exact", "sylvester", "euler"]
 
-# how much of the right and of the left error acts
-SIDES: dict[Update, tuple[int, int]] = {"right": (1, 0), "left": (0, 1), "composite": (1, 1)}
+SIDES: dict[Update, Parts] = {"right": (1, 0), "left": (0, 1), "composite": (1, 1)}
+
+
+def parts(update: Update | Parts) -> Parts:
+    """How much of the right and of the left error acts."""
+    return SIDES[update] if isinstance(update, str) else update
 
 
 def inversion_errors(J: Array, Theta: Array) -> tuple[Array, Array]:
@@ -37,38 +43,38 @@ def lyapunov(J: Array, Theta: Array) -> tuple[float, float]:
     return float(np.sum(S_r * S_r)) / 2, float(np.sum(S_l * S_l)) / 2
 
 
-def slope(J: Array, Theta: Array, gain: Array | float, update: Update = "composite") -> Array:
+def slope(J: Array, Theta: Array, gain: Array | float, update: Update | Parts = "composite") -> Array:
     """Θ̇ = −Γ (Jᵀ S_r + S_ℓ Jᵀ), with one of the two terms or both. Source: Vargas 2013, eqs. 4.21, 4.26, 4.31."""
-    right, left = SIDES[update]
+    right, left = parts(update)
     S_r, S_l = inversion_errors(J, Theta)
     return np.asarray(-np.dot(gain, right * J.T @ S_r + left * S_l @ J.T))
 
 
-def step_limit(J: Array, gain: float, update: Update = "composite") -> float:
+def step_limit(J: Array, gain: float, update: Update | Parts = "composite") -> float:
     """The longest dt for which Euler's rule is stable, s: 1/(γ σ₁²), twice that where one error acts alone."""
-    fastest = float(sum(SIDES[update]) * gain * np.linalg.norm(J, 2) ** 2)
+    fastest = float(sum(parts(update)) * gain * np.linalg.norm(J, 2) ** 2)
     return 2 / fastest if fastest > 0 else np.inf
 
 
-def euler(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite") -> Array:
+def euler(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
     """Θ + Θ̇ dt, stable up to `step_limit`. Source: Vargas 2013, tab. 4.1."""
     return Theta + dt * slope(J, Theta, gain, update)
 
 
-def sylvester(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite") -> Array:
+def sylvester(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
     """Backward Euler, stable for every dt: X + dt Γ (JᵀJ X + X JJᵀ) = Θ + 2 dt Γ Jᵀ, solved for vec X.
 
     Source: Vargas 2013, eqs. 4.38, A.6, A.9: vec(A X B) = (Bᵀ ⊗ A) vec X.
     """
     n, r = Theta.shape
-    right, left = SIDES[update]
+    right, left = parts(update)
     Gamma = dt * np.dot(gain, np.eye(n))
     system = np.eye(n * r) + np.kron(np.eye(r), right * Gamma @ J.T @ J) + np.kron(left * J @ J.T, Gamma)
     known = Theta + (right + left) * Gamma @ J.T
     return np.asarray(np.linalg.solve(system, known.ravel("F")).reshape((n, r), order="F"))
 
 
-def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite") -> Array:
+def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
     """What Θ becomes after dt while J stands still, for every dt. With J = U Σ Vᵀ and Ψ = Vᵀ Θ U, for Γ = γ I,
 
     ψᵢⱼ ← e^(−γ (σᵢ² + σⱼ²) dt) ψᵢⱼ, and dᵢ = ψᵢᵢ gains (1 − e^(−2γσᵢ² dt))/σᵢ.
@@ -77,7 +83,7 @@ def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update
     """
     if np.ndim(gain):
         return _exact_by_columns(J, Theta, np.asarray(gain), dt, update)
-    right, left = SIDES[update]
+    right, left = parts(update)
     U, sigma, Vt = np.linalg.svd(J)
     (n, r), p, both = Theta.shape, len(sigma), right + left
     rows, columns, squares = np.zeros(n), np.zeros(r), gain * dt * sigma * sigma
@@ -88,12 +94,12 @@ def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update
     return np.asarray(Vt.T @ Psi @ U.T)
 
 
-def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: Update) -> Array:
+def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: Update | Parts) -> Array:
     """The same for a matrix gain Γ = L Lᵀ: with JJᵀ uⱼ = λⱼ uⱼ, each yⱼ = L⁻¹ Θ uⱼ has a law of its own,
 
     ẏⱼ = −Lᵀ(JᵀJ + λⱼ I)L yⱼ + 2 Lᵀ Jᵀ uⱼ.
     """
-    right, left = SIDES[update]
+    right, left = parts(update)
     L = np.linalg.cholesky(Gamma)
     squares, U = np.linalg.eigh(J @ J.T)
     M = L.T @ (right * J.T @ J + left * squares[:, None, None] * np.eye(len(L))) @ L
@@ -115,7 +121,7 @@ STEPS = {"exact": exact, "sylvester": sylvester, "euler": euler}
 
 
 def stepped(
-    J: Array, Theta: Array, gain: Array | float, dt: float, update: Update = "composite", step: Step = "exact"
+    J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite", step: Step = "exact"
 ) -> Array:
     """Θ after dt, s, by one of the rules above."""
     return STEPS[step](J, Theta, gain, dt, update)

@@ -10,7 +10,7 @@ from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.decay import decays
 from helicoide.studies.vargas.paths import path_1
 from helicoide.studies.vargas.runs import WITH_ANGLE, tracking, turned, way
-from helicoide.studies.vargas.table import Gain, Sheet, Step, is_changed
+from helicoide.studies.vargas.table import Gain, Step
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 1: an error that fades", pt_BR="Simulação 1: um erro que se apaga")
@@ -38,5 +38,5 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The inverse with λ = 1 and 2, and the filtered inverse."""
     aiming = tracking(planar(), path_1, WITH_ANGLE, turned(2, pi / 2), "rotation vector")
-    dt, sheet = max(options.dt, 2e-3) if short else options.dt, Sheet(short, is_changed(options))
-    return decays(aiming, way("inverse"), ("9.42", "1.61"), options.gain, dt, sheet, progress)
+    dt = max(options.dt, 2e-3) if short else options.dt
+    return decays(options, aiming, way("inverse"), dt, "figs. 2.6–2.7", progress)

@@ -9,7 +9,7 @@ from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.decay import decays
 from helicoide.studies.vargas.paths import path_1
 from helicoide.studies.vargas.runs import IN_PLANE, tracking, way
-from helicoide.studies.vargas.table import Gain, Sheet, Step, is_changed
+from helicoide.studies.vargas.table import Gain, Step
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 2: a joint to spare", pt_BR="Simulação 2: uma junta de sobra")
@@ -36,5 +36,5 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The pseudoinverse with λ = 1 and 2, and the filtered inverse."""
     aiming = tracking(planar(), path_1, IN_PLANE)
-    dt, sheet = max(options.dt, 2e-3) if short else options.dt, Sheet(short, is_changed(options))
-    return decays(aiming, way("pseudoinverse"), ("2.86", "1.69"), options.gain, dt, sheet, progress)
+    dt = max(options.dt, 2e-3) if short else options.dt
+    return decays(options, aiming, way("pseudoinverse"), dt, "figs. 2.9–2.10", progress)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import pi
 
-from helicoide.studies.study import Progress, Result
+from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.paths import path_2
-from helicoide.studies.vargas.planar import DAMPING, Found, compared_rows, followers, result, ways_of
+from helicoide.studies.vargas.planar import COMPARED, FITTED, LENGTH, VALUES, followers, of_both, ours, result
 from helicoide.studies.vargas.planar import Five as Options
-from helicoide.studies.vargas.runs import largest
-from helicoide.studies.vargas.table import APART, Sheet, is_changed
+from helicoide.studies.vargas.runs import Run, largest
+from helicoide.studies.vargas.table import NULL, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 4: nothing in the way", pt_BR="Simulação 4: nada no caminho")
@@ -24,22 +25,25 @@ igual a ela.""",
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 ROBOT = "planar3r"
-START = (pi / 6, pi / 6, pi / 6)
-FOUND: dict[str, Found] = {
-    "pseudoinverse": ("0.0469", "1.1e-4", 0.01, 1.0),
-    "damping": ("0.0469", "1.1e-4", 0.01, 1.0),
-    "feedback": ("0.0469", "2.3e-4", 0.01, 1.0),
-    "filtered": ("0.0470", "9.7e-5", 0.01, 1.0),
-    "modified": ("0.0470", "1.1e-4", 0.01, 1.0),
-}
+PATH, START, PLACE = path_2, (pi / 6, pi / 6, pi / 6), "sim. 4, figs. 3.8–3.9"
+
+
+def statements(runs: Mapping[str, Run]) -> list[Row]:
+    """That both methods follow, and that the damping never comes on."""
+    follows = stated("both methods track", "ambos os métodos rastreiam", PLACE, NULL * LENGTH, "≤")
+    errors = {key: largest(runs[key].size, runs[key].t >= 10) for key in COMPARED}
+    worst = Text(en="largest error from 10 s on", pt_BR="maior erro a partir de 10 s")
+    never = stated("δ = 0 throughout", "δ = 0 o tempo todo", PLACE, 0.0)
+    largest_damping = float(runs["damping"].figure("δ").max())
+    return [
+        row(Text(en="largest damping δ", pt_BR="maior amortecimento δ"), None, largest_damping, "ℓ²", never,
+            fitted=FITTED["damping"]),
+        *of_both(worst, errors, "ℓ", follows),
+    ]  # fmt: skip
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 2."""
-    ways = ways_of(options.gain)
-    runs = followers(path_2, START, ways, options.dt, short, progress)
-    sheet = Sheet(short, is_changed(options))
-    rows = compared_rows(sheet, ways, runs, FOUND)
-    alike = largest(runs["damping"].q - runs["pseudoinverse"].q)
-    rows += (sheet.row(APART, DAMPING.title, alike, "0", "rad", within=1e-12, coarse=0.0),)
-    return result(rows, path_2, ways, runs, options.shown)
+    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
+    runs = followers(PATH, START, ways, dt, progress, VALUES.rate)
+    return result(options, statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.8–3.9")

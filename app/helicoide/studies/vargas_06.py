@@ -2,27 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
 from math import pi
-from typing import Annotated, Any
 
 from helicoide.studies.study import Progress, Result, Row
-from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_4
-from helicoide.studies.vargas.planar import ASSUMED, DAMPING, FED_BACK, FEEDBACK
-from helicoide.studies.vargas.runs import IN_PLANE, Run, Way, each, largest, left_at, record, tracking, way
-from helicoide.studies.vargas.table import (
-    Gain,
-    Sheet,
-    Step,
-    choice,
-    errors_chart,
-    is_changed,
-    planar_motion,
-    rates_chart,
-    titled,
-)
+from helicoide.studies.vargas.planar import FITTED, VALUES, followers, result
+from helicoide.studies.vargas.runs import Instants, Run, Way, largest, left_at, way
+from helicoide.studies.vargas.table import MUCH, Gain, Step, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 6: a singular start", pt_BR="Simulação 6: partida singular")
@@ -38,66 +26,72 @@ resposta não tem componente na direção perdida. O acoplamento das linhas sai,
 inicial não é zero.""",
 )
 ROBOT = "planar3r"
-START = (pi / 2, 0, 0)
+PATH, START, PLACE = path_4, (pi / 2, 0, 0), "sim. 6, figs. 3.12–3.13"
 LEAVES = Text(en="some joint has moved by 0.01 rad after", pt_BR="alguma junta moveu 0,01 rad após")
 STAYS = Text(en="largest motion of a joint", pt_BR="maior movimento de uma junta")
-# What the digest has, s, for those that leave at once, and for those that leave by rounding alone: other orders of
-# adding differ by seconds, so that only leaving later than 2 s is held, and later than 1 s in the short form.
-AT_ONCE = {"feedback": "0.66", "ones": "0.65"}
-BY_ROUNDING = {"damping": "5.3", "uncoupled": "3.1", "zero": "10.3"}
-NEVER = ("modified", "modified_ones")
-
-
-def ways_of(gain: float) -> dict[str, Way]:
-    """The methods, with γ of the filtered inverses."""
-    ones, zero = f"γ = {gain:g}, Θ(0) = 0.1", f"γ = {gain:g}, Θ(0) = 0"
-    return {
-        "feedback": FED_BACK,
-        "ones": way("filtered", ones, gain=gain, start="ones"),
-        "modified": way("filtered_modified", zero, gain=gain),
-        "modified_ones": way("filtered_modified", ones, gain=gain, start="ones"),
-        "damping": DAMPING,
-        "uncoupled": way("feedback", "c = 0", **{**FEEDBACK, "coupling": 0.0}),
-        "zero": way("filtered", zero, gain=gain),
-    }
+# rad: rounding alone moves no joint so far within the first two seconds
+STILL, FIRST = 1e-3, 2.0
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ of the filtered inverse; dt, s; shown: whose motion the arm shows."""
+    """gain: γ of the filtered inverses; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    shown: Annotated[str, choice(ways_of(5.0))] = "ones"
+
+    @property
+    def ways(self) -> dict[str, Way]:
+        """The methods that are beside each other."""
+        ones, zero = f"γ = {self.gain:g}, Θ(0) = 0.1", f"γ = {self.gain:g}, Θ(0) = 0"
+        return {
+            **compared_ways(VALUES.ways),
+            "ones": way("filtered", ones, gain=self.gain, start="ones"),
+            "modified": way("filtered_modified", zero, gain=self.gain),
+            "modified_ones": way("filtered_modified", ones, gain=self.gain, start="ones"),
+        }
+
+
+def compared_ways(ways: Mapping[str, Way]) -> dict[str, Way]:
+    """Both methods, and the feedback with a diagonal G."""
+    alone = way("feedback", "c = 0", **{**ways["feedback"].options, "coupling": 0.0})
+    return {**ways, "uncoupled": alone}
+
+
+def statements(runs: Mapping[str, Run]) -> list[Row]:
+    """Who leaves the start, and how far off the path it is."""
+    fed_back, damped, uncoupled = (runs[key] for key in ("feedback", "damping", "uncoupled"))
+    cannot = stated("cannot move", "não consegue se mover", PLACE, STILL, "<")
+    leaves = stated("leaves the start", "deixa a partida", PLACE, STILL, ">")
+    small = stated("small error", "erro pequeno", PLACE, 1 / MUCH, "<")
+    needs = stated(
+        "the start is left because G is not diagonal", "a partida é deixada porque G não é diagonal", "§3.4", STILL, "<"
+    )
+    beside = Text(
+        en="largest error, times that of the damped, which stays",
+        pt_BR="maior erro, vezes o da amortecida, que fica parada",
+    )
+    early = Text(en="largest motion of a joint in the first 2 s", pt_BR="maior movimento de uma junta nos 2 s iniciais")
+    begun = fed_back.t <= FIRST
+    names, chosen = compared_ways(VALUES.ways), FITTED["feedback"]
+    coupled = names["feedback"].title
+    return [
+        row(STAYS, names["damping"].title, _moved(damped), "rad", cannot, fitted=FITTED["damping"]),
+        row(early, coupled, _moved(fed_back, begun), "rad", leaves, fitted=chosen),
+        row(early, names["uncoupled"].title, _moved(uncoupled, begun), "rad", needs, fitted=chosen),
+        row(beside, coupled, largest(fed_back.size) / largest(damped.size), "", small, fitted=chosen),
+    ]
+
+
+def _moved(run: Run, when: slice | Instants = slice(None)) -> float:
+    return largest((run.q - run.q[0])[when])
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Seven methods on trajectory 4; those that leave by rounding are watched for 15 s, the others for 40 s."""
-    arm, ways = planar(), ways_of(options.gain)
-    aiming, dt = tracking(arm, path_4, IN_PLANE), max(options.dt, 4e-3) if short else options.dt
-    runs = each(
-        {
-            key: partial(record, arm, one, aiming, 2.0, START, dt, 15.0 if short or key in BY_ROUNDING else 40.0)
-            for key, one in ways.items()
-        },
-        progress,
-    )
-    rows = _rows(Sheet(short, is_changed(options)), ways, runs)
-    names = titled(ways, runs)
-    charts = (errors_chart(names, "ℓ"), rates_chart(runs[options.shown], ways[options.shown].title))
-    return Result(rows, charts, planar_motion(runs[options.shown]))
-
-
-def _rows(sheet: Sheet, ways: dict[str, Way], runs: dict[str, Run]) -> tuple[Row, ...]:
-    rows = []
-    for key, when in AT_ONCE.items():
-        found = left_at(runs[key])
-        rows.append(sheet.row(LEAVES, ways[key].title, found, when, "s", within=0.006, coarse=0.01, assumed=ASSUMED))
-    for key, when in BY_ROUNDING.items():
-        of, found, digest = ways[key].title, left_at(runs[key]), float(when)
-        late: Any = {"within": digest - 2, "coarse": 1 - 1 / digest, "relation": "≥"}
-        rows.append(sheet.row(LEAVES, of, found, when, "s", **late, assumed=ASSUMED))
-    for key in NEVER:
-        moved = largest(runs[key].q - runs[key].q[0])
-        rows.append(sheet.row(STAYS, ways[key].title, moved, "0.01", "rad", coarse=0.0, relation="≤"))
-    return tuple(rows)
+    """Six methods on trajectory 4."""
+    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
+    runs = followers(PATH, START, ways, dt, progress)
+    rows = statements(runs)
+    rows += [row(LEAVES, ways[key].title, left_at(runs[key]), "s") for key in ("feedback", "ones")]
+    rows += [row(STAYS, ways[key].title, _moved(runs[key]), "rad") for key in ("modified", "modified_ones")]
+    return result(options, rows, PATH, ways, runs, PLACE.partition(", ")[2])

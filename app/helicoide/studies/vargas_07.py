@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
-from typing import Annotated
 
-from helicoide.studies.study import Progress, Result
+import numpy as np
+
+from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.paths import path_4
-from helicoide.studies.vargas.planar import Found, compared_rows, followers, result, ways_of
-from helicoide.studies.vargas.runs import Way
-from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.planar import (
+    COMPARED,
+    FITTED,
+    LENGTH,
+    PSEUDOINVERSE,
+    VALUES,
+    below,
+    filters,
+    followers,
+    of_both,
+    ours,
+    result,
+)
+from helicoide.studies.vargas.runs import Run, Way, largest
+from helicoide.studies.vargas.table import MUCH, NULL, Gain, Step, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 7: through a singular posture", pt_BR="Simulação 7: através de uma postura singular")
@@ -24,37 +38,49 @@ em 32 s. A pseudoinversa pede centenas de radianos por segundo. Compare as inver
 o erro, por um pouco mais de velocidade nas juntas.""",
 )
 ROBOT = "planar3r"
-START = (pi / 2, 0.1, 0.1)
-FOUND: dict[str, Found] = {
-    "pseudoinverse": ("726", "0.10", None, None),
-    "damping": ("0.795", "0.184", 0.03, 0.03),
-    "feedback": ("4.59", "0.189", None, None),
-    "filtered_0": ("1.37", "0.530", 0.03, 0.03),
-    "filtered_1": ("1.38", "0.162", 0.03, 0.03),
-    "filtered_2": ("2.02", "0.075", None, None),
-    "modified_0": ("1.99", "0.634", None, None),
-    "modified_1": ("2.25", "0.242", None, None),
-    "modified_2": ("3.03", "0.111", None, None),
-}
-
-
-def with_gains(gain: float) -> dict[str, Way]:
-    """The methods, the filtered inverses with γ and ten and a hundred times it."""
-    return ways_of(gain, 10 * gain, 100 * gain)
+PATH, START, PLACE = path_4, (pi / 2, 0.1, 0.1), "sim. 7, figs. 3.14–3.15"
+TIMES = (1, 10, 100)
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: the smallest γ of the filtered inverses; dt, s; shown: whose motion the arm shows."""
+    """gain: the smallest γ of the filtered inverses, beside ten and a hundred times it; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    shown: Annotated[str, choice(with_gains(5.0))] = "filtered_1"
+
+    @property
+    def ways(self) -> dict[str, Way]:
+        """The methods that are beside each other."""
+        return {"pseudoinverse": PSEUDOINVERSE, **VALUES.ways, **filters([k * self.gain for k in TIMES])}
+
+
+def statements(runs: Mapping[str, Run]) -> list[Row]:
+    """How fast the joints become, and where the methods leave the path: near the singularity, and there alone."""
+    before = {key: largest(runs[key].size, _elsewhere(runs)) for key in COMPARED}
+    ratios = {key: largest(runs[key].size, runs[key].t >= 10) / before[key] for key in COMPARED}
+    leaves = stated("both deviate near the singularity", "ambos se desviam perto da singularidade", PLACE, MUCH, ">")
+    null = stated("zero elsewhere", "nulo no resto", PLACE, NULL * LENGTH, "≤")
+    ratio = Text(
+        en="error near the singularity, times that before", pt_BR="erro perto da singularidade, vezes o de antes"
+    )
+    elsewhere = Text(en="error from 10 s on, before the damping", pt_BR="erro a partir de 10 s, antes do amortecimento")
+    return [
+        *below("< 0.7", PLACE, runs),
+        *of_both(ratio, ratios, "", leaves),
+        row(elsewhere, VALUES.ways["damping"].title, before["damping"], "ℓ", null, fitted=FITTED["damping"]),
+    ]
+
+
+def _elsewhere(runs: Mapping[str, Run]) -> slice:
+    """From 10 s on, where the first error has faded, until the damping comes on."""
+    damped = runs["damping"]
+    first = int(np.argmax(damped.t >= 10))
+    return slice(first, first + int(np.argmax(damped.w[first:] < VALUES.threshold)))
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Methods on trajectory 4, the filtered inverses with three gains."""
-    ways = with_gains(options.gain)
-    runs = followers(path_4, START, ways, options.dt, short, progress)
-    rows = compared_rows(Sheet(short, is_changed(options)), ways, runs, FOUND, "< 0.7")
-    return result(rows, path_4, ways, runs, options.shown)
+    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
+    runs = followers(PATH, START, ways, dt, progress)
+    return result(options, statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.14–3.15")

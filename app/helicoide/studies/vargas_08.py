@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import exp
 from typing import Annotated
 
 import numpy as np
 
-from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Line, Progress, Result
+from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row
+from helicoide.studies.vargas.runs import digits
 from helicoide.studies.vargas.scalar import filtered
-from helicoide.studies.vargas.table import SECONDS, Sheet, Step, is_changed, thinned
+from helicoide.studies.vargas.table import SECONDS, Step, finished, row, stated, thinned
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 8: the inverse of one number", pt_BR="Simulação 8: a inversa de um número")
@@ -27,14 +28,13 @@ vezes para a metade de k; onde k é zero, θ fica parado. Mesmo onde k se esvai,
 )
 ROBOT = "planar3r"
 Beta = Annotated[float, Quantity(Text(en="update gain β", pt_BR="ganho β"), 0.1, 1e4, "1/s", decades=True)]
-# k; of the digest: θ after 1, 5 and 10 s, from 1
-CASES = {
-    "k = 2": (lambda t: 2.0, ("0.5", "0.5", "0.5")),
-    "k = 0.5": (lambda t: 0.5, ("1.7135", "1.9981", "2.000")),
-    "k = 0": (lambda t: 0.0, ("1", "1", "1")),
-    "k = 2 e^(−t/2)": (lambda t: 2 * exp(-0.5 * t), ("0.7771", "2.7376", "3.8321")),
+CASES: dict[str, Callable[[float], float]] = {
+    "k = 2": lambda t: 2.0,
+    "k = 0.5": lambda t: 0.5,
+    "k = 0": lambda t: 0.0,
+    "k = 2 e^(−t/2)": lambda t: 2 * exp(-0.5 * t),
 }
-TIMES = (1.0, 5.0, 10.0)
+STILL, FADING, FIGURE = {"k = 2": 2.0, "k = 0.5": 0.5}, "k = 2 e^(−t/2)", "fig. 4.3"
 
 
 @dataclass(frozen=True)
@@ -47,27 +47,41 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Four k, 10 s each, and 60 s of the one that fades."""
-    sheet, dt = Sheet(short, is_changed(options)), max(options.dt, 1e-2) if short else options.dt
+    dt = max(options.dt, 1e-2) if short else options.dt
     t: Array = dt * np.arange(round(10 / dt) + 1.0)
-    rows, lines = [], []
-    for i, (name, (k, ends)) in enumerate(CASES.items()):
-        theta = filtered(k, 1.0, options.beta, dt, 0.0, 10.0)
-        lines.append(Line(same(name), thinned(t), thinned(theta)))
-        for at, end in zip(TIMES, ends, strict=True):
-            after = Text(en="θ after {at:g} s", pt_BR="θ após {at:g} s").format(at=at)
-            rows.append(sheet.row(after, same(name), float(np.interp(at, t, theta)), end, within=6e-5, coarse=1e-4))
-        progress((i + 1) / (len(CASES) + 1))
-    last = filtered(CASES["k = 2 e^(−t/2)"][0], 1.0, options.beta, dt, 0.0, 60.0)[-1]
-    limit = Text(en="θ after 60 s", pt_BR="θ após 60 s")
-    rows.append(sheet.row(limit, same("k = 2 e^(−t/2)"), float(last), "3.963", coarse=1e-4))
-    for value, tau in ((2.0, "0.05"), (0.5, "0.8")):
-        left = (scalar_filter.stepped(value, 0.0, options.beta, 0.01) - 1 / value) * -value
-        constant = Text(en="time constant", pt_BR="constante de tempo")
-        rows.append(
-            sheet.row(constant, same(f"k = {value:g}"), float(-0.01 / np.log(left)), tau, "s", within=1e-9, coarse=0.0)
-        )
+    thetas = {}
+    for name, k in CASES.items():
+        thetas[name] = filtered(k, 1.0, options.beta, dt, 0.0, 10.0)
+        progress(len(thetas) / (len(CASES) + 1))
+    long = filtered(CASES[FADING], 1.0, options.beta, dt, 0.0, 60.0)
+    rows = [_constant(name, k, t, thetas[name], options.beta) for name, k in STILL.items()]
+    frozen = stated("k = 0: θ(t) = θ(0)", "k = 0: θ(t) = θ(0)", "§4.1, fig. 4.3", 1.0)
+    after_ten = Text(en="θ after 10 s", pt_BR="θ após 10 s")
+    rows += [
+        row(after_ten, digits("k = 0"), float(thetas["k = 0"][-1]), "", frozen),
+        *(row(after_ten, digits(name), float(thetas[name][-1]), "", Figure(FIGURE)) for name in ("k = 0.5", FADING)),
+        row(Text(en="θ after 60 s", pt_BR="θ após 60 s"), digits(FADING), float(long[-1])),
+    ]
     progress(1.0)
-    return Result(
-        tuple(rows),
-        (Chart(Text(en="θ on its way to 1/k", pt_BR="θ a caminho de 1/k"), SECONDS, same("θ"), tuple(lines)),),
+    errors = {name: np.array([k(now) for now in t.tolist()]) * thetas[name] - 1 for name, k in CASES.items()}
+    charts = (
+        _chart(Text(en="θ on its way to 1/k", pt_BR="θ a caminho de 1/k"), "θ", t, thetas),
+        _chart(Text(en="inversion error", pt_BR="erro de inversão"), "S = kθ − 1", t, errors),
     )
+    return finished(options, rows, charts)
+
+
+def _constant(name: str, k: float, t: Array, theta: Array, beta: float) -> Row:
+    """How long θ takes for all but 1/e of its way to 1/k, beside 1/(β k²)."""
+    left = np.abs((theta - 1 / k) / (theta[0] - 1 / k))
+    ours = float(np.interp(1.0, -np.log(np.maximum(left, 1e-12)), t))
+    tau = 1 / (beta * k * k)
+    law = stated(
+        f"τ = 1/(βk²) = {tau:g} s", f"τ = 1/(βk²) = {tau:g} s".replace(".", ","), "eq. 4.10", tau, "=", 0.01 * tau
+    )
+    return row(Text(en="time constant", pt_BR="constante de tempo"), digits(name), ours, "s", law)
+
+
+def _chart(title: Text, up: str, t: Array, values: dict[str, Array]) -> Chart:
+    lines = tuple(Line(digits(name), thinned(t), thinned(value)) for name, value in values.items())
+    return Chart(title, SECONDS, same(up), lines, FIGURE)

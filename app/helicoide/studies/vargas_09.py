@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Annotated
-
-import numpy as np
 
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
-from helicoide.studies.vargas.runs import largest, rms
+from helicoide.kinematics.chain import Array
+from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row
+from helicoide.studies.vargas.runs import largest
 from helicoide.studies.vargas.scalar import Loop, closed_loop, plain
-from helicoide.studies.vargas.table import SECONDS, Sheet, is_changed, thinned
+from helicoide.studies.vargas.table import SECONDS, finished, row, stated, thinned, valued
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 9: k crosses zero", pt_BR="Simulação 9: k cruza o zero")
@@ -31,13 +32,7 @@ NAMES = {
     "filtered": Text(en="u = θν", pt_BR="u = θν"),
     "modified": Text(en="u = θ²kν", pt_BR="u = θ²kν"),
 }
-# β: of the digest from 1 s on: largest θ, and largest and rms error and largest u of both laws
-Numbers = tuple[str, str, str]
-CASES: dict[float, tuple[str, dict[str, Numbers]]] = {
-    10.0: ("1.951", {"filtered": ("1.363", "0.349", "8.96"), "modified": ("0.368", "0.123", "2.36")}),
-    100.0: ("4.069", {"filtered": ("0.379", "0.077", "7.67"), "modified": ("0.222", "0.052", "4.44")}),
-    1000.0: ("8.715", {"filtered": ("0.150", "0.024", "9.95"), "modified": ("0.120", "0.021", "7.43")}),
-}
+BETAS, PLACE = (10.0, 100.0, 1000.0), "sim. 9, figs. 4.4–4.5"
 
 
 @dataclass(frozen=True)
@@ -50,51 +45,71 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three β and both laws, for 20 s."""
-    sheet, dt = Sheet(short, is_changed(options)), max(options.dt, 2e-3) if short else options.dt
+    dt = max(options.dt, 2e-3) if short else options.dt
     loops: dict[tuple[float, str], Loop] = {}
-    for beta in CASES:
+    for beta in BETAS:
         for name, law in LAWS.items():
             loops[beta, name] = closed_loop(law, beta, dt, 20.0, options.rate)
-            progress(len(loops) / (len(CASES) * len(LAWS)))
-    rows = [row for beta in CASES for name in LAWS for row in _rows(sheet, beta, name, loops[beta, name])]
-    return Result(tuple(rows), _charts(loops))
+            progress(len(loops) / (len(BETAS) * len(LAWS)))
+    rows = _statements([loops[beta, "filtered"] for beta in BETAS])
+    for (beta, name), loop in loops.items():
+        of, late = (
+            Text(en="{law}, {beta}", pt_BR="{law}, {beta}").format(law=NAMES[name], beta=valued("β", beta)),
+            loop.t >= 1,
+        )
+        shown = Figure(PLACE) if name == "filtered" else None
+        rows += [
+            row(Text(en="largest error", pt_BR="maior erro"), of, largest(loop.e, late), "", shown),
+            row(Text(en="largest u", pt_BR="maior u"), of, largest(loop.u, late), "", shown),
+        ]
+        if shown:
+            rows.append(row(Text(en="largest θ", pt_BR="maior θ"), of, largest(loop.theta, late), "", shown))
+    return finished(options, rows, _charts(loops))
 
 
-def _rows(sheet: Sheet, beta: float, name: str, loop: Loop) -> list[Row]:
-    of, late = (
-        Text(en="{law}, β = {beta:g}", pt_BR="{law}, β = {beta:g}").format(law=NAMES[name], beta=beta),
-        loop.t >= 1,
+def _statements(loops: list[Loop]) -> list[Row]:
+    """What a ten times larger β does, each time."""
+    peaks = [largest(loop.theta, loop.t >= 1) for loop in loops]
+    errors = [largest(loop.e, loop.t >= 1) for loop in loops]
+    larger = stated("larger β: larger θ near k = 0", "β maior: θ maior perto de k = 0", PLACE, 1.0, ">")
+    better = stated("larger β: better tracking", "β maior: melhor rastreamento", PLACE, 1.0, "<")
+    of_theta = Text(
+        en="largest θ with ten times β, times that with β, at least",
+        pt_BR="maior θ com dez vezes β, vezes o com β, no mínimo",
     )
-    peak, (error, mean, most) = CASES[beta][0], CASES[beta][1][name]
+    of_error = Text(
+        en="largest error with ten times β, times that with β, at most",
+        pt_BR="maior erro com dez vezes β, vezes o com β, no máximo",
+    )
     return [
-        sheet.row(Text(en="largest θ", pt_BR="maior θ"), of, largest(loop.theta, late), peak, coarse=1e-3),
-        sheet.row(Text(en="largest error", pt_BR="maior erro"), of, largest(loop.e, late), error, coarse=5e-3),
-        sheet.row(Text(en="rms error", pt_BR="erro rms"), of, rms(loop.e[late]), mean, coarse=5e-3),
-        sheet.row(Text(en="largest u", pt_BR="maior u"), of, largest(loop.u, late), most, coarse=5e-3),
+        row(of_theta, None, min(b / a for a, b in pairwise(peaks)), "", larger),
+        row(of_error, None, max(b / a for a, b in pairwise(errors)), "", better),
     ]
 
 
 def _charts(loops: dict[tuple[float, str], Loop]) -> tuple[Chart, ...]:
-    def lines(what: str, law: str) -> tuple[Line, ...]:
-        of_law = {beta: loop for (beta, name), loop in loops.items() if name == law}
-        return tuple(
-            Line(same(f"β = {beta:g}"), thinned(loop.t), thinned(np.asarray(getattr(loop, what))))
-            for beta, loop in of_law.items()
-        )
+    """Over time, and θ over k. Of the modified law, what the source does not show, u alone."""
 
-    plane = tuple(
-        Line(same(f"β = {beta:g}"), thinned(loop.k), thinned(loop.theta))
-        for (beta, name), loop in loops.items()
-        if name == "filtered"
-    )
+    def chart(
+        title: Text, up: str, value: Callable[[Loop], Array], law: str = "filtered", over_k: bool = False
+    ) -> Chart:
+        lines = tuple(
+            Line(valued("β", beta), thinned(loop.k if over_k else loop.t), thinned(value(loop)))
+            for (beta, name), loop in loops.items()
+            if name == law
+        )
+        return Chart(title, same("k") if over_k else SECONDS, same(up), lines, PLACE if law == "filtered" else "")
+
+    of = Text(en="{what}, {law}", pt_BR="{what}, {law}")
+    error, control = Text(en="error", pt_BR="erro"), Text(en="control", pt_BR="controle")
+    plain_one, modified = NAMES["filtered"], NAMES["modified"]
     return (
-        *(
-            Chart(Text(en=f"error, {one.en}", pt_BR=f"erro, {one.pt_BR}"), SECONDS, same("e"), lines("e", name))
-            for name, one in NAMES.items()
-        ),
-        *(
-            Chart(Text(en=f"u, {one.en}", pt_BR=f"u, {one.pt_BR}"), SECONDS, same("u"), lines("u", name))
-            for name, one in NAMES.items()
-        ),
-        Chart(Text(en="θ over k", pt_BR="θ em função de k"), same("k"), same("θ"), plane),
+        chart(of.format(what=error, law=plain_one), "e", lambda loop: loop.e),
+        chart(Text(en="output", pt_BR="saída"), "y", lambda loop: loop.y),
+        chart(Text(en="filtered inverse", pt_BR="inversa filtrada"), "θ", lambda loop: loop.theta),
+        chart(Text(en="inversion error", pt_BR="erro de inversão"), "S = kθ − 1", lambda loop: loop.k * loop.theta - 1),
+        chart(of.format(what=control, law=plain_one), "u", lambda loop: loop.u),
+        chart(of.format(what=control, law=modified), "u", lambda loop: loop.u, "modified"),
+        chart(of.format(what=error, law=modified), "e", lambda loop: loop.e, "modified"),
+        chart(Text(en="θ over k", pt_BR="θ em função de k"), "θ", lambda loop: loop.theta, over_k=True),
     )

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.study import Figure, Progress, Result, Row
 from helicoide.studies.vargas.arm import DAMPING, PSEUDOINVERSE, SQUARED, followers, result
 from helicoide.studies.vargas.arms import FOLDED
-from helicoide.studies.vargas.crossing import Found, crossing_rows, pseudoinverse_rows
+from helicoide.studies.vargas.crossing import crossing_rows, null_error
 from helicoide.studies.vargas.paths import path_7
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.table import FASTEST_LATER, PUSH, Gain, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 11: through singular postures", pt_BR="Simulação 11: através de singularidades")
@@ -30,56 +29,77 @@ inversa filtrada por um quarto de milímetro, com as mesmas velocidades de junta
 onde J é mal condicionado.""",
 )
 ROBOT = "zebra_zero"
-FOUND = {
-    "filtered": Found("2.76", "0.134", "0.0246", "0.0046", (0.02, 0.005, 0.05, 0.05)),
-    "modified": Found("2.75", "0.134", "0.0054", "0.0011", (0.02, 0.005, 0.05, None)),
-    "damping": Found("2.82", "0.139", "0.260", "0.056", (0.01, 0.005, 0.05, 0.05)),
-    "squared": Found("2.82", "0.131", "0.189", "0.039", (0.01, 0.005, 0.05, 0.05)),
-}
-# the largest joint acceleration from 5 s on, rad/s²
-JERKY = {"filtered": "0.254", "modified": "0.055", "damping": "4.69"}
-
-
-def ways_of(gain: float) -> dict[str, Way]:
-    """The filtered inverses with their γ, and the others."""
-    filtered, modified = way("filtered", gain=gain), way("filtered_modified", gain=gain)
-    rest = {"damping": DAMPING, "squared": SQUARED, "pseudoinverse": PSEUDOINVERSE}
-    return {"filtered": filtered, "modified": modified, **rest}
+PLACE = "sim. 11, figs. 4.12–4.17"
+# what two curves have in common that "look alike"
+ALIKE = 0.5
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ, 1/(cm² s); dt, s; shown: whose motion the arm shows."""
+    """gain: γ, 1/(cm² s); dt, s."""
 
     gain: Gain = 1.0
     dt: Step = 1e-3
-    shown: Annotated[str, choice(ways_of(1.0))] = "filtered"
+
+    @property
+    def ways(self) -> dict[str, Way]:
+        """The filtered inverses with their γ, and the others."""
+        filtered, modified = (
+            way(name, f"γ = {self.gain:g}", gain=self.gain) for name in ("filtered", "filtered_modified")
+        )
+        rest = {"damping": DAMPING, "squared": SQUARED, "pseudoinverse": PSEUDOINVERSE}
+        return {"filtered": filtered, "modified": modified, **rest}
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 7, for 20 s."""
-    ways, sheet = ways_of(options.gain), Sheet(short, is_changed(options))
-    runs = followers(path_7, FOLDED, ways, max(options.dt, 5e-3) if short else options.dt, 20.0, progress)
-    rows = crossing_rows(sheet, ways, runs, FOUND, 1, "")
-    rows += pseudoinverse_rows(sheet, runs["pseudoinverse"], "10710", "0.011")
-    push = Text(en="largest acceleration from 5 s on", pt_BR="maior aceleração a partir de 5 s")
-    for key, most in JERKY.items():
-        found = runs[key].push
-        rows.append(sheet.row(push, ways[key].title, largest(found, runs[key].t[1:] >= 5), most, "rad/s²"))
-    rows += _of_theta(sheet, runs["filtered"], runs["damping"])
-    return result(rows, ways, runs, options.shown)
+    ways, dt = options.ways, max(options.dt, 5e-3) if short else options.dt
+    runs = followers(path_7, FOLDED, ways, dt, 20.0, progress)
+    follows = null_error(
+        "practically null error, also at the singular points",
+        "erro praticamente nulo, também nos pontos singulares",
+        PLACE,
+    )
+    rows = [*_statements(runs), *crossing_rows(ways, runs, PLACE, follows), *_of_the_step(ways, runs, dt)]
+    if not short:  # how near to the singularity the pseudoinverse steps hangs on the step
+        plain = runs["pseudoinverse"]
+        title = in_steps(FASTEST_LATER, dt)
+        rows.append(row(title, PSEUDOINVERSE.title, largest(plain.rates, plain.t >= 5), "rad/s"))
+    figures = (PLACE, "figs. 4.13–4.14")
+    return result(options, rows, ways, runs, path_7, (1, 2), figures, ("filtered", "damping"))
 
 
-def _of_theta(sheet: Sheet, filtered: Run, damped: Run) -> list[Row]:
-    """How near to singular the arm comes, how large Θ becomes, and how alike V_c and δ are."""
-    later = filtered.shown >= 5
+def _statements(runs: Mapping[str, Run]) -> list[Row]:
+    """How far off the damped is, beside the filtered inverse; V_c beside δ; how large Θ becomes."""
+    filtered, damped = runs["filtered"], runs["damping"]
+    later, shown = filtered.t >= 5, filtered.shown >= 5
     V_c, delta = filtered.figure("V_c"), damped.figure("δ")
-    smallest = Text(en="smallest singular value", pt_BR="menor valor singular")
+    errors = [largest(one.size, later) for one in (filtered, damped)]
+    worse = Text(
+        en="largest error from 5 s on, damped over filtered",
+        pt_BR="maior erro a partir de 5 s, amortecida sobre filtrada",
+    )
     alike = Text(en="correlation of V_c and δ from 5 s on", pt_BR="correlação de V_c e δ a partir de 5 s")
-    sigma: Array = filtered.sigma[filtered.t >= 5, -1]
     return [
-        sheet.row(smallest, None, float(sigma.min()), "9e-5", "cm"),
-        sheet.row(Text(en="largest ‖Θ‖", pt_BR="maior ‖Θ‖"), None, float(filtered.figure("‖Θ‖").max()), "0.81", "1/cm"),
-        sheet.row(Text(en="largest V_c", pt_BR="maior V_c"), None, float(V_c[later].max()), "2.05"),
-        sheet.row(alike, None, float(np.corrcoef(V_c[later], delta[later])[0, 1]), "0.61"),
+        row(worse, None, errors[1] / errors[0], "", stated("DLS is worse", "DLS é pior", PLACE, 1.0, ">")),
+        row(
+            alike,
+            None,
+            float(np.corrcoef(V_c[shown], delta[shown])[0, 1]),
+            "",
+            stated("V_c and δ look alike", "V_c e δ são parecidos", PLACE, ALIKE, ">"),
+        ),
+        row(Text(en="largest ‖Θ‖", pt_BR="maior ‖Θ‖"), None, float(filtered.figure("‖Θ‖").max()), "1/cm"),
+        row(Text(en="largest V_c", pt_BR="maior V_c"), None, float(V_c[shown].max()), "", Figure(PLACE)),
+    ]
+
+
+def _of_the_step(ways: Mapping[str, Way], runs: Mapping[str, Run], dt: float) -> list[Row]:
+    """How smooth the joint velocities are; where the damping comes on, the acceleration hangs on the step."""
+    pushes = {key: largest(runs[key].push, runs[key].t[1:] >= 5) for key in ("filtered", "modified", "damping")}
+    smoother = Text(en="{what}, filtered over damped", pt_BR="{what}, filtrada sobre amortecida")
+    title, said = in_steps(PUSH, dt), stated("smoother q̇", "q̇ mais suave", PLACE, 1.0, "<")
+    return [
+        row(smoother.format(what=title), None, pushes["filtered"] / pushes["damping"], "", said),
+        *(row(title, ways[key].title, push, "rad/s²") for key, push in pushes.items()),
     ]

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated
+from itertools import pairwise
+from math import nan
 
-from helicoide.studies.study import Progress, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, PSEUDOINVERSE, dips, followers, hertz, result, unreachable
+from helicoide.studies.study import Figure, Progress, Result, Row
+from helicoide.studies.vargas.arm import DAMPING, dips, first_dip, followers, hertz, re_entry, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
-from helicoide.studies.vargas.reach import Found, reach_rows
+from helicoide.studies.vargas.reach import reach_rows
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import FASTEST_LATER, Gain, Sheet, Step, choice, is_changed
+from helicoide.studies.vargas.table import MUCH, Gain, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 12: out of reach", pt_BR="Simulação 12: fora do alcance")
@@ -25,60 +27,79 @@ inversa filtrada ele oscila através do braço esticado, mais rápido e com meno
 quadrados amortecidos disparam quando o amortecimento entra e fazem um grande desvio na volta.""",
 )
 ROBOT = "zebra_zero"
-LATE = ("0.20", "0.12", "0.05")
-FOUND = {
-    "damping": Found("45.0", "3.74", "0.851", ("0.57", "1.21", "2.66"), "372", None, (None, None, None, None)),
-    "filtered_1": Found("1.07", "0.137", "0.030", ("0.13", "0.10", "0.04"), "1.2", "10", (0.02, None, None, None)),
-    "filtered_25": Found("2.21", "0.320", "0.046", LATE, "1.1", "89", (0.02, 0.02, None, 0.05)),
-}
-# depth of the first dip, cm, and how often a second the elbow swings
-SWINGS = {"filtered_1": ("0.135", "1.3"), "filtered_5": ("0.056", "2.9"), "filtered_25": ("0.024", "6.6")}
+PLACE, TIMES = "sim. 12, figs. 4.20–4.27", (1, 5, 25)
 DIP = Text(en="first dip behind the border", pt_BR="primeiro recuo atrás da fronteira")
 SWING = Text(en="swings of the elbow", pt_BR="oscilação do cotovelo")
 
 
-def ways_of(gain: float) -> dict[str, Way]:
-    """The filtered inverse with γ and five and twenty-five times it, and the others."""
-    filtered = {
-        f"filtered_{times}": way("filtered", f"γ = {times * gain:g}", gain=times * gain) for times in (1, 5, 25)
-    }
-    return {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, **filtered}
-
-
 @dataclass(frozen=True)
 class Options:
-    """gain: the smallest γ, 1/(cm² s); dt, s; shown: whose motion the arm shows."""
+    """gain: the smallest γ, 1/(cm² s), beside five and twenty-five times it; dt, s."""
 
     gain: Gain = 1.0
     dt: Step = 1e-3
-    shown: Annotated[str, choice(ways_of(1.0))] = "filtered_1"
+
+    @property
+    def ways(self) -> dict[str, Way]:
+        """The filtered inverse with each γ, and what it is compared with."""
+        filtered = {
+            f"filtered_{times}": way("filtered", f"γ = {times * self.gain:g}", gain=times * self.gain)
+            for times in TIMES
+        }
+        return {**filtered, "damping": DAMPING}
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Five methods on trajectory 8 for 20 s, 15 s in the short form."""
-    ways, sheet = ways_of(options.gain), Sheet(short, is_changed(options))
+    """Four methods on trajectory 8 for 20 s, 15 s in the short form."""
+    ways = options.ways
     dt, seconds = (max(options.dt, 2e-3), 15.0) if short else (options.dt, 20.0)
     runs = followers(path_8, FOLDED, ways, dt, seconds, progress)
-    rows = [row for key, found in FOUND.items() for row in reach_rows(sheet, ways[key], runs[key], found)]
-    for key, (dip, often) in SWINGS.items():
-        of, run = ways[key].title, runs[key]
-        rows.append(sheet.row(DIP, of, float(dips(run)[1][0]), dip, "cm", within=0.04 * float(dip), coarse=0.15))
-        rows.append(sheet.row(SWING, of, hertz(run), often, "Hz", within=0.1 * float(often), coarse=0.1))
-    rows += _undamped(sheet, runs["pseudoinverse"])
-    beyond = Text(en="largest error out of reach, never less than", pt_BR="maior erro fora do alcance, nunca menor que")
-    out = runs["damping"].t >= 11
-    out &= unreachable(runs["damping"].t)
-    far = largest(runs["damping"].size, out)
-    rows.append(sheet.row(beyond, DAMPING.title, far, "1.27", "cm", within=6e-3, relation="≥", coarse=0.0))
-    return result(rows, ways, runs, options.shown)
+    rows = _statements(runs, dt)
+    for times in TIMES:
+        of, one = ways[f"filtered_{times}"].title, runs[f"filtered_{times}"]
+        rows += [
+            row(DIP, of, first_dip(one), "cm", Figure(PLACE)),
+            row(SWING, of, hertz(one), "Hz", Figure(PLACE)),
+            *reach_rows(ways[f"filtered_{times}"], one, Figure(PLACE)),
+        ]
+    rows += reach_rows(DAMPING, runs["damping"], Figure(PLACE), dt)
+    figures = (PLACE, "figs. 4.21–4.22, 4.26")
+    return result(options, rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
 
 
-def _undamped(sheet: Sheet, run: Run) -> list[Row]:
-    """Rounding decides how near to the singularity the pseudoinverse steps: its peak is of the order of 1281 rad/s."""
-    of, later = PSEUDOINVERSE.title, run.t >= 5
-    inside = later & ~unreachable(run.t)
-    error = Text(en="largest error where the path is within reach", pt_BR="maior erro onde o caminho está ao alcance")
+def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
+    """The oscillation and what a larger γ does to it; how the damped leaves and comes back."""
+    filtered, damped = [runs[f"filtered_{times}"] for times in TIMES], runs["damping"]
+    depths, often = [first_dip(one) for one in filtered], [hertz(one) for one in filtered]
+    fastest = [largest(one.rates, one.t >= 5) for one in (damped, filtered[0])]
+    back = [re_entry(one)[2] for one in (damped, filtered[0])]
+    count = Text(en="dips behind the border with the smallest γ", pt_BR="recuos atrás da fronteira com o menor γ")
+    swings = stated("oscillates in the unreachable part", "oscila na parte inalcançável", PLACE, 2.0, "≥")
+    smaller = stated("larger γ: smaller amplitude", "γ maior: amplitude menor", PLACE, 1.0, "<")
+    higher = stated("larger γ: higher frequency", "γ maior: frequência maior", PLACE, 1.0, ">")
+    peaks = stated("velocity peaks where the damping switches", "picos de velocidade na comutação", PLACE, MUCH, ">")
+    detour = stated("large detour on re-entry", "grande desvio na volta", PLACE, MUCH, ">")
+    times = Text(en="{what} with five times γ, times that with γ", pt_BR="{what} com cinco vezes γ, vezes o com γ")
+    at_most, at_least = (
+        Text(en="{what}, at most", pt_BR="{what}, no máximo"),
+        Text(en="{what}, at least", pt_BR="{what}, no mínimo"),
+    )
+    beside = Text(
+        en="fastest joint from 5 s on, damped over filtered",
+        pt_BR="junta mais rápida desde 5 s, amortecida sobre filtrada",
+    )
+    later = Text(
+        en="error 1 s after coming back, damped over filtered", pt_BR="erro 1 s após a volta, amortecida sobre filtrada"
+    )
     return [
-        sheet.row(FASTEST_LATER, of, largest(run.rates, later), "1281", "rad/s", within=881, relation="≥"),
-        sheet.row(error, of, largest(run.size, inside), "0.33", "cm", within=0.066),
+        row(count, None, float(dips(filtered[0])[0].size), "", swings),
+        row(at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller),
+        row(at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher),
+        row(in_steps(beside, dt), None, fastest[0] / fastest[1], "", peaks),
+        row(in_steps(later, dt), None, back[0] / back[1], "", detour),
     ]
+
+
+def _times(values: list[float]) -> list[float]:
+    """Each over the one before, no number where that is zero."""
+    return [b / a if a else nan for a, b in pairwise(values)]

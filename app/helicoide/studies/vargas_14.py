@@ -6,27 +6,28 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from math import pi
-from typing import Annotated
 
 import numpy as np
 
-from helicoide.ik.method import OneOf
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies.study import Chart, Figure, Progress, Result, Row, Statement
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra
-from helicoide.studies.vargas.paths import Vector, path_11
+from helicoide.studies.vargas.paths import Vector, path_11, places
 from helicoide.studies.vargas.runs import POSE, Run, each, largest, record, sizes, tracking, turned, way
 from helicoide.studies.vargas.table import (
-    FASTEST,
-    SECONDS,
+    WISHED,
     Gain,
-    Sheet,
     Step,
-    is_changed,
+    fastest_chart,
+    finished,
+    joints_chart,
+    over_time,
     rates_chart,
-    thinned,
-    zebra_motion,
+    row,
+    stated,
+    way_chart,
+    zebra_motions,
 )
-from helicoide.text import Text, same
+from helicoide.text import Text
 
 TITLE = Text(en="Simulation 14: gains as priorities", pt_BR="Simulação 14: ganhos como prioridades")
 SOURCE = "Vargas 2013, §4.6, sim. 14, figs. 4.34–4.36"
@@ -39,36 +40,24 @@ Observe os dois erros: a lei modificada repousa onde os erros ponderados são m�
 e só a razão entre os ganhos conta. Um ganho maior em um eixo favorece esse eixo.""",
 )
 ROBOT = "zebra_zero"
-HALF = 7.854  # s: where trajectory 11 is farthest
-# Λ_p and λ_o; of the digest: the largest errors from 6 to 10 s, cm and ‖Δε‖, and those at `HALF`, dm and ‖Δε‖
+HALF, PLACE = 7.854, "sim. 14, figs. 4.34–4.36"  # s: when trajectory 11 is farthest
+# Λ_p by axes, and λ_o
 Gains = tuple[float, float, float, float]
-CASES: dict[str, tuple[Gains, str, str, tuple[str, str] | None]] = {
-    "100, 10": ((100, 100, 100, 10), "0.15", "0.240", ("0.0151", "0.2402")),
-    "10, 10": ((10, 10, 10, 10), "1.31", "0.204", ("0.1310", "0.2044")),
-    "100, 100": ((100, 100, 100, 100), "1.31", "0.205", ("0.1310", "0.2044")),
-    "10, 100": ((10, 10, 10, 100), "5.25", "0.073", ("0.5246", "0.0734")),
-    "diag(100, 10, 10), 100": ((100, 10, 10, 100), "5.10", "0.126", None),
-    "diag(10, 10, 100), 100": ((10, 10, 100, 100), "5.43", "0.106", None),
+CASES: dict[str, Gains] = {
+    "100, 10": (100, 100, 100, 10),
+    "10, 10": (10, 10, 10, 10),
+    "10, 100": (10, 10, 10, 100),
+    "diag(100, 10, 10), 100": (100, 10, 10, 100),
+    "diag(10, 10, 100), 100": (10, 10, 100, 100),
 }
-# |e_x| and |e_z| at `HALF`, cm
-BY_AXIS = {
-    "10, 100": ("3.99", "3.40"),
-    "diag(100, 10, 10), 100": ("0.66", "5.06"),
-    "diag(10, 10, 100), 100": ("5.40", "0.53"),
-}
-SHOWN = OneOf(
-    Text(en="gains Λₚ, λₒ of the run that the arm shows", pt_BR="ganhos Λₚ, λₒ da simulação que o braço mostra"),
-    {key: same(key) for key in CASES},
-)
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ, 1/(dm² s); dt, s; shown: whose motion the arm shows."""
+    """gain: γ, 1/(dm² s); dt, s."""
 
     gain: Gain = 25.0
     dt: Step = 5e-4
-    shown: Annotated[str, SHOWN] = "100, 10"
 
 
 def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Progress = lambda share: None) -> Run:
@@ -85,63 +74,88 @@ def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Pro
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Six pairs of gains for 32 s; to the farthest point in the short form."""
-    sheet = Sheet(short, is_changed(options))
+    """Five pairs of gains for 32 s; to the farthest point in the short form."""
     dt, seconds = (max(options.dt, 8e-3), 10.0) if short else (options.dt, 32.0)
-    plans = {key: partial(weighted, case[0], options.gain, dt, seconds) for key, case in CASES.items()}
-    runs = each(plans, progress)
-    rows = [row for key in CASES for row in _case_rows(sheet, key, runs[key])]
-    shown = Text(en="gains {of}", pt_BR="ganhos {of}").format(of=options.shown)
-    charts = (*_charts(runs), rates_chart(runs[options.shown], shown))
-    return Result(tuple(rows), charts, zebra_motion(runs[options.shown]))
+    runs = each({key: partial(weighted, case, options.gain, dt, seconds) for key, case in CASES.items()}, progress)
+    rows = _statements(runs)
+    for key, one in runs.items():
+        rows += _errors(NAMES[key], one)
+    if not short:
+        for key, one in runs.items():
+            rows += _back(NAMES[key], one)
+    return finished(options, rows, _charts(runs), zebra_motions({NAMES[key]: one for key, one in runs.items()}))
 
 
-def _case_rows(sheet: Sheet, key: str, run: Run) -> list[Row]:
-    _, position, turn, at_half = CASES[key]
-    of, lost = same(key), (run.t >= 6) & (run.t <= 10)
-    e_p, e_o = sizes(run.e[:, :3]), sizes(run.e[:, 3:])
-    now = int(np.abs(run.t - HALF).argmin())
-    worst = Text(en="largest ‖{e}‖ from 6 to 10 s", pt_BR="maior ‖{e}‖ de 6 a 10 s")
-    there = Text(en="{e} at 7.854 s", pt_BR="{e} em 7,854 s")
-    rows = [
-        sheet.row(worst.format(e="e_p"), of, 10 * largest(e_p, lost), position, "cm", coarse=0.03),
-        sheet.row(worst.format(e="Δε"), of, largest(e_o, lost), turn, coarse=0.015),
+NAMES = {key: Text(en=f"Λₚ, λₒ = {key}", pt_BR=f"Λₚ, λₒ = {key}") for key in CASES}
+
+
+def at_half(run: Run) -> tuple[float, float, float, float]:
+    """|e_x|, |e_z| and ‖e_p‖, cm, and ‖Δε‖ when the trajectory is farthest."""
+    e = run.e[int(np.abs(run.t - HALF).argmin())]
+    return (
+        10 * abs(float(e[0])),
+        10 * abs(float(e[2])),
+        10 * float(np.hypot.reduce(e[:3])),
+        float(np.hypot.reduce(e[3:])),
+    )
+
+
+def _statements(runs: Mapping[str, Run]) -> list[Row]:
+    """That the larger gain wins: an error with it, times that with equal gains."""
+    ends = {key: at_half(one) for key, one in runs.items()}
+    wins = stated("the larger gain wins", "o ganho maior vence", PLACE, 1.0, "<")
+    favours = stated("diagonal Λₚ favours one axis", "Λₚ diagonal favorece um eixo", PLACE, 1.0, "<")
+    cases: list[tuple[str, int, str, str, Statement]] = [
+        ("‖e_p‖", 2, "100, 10", "10, 10", wins),
+        ("‖Δε‖", 3, "10, 100", "10, 10", wins),
+        ("|e_x|", 0, "diag(100, 10, 10), 100", "10, 100", favours),
+        ("|e_z|", 1, "diag(10, 10, 100), 100", "10, 100", favours),
     ]
-    if at_half:
-        pair = zip(("‖e_p‖", "‖Δε‖"), (e_p[now], e_o[now]), at_half, ("dm", ""), strict=True)
-        rows += [
-            sheet.row(there.format(e=e), of, float(ours), digest, unit, within=3e-4, coarse=0.02)
-            for e, ours, digest, unit in pair
-        ]
-    for axis, digest in zip((0, 2), BY_AXIS.get(key, ()), strict=False):
-        name, ours = "|e_x|" if axis == 0 else "|e_z|", 10 * abs(float(run.e[now, axis]))
-        rows.append(sheet.row(there.format(e=name), of, ours, digest, "cm", within=0.02, coarse=0.01))
-    return rows + _whole_rows(sheet, of, run)
+    title = Text(
+        en="{e} at 7.854 s, gains {first} over {second}", pt_BR="{e} em 7,854 s, ganhos {first} sobre {second}"
+    )
+    return [
+        row(title.format(e=e, first=first, second=second), None, ends[first][i] / ends[second][i], "", said)
+        for e, i, first, second, said in cases
+    ]
 
 
-def _whole_rows(sheet: Sheet, of: Text, run: Run) -> list[Row]:
-    """Where both can be had again, and how fast the joints are; the first second has up to 18 rad/s at λ_p = 100."""
-    back, later = (run.t >= 20) & (run.t <= 27), run.t > 1
-    if not back.any():
-        return []
+def _errors(of: Text, run: Run) -> list[Row]:
+    there = Text(en="{e} at 7.854 s", pt_BR="{e} em 7,854 s")
+    _, _, position, turn = at_half(run)
+    shown = Figure(PLACE)
+    return [
+        row(there.format(e="‖e_p‖"), of, position, "cm", shown),
+        row(there.format(e="‖Δε‖"), of, turn, "", shown),
+    ]
+
+
+def _back(of: Text, run: Run) -> list[Row]:
+    """Where both can be had again."""
+    back = (run.t >= 20) & (run.t <= 27)
     place = Text(en="largest ‖e_p‖ from 20 to 27 s", pt_BR="maior ‖e_p‖ de 20 a 27 s")
     turn = Text(en="largest ‖Δε‖ from 20 to 27 s", pt_BR="maior ‖Δε‖ de 20 a 27 s")
-    after = Text(en="fastest joint after 1 s", pt_BR="junta mais rápida após 1 s")
-    fastest = largest(run.rates, later)
     return [
-        sheet.row(place, of, largest(sizes(run.e[back, :3])), "2e-5", "dm", within=3e-5, relation="≤"),
-        sheet.row(turn, of, largest(sizes(run.e[back, 3:])), "3e-5", within=3e-5, relation="≤"),
-        sheet.row(after, of, fastest, "1.0", "rad/s", within=0.1, relation="≥"),
-        sheet.row(after, of, fastest, "2.5", "rad/s", within=0.1, relation="≤"),
-        sheet.row(FASTEST, of, largest(run.rates), "18", "rad/s", within=1.0, relation="≤"),
+        row(place, of, 10 * largest(sizes(run.e[back, :3])), "cm", Figure(PLACE)),
+        row(turn, of, largest(sizes(run.e[back, 3:])), "", Figure(PLACE)),
     ]
 
 
-def _charts(runs: Mapping[str, Run]) -> tuple[Chart, Chart]:
-    """Both errors of every run."""
-    e_p = tuple(Line(same(key), thinned(run.t), 10 * thinned(sizes(run.e[:, :3]))) for key, run in runs.items())
-    e_o = tuple(Line(same(key), thinned(run.t), thinned(sizes(run.e[:, 3:]))) for key, run in runs.items())
-    return (
-        Chart(Text(en="error of position", pt_BR="erro de posição"), SECONDS, same("‖e_p‖, cm"), e_p),
-        Chart(Text(en="error of orientation", pt_BR="erro de orientação"), SECONDS, same("‖Δε‖"), e_o),
-    )
+def _charts(runs: Mapping[str, Run]) -> list[Chart]:
+    """Both errors of every run, the errors by axes, the way, and the joints of the first."""
+    names, first = {NAMES[key]: one for key, one in runs.items()}, next(iter(runs))
+    one, wished = runs[first], places(path_11, runs[first].t)
+    ways = {name: (wished - 10 * run.e[:, :3])[:, ::2] for name, run in names.items()}
+    position = Text(en="error of position", pt_BR="erro de posição")
+    turn = Text(en="error of orientation", pt_BR="erro de orientação")
+    by_axis = Text(en="error of position along {axis}", pt_BR="erro de posição em {axis}")
+    return [
+        over_time(position, "‖e_p‖, cm", names, lambda run: 10 * sizes(run.e[:, :3]), PLACE),
+        over_time(turn, "‖Δε‖", names, lambda run: sizes(run.e[:, 3:]), PLACE),
+        over_time(by_axis.format(axis="x"), "e_x, cm", names, lambda run: 10 * run.e[:, 0], PLACE),
+        over_time(by_axis.format(axis="z"), "e_z, cm", names, lambda run: 10 * run.e[:, 2], PLACE),
+        way_chart({WISHED: wished[:, ::2], **ways}, "x, cm", "z, cm"),
+        rates_chart(one, NAMES[first], PLACE),
+        joints_chart(one, NAMES[first]),
+        fastest_chart(names),
+    ]

@@ -2,36 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from math import pi
-from typing import Annotated
 
-import numpy as np
-
-from helicoide.ik.method import OneOf
 from helicoide.ik.secondary import augmented
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
 from helicoide.studies.vargas.arms import limited
-from helicoide.studies.vargas.paths import path_1
-from helicoide.studies.vargas.runs import Run, each, largest, rms
-from helicoide.studies.vargas.secondary import ASSUMED, SECONDS, chosen, filtered, follow
+from helicoide.studies.vargas.paths import path_1, places
+from helicoide.studies.vargas.runs import Run, digits, each, largest
+from helicoide.studies.vargas.secondary import LENGTH, SECONDS, chosen, cost_chart, filtered, follow, tool
 from helicoide.studies.vargas.table import (
     FASTEST_AFTER_3,
-    RMS_AFTER_3,
+    NULL,
+    SMALL,
+    WISHED,
     WORST_AFTER_3,
     Gain,
-    Sheet,
     Step,
     errors_chart,
-    is_changed,
-    planar_motion,
+    fastest_chart,
+    finished,
+    joints_chart,
+    over_time,
+    planar_motions,
     rates_chart,
-    thinned,
+    row,
+    stated,
+    valued,
+    way_chart,
 )
-from helicoide.studies.vargas.table import SECONDS as IN_SECONDS
-from helicoide.text import Text, same
+from helicoide.text import Text
 
 TITLE = Text(en="Simulation 15: a limit of the elbow", pt_BR="Simulação 15: um limite do cotovelo")
 SOURCE = "Vargas 2013, §4.7, sim. 15, figs. 4.39–4.40"
@@ -44,78 +45,77 @@ sem a barreira ele sai da faixa; com ζ = 0,5 fica dentro dela e o caminho é ma
 é pouco e o caminho paga.""",
 )
 ROBOT = "planar3r"
-MIDDLE = -1.0
-# ζ, joint 2 at the start; of the digest from 3 s on: its range, rad, largest and rms error, fastest joint, rad/s
-Case = tuple[float | None, float, tuple[str, str], str, str, str]
-CASES: dict[str, Case] = {
-    "none": (None, -pi / 6, ("-1.623", "-1.121"), "2e-4", "1e-4", "0.097"),
-    "0.5": (0.5, -pi / 6, ("-1.290", "-0.590"), "5e-4", "2e-4", "0.144"),
-    "0.2": (0.2, -0.82, ("-1.156", "-0.843"), "0.055", "0.015", "0.474"),
-}
-NAMES = {
-    "none": Text(en="no limit", pt_BR="sem limite"),
-    "0.5": same("ζ = 0.5"),
-    "0.2": same("ζ = 0.2"),
-}
-SHOWN = OneOf(Text(en="run that the arm shows", pt_BR="simulação que o braço mostra"), NAMES)
+PLACE, MIDDLE = "sim. 15, figs. 4.39–4.40", -1.0
+# the elbow begins in the middle of its range, which the source does not say
+START = (pi / 6, MIDDLE, -pi / 6)
+ELBOW = Fitted(Text(en="q₂ at the start", pt_BR="q₂ na partida"), MIDDLE, -1.1, -0.9, "rad")
+ZETAS = (0.5, 0.2)
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ; dt, s; shown: whose motion the arm shows."""
+    """gain: γ; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    shown: Annotated[str, SHOWN] = "0.5"
 
 
-def barrier(case: Case, gain: float, dt: float, seconds: float, progress: Progress) -> Run:
+def barrier(
+    zeta: float | None, gain: float, dt: float, seconds: float, progress: Progress, elbow: float = MIDDLE
+) -> Run:
     """Joint 2 kept at −1 ± ζ; α = 5, k = 10."""
-    zeta, elbow = case[:2]
-    aiming, start = follow(path_1), (pi / 6, elbow, -pi / 6)
+    aiming = follow(path_1)
     if zeta is not None:
         here = limited(1, MIDDLE - zeta, MIDDLE + zeta)
         aiming = augmented(here, chosen("joint_barrier"), aiming)
-    return filtered(aiming, start, gain, dt, progress, seconds)
+    return filtered(aiming, (START[0], elbow, START[2]), gain, dt, progress, seconds)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Without a limit, and with two."""
-    sheet, dt = Sheet(short, is_changed(options)), max(options.dt, 1e-2) if short else options.dt
-    plans = {key: partial(barrier, case, options.gain, dt, SECONDS) for key, case in CASES.items()}
+    dt = max(options.dt, 1e-2) if short else options.dt
+    plans = {zeta: partial(barrier, zeta, options.gain, dt, SECONDS) for zeta in (None, *ZETAS)}
     runs = each(plans, progress)
-    rows = [row for key in CASES for row in _rows(sheet, key, runs[key])]
-    shown = runs[options.shown]
-    charts = (*_charts(runs), rates_chart(shown, NAMES[options.shown]))
-    return Result(tuple(rows), charts, planar_motion(shown))
-
-
-def _rows(sheet: Sheet, key: str, run: Run) -> list[Row]:
-    zeta, _, (low, high), error, mean, fastest = CASES[key]
-    of, late, q_2 = NAMES[key], run.t >= 3.0 - 1e-9, run.q[:, 1]
-    size = run.size[late]
-    tight = 6e-5 if float(error) < 1e-3 else 5e-4
-    slack = 2e-4 / float(error)
-    # the short form may miss an error by 2e-4 and a range by 1.5e-3
-    rows = [
-        sheet.row(Text(en="least q₂", pt_BR="menor q₂"), of, float(q_2[late].min()), low, "rad", coarse=1e-3),
-        sheet.row(Text(en="greatest q₂", pt_BR="maior q₂"), of, float(q_2[late].max()), high, "rad", coarse=2e-3),
-        sheet.row(WORST_AFTER_3, of, float(size.max()), error, "ℓ", within=tight, coarse=slack, assumed=ASSUMED),
-        sheet.row(RMS_AFTER_3, of, rms(size), mean, "ℓ", within=tight, assumed=ASSUMED),
-        sheet.row(FASTEST_AFTER_3, of, largest(run.rates, late), fastest, "rad/s", coarse=0.0085, assumed=ASSUMED),
-    ]
-    if zeta is not None:
-        out = Text(
-            en="greatest distance of q₂ from −1, of the whole run",
-            pt_BR="maior distância de q₂ a −1, na simulação inteira",
-        )
-        rows.append(sheet.row(out, of, float(np.abs(q_2 - MIDDLE).max()), f"{zeta:g}", "rad", relation="≤", coarse=0.0))
-    return rows
-
-
-def _charts(runs: Mapping[str, Run]) -> tuple[Chart, Chart]:
-    elbow = tuple(Line(NAMES[key], thinned(run.t), thinned(run.q[:, 1])) for key, run in runs.items())
-    return (
-        Chart(Text(en="the elbow", pt_BR="o cotovelo"), IN_SECONDS, same("q₂, rad"), elbow),
-        errors_chart({NAMES[key]: run for key, run in runs.items()}, "ℓ"),
+    names = {FREE if zeta is None else valued("ζ", zeta): one for zeta, one in runs.items()}
+    rows = [row(ELBOW_LEAST, FREE, float(runs[None].q[:, 1].min()), "rad")]
+    for zeta in ZETAS:
+        rows += statements(zeta, runs[zeta])
+    rows += [row(FASTEST_AFTER_3, name, largest(one.rates, one.t >= 3), "rad/s") for name, one in names.items()]
+    limited_ones, kept = {name: names[name] for name in names if name is not FREE}, valued("ζ", ZETAS[0])
+    wished = places(path_1, runs[None].t)[:, :2]
+    charts = (
+        over_time(Text(en="the elbow", pt_BR="o cotovelo"), "q₂, rad", names, lambda run: run.q[:, 1], PLACE),
+        errors_chart(names, "ℓ", PLACE, log=True),
+        cost_chart(limited_ones, PLACE),
+        joints_chart(names[kept], kept, PLACE),
+        rates_chart(names[kept], kept, PLACE),
+        way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"),
+        fastest_chart(names),
     )
+    return finished(options, rows, charts, planar_motions(names))
+
+
+FREE = Text(en="no limit", pt_BR="sem limite")
+ELBOW_LEAST, ELBOW_GREATEST = Text(en="least q₂", pt_BR="menor q₂"), Text(en="greatest q₂", pt_BR="maior q₂")
+
+
+def statements(zeta: float, run: Run) -> list[Row]:
+    """That the elbow stays within −1 ± ζ from the first instant, and what the path pays for it."""
+    of, q_2 = valued("ζ", zeta), run.q[:, 1]
+    low, high = MIDDLE - zeta, MIDDLE + zeta
+    said = digits(f"−1 ± {zeta:g}")
+    least, greatest = Statement(said, PLACE, low, "≥"), Statement(said, PLACE, high, "≤")
+    null = stated("practically null error", "erro praticamente nulo", PLACE, NULL * LENGTH, "≤")
+    small = stated("small errors", "erros pequenos", PLACE, SMALL * LENGTH, "≤")
+    return [
+        row(ELBOW_LEAST, of, float(q_2.min()), "rad", least, fitted=(ELBOW,)),
+        row(ELBOW_GREATEST, of, float(q_2.max()), "rad", greatest, fitted=(ELBOW,)),
+        row(
+            WORST_AFTER_3,
+            of,
+            largest(run.size, run.t >= 3),
+            "ℓ",
+            null if zeta == ZETAS[0] else small,
+            fitted=(ELBOW,),
+        ),
+    ]

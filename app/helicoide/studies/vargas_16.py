@@ -2,32 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Annotated
+from itertools import pairwise
 
 import numpy as np
 
-from helicoide.ik.method import Quantity
 from helicoide.ik.secondary import augmented
-from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.study import Figure, Progress, Result
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
-from helicoide.studies.vargas.runs import Run, each
-from helicoide.studies.vargas.secondary import ASSUMED, SECONDS, chosen, filtered, follow, tool
+from helicoide.studies.vargas.runs import Run, each, largest
+from helicoide.studies.vargas.secondary import SECONDS, chosen, cost_chart, filtered, follow, tool
 from helicoide.studies.vargas.table import (
+    WISHED,
     Gain,
-    Sheet,
     Step,
     errors_chart,
-    is_changed,
-    planar_motion,
+    fastest_chart,
+    finished,
+    joints_chart,
+    planar_motions,
     rates_chart,
+    row,
+    stated,
+    valued,
     way_chart,
 )
-from helicoide.text import Text, same
+from helicoide.text import Text
 
 TITLE = Text(en="Simulation 16: round an obstacle", pt_BR="Simulação 16: contornando um obstáculo")
 SOURCE = "Vargas 2013, §4.7, sim. 16, fig. 4.41"
@@ -40,30 +42,19 @@ afasta o efetuador como mais uma linha da tarefa. Observe o percurso do efetuado
 longe ele passa, e depois dela volta ao caminho.""",
 )
 ROBOT = "planar3r"
-START, MU = (0.6, -1.2, 0.4), (2.0, 0.75)
-# α: of the digest from 2 s on, how near the tool comes, m, and its largest error
-CASES = {
-    0.1: ("0.251", "0.0015"),
-    0.5: ("0.271", "0.022"),
-    1.0: ("0.294", "0.046"),
-    2.0: ("0.325", "0.077"),
-    5.0: ("0.367", "0.120"),
-    10.0: ("0.399", "0.152"),
-}
+START, MU, PLACE = (0.6, -1.2, 0.4), (2.0, 0.75), "sim. 16, fig. 4.41"
+# α: the source shows several, whose values it does not print; 0: no obstacle
+WEIGHTS, FEW = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0), (0.0, 0.1, 1.0, 10.0)
 CLOSEST = Text(en="closest to the obstacle after 2 s", pt_BR="menor distância ao obstáculo após 2 s")
 WORST = Text(en="largest error after 2 s", pt_BR="maior erro após 2 s")
-WEIGHT = Quantity(
-    Text(en="height α of the run that the arm shows", pt_BR="altura α da simulação que o braço mostra"), 0.1, 10.0
-)
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ; dt, s; weight: α of the run that the arm shows, added to the others where it is none of them."""
+    """gain: γ; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    weight: Annotated[float, WEIGHT] = 5.0
 
 
 def round_the_obstacle(weight: float, gain: float, dt: float, seconds: float, progress: Progress) -> Run:
@@ -72,32 +63,42 @@ def round_the_obstacle(weight: float, gain: float, dt: float, seconds: float, pr
     return filtered(augmented(planar(), hill, follow(path_1)), START, gain, dt, progress, seconds)
 
 
+def closest(run: Run) -> float:
+    """How near to the obstacle the tool comes after 2 s, ℓ."""
+    return float(np.linalg.norm(tool(run, path_1)[run.t >= 2.0 - 1e-9] - MU, axis=1).min())
+
+
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Six heights of the hill, three in the short form."""
-    usual = Options(options.gain, options.dt)
-    sheet, dt = Sheet(short, is_changed(usual)), max(options.dt, 1e-2) if short else options.dt
-    weights: Sequence[float] = (0.1, 1.0, 10.0) if short else tuple(CASES)
-    wanted = sorted({*weights, options.weight})
-    runs = each({alpha: partial(round_the_obstacle, alpha, options.gain, dt, SECONDS) for alpha in wanted}, progress)
-    rows = [row for alpha in wanted for row in _rows(sheet, alpha, runs[alpha])]
-    names = {same(f"α = {alpha:g}"): one for alpha, one in runs.items()}
-    ways: dict[Text, Array] = {Text(en="wished", pt_BR="desejado"): places(path_1, runs[wanted[0]].t)[:, :2]}
-    ways |= {name: tool(one, path_1) for name, one in names.items()}
-    shown = runs[options.weight]
-    charts = (
-        way_chart(ways, "x, ℓ", "y, ℓ"),
-        errors_chart(names, "ℓ"),
-        rates_chart(shown, same(f"α = {options.weight:g}")),
+    """Six heights of the hill and none, three in the short form."""
+    dt = max(options.dt, 1e-2) if short else options.dt
+    weights = FEW if short else WEIGHTS
+    runs = each({alpha: partial(round_the_obstacle, alpha, options.gain, dt, SECONDS) for alpha in weights}, progress)
+    names, near = {valued("α", alpha): one for alpha, one in runs.items()}, [closest(one) for one in runs.values()]
+    more = Text(
+        en="{closest}: with each α over that with the one before, at least",
+        pt_BR="{closest}: com cada α sobre a com o anterior, no mínimo",
     )
-    return Result(tuple(rows), charts, planar_motion(shown))
-
-
-def _rows(sheet: Sheet, weight: float, run: Run) -> list[Row]:
-    closest, worst = CASES.get(weight, (None, None))
-    late, of = run.t >= 2.0 - 1e-9, same(f"α = {weight:g}")
-    near = float(np.linalg.norm(tool(run, path_1)[late] - MU, axis=1).min())
-    error = float(run.size[late].max())
-    return [
-        sheet.row(CLOSEST, of, near, closest, "ℓ", coarse=4e-3, assumed=ASSUMED),
-        sheet.row(WORST, of, error, worst, "ℓ", within=6e-4, coarse=0.0075, assumed=ASSUMED),
-    ]
+    detours = stated(
+        "the end effector detours, the more the larger α",
+        "o efetuador desvia, tanto mais quanto maior α",
+        PLACE,
+        1.0,
+        ">",
+    )
+    rows = [row(more.format(closest=CLOSEST), None, min(b / a for a, b in pairwise(near)), "", detours)]
+    for (name, one), distance in zip(names.items(), near, strict=True):
+        rows += [
+            row(CLOSEST, name, distance, "ℓ", Figure("fig. 4.41")),
+            row(WORST, name, largest(one.size, one.t >= 2.0 - 1e-9), "ℓ"),
+        ]
+    ways = {WISHED: places(path_1, runs[0.0].t)[:, :2], **{name: tool(one, path_1) for name, one in names.items()}}
+    highest = valued("α", weights[-1])
+    charts = (
+        way_chart(ways, "x, ℓ", "y, ℓ", "fig. 4.41"),
+        cost_chart(names, "fig. 4.41b"),
+        errors_chart(names, "ℓ"),
+        rates_chart(names[highest], highest),
+        joints_chart(names[highest], highest),
+        fastest_chart(names),
+    )
+    return finished(options, rows, charts, planar_motions(names))

@@ -4,24 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated
 
-from helicoide.ik.method import OneOf
-from helicoide.studies.study import Progress, Result
-from helicoide.studies.vargas.runs import Run, each
-from helicoide.studies.vargas.secondary import SECONDS, beside_the_links
+from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.vargas.paths import path_5, places
+from helicoide.studies.vargas.runs import Run, each, largest
+from helicoide.studies.vargas.secondary import LENGTH, SECONDS, beside_the_links, cost_chart, tool
 from helicoide.studies.vargas.table import (
     NEAREST_AFTER_3,
+    NULL,
+    WISHED,
     WORST_AFTER_3,
     Gain,
-    Sheet,
     Step,
     errors_chart,
-    is_changed,
-    planar_motion,
+    fastest_chart,
+    finished,
+    joints_chart,
+    planar_motions,
     rates_chart,
+    row,
+    stated,
+    way_chart,
 )
-from helicoide.text import Text, same
+from helicoide.text import Text
 
 TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos elos")
 SOURCE = "Vargas 2013, §4.7, fig. 4.42"
@@ -34,47 +39,31 @@ percebem, o braço se dobra para dar passagem e o efetuador quase não sai do ca
 obstáculo passa entre elas.""",
 )
 ROBOT = "planar3r"
-ASSUMED = Text(
-    en="lengths, start, places of the obstacle, α = 5", pt_BR="comprimentos, partida, lugares do obstáculo, α = 5"
-)
-# μ and how many points of a link see it; of the digest from 3 s on: least distance and largest error. The errors
-# without a term and with one point are ours.
+PLACE = "fig. 4.42"
+# places of the obstacle, which the source does not print, the last of them near the path; points of a link that see it
+FAR, NEAR = ((0.6, 1.15), (0.85, 1.55)), (1.5, 1.75)
+POINTS = (0, 8, 1)
 Key = tuple[tuple[float, float], int]
-CASES: dict[Key, tuple[str, str]] = {
-    ((0.6, 1.15), 0): ("0.084", "1e-4"),
-    ((0.6, 1.15), 8): ("0.413", "0.0075"),
-    ((0.6, 1.15), 1): ("0.084", "1e-4"),
-    ((0.85, 1.55), 0): ("0.151", "1e-4"),
-    ((0.85, 1.55), 8): ("0.437", "0.011"),
-    ((0.85, 1.55), 1): ("0.337", "0.006"),
-    ((1.5, 1.75), 0): ("0.002", "1e-4"),
-    ((1.5, 1.75), 8): ("0.409", "0.025"),
-    ((1.5, 1.75), 1): ("0.030", "0.017"),
-}
+CASES: tuple[Key, ...] = tuple((mu, points) for mu in (*FAR, NEAR) for points in POINTS)
 SEEN = {
     0: Text(en="nobody looks", pt_BR="ninguém olha"),
     1: Text(en="link ends look", pt_BR="as pontas dos elos olham"),
     8: Text(en="8 points a link look", pt_BR="8 pontos por elo olham"),
 }
-SHOWN = OneOf(
-    Text(en="obstacle of the run that the arm shows", pt_BR="obstáculo da simulação que o braço mostra"),
-    {f"{mu[0]:g}, {mu[1]:g}": same(f"μ = ({mu[0]:g}, {mu[1]:g})") for mu, points in CASES if points == 8},
-)
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ; dt, s; shown: the obstacle of the run, seen by eight points a link, that the arm shows."""
+    """gain: γ; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    shown: Annotated[str, SHOWN] = "0.6, 1.15"
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three obstacles, seen by none, one and eight points on each link; for 16 s, half the time, in the short form."""
-    sheet, seconds = Sheet(short, is_changed(options)), SECONDS / 2 if short else SECONDS
-    dt, distances = max(options.dt, 1e-2) if short else options.dt, {}
+    dt, seconds = (max(options.dt, 1e-2), SECONDS / 2) if short else (options.dt, SECONDS)
+    distances: dict[Key, float] = {}
 
     def one(key: Key) -> Callable[[Progress], Run]:
         def go(told: Progress) -> Run:
@@ -84,23 +73,45 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         return go
 
     runs = each({key: one(key) for key in CASES}, progress)
-    rows = []
-    names = {key: _name(key) for key in CASES}
-    for key, (near, error) in CASES.items():
-        found, size = distances[key], float(runs[key].size[runs[key].t >= 3.0 - 1e-9].max())
-        coarse = (0.01, 3e-4 / float(error)) if key[0] == (0.6, 1.15) else (None, None)
-        rows.append(sheet.row(NEAREST_AFTER_3, names[key], found, near, "ℓ", coarse=coarse[0], assumed=ASSUMED))
-        rows.append(
-            sheet.row(WORST_AFTER_3, names[key], size, error, "ℓ", within=6e-4, coarse=coarse[1], assumed=ASSUMED)
-        )
-    shown = next(key for key in CASES if key[1] == 8 and f"{key[0][0]:g}, {key[0][1]:g}" == options.shown)
+    names, seen = {key: _name(key) for key in CASES}, {key: _name(key) for key in CASES if key[1] == 8}
+    rows = _statements(runs, distances)
+    rows += [row(NEAREST_AFTER_3, names[key], distance, "ℓ") for key, distance in distances.items()]
+    rows.append(row(WORST_AFTER_3, names[NEAR, 8], largest(runs[NEAR, 8].size, runs[NEAR, 8].t >= 3), "ℓ"))
+    first, shown = next(iter(seen)), {name: runs[key] for key, name in seen.items()}
+    wished = places(path_5, runs[first].t)[:, :2]
     charts = (
-        errors_chart({names[key]: found for key, found in runs.items()}, "ℓ"),
-        rates_chart(runs[shown], names[shown]),
+        errors_chart(shown, "ℓ", PLACE, log=True),
+        cost_chart(shown, PLACE),
+        way_chart({WISHED: wished, **{name: tool(one, path_5) for name, one in shown.items()}}, "x, ℓ", "y, ℓ", PLACE),
+        joints_chart(runs[first], names[first], PLACE),
+        rates_chart(runs[first], names[first], PLACE),
+        fastest_chart(shown),
     )
-    return Result(tuple(rows), charts, planar_motion(runs[shown]))
+    return finished(options, rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
+
+
+def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
+    """The arm folds out of the way, and the tool keeps to its path while the obstacle is far from it."""
+    folds = stated("internal reconfiguration", "reconfiguração interna", PLACE, 1.0, ">")
+    null = stated(
+        "null error while the obstacle is far from the target",
+        "erro nulo com o obstáculo longe do alvo",
+        PLACE,
+        NULL * LENGTH,
+        "≤",
+    )
+    ratio = Text(en="{near}, times that without the term", pt_BR="{near}, vezes a sem o termo")
+    return [
+        found
+        for mu in FAR
+        for found in (
+            row(ratio.format(near=NEAREST_AFTER_3), _name((mu, 8)), distances[mu, 8] / distances[mu, 0], "", folds),
+            row(WORST_AFTER_3, _name((mu, 8)), largest(runs[mu, 8].size, runs[mu, 8].t >= 3), "ℓ", null),
+        )
+    ]
 
 
 def _name(key: Key) -> Text:
     (x, y), points = key
-    return Text(en="μ = ({x:g}, {y:g}), {seen}", pt_BR="μ = ({x:g}, {y:g}), {seen}").format(x=x, y=y, seen=SEEN[points])
+    at = Text(en=f"μ = ({x:g}, {y:g})", pt_BR=f"μ = ({x:g}; {y:g})".replace(".", ","))
+    return Text(en="{at}, {seen}", pt_BR="{at}, {seen}").format(at=at, seen=SEEN[points])

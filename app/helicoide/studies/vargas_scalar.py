@@ -10,14 +10,14 @@ import numpy as np
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement
 from helicoide.studies.vargas.scalar import filtered
-from helicoide.studies.vargas.table import SECONDS, Sheet, is_changed, thinned
+from helicoide.studies.vargas.table import SECONDS, finished, row, stated, thinned
 from helicoide.studies.vargas_08 import Beta
 from helicoide.text import Text, same
 
 TITLE = Text(en="How large θ can become", pt_BR="Até onde θ pode crescer")
-SOURCE = "Vargas 2013, §4.1, eqs. 4.11–4.15, figs. 4.1–4.2; eq. 4.6"
+SOURCE = "Vargas 2013, §4.1, eqs. 4.6, 4.11–4.15, figs. 4.1–4.2; eq. 4.64, fig. 4.28 (modified)"
 ABOUT = Text(
     en="""Two ways to make θ large. If k fades just slowly enough, the error S stays at −½ and θ grows for ever, but \
 only with the root of the time. If k crosses zero at a constant speed, θ is 0.94 (β/|k̇|)^⅓ at the crossing, no more: \
@@ -27,9 +27,7 @@ sempre, mas só com a raiz do tempo. Se k cruza o zero a velocidade constante, �
 curva de θ em função de k é horizontal nesse ponto, e a modificada θ²k passa pela origem.""",
 )
 ROBOT = "planar3r"
-WORST = {10.0: "5.025", 100.0: "15.82", 1000.0: "50.00"}
-C = 0.25
-NOT_THERE = Text(en="not in the source: of the digest", pt_BR="não está na fonte: é da síntese")
+C, PLACE = 0.25, "eqs. 4.11–4.15"
 
 
 @dataclass(frozen=True)
@@ -44,73 +42,87 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The worst case followed for 1000 s, 100 s in the short form, and the crossing in steps of its own length."""
-    sheet = Sheet(short, is_changed(options))
-    worst_rows, worst_chart = _worst(sheet, options.beta, 100.0 if short else 1000.0)
+    worst_rows, worst_chart = _worst(options.beta, 100.0 if short else 1000.0)
     progress(0.5)
-    crossing_rows, crossing_chart = _crossing(sheet, options, 5e-3 if short else 5e-4)
+    crossing_rows, crossing_charts = _crossing(options, 5e-3 if short else 5e-4)
     progress(1.0)
-    return Result((*worst_rows, *crossing_rows), (worst_chart, crossing_chart))
+    return finished(options, (*worst_rows, *crossing_rows), (worst_chart, *crossing_charts))
 
 
-def _worst(sheet: Sheet, beta: float, seconds: float) -> tuple[list[Row], Chart]:
+def _worst(beta: float, seconds: float) -> tuple[list[Row], Chart]:
     """k of eq. 4.13 from k₀ = 1; θ from the law of the filter, not from the formula."""
-
-    def k(t: float) -> float:
-        return scalar_filter.worst_case(t, 1.0, beta, C)[0]
-
     dt = 5e-3
-    theta = filtered(k, 1 - np.sqrt(C), beta, dt, 0.0, seconds)
-    t: Array = dt * np.arange(float(theta.size))
+    k: Array = np.array([scalar_filter.worst_case(dt * i, 1.0, beta, C)[0] for i in range(round(seconds / dt) + 1)])
+    theta = filtered(lambda t: scalar_filter.worst_case(t, 1.0, beta, C)[0], 1 - np.sqrt(C), beta, dt, 0.0, seconds)
+    t, S, last = dt * np.arange(float(theta.size)), k * theta - 1, theta.size // 10
+    power = float(np.log10(theta[-1] / theta[last]))
+    ends = {at: float(theta[round(at / dt)]) for at in (10.0, 100.0, 1000.0) if at <= seconds}
     title = Text(en="θ at {at:g} s where k fades most slowly", pt_BR="θ em {at:g} s com k no esvaimento limite")
-    rows = [
-        sheet.row(title.format(at=at), None, float(np.interp(at, t, theta)), digest, within=6e-3, coarse=0.0)
-        for at, digest in WORST.items()
-        if at <= seconds
+    rows = [row(title.format(at=at), None, end, "", _formula(at, beta)) for at, end in ends.items()]
+    rows += [
+        row(
+            Text(en="largest difference of S² from c = 1/4 there", pt_BR="maior diferença entre S² e c = 1/4 ali"),
+            None,
+            float(np.abs(S**2 - C).max()),
+            "",
+            stated("S² = c", "S² = c", PLACE, 0.0, "=", 1e-4),
+        ),
+        row(
+            Text(en="power of t with which θ grows there", pt_BR="potência de t com que θ cresce ali"),
+            None,
+            power,
+            "",
+            stated("θ grows as √t: 1/2", "θ cresce como √t: 1/2", PLACE, 0.5, "=", 0.01),
+        ),
     ]
-    S: Array = np.array([k(float(now)) for now in t[::20]]) * theta[::20] - 1
-    error = Text(en="{which} S there", pt_BR="{which} S ali")
-    for which, ours in ((Text(en="least", pt_BR="menor"), S.min()), (Text(en="greatest", pt_BR="maior"), S.max())):
-        rows.append(sheet.row(error.format(which=which), None, float(ours), "-0.5", within=1e-4, coarse=0.0))
-    lines = (Line(same("θ"), thinned(t), thinned(theta)), Line(same("S"), t[::20], S))
+    lines = (Line(same("θ"), thinned(t), thinned(theta)), Line(same("S"), thinned(t), thinned(S)))
     return rows, Chart(Text(en="the worst case", pt_BR="o pior caso"), SECONDS, same("θ, S"), lines)
 
 
-def _crossing(sheet: Sheet, options: Options, part: float) -> tuple[list[Row], Chart]:
+def _formula(at: float, beta: float) -> Statement:
+    """θ = (1 − √c)/k, with k = k₀/√(2 a k₀² t + 1) and a = β √c/(1 − √c)."""
+    theta = scalar_filter.worst_case(at, 1.0, beta, C)[1]
+    return stated("θ = (1 − √c)/k", "θ = (1 − √c)/k", PLACE, theta, "=", 1e-3 * theta)
+
+
+def _crossing(options: Options, part: float) -> tuple[list[Row], tuple[Chart, ...]]:
     """From a converged θ through zero. Lengths of k are (β/|k̇|)^(−⅓), and steps a part of the time for one of them."""
     size = float((options.beta / options.speed) ** (1 / 3))
     unit = 1 / (size * options.speed)
     dt, far = part * unit, 40 * unit
     theta = filtered(lambda t: -options.speed * t, size / 40, options.beta, dt, -far, far)
-    k = -options.speed * (np.arange(theta.size) * dt - far)
-    modified: Array = np.asarray(scalar_filter.modified(k, theta))  # type: ignore[arg-type]
+    k: Array = -options.speed * (np.arange(float(theta.size)) * dt - far)
+    modified: Array = theta * theta * k
     S, middle = k * theta - 1, theta.size // 2
-    of = Text(en="crossing", pt_BR="cruzamento")
+    between = (k[1:] + k[:-1]) / 2 * theta[:-1] - 1  # S by k in the middle of each step
+    grown = (np.diff(theta) * theta[:-1])[(between >= 0) | (between <= -1)]
+    grows = stated("|θ| grows only while −1 < S < 0", "|θ| só cresce com −1 < S < 0", "§4.1", 0.0, "≤", 1e-12)
     quantities = (
-        (Text(en="θ at k = 0, times (|k̇|/β)^⅓", pt_BR="θ em k = 0, vezes (|k̇|/β)^⅓"), theta[middle] / size, "0.9389"),
-        (Text(en="largest θ, times the same", pt_BR="maior θ, vezes o mesmo"), theta.max() / size, "0.9389"),
-        (
-            Text(en="largest |θ²k|, times the same", pt_BR="maior |θ²k|, vezes o mesmo"),
-            np.abs(modified).max() / size,
-            "0.5124",
-        ),
-        (Text(en="least S", pt_BR="menor S"), S.min(), "-1.427"),
-        (Text(en="greatest S", pt_BR="maior S"), S.max(), "0.077"),
+        (Text(en="θ at k = 0, times (|k̇|/β)^⅓", pt_BR="θ em k = 0, vezes (|k̇|/β)^⅓"), theta[middle] / size),
+        (Text(en="largest |θ²k|, times the same", pt_BR="maior |θ²k|, vezes o mesmo"), np.abs(modified).max() / size),
+        (Text(en="least S", pt_BR="menor S"), S.min()),
+        (Text(en="greatest S", pt_BR="maior S"), S.max()),
     )
-    rows = [
-        sheet.row(
-            title,
-            of,
-            float(ours),
-            digest,
-            within=1e-4 if digest.startswith("0.") and len(digest) > 5 else 1e-3,
-            coarse=1e-3,
-            source=NOT_THERE,
-        )
-        for title, ours, digest in quantities
-    ]
-    near = np.abs(k) * size < 6
+    growth = Text(
+        en="largest θ dθ in a step with S outside (−1, 0)",
+        pt_BR="maior θ dθ em um passo com S fora de (−1, 0)",
+    )
+    rows = [row(growth, CROSSING, float(grown.max()), "", grows)]
+    rows += [row(title, CROSSING, float(ours)) for title, ours in quantities]
+    return rows, (_plane(k, theta, 6 / size, "θ", "figs. 4.1–4.2"), _plane(k, modified, 6 / size, "θ²k", "fig. 4.28"))
+
+
+CROSSING = Text(en="crossing", pt_BR="cruzamento")
+
+
+def _plane(k: Array, values: Array, width: float, symbol: str, figure: str) -> Chart:
+    """A phase plane, and the hyperbola 1/k as far as the curve goes."""
+    near, top = np.abs(k) < width, float(np.abs(values).max())
+    away: Array = np.linspace(1 / top, width, 200)
     lines = (
-        Line(same("θ"), thinned(k[near]), thinned(theta[near])),
-        Line(same("θ²k"), thinned(k[near]), thinned(modified[near])),
+        Line(same(symbol), thinned(k[near]), thinned(values[near])),
+        Line(same("1/k, k > 0"), away, 1 / away),
+        Line(same("1/k, k < 0"), -away, -1 / away),
     )
-    return rows, Chart(Text(en="through zero", pt_BR="através do zero"), same("k"), same("θ"), lines)
+    title = Text(en="{symbol} over k, through zero", pt_BR="{symbol} em função de k, através do zero")
+    return Chart(title.format(symbol=symbol), same("k"), same(symbol), lines, figure)

@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Progress, Result, Row
+from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.arms import REACH, zebra_arm
 from helicoide.studies.vargas.paths import Path, path_8, places
 from helicoide.studies.vargas.runs import IN_SPACE, Instants, Run, Way, compared, sizes, tracking, way
-from helicoide.studies.vargas.table import errors_chart, figures_chart, rates_chart, titled, w_chart, zebra_motion
+from helicoide.studies.vargas.table import (
+    WISHED,
+    errors_chart,
+    fastest_chart,
+    figures_chart,
+    finished,
+    joints_chart,
+    rates_chart,
+    titled,
+    w_chart,
+    way_chart,
+    zebra_motions,
+)
 from helicoide.text import Text
 
 DAMPED: dict[str, Any] = {"damping": 300.0, "threshold": 1e3}
@@ -30,20 +42,40 @@ def followers(
 
 
 def result(
-    rows: list[Row], ways: Mapping[str, Way], runs: Mapping[str, Run], shown: str, more: tuple[Chart, ...] = ()
+    options: Any,
+    rows: Sequence[Row],
+    ways: Mapping[str, Way],
+    runs: Mapping[str, Run],
+    path: Path,
+    plane: tuple[int, int],
+    figures: tuple[str, str],
+    shown: tuple[str, ...],
 ) -> Result:
-    """Rows; charts of errors, joint rates, w, V_c of the filtered inverses, δ of the damped ones; the motion of one."""
+    """Rows; charts of what the source shows, V_c of the filtered inverses and δ of the damped ones; the motions.
+
+    plane: the coordinates in which the way is drawn; figures: where the source shows the simulation, and the ways;
+    shown: the runs whose joint velocities are drawn, and of the first of them the joint angles.
+    """
+    names, (place, ways_place) = titled(ways, runs), figures
     filtered = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("filtered")}
     damped = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("damped")}
+    wished = places(path, next(iter(runs.values())).t)
+    drawn = {name: (wished - run.e)[:, plane] for name, run in names.items()}
+    across, up = (f"{'xyz'[axis]}, cm" for axis in plane)
     charts = [
-        errors_chart(titled(ways, runs), "cm"),
-        *(rates_chart(run, ways[key].title) for key, run in runs.items() if key in (shown, "damping")),
-        w_chart(titled(ways, runs), "cm³"),
-        figures_chart(Text(en="inversion error of Θ", pt_BR="erro de inversão de Θ"), "V_c", filtered),
+        errors_chart(names, "cm", place, log=True),
+        *(rates_chart(runs[key], ways[key].title, place) for key in shown),
+        figures_chart(Text(en="inversion error of Θ", pt_BR="erro de inversão de Θ"), "V_c", filtered, "", place),
+        *([figures_chart(DAMPED_TITLE, "δ", damped, "cm²", place)] if damped else []),
+        way_chart({WISHED: wished[:, plane], **drawn}, across, up, ways_place),
+        w_chart(names, "cm³", place),
+        joints_chart(runs[shown[0]], ways[shown[0]].title, place),
+        fastest_chart(names),
     ]
-    if damped:
-        charts.append(figures_chart(Text(en="damping", pt_BR="amortecimento"), "δ", damped, "cm²"))
-    return Result(tuple(rows), (*charts, *more), zebra_motion(runs[shown]))
+    return finished(options, rows, charts[:8], zebra_motions(names))
+
+
+DAMPED_TITLE = Text(en="damping", pt_BR="amortecimento")
 
 
 # Sims. 12 and 13: trajectory 8 leaves the workspace.
@@ -70,9 +102,16 @@ def dips(run: Run) -> tuple[Array, Array]:
     return run.t[outside][inner], depth[inner]
 
 
+def first_dip(run: Run) -> float:
+    """How far, cm, it draws back first; 0 where it does not."""
+    depth = dips(run)[1]
+    return float(depth[0]) if depth.size else 0.0
+
+
 def hertz(run: Run) -> float:
-    """How often a second the elbow swings there: it passes the stretched arm twice in a period."""
-    return float(0.5 / np.diff(dips(run)[0][:4]).mean())
+    """How often a second the elbow swings there: it passes the stretched arm twice in a period; 0 where it does not."""
+    when = dips(run)[0][:4]
+    return float(0.5 / np.diff(when).mean()) if when.size > 1 else 0.0
 
 
 def off_the_border(run: Run) -> float:

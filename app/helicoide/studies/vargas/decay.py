@@ -4,28 +4,35 @@ from __future__ import annotations
 
 from functools import partial
 from math import pi
+from typing import Any
 
 import numpy as np
 
 from helicoide.ik.clik import Aiming
-from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.study import Figure, Progress, Result
 from helicoide.studies.vargas.arms import planar
+from helicoide.studies.vargas.paths import path_1, places
 from helicoide.studies.vargas.runs import Run, Way, each, largest, record, way
 from helicoide.studies.vargas.table import (
     FASTEST,
-    NO_LENGTHS,
-    Sheet,
+    WISHED,
     errors_chart,
-    planar_motion,
+    finished,
+    in_steps,
+    joints_chart,
+    planar_motions,
     rates_chart,
+    row,
+    stated,
+    valued,
+    way_chart,
 )
-from helicoide.text import Text, same
+from helicoide.text import Text
 
 START = [pi / 6] * 3
 SECONDS = 10.0
-# λ: the slope of ln‖e‖, and the error after 1 s and 3 s
-DECAYS = {1.0: ("-1.001", "0.874", "0.118"), 2.0: ("-2.002", "0.321", "0.0059")}
-ASSUMED = Text(en="link lengths 2, 1, 1; γ = 5", pt_BR="comprimentos dos elos 2, 1, 1; γ = 5")
+RATES = (1.0, 2.0)
+SLOPE = Text(en="slope of ln‖e‖", pt_BR="inclinação de ln‖e‖")
 
 
 def slope(run: Run) -> float:
@@ -34,39 +41,38 @@ def slope(run: Run) -> float:
     return float(np.polyfit(run.t[between], np.log(run.size[between]), 1)[0])
 
 
-def decays(
-    aiming: Aiming, by: Way, fastest: tuple[str, str], gain: float, dt: float, sheet: Sheet, progress: Progress
-) -> Result:
+def decays(options: Any, aiming: Aiming, by: Way, dt: float, figures: str, progress: Progress) -> Result:
     """The errors of a method with λ = 1 and 2, and of the filtered inverse beside it.
 
-    fastest: what the digest has for the fastest joint of both at λ = 2; gain: γ.
+    figures: where the source shows errors, joint velocities and joint angles.
     """
-    arm, soft = planar(), way("filtered", f"γ = {gain:g}", gain=gain)
+    arm, soft = planar(), way("filtered", f"γ = {options.gain:g}", gain=options.gain)
     plans = {(by, 1.0): by, (by, 2.0): by, (soft, 2.0): soft}
     runs = each(
         {key: partial(record, arm, one, aiming, key[1], START, dt, SECONDS) for key, one in plans.items()}, progress
     )
-    rows = [row for rate in DECAYS for row in _decay_rows(sheet, runs[by, rate], rate)]
-    for one, most in zip((by, soft), fastest, strict=True):
-        found = largest(runs[one, 2.0].rates)
-        rows.append(sheet.row(FASTEST, one.title, found, most, "rad/s", coarse=0.01, assumed=ASSUMED))
-    rated = Text(en="{of}, λ = {rate:g}", pt_BR="{of}, λ = {rate:g}")
-    shown = {rated.format(of=one.title, rate=rate): run for (one, rate), run in runs.items()}
-    logs = errors_chart(shown, "ℓ")
-    return Result(
-        tuple(rows),
-        (logs, rates_chart(runs[by, 2.0], by.title), rates_chart(runs[soft, 2.0], soft.title)),
-        planar_motion(runs[by, 2.0]),
+    title, rows = in_steps(SLOPE, dt), []
+    for rate in RATES:
+        law = stated(
+            f"exponential decay, ė + λe = 0: −{rate:g}",
+            f"decaimento exponencial, ė + λe = 0: −{rate:g}",
+            "eq. 2.34",
+            -rate,
+            within=0.01 * rate,
+        )
+        rows.append(row(title, valued("λ", rate), slope(runs[by, rate]), "1/s", law))
+    fastest = {by: Figure(figures), soft: None}
+    rows += [row(FASTEST, one.title, largest(runs[one, 2.0].rates), "rad/s", source) for one, source in fastest.items()]
+    rated = Text(en="{of}, {rate}", pt_BR="{of}, {rate}")
+    shown = {rated.format(of=one.title, rate=valued("λ", rate)): run for (one, rate), run in runs.items()}
+    wished = places(path_1, runs[by, 2.0].t)[:, :2]
+    ways = {name: wished - run.e[:, :2] for name, run in shown.items()}
+    inverted, filtered = runs[by, 2.0], runs[soft, 2.0]
+    charts = (
+        errors_chart(shown, "ℓ", figures, log=True),
+        rates_chart(inverted, by.title, figures),
+        joints_chart(inverted, by.title, figures),
+        rates_chart(filtered, soft.title),
+        way_chart({WISHED: wished, **ways}, "x, ℓ", "y, ℓ"),
     )
-
-
-def _decay_rows(sheet: Sheet, run: Run, rate: float) -> list[Row]:
-    fall, one, three = DECAYS[rate]
-    of = same(f"λ = {rate:g}")
-    after = [float(np.interp(at, run.t, run.size)) for at in (1.0, 3.0)]
-    error = Text(en="error after {at} s", pt_BR="erro após {at} s")
-    return [
-        sheet.row(Text(en="slope of ln‖e‖", pt_BR="inclinação de ln‖e‖"), of, slope(run), fall, "1/s", coarse=0.01),
-        sheet.row(error.format(at=1), of, after[0], one, within=0.01 * float(one), coarse=0.02, assumed=NO_LENGTHS),
-        sheet.row(error.format(at=3), of, after[1], three, within=0.01 * float(three), coarse=0.02, assumed=NO_LENGTHS),
-    ]
+    return finished(options, rows, charts, planar_motions(shown))

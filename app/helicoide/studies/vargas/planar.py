@@ -1,112 +1,186 @@
-"""Sims. 4, 5 and 7 of Vargas 2013: methods beside each other on the planar arm, λ = 2.
+"""Sims. 4 to 7 of Vargas 2013: methods beside each other on the planar arm.
 
-The source gives no settings of damping and feedback for them, and no starts for two; those here are the digest's.
+The source names the works from which it takes the settings of both methods, and prints none: one set for all four was
+searched at which its statements hold (tests/studies/fits/vargas_planar.py).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Any
 
-from helicoide.studies.study import FIGURE_ONLY, Progress, Result, Row
+import numpy as np
+
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.manipulability import analysed
+from helicoide.studies.study import Chart, Fitted, Line, Progress, Result, Row, Statement, printed
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, places
 from helicoide.studies.vargas.runs import IN_PLANE, Run, Way, compared, largest, tracking, way
 from helicoide.studies.vargas.table import (
     ERROR_LATER,
+    FASTEST,
     FASTEST_LATER,
+    WISHED,
     Gain,
-    Sheet,
     Step,
-    choice,
+    condition_chart,
     errors_chart,
+    fastest_chart,
     figures_chart,
-    planar_motion,
+    finished,
+    joints_chart,
+    planar_motions,
     rates_chart,
+    row,
     titled,
-    w_chart,
     way_chart,
 )
-from helicoide.text import Text
+from helicoide.text import Text, same
 
-SECONDS = 40.0
-DAMPED: dict[str, Any] = {"damping": 0.1, "threshold": 1.0}
-FEEDBACK: dict[str, Any] = {"gain": 60.0, "coupling": 0.3, "leak": 0.5}
-PSEUDOINVERSE, DAMPING = way("pseudoinverse"), way("damped_by_manipulability", **DAMPED)
-FED_BACK = way("feedback", **FEEDBACK)
-ASSUMED = Text(
-    en="link lengths 2, 1, 1; start, δ₀ = 0.1, w₀ = 1 and the feedback's gains",
-    pt_BR="comprimentos dos elos 2, 1, 1; partida, δ₀ = 0,1, w₀ = 1 e os ganhos da realimentada",
-)
-# of the digest: the fastest joint and the largest error from 5 s on, and the share that the short form may miss of each
-Found = tuple[str, str, float | None, float | None]
+SECONDS, LENGTH = 40.0, 4.0
+PSEUDOINVERSE = way("pseudoinverse")
+COMPARED = ("damping", "feedback")
+
+
+@dataclass(frozen=True)
+class Values:
+    """What the source leaves open: λ; δ₀ and w₀ of the damping; g, c and α of the feedback."""
+
+    rate: float = 1.0
+    damping: float = 0.1
+    threshold: float = 1.0
+    gain: float = 60.0
+    coupling: float = 0.25
+    leak: float = 10.0
+
+    @property
+    def ways(self) -> dict[str, Way]:
+        """Both methods with these settings."""
+        return {
+            "damping": way("damped_by_manipulability", damping=self.damping, threshold=self.threshold),
+            "feedback": way("feedback", gain=self.gain, coupling=self.coupling, leak=self.leak),
+        }
+
+
+VALUES = Values()
+_RATE = Fitted(same("λ"), VALUES.rate, 0.84, 1.2, "1/s")
+FITTED: dict[str, tuple[Fitted, ...]] = {
+    "damping": (
+        _RATE,
+        Fitted(same("δ₀"), VALUES.damping, 0.084, 0.12, "ℓ²"),
+        Fitted(same("w₀"), VALUES.threshold, 0.84, 1.2, "ℓ²"),
+    ),
+    "feedback": (
+        _RATE,
+        Fitted(same("g"), VALUES.gain, 50.0, 72.0, "1/(ℓ² s)"),
+        Fitted(same("c"), VALUES.coupling, 0.21, 0.3),
+        Fitted(same("α"), VALUES.leak, 8.4, 12.0, "1/s"),
+    ),
+}
 
 
 def filters(gains: Sequence[float]) -> dict[str, Way]:
     """The filtered inverse and the modified one, with each γ."""
     kinds = {"filtered": "filtered", "modified": "filtered_modified"}
-    several = len(gains) > 1
-    return {
-        f"{kind}_{i}" if several else kind: way(name, f"γ = {gain:g}", gain=gain)
-        for kind, name in kinds.items()
-        for i, gain in enumerate(gains)
-    }
-
-
-def ways_of(*gains: float) -> dict[str, Way]:
-    """The methods that are beside each other, the filtered inverses with each γ."""
-    return {"pseudoinverse": PSEUDOINVERSE, "damping": DAMPING, "feedback": FED_BACK, **filters(gains)}
+    return {f"{kind}_{gain:g}": way(name, f"γ = {gain:g}", gain=gain) for kind, name in kinds.items() for gain in gains}
 
 
 @dataclass(frozen=True)
 class Five:
-    """Settings of five methods. gain: γ of the filtered inverses; dt, s; shown: whose motion the arm shows."""
+    """Settings of five methods. gain: γ of the filtered inverses; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
-    shown: Annotated[str, choice(ways_of(5.0))] = "filtered"
+
+    @property
+    def ways(self) -> dict[str, Way]:
+        """The methods that are beside each other."""
+        return {"pseudoinverse": PSEUDOINVERSE, **VALUES.ways, **filters([self.gain])}
 
 
 def followers(
-    path: Path, start: Sequence[float], ways: Mapping[str, Way], dt: float, short: bool, progress: Progress
+    path: Path,
+    start: Sequence[float],
+    ways: Mapping[str, Way],
+    dt: float,
+    progress: Progress,
+    rate: float = VALUES.rate,
 ) -> dict[str, Run]:
-    """A run of each method along a trajectory; short: in steps of 10 ms at least."""
-    dt = max(dt, 1e-2) if short else dt
-    return compared(planar(), ways, tracking(planar(), path, IN_PLANE), 2.0, start, dt, SECONDS, progress)
+    """A run of each method along a trajectory, with λ."""
+    return compared(planar(), ways, tracking(planar(), path, IN_PLANE), rate, start, dt, SECONDS, progress)
 
 
-def compared_rows(
-    sheet: Sheet, ways: Mapping[str, Way], runs: Mapping[str, Run], found: Mapping[str, Found], source: str = ""
-) -> tuple[Row, ...]:
-    """The fastest joint and the largest error from 5 s on, of each method; source: what it says of the speed."""
+def of_both(quantity: Text, ours: Mapping[str, float], unit: str, source: Statement | None) -> list[Row]:
+    """A row for each of both methods, with the values that were chosen for it."""
+    return [
+        row(quantity, VALUES.ways[key].title, value, unit, source, fitted=FITTED[key]) for key, value in ours.items()
+    ]
+
+
+def below(bound: str, place: str, runs: Mapping[str, Run]) -> list[Row]:
+    """That no joint of both methods is ever as fast as it is printed."""
+    return of_both(FASTEST, {key: largest(runs[key].rates) for key in COMPARED}, "rad/s", printed(bound, place))
+
+
+def ours(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
+    """The fastest joint and the largest error from 5 s on, of the methods that the source does not run here.
+
+    The pseudoinverse at a singular posture is as fast as its step lets it be, and is left to the charts.
+    """
     rows = []
-    for key, (fastest, error, coarse_rate, coarse_error) in found.items():
-        run, of = runs[key], ways[key].title
-        later = run.t >= 5
-        said: Any = source if source and key in ("damping", "feedback") else FIGURE_ONLY
-        rates, worst = largest(run.rates, later), largest(run.size, later)
+    for key in [key for key in runs if key not in (*COMPARED, "pseudoinverse")]:
+        later = runs[key].t >= 5
         rows += [
-            sheet.row(FASTEST_LATER, of, rates, fastest, "rad/s", coarse=coarse_rate, source=said, assumed=ASSUMED),
-            sheet.row(ERROR_LATER, of, worst, error, "ℓ", coarse=coarse_error, assumed=ASSUMED),
+            row(FASTEST_LATER, ways[key].title, largest(runs[key].rates, later), "rad/s"),
+            row(ERROR_LATER, ways[key].title, largest(runs[key].size, later), "ℓ"),
         ]
-    return tuple(rows)
+    return rows
 
 
-def result(rows: tuple[Row, ...], path: Path, ways: Mapping[str, Way], runs: Mapping[str, Run], shown: str) -> Result:
-    """Rows, charts of the errors, of the joint rates of two methods, w and δ, the way, and the motion of one."""
-    names, one = titled(ways, runs), runs[shown]
-    wished = places(path, one.t)[:, :2]
+def result(
+    options: Any,
+    rows: Sequence[Row],
+    path: Path,
+    ways: Mapping[str, Way],
+    runs: Mapping[str, Run],
+    figures: str,
+    more: tuple[Chart, ...] = (),
+) -> Result:
+    """Rows, charts of what the source shows of each simulation, and the motions.
+
+    figures: where the source shows them.
+    """
+    names = titled(ways, runs)
+    wished = places(path, next(iter(runs.values())).t)[:, :2]
+    damped, fed_back = (ways[key].title for key in COMPARED)
     charts = (
-        errors_chart(names, "ℓ"),
-        rates_chart(one, ways[shown].title),
-        rates_chart(runs["damping"], DAMPING.title),
-        w_chart(names, "ℓ²"),
-        figures_chart(Text(en="damping", pt_BR="amortecimento"), "δ", {DAMPING.title: runs["damping"]}, "ℓ²"),
-        way_chart(
-            {Text(en="wished", pt_BR="desejado"): wished, ways[shown].title: wished - one.e},
-            "x, ℓ",
-            "y, ℓ",
-        ),
+        errors_chart(names, "ℓ", figures, log=True),
+        fastest_chart(names, figures),
+        rates_chart(runs["damping"], damped, figures),
+        rates_chart(runs["feedback"], fed_back, figures),
+        condition_chart({ways[key].title: runs[key] for key in COMPARED}, figures),
+        figures_chart(Text(en="damping", pt_BR="amortecimento"), "δ", {damped: runs["damping"]}, "ℓ²", figures),
+        *more,
+        way_chart({WISHED: wished, **{name: wished - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
+        joints_chart(runs["damping"], damped),
     )
-    return Result(rows, charts, planar_motion(one))
+    return finished(options, rows, charts[:8], planar_motions(names))
+
+
+def ellipses(path: Path, run: Run, instants: Sequence[float], size: float = 0.3) -> Chart:
+    """The velocities that ‖q̇‖ = 1 reaches, drawn at the end effector at some instants, `size` times as large.
+
+    Source: Vargas 2013, eq. 3.4: axes uᵢ, semi-lengths σᵢ.
+    """
+    turn: Array = np.linspace(0, 2 * np.pi, 121)
+    wished, lines = places(path, run.t)[:, :2], []
+    for at in instants:
+        i = int(np.abs(run.t - at).argmin())
+        here = analysed(run.J[i]).velocity_ellipsoid
+        round_it = (here.axes * here.lengths) @ np.stack([np.cos(turn), np.sin(turn)])
+        x, y = (wished[i] - run.e[i])[:, None] + size * round_it
+        lines.append(Line(same(f"t = {at:g} s"), x, y))
+    title = Text(en="manipulability ellipses on the way", pt_BR="elipses de manipulabilidade no percurso")
+    return Chart(title, same("x, ℓ"), same("y, ℓ"), tuple(lines), "fig. 3.1")

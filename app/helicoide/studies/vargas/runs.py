@@ -16,6 +16,7 @@ from helicoide.ik import Problem, methods
 from helicoide.ik.clik import Aim, Aiming, OrientationError, followed, tool_aim
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.manipulability import RANK
 from helicoide.studies.study import Progress
 from helicoide.studies.vargas.paths import Path
 from helicoide.text import Text
@@ -39,22 +40,26 @@ class Way:
 
 def way(method: str, note: str = "", **options: Any) -> Way:
     """A method with settings; its title, with a note that tells it from others, such as "γ = 25"."""
-    title = methods.named(method).TITLE
-    return Way(
-        Text(en=f"{title.en}{note and ', ' + note}", pt_BR=f"{title.pt_BR}{note and ', ' + note}"), method, options
-    )
+    title, more = methods.named(method).TITLE, digits(note and f", {note}")
+    return Way(Text(en=title.en + more.en, pt_BR=title.pt_BR + more.pt_BR), method, options)
+
+
+def digits(note: str) -> Text:
+    """Symbols and numbers, such as "γ = 2.5", with a comma in Portuguese."""
+    return Text(en=note, pt_BR=note.replace(".", ","))
 
 
 @dataclass(frozen=True, eq=False)
 class Run:
     """A run step by step: t (k,), s; q (k, n), rad; e (k, r) and J (k, r, n) in the arm's ℓ; q̇ (k, n), rad/s.
 
-    figures: those of the solutions at every `stride`-th step.
+    ahead (k, r): ẋ_d, and −f in the last row of an augmented aim. figures: of the solutions at every `stride`-th step.
     """
 
     t: Array
     q: Array
     e: Array
+    ahead: Array
     rates: Array
     J: Array
     stride: int
@@ -83,6 +88,11 @@ class Run:
     def w(self) -> Array:
         """Manipulability (k,), the product of the singular values. Source: Vargas 2013, eq. 3.5."""
         return np.asarray(self.sigma.prod(axis=1))
+
+    @property
+    def condition(self) -> Array:
+        """Condition number (k,), σ₁/σₚ, at most 1/`RANK`. Source: Vargas 2013, §3.3."""
+        return np.asarray(self.sigma[:, 0] / np.maximum(self.sigma[:, -1], RANK * self.sigma[:, 0]))
 
     @property
     def push(self) -> Array:
@@ -129,15 +139,15 @@ def record(
     method, steps = methods.named(by.method), round(seconds / dt) + 1
     stride = max(1, steps // SHOWN)
     moments = followed(problem, method, method.Options(**by.options), aiming, gains, np.array(q, float), dt)
-    columns: list[tuple[float, Array, Array, Array, Array]] = []
+    columns: list[tuple[float, Array, Array, Array, Array, Array]] = []
     figures = []
     for i, now in enumerate(islice(moments, steps)):
-        columns.append((now.t, now.q, now.aim.error, now.solution.rates, now.aim.J))
+        columns.append((now.t, now.q, now.aim.error, now.aim.ahead, now.solution.rates, now.aim.J))
         if i % stride == 0:
             figures.append(now.solution.figures)
             progress(i / steps)
-    t, at, e, rates, J = (np.array(column) for column in zip(*columns, strict=True))
-    return Run(t, at, e, rates, J, stride, tuple(figures))
+    t, at, e, ahead, rates, J = (np.array(column) for column in zip(*columns, strict=True))
+    return Run(t, at, e, ahead, rates, J, stride, tuple(figures))
 
 
 def each(runs: Mapping[Key, Callable[[Progress], Run]], progress: Progress) -> dict[Key, Run]:

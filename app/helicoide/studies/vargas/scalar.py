@@ -38,6 +38,11 @@ class Loop:
     e: Array
     u: Array
 
+    @property
+    def y(self) -> Array:
+        """y = y_d − e."""
+        return np.asarray(4 + np.cos(0.2 * pi * self.t) - self.e)
+
 
 def wave(t: float) -> float:
     """k of Sim. 9."""

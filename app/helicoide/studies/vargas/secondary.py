@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,15 +14,17 @@ from helicoide.ik.clik import Aiming
 from helicoide.ik.secondary import Chosen, augmented
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies.study import Progress
+from helicoide.studies.study import Chart, Progress
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, path_5, places
 from helicoide.studies.vargas.runs import IN_PLANE, Run, record, tracking, way
+from helicoide.studies.vargas.table import over_time
 from helicoide.text import Text
 
 SECONDS = 32.0
 MODIFIED = "filtered_modified"
-ASSUMED = Text(en="link lengths 2, 1, 1; start", pt_BR="comprimentos dos elos 2, 1, 1; partida")
+LENGTH = 4.0
+COST = Text(en="cost of the additional row", pt_BR="custo da linha adicional")
 
 
 def silent(share: float) -> None:
@@ -45,19 +47,34 @@ def filtered(aiming: Aiming, start: Sequence[float], gain: float, dt: float, pro
     return record(planar(), way(MODIFIED, gain=gain), aiming, 5.0, start, dt, seconds, progress)
 
 
+def cost_chart(runs: Mapping[Text, Run], figure: str) -> Chart:
+    """f, which stands with its sign turned in the last row of ν₊."""
+    return over_time(COST, "f", runs, lambda run: -run.ahead[:, -1], figure)
+
+
 def tool(run: Run, path: Path) -> Array:
     """Where the tool is, (k, 2), m: p = p_d − e."""
     return np.asarray(places(path, run.t)[:, :2] - run.e[:, :2])
 
 
-def nearest(run: Run, since: float, points: Callable[[float], Array], every: float = 0.05) -> float:
-    """The least distance, m, of forty points on each link from other points at a time, (k, 3), m; seen every 50 ms."""
+def distances(run: Run, points: Callable[[float], Array], every: float = 0.05) -> tuple[Array, Array]:
+    """The least distances, ℓ, of forty points on each link from other points at a time, (k, 3), m; seen every 50 ms.
+
+    Returns when, s, and the distances.
+    """
     arm, step = planar().robot, max(1, round(every / (run.t[1] - run.t[0])))
-    fine, first = along_links(arm, 40), int(np.argmax(run.t >= since - 1e-9))
-    return min(
-        float(np.linalg.norm(fine.at(link_poses(arm.chain, q))[:, None] - points(t), axis=2).min())
-        for q, t in zip(run.q[first::step], run.t[first::step], strict=True)
-    )
+    fine, t = along_links(arm, 40), run.t[::step]
+    away = [
+        np.linalg.norm(fine.at(link_poses(arm.chain, q))[:, None] - points(now), axis=2).min()
+        for q, now in zip(run.q[::step], t, strict=True)
+    ]
+    return t, np.array(away)
+
+
+def nearest(run: Run, since: float, points: Callable[[float], Array]) -> float:
+    """The least of the distances from a time on, ℓ."""
+    t, away = distances(run, points)
+    return float(away[t >= since - 1e-9].min())
 
 
 def beside_the_links(

@@ -1,0 +1,232 @@
+"""The filtered inverse of a matrix (Vargas 2013, §§4.3–4.4): what each inversion error does, seen in the axes of K."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from helicoide.ik import filtered_inverse, modal
+from helicoide.ik.filtered_inverse import Parts, Update
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.differential import geometric
+from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies.vargas.arms import planar
+from helicoide.studies.vargas.table import SECONDS, Gain, finished, row, stated, thinned, valued
+from helicoide.text import Text, same
+
+TITLE = Text(en="What Θ learns of a matrix", pt_BR="O que Θ aprende de uma matriz")
+SOURCE = "Vargas 2013, §§4.3–4.4, eqs. 4.18–4.54, fig. 4.6"
+ABOUT = Text(
+    en="""Θ is on its way to the inverse of a Jacobian that stands still, begun anywhere. In the axes of the Jacobian \
+it is a diagonal, dᵢ, which comes to 1/σᵢ, and residuals rᵢⱼ, which come to zero. Look at what is left when only one \
+of the two inversion errors acts: a joint to spare keeps a motion that nobody asked for, a coordinate too many keeps a \
+reaction. Where σ is zero nothing is learnt, and nothing is forgotten.""",
+    pt_BR="""Θ vai para a inversa de um jacobiano parado, partindo de qualquer valor. Nos eixos do jacobiano ela é uma \
+diagonal, dᵢ, que chega a 1/σᵢ, e resíduos rᵢⱼ, que chegam a zero. Observe o que sobra quando age só um dos dois erros \
+de inversão: uma junta de sobra mantém um movimento que ninguém pediu, uma coordenada a mais mantém uma reação. Onde σ \
+é zero nada se aprende e nada se esquece.""",
+)
+ROBOT = "planar3r"
+READY, STRETCHED = (np.pi / 6,) * 3, (np.pi / 2, 0.0, 0.0)
+FIGURE = "fig. 4.6"
+BOTH: dict[str, Update] = {"composite": "composite", "right": "right", "left": "left"}
+NAMES = {
+    "composite": Text(en="both errors", pt_BR="ambos os erros"),
+    "right": Text(en="S_r alone", pt_BR="S_r sozinho"),
+    "left": Text(en="S_ℓ alone", pt_BR="S_ℓ sozinho"),
+}
+# Γ_r = 2 Γ and Γ_ℓ = Γ/2; and a Γ that is no multiple of I
+UNEQUAL: Parts = (2.0, 0.5)
+MATRIX = np.array([[2.0, 0.5, 0.0], [0.5, 1.0, 0.3], [0.0, 0.3, 0.5]])
+
+
+@dataclass(frozen=True)
+class Options:
+    """gain: γ."""
+
+    gain: Gain = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """Θ (k, n, r) on its way at t (k,), s, for K (r, n)."""
+
+    K: Array
+    t: Array
+    Theta: Array
+
+    @property
+    def off(self) -> Array:
+        """‖Θ − K†‖, (k,)."""
+        return np.asarray(np.linalg.norm(self.Theta - np.linalg.pinv(self.K), axis=(1, 2)))
+
+    def seen(self, gain: float) -> list[modal.Diagnosis]:
+        """The modal diagnosis of each."""
+        return [modal.diagnosed(self.K, Theta, gain) for Theta in self.Theta]
+
+
+def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float) -> Path:
+    """From a random Θ(0), in exact steps."""
+    steps = 600
+    Theta, dt = np.random.default_rng(1).normal(size=K.T.shape), seconds / steps
+    found = [Theta]
+    for _ in range(steps):
+        found.append(filtered_inverse.exact(K, found[-1], gain, dt, update))
+    return Path(K, dt * np.arange(steps + 1.0), np.array(found))
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """A Jacobian with a joint to spare, the same turned round, and one that is singular."""
+    gain, robot = options.gain, planar().robot
+    wide, singular = geometric(robot, READY)[:2], geometric(robot, STRETCHED)[:2]
+    seconds = 100.0 / gain
+    spare = {key: learnt(wide, gain, update, seconds) for key, update in BOTH.items()}
+    many = {key: learnt(wide.T.copy(), gain, update, seconds) for key, update in BOTH.items()}
+    stuck = learnt(singular, gain, "composite", seconds)
+    progress(0.5)
+    of_matrix = learnt(wide, gain * MATRIX, "composite", seconds)
+    unequal = learnt(wide, gain, UNEQUAL, seconds)
+    rows = [
+        *_converged(spare["composite"], many["composite"], of_matrix),
+        *_modes(spare["composite"], gain),
+        *_kept(spare["right"], many["left"], stuck, gain),
+        row(Text(en="‖Θ − K†‖ at the end, Γ_r = 2Γ, Γ_ℓ = Γ/2", pt_BR="‖Θ − K†‖ no fim, Γ_r = 2Γ, Γ_ℓ = Γ/2"), None,
+            float(unequal.off[-1])),
+    ]  # fmt: skip
+    crossings = [_crossing(k * gain, 4e-3 if short else 1e-3) for k in (10.0, 100.0, 1000.0)]
+    progress(1.0)
+    gains = {same("Γ = γI"): spare["composite"], same("Γ_r = 2Γ, Γ_ℓ = Γ/2"): unequal, MATRICES: of_matrix}
+    charts = (
+        _modes_chart(spare["composite"], gain),
+        _residuals_chart(spare, gain),
+        _over_time("V_c", {NAMES[key]: (one.t, _errors(one)) for key, one in spare.items()}, log=False),
+        _over_time("‖Θ − K†‖, 2 × 3", {NAMES[key]: (one.t, one.off) for key, one in spare.items()}),
+        _over_time("‖Θ − K†‖, 3 × 2", {NAMES[key]: (one.t, one.off) for key, one in many.items()}),
+        _over_time("‖Θ − K†‖, Γ", {name: (one.t, one.off) for name, one in gains.items()}),
+        _plane(crossings, gain),
+    )
+    return finished(options, rows, charts)
+
+
+MATRICES = Text(en="a matrix Γ", pt_BR="Γ matricial")
+
+
+def _errors(path: Path) -> Array:
+    """V_c = ½ tr(S_rᵀS_r) + ½ tr(S_ℓᵀS_ℓ)."""
+    return np.array([sum(filtered_inverse.lyapunov(path.K, Theta)) for Theta in path.Theta])
+
+
+def _converged(spare: Path, many: Path, of_matrix: Path) -> list[Row]:
+    """Where Θ comes to, and that V_c never grows on the way."""
+    comes = stated("Θ → K† from any Θ(0)", "Θ → K† de qualquer Θ(0)", "§4.3", 0.0, "≤", 1e-6)
+    any_gain = stated("Γ = Γᵀ > 0: Θ converges", "Γ = Γᵀ > 0: Θ converge", "§4.3", 0.0, "≤", 1e-6)
+    falls = stated("V̇_c ≤ 0", "V̇_c ≤ 0", "§4.3", 0.0, "≤", 1e-9)
+    end = Text(en="‖Θ − K†‖ at the end, {which}", pt_BR="‖Θ − K†‖ no fim, {which}")
+    grows = Text(en="largest growth of V_c in a step", pt_BR="maior crescimento de V_c em um passo")
+    return [
+        row(end.format(which="2 × 3"), None, float(spare.off[-1]), "", comes),
+        row(end.format(which="3 × 2"), None, float(many.off[-1]), "", comes),
+        row(end.format(which=MATRICES), None, float(of_matrix.off[-1]), "", any_gain),
+        row(grows, None, float(np.diff(_errors(spare)).max()), "", falls),
+    ]
+
+
+def _modes(path: Path, gain: float) -> list[Row]:
+    """Θ̇ in the axes of K, beside the laws of its diagonal and of its residuals, relative to the fastest of them."""
+    U, _, Vt = np.linalg.svd(path.K)
+    off_diagonal, off_residual = 0.0, 0.0
+    for Theta, here in zip(path.Theta, path.seen(gain), strict=True):
+        moving = Vt @ filtered_inverse.slope(path.K, Theta, gain) @ U
+        d = -2 * gain * (here.sigma * here.d - 1) * here.sigma
+        off_diagonal = max(off_diagonal, float(np.abs(moving.diagonal() - d).max()))
+        np.fill_diagonal(moving, 0.0)
+        off_residual = max(off_residual, float(np.abs(moving + here.rates * here.R).max()))
+    law = "ḋᵢ = −2γ(σᵢdᵢ − 1)σᵢ", "ṙᵢⱼ = −γ(σᵢ² + σⱼ²)rᵢⱼ"
+    differs = Text(en="largest difference of {what}", pt_BR="maior diferença de {what}")
+    return [
+        row(differs.format(what="ḋᵢ"), None, off_diagonal, "", stated(law[0], law[0], "eq. 4.52", 0.0, "≤", 1e-9)),
+        row(differs.format(what="ṙᵢⱼ"), None, off_residual, "", stated(law[1], law[1], "eq. 4.54", 0.0, "≤", 1e-9)),
+    ]
+
+
+def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
+    """What never decays: how much of it is left."""
+    of_spare, of_many, of_stuck = (one.seen(gain) for one in (spare, many, stuck))
+    rows_of = stated(
+        "with S_r alone the rows of Nul(K) never decay", "só com S_r as linhas de Nul(K) não decaem",
+        "§4.4, obs. 1–3", 1.0, "=", 1e-6,
+    )  # fmt: skip
+    columns_of = stated(
+        "with S_ℓ alone the columns of Nul(Kᵀ) never decay", "só com S_ℓ as colunas de Nul(Kᵀ) não decaem",
+        "§4.4, obs. 1–3", 1.0, "=", 1e-6,
+    )  # fmt: skip
+    frozen = stated("σᵢ = 0: dᵢ is frozen", "σᵢ = 0: dᵢ fica congelado", "eq. 4.52", 0.0, "≤", 1e-9)
+    left = Text(en="residuals of {where} left, {alone}", pt_BR="resíduos de {where} que restam, {alone}")
+
+    def share(first: Array, last: Array) -> float:
+        return float(np.linalg.norm(last) / np.linalg.norm(first))
+
+    moved = abs(float(of_stuck[-1].d[-1] - of_stuck[0].d[-1]))
+    return [
+        row(
+            left.format(where="Nul(K)", alone=NAMES["right"]),
+            None,
+            share(of_spare[0].R[2], of_spare[-1].R[2]),
+            "",
+            rows_of,
+        ),
+        row(
+            left.format(where="Nul(Kᵀ)", alone=NAMES["left"]),
+            None,
+            share(of_many[0].R[:, 2], of_many[-1].R[:, 2]),
+            "",
+            columns_of,
+        ),
+        row(Text(en="motion of d₂ where σ₂ = 0", pt_BR="movimento de d₂ onde σ₂ = 0"), None, moved, "", frozen),
+    ]
+
+
+def _crossing(gain: float, dt: float) -> tuple[Array, Array]:
+    """σ₃ = cos t and d₃ from 1 to 2π s, of K = diag(1, 0.5, cos t) in fixed axes."""
+    t, Theta, found = np.arange(1, 2 * np.pi, dt), np.zeros((3, 3)), []
+    for now in t:
+        found.append(Theta[2, 2])
+        Theta = filtered_inverse.exact(np.diag([1, 0.5, np.cos(now)]), Theta, gain, dt)
+    return np.cos(t), np.array(found)
+
+
+def _modes_chart(path: Path, gain: float) -> Chart:
+    d = np.array([one.d for one in path.seen(gain)]).T
+    sigma = path.seen(gain)[0].sigma
+    title = Text(en="diagonal, on its way to 1/σᵢ", pt_BR="diagonal, a caminho de 1/σᵢ")
+    early = path.t <= path.t[-1] / 30
+    lines = [
+        Line(valued(f"d{i}, σ{i}", round(s, 3)), path.t[early], of[early])
+        for i, (s, of) in enumerate(zip(sigma, d, strict=True), 1)
+    ]
+    return Chart(title, SECONDS, same("dᵢ"), tuple(lines), "§4.4")
+
+
+def _residuals_chart(paths: Mapping[str, Path], gain: float) -> Chart:
+    lines = [
+        Line(NAMES[key], one.t, np.array([np.linalg.norm(here.R) for here in one.seen(gain)]))
+        for key, one in paths.items()
+    ]
+    return Chart(Text(en="residuals", pt_BR="resíduos"), SECONDS, same("‖R‖ = ‖(rᵢⱼ)‖"), tuple(lines), "§4.4", log=True)
+
+
+def _over_time(up: str, values: Mapping[Text, tuple[Array, Array]], log: bool = True) -> Chart:
+    lines = tuple(Line(name, t, value) for name, (t, value) in values.items())
+    title = Text(en="Θ on its way: {up}", pt_BR="Θ a caminho: {up}").format(up=up)
+    return Chart(title, SECONDS, same(up), lines, "§4.3", log)
+
+
+def _plane(crossings: list[tuple[Array, Array]], gain: float) -> Chart:
+    """The phase plane of a singular value that crosses zero twice."""
+    lines = [
+        Line(valued("γ", k * gain), thinned(sigma), thinned(d))
+        for k, (sigma, d) in zip((10.0, 100.0, 1000.0), crossings, strict=True)
+    ]
+    return Chart(Text(en="d₃ over σ₃", pt_BR="d₃ em função de σ₃"), same("σ₃"), same("d₃"), tuple(lines), FIGURE)

@@ -30,7 +30,7 @@ def distance(plane: Plane, point: Array) -> float:
 
 @pytest.mark.parametrize("name", PRINTED)
 def test_printed_planes_are_those_of_the_robots_file(robot: Robot, name: str) -> None:
-    """The source's numbers, in mm and with outward normals, turned by a point inside (digest, section 5.1)."""
+    """The source's numbers, in mm and with outward normals, turned by a point inside."""
     (pane,) = [pane for pane in robot.panes if pane.name == name]
     plane = from_coefficients([*PRINTED[name][:3], PRINTED[name][3] / 1000], INSIDE)
     np.testing.assert_allclose(plane.normal, pane.normal, rtol=0, atol=1e-12)

@@ -16,12 +16,14 @@ from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, SAMPL
 from helicoide.studies.study import Row, Verdict
 from helicoide.trajectory import Ellipse
 
+USUAL = Options()
+
 
 def nothing(share: float) -> None:
     pass
 
 
-def runs(path: Ellipse, asked: tuple[tuple[Kind, int], ...] = SHORT, options: Options = Options()) -> Runs:
+def runs(path: Ellipse, asked: tuple[tuple[Kind, int], ...] = SHORT, options: Options = USUAL) -> Runs:
     """Those that were asked for, and the first of them in the place of the guarded step."""
     courses = {
         run: confined.by_rule(path, run[1], options.gains, rule(run[0], options), SAMPLES_SHORT, nothing)
@@ -30,7 +32,7 @@ def runs(path: Ellipse, asked: tuple[tuple[Kind, int], ...] = SHORT, options: Op
     return Runs(courses, courses[asked[0]], path.period)
 
 
-def said(path: Ellipse, options: Options = Options()) -> dict[str, Row]:
+def said(path: Ellipse, options: Options = USUAL) -> dict[str, Row]:
     """The sentences of the source by the words of their quantity."""
     return {row.quantity.en: row for row in sentences(runs(path, SHORT, options), options)}
 

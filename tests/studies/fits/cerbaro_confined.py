@@ -1,4 +1,4 @@
-"""For which gains k₀ the sentences of chapter 6 hold on all three paths: `python -m tests.studies.fits.cerbaro_confined`.
+"""For which gains k₀ the sentences of chapter 6 hold on its paths: `python -m tests.studies.fits.cerbaro_confined`.
 
 What depends on k₀: case 2 crosses no joint limit, case 3 stays farther from them, both keep 80 mm and stay on the
 border, and case 1 deviates more on the ellipse and the circle.

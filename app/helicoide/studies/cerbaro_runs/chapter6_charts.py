@@ -76,7 +76,8 @@ def _errors(runs: Runs, figure: str) -> Chart:
         lines += [Line(missed, x, 1000 * few(course.errors)), Line(left, x, few(course.deviations))]
     lines.append(_level(same("10 mm"), 10.0))
     name = Text(
-        en="Position error, and how far the tool is off the path", pt_BR="Erro de posição, e quanto o efetuador se desvia"
+        en="Position error, and how far the tool is off the path",
+        pt_BR="Erro de posição, e quanto o efetuador se desvia",
     )
     return Chart(name, TURN, same("mm"), tuple(lines), figure, log=True)
 

@@ -35,7 +35,10 @@ ON_BORDER = Statement(
     "≥",
 )
 CASE_1_MORE = Statement(
-    Text(en="case 1 deviates more than cases 2 and 3", pt_BR="o caso 1 desvia mais que os casos 2 e 3"), "§6.3", 0.0, ">"
+    Text(en="case 1 deviates more than cases 2 and 3", pt_BR="o caso 1 desvia mais que os casos 2 e 3"),
+    "§6.3",
+    0.0,
+    ">",
 )
 GAIN = Fitted(same("k₀"), Options().gain, 1300.0, 3000.0, "1/s")
 BEYOND_REACH = Text(
@@ -102,10 +105,9 @@ def border(course: Course) -> float:
 
 
 _A_JOINT = Text(en="any joint", pt_BR="qualquer junta")
-_FARTHER_BY = Text(
-    en="least margin of case 3 less that of case 2", pt_BR="menor folga do caso 3 menos a do caso 2"
-)
-_J1 = Text(en="largest difference of J1 between cases 2 and 3, where a figure shows 1°",
+_FARTHER_BY = Text(en="least margin of case 3 less that of case 2", pt_BR="menor folga do caso 3 menos a do caso 2")
+_J1 = Text(
+    en="largest difference of J1 between cases 2 and 3, where a figure shows 1°",
     pt_BR="maior diferença de J1 entre os casos 2 e 3, onde uma figura mostra 1°",
 )
 _SHARE = Text(
@@ -116,7 +118,8 @@ _MORE = Text(
     pt_BR="desvio médio do caso 1 menos o maior dos casos 2 e 3",
 )
 _CLIPS = Text(
-    en="how often Algorithm 1 stops a joint, from home on", pt_BR="quantas vezes o Algoritmo 1 detém uma junta, desde a origem"
+    en="how often Algorithm 1 stops a joint, from home on",
+    pt_BR="quantas vezes o Algoritmo 1 detém uma junta, desde a origem",
 )
 _GIVEN_UP = Text(en="samples at which eq. 36 as printed is given up", pt_BR="amostras em que a eq. 36 impressa desiste")
 _NEAREST = Text(en="{of}: least distance", pt_BR="{of}: menor distância")

@@ -136,10 +136,13 @@ def _to_ceiling(of: Text, course: Course, erratum: str = "") -> Row:
 
 
 def _to_walls(of: Text, course: Course) -> Row:
-    worst = int(course.least[1:].argmin()) + 1
+    """The least distance to a wall or the bench; where the tool keeps away from it, it is what the source overlooks."""
+    worst, planes = int(course.least[1:].argmin()) + 1, confined().planes
+    of_tool = 1000 * float((course.tool @ planes.normals[worst]).min() - planes.offsets[worst])
+    erratum = "cerbaro-24" if of_tool >= CRITICAL else ""
     quantity = Text(en="{of}: least distance to {plane}", pt_BR="{of}: menor distância a {plane}")
     named = quantity.format(of=of, plane=PLANES[worst])
-    return Row(named, float(course.least[worst]), "mm", NEVER_BELOW, erratum="cerbaro-24")
+    return Row(named, float(course.least[worst]), "mm", NEVER_BELOW, erratum=erratum)
 
 
 def _error(case: int, course: Course) -> Row:

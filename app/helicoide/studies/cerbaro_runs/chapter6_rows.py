@@ -13,10 +13,10 @@ from helicoide.text import Text, same
 
 SAID = "§6.2–6.3"
 NEVER_BELOW = Statement(
-    Text(en="never below the critical 80 mm", pt_BR="nunca abaixo da crítica, de 80 mm"), SAID, CRITICAL, "≥", 1e-6
+    Text(en="never below the critical 80 mm", pt_BR="nunca abaixo da crítica, de 80 mm"), SAID, CRITICAL, "≥", 1e-3
 )
 INSIDE = Statement(
-    Text(en="without crossing the physical limits", pt_BR="sem cruzar os limites físicos"), "§6.3", 0.0, "≥", 1e-6
+    Text(en="without crossing the physical limits", pt_BR="sem cruzar os limites físicos"), "§6.3", 0.0, "≥", 1e-3
 )
 OUTSIDE = Statement(Text(en="case 1 leaves the joint limits", pt_BR="o caso 1 sai dos limites"), SAID, 0.0, "<")
 FARTHER = Statement(

@@ -27,7 +27,8 @@ command · seat
 state
 advance
 foresight · readout · gate · lesson · recorder
-console · perception · studies
+console · perception
+studies
 hardware · store · export · jobs
 classroom
 view

@@ -20,13 +20,13 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.state import Compared, Held, State
 from helicoide.trajectory.path import placed
+from helicoide.trajectory.waypoints import GRIPPING
 
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
 RESTS = 0.1
 # What comes no nearer to the path, as a share of the reach, in so many seconds has come as near as it can.
 NEARER, PATIENCE = 1e-3, 2.0
-GRIPPER_SPEED = 2.0
 IMPERCEPTIBLE = 1e-10
 # How near to its path an arm is that follows it, rad or m, and the shares of the time that are tried for that.
 ON_PATH = 2e-4
@@ -39,6 +39,8 @@ Task = tuple[Array, Array, Array, Array]
 def advance(state: State, dt: float) -> State:
     """The state dt seconds later; joints, planes and speeds stay within what `guarded_tick` promises."""
     moved = _advanced(_with_time(state, dt), dt)
+    if moved.ball is not None and moved.ball.held is not None:
+        moved = replace(moved, ball=moved.ball.carried(moved.T_world_tool))
     return moved if state.compared is None else replace(moved, compared=_compared(state, moved, dt))
 
 
@@ -66,12 +68,16 @@ def _under(state: State, command: Command) -> State:
 
 
 def _with_time(state: State, dt: float) -> State:
-    """Time goes on; the gripper closes or opens at its own speed unless the arm was stopped."""
-    arm, request = state.arm, state.request
+    """Time goes on; the gripper closes or opens at its own speed, unless the arm was stopped or a ball stops it."""
+    arm, request, ball = state.arm, state.request, state.ball
     if not (isinstance(request.command, Hold) and request.command.stopped) and request.gripper != arm.gripper:
-        step = min(max(request.gripper - arm.gripper, -GRIPPER_SPEED * dt), GRIPPER_SPEED * dt)
-        arm = replace(arm, gripper=arm.gripper + step)
-    return replace(state, arm=arm, request=replace(request, rested=request.rested + dt), t=state.t + dt)
+        most = dt / GRIPPING
+        opening = arm.gripper + min(max(request.gripper - arm.gripper, -most), most)
+        if ball is not None and state.robot.gripper is not None:
+            ball, opening = ball.gripped(state.robot.gripper, arm.gripper, opening, state.T_world_tool)
+        arm = replace(arm, gripper=opening)
+    request = replace(request, rested=request.rested + dt)
+    return replace(state, arm=arm, request=request, ball=ball, t=state.t + dt)
 
 
 def _compared(state: State, moved: State, dt: float) -> Compared:
@@ -191,6 +197,9 @@ def _replayed(state: State, command: Replay, dt: float) -> State:
         stepped = _stepped(state, drives.displacement(there - here + (1 - np.exp(-GAIN * dt)) * (here - q)), dt)
         if np.max(np.abs(stepped.arm.q - there)) < ON_PATH:
             break
+    for at, opening in command.grips:
+        if command.s <= at < s:
+            stepped = replace(stepped, request=replace(stepped.request, gripper=opening))
     ended = command.s >= path.duration
     return _under(stepped, ToJoints(frozen(path.q(s))) if ended else replace(command, s=s))
 

@@ -71,12 +71,14 @@ class Along:
 class Replay:
     """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
 
-    waits: whether its time slows down where the arm cannot keep up.
+    waits: whether its time slows down where the arm cannot keep up; grips: what the gripper is asked to be, 0 closed to
+    1 open, from which s on.
     """
 
     path: JointPath
     title: Text
     waits: bool = True
+    grips: tuple[tuple[float, float], ...] = ()
     s: float = 0.0
     arrived: bool = False
 

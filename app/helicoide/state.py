@@ -16,6 +16,7 @@ from helicoide.ik import Limits, Problem
 from helicoide.ik.drive import Drive
 from helicoide.ik.goal import Goal, tool_pose
 from helicoide.kernels import plain
+from helicoide.kinematics.ball import Ball
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -126,8 +127,8 @@ class State:
 
     problem: the arm, its limits, and the planes, obstacles and entry point around it; t, s; taught: the waypoints;
     compared: a second arm beside the first; seen: the clouds that were read, by the name of the plane that was looked
-    for; workspace: the maps of where the tool comes; notice: what the last refusal says, or at first what is to be said
-    of the robot's file.
+    for; workspace: the maps of where the tool comes; ball: what there is to grasp; notice: what the last refusal says,
+    or at first what is to be said of the robot's file.
     """
 
     problem: Problem
@@ -137,6 +138,7 @@ class State:
     compared: Compared | None = None
     seen: Mapping[str, Seen] = field(default_factory=lambda: MappingProxyType({}))
     workspace: Workspace = Workspace()
+    ball: Ball | None = None
     t: float = 0.0
     notice: Text | None = None
 

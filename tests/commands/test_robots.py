@@ -20,7 +20,7 @@ from helicoide.commands.robots import POSTURES
 from helicoide.kinematics.library import load, packaged
 
 APP = Path(__file__).parents[2] / "app"
-FIELDS = {"name", "title", "source", "base", "tip", "remarks", "ours", "reach", "disagreement", "joints"}
+FIELDS = {"name", "title", "source", "base", "tip", "remarks", "ours", "reach", "disagreement", "planes", "joints"}
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +72,8 @@ def test_people_read_joints_limits_source_and_agreement(
     assert load("scara").source in source
     assert f"over {POSTURES} random postures" in agreement
     assert rest[0].startswith("movemaster: ")
-    assert len(rest) == 5
+    assert "printed -y: 0.0577 e1" in rest[6]
+    assert len(rest) == 9
 
 
 def test_the_whole_list_ends_with_the_names_of_packages(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import assume, given
@@ -11,6 +13,7 @@ from helicoide.confinement import BOX, Plane, box, distances, from_coefficients,
 from helicoide.geometry import rigid
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.readout import printed_planes
 from helicoide.text import HelicoideError
 
 INSIDE = np.array([0.52, 0.0, 0.23])
@@ -30,11 +33,24 @@ def distance(plane: Plane, point: Array) -> float:
 
 @pytest.mark.parametrize("name", PRINTED)
 def test_printed_planes_are_those_of_the_robots_file(robot: Robot, name: str) -> None:
-    """The source's numbers, in mm and with outward normals, turned by a point inside (digest, section 5.1)."""
+    """The source's numbers, in mm and with outward normals, turned by a point inside."""
     (pane,) = [pane for pane in robot.panes if pane.name == name]
     plane = from_coefficients([*PRINTED[name][:3], PRINTED[name][3] / 1000], INSIDE)
     np.testing.assert_allclose(plane.normal, pane.normal, rtol=0, atol=1e-12)
     assert plane.offset == pytest.approx(pane.offset, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", PRINTED)
+def test_what_is_shown_as_printed_is_what_is_printed(robot: Robot, name: str) -> None:
+    """Label, signs and millimetres of §6.2.1; the source calls our left wall −y."""
+    (pane,) = [pane for pane in robot.panes if pane.name == name]
+    label, _, sum_of_blades = pane.printed.partition(": ")
+    assert label == {"+z": "+z", "+y": "-y", "-y": "+y"}[name]
+    values = re.findall(r"(-?)\s?(\d+\.\d+) e", sum_of_blades)
+    np.testing.assert_array_equal([float(sign + digits) for sign, digits in values], PRINTED[name])
+    (line,) = [line for line in printed_planes(robot) if line.en.startswith(f"{name} (")]
+    assert pane.printed in line.en
+    assert pane.printed.replace(".", ",") in line.pt_BR
 
 
 @given(seed=seeds, exponent=st.integers(-300, 300), swapped=st.booleans())

@@ -35,7 +35,7 @@ def table(arm: Problem, q: Array) -> Array:
 
 
 def trimmed(arm: Problem, point: Array) -> Array:
-    """The point, or where the tool is at the warning distance from the walls and the bench (digest, 5.3, step 2)."""
+    """The point, or where the tool is at the warning distance from the walls and the bench."""
     planes = planes_of(arm.robot.panes)
     for normal, offset in zip(planes.normals[1:], planes.offsets[1:], strict=True):
         point = point + max(0.0, ZONES.warning - (normal @ point - offset)) * normal
@@ -72,7 +72,7 @@ def along_the_circle(arm: Problem, samples: int) -> list[Array]:
 
 
 def test_the_shortcut_lets_the_wrist_near_a_wall(arm: Problem) -> None:
-    """All that the source looks at keeps 80 mm, and yet the folded wrist is at 35 to 41 mm (digest, E13 and 5.5)."""
+    """All that the source looks at keeps 80 mm, and yet the folded wrist is at 35 to 41 mm."""
     tables = along_the_circle(arm, 61)
     seen = watched_by_source(planes_of(arm.robot.panes).normals, len(tables[0]))
     assert min(found[seen].min() for found in tables) >= ZONES.critical

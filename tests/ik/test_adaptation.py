@@ -38,7 +38,7 @@ def test_the_corrected_rule_brings_the_critical_joint_a_tenth_beyond_the_critica
 
 @pytest.mark.parametrize(("distance", "by"), [(0.0, 0.08), (0.05, 0.025), (0.08 / 1.1, 0.0), (0.078, -0.0058)])
 def test_the_printed_rule_turns_round_before_the_critical_distance(distance: float, by: float) -> None:
-    """Digest E12: it rests at 72.7 mm and pulls nearer what is farther than that."""
+    """It rests at 72.7 mm and pulls nearer what is farther than that."""
     assert moved_away(at(distance), distance, UP, 0.08, False)[2] - distance == pytest.approx(by, abs=1e-12)
 
 
@@ -106,7 +106,7 @@ def test_the_printed_damping_forbids_to_rise_whatever_the_plane() -> None:
 
 
 def test_the_points_that_cannot_move_are_not_watched() -> None:
-    """Digest §8: shoulder, elbow, wrist and tool to +z, +y, −y at q = 0; the waist would be 257 mm from nothing."""
+    """Recomputed from eq. 20 and the printed planes by other code; the waist would be 257 mm from nothing."""
     near = 1000 * nearest(confined(), np.zeros(5))
     np.testing.assert_allclose(near, [220.93, 278.46, 291.83, 400.0], atol=0.05)
     home = 1000 * nearest(confined(), confined().robot.poses["home"].copy())
@@ -131,15 +131,16 @@ def test_without_a_rule_a_path_is_followed_into_the_planes() -> None:
     assert track.near.min() < 0.07
 
 
-@pytest.mark.parametrize("damps", [True, False])
-def test_with_the_corrected_rule_nothing_comes_nearer_than_the_critical_distance(damps: bool) -> None:
+@pytest.mark.parametrize(("damps", "ratchets"), [(True, False), (True, True), (False, False)])
+def test_with_the_corrected_rule_nothing_comes_nearer_than_the_critical_distance(damps: bool, ratchets: bool) -> None:
     here = confined()
-    track, way = by(replace(everywhere(here.planes), damps=damps))
+    track, way = by(replace(everywhere(here.planes), damps=damps, ratchets=ratchets))
     assert track.near.min() >= 0.080
     assert (track.moved > 0).any()
     assert track.moved.max() < adaptation.CAP
-    ahead = np.einsum("kj,pj->kp", np.diff(track.targets, axis=0), here.planes.normals)
-    if damps:  # where a plane warns, its target comes no nearer to it than the one before
+    former = track.targets if ratchets else way
+    ahead = np.einsum("kj,pj->kp", track.targets[1:] - former[:-1], here.planes.normals)
+    if damps:  # where a plane warns, its target comes no nearer to it than the former point
         assert (ahead[track.near[1:] < 0.110] >= -1e-9).all()
     untouched = track.moved == 0
     np.testing.assert_array_equal(track.targets[untouched], way[untouched])

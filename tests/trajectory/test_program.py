@@ -16,9 +16,9 @@ from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.fastest import Shape, overload
 from helicoide.trajectory.joints import Carried, tool_at
 from helicoide.trajectory.path import Path
-from helicoide.trajectory.program import Leg, legs, whole
+from helicoide.trajectory.program import Leg, grips, legs, whole
 from helicoide.trajectory.straight import Screw
-from helicoide.trajectory.waypoints import Taught, inserted, waypoint
+from helicoide.trajectory.waypoints import GRIPPING, Taught, gripping_at, inserted, waypoint
 
 SHAPES: list[Shape] = ["trapezoid", "minimum jerk"]
 
@@ -160,3 +160,19 @@ def test_what_was_taught_stays_as_it_is() -> None:
     for each, q in zip(here.waypoints, before, strict=True):
         np.testing.assert_array_equal(each.q, q)
         assert not each.q.flags.writeable
+
+
+def test_the_gripper_is_asked_where_a_waypoint_says_so_and_the_arm_waits_for_it() -> None:
+    """Points of `taught` stay 0, 0.5 and 1 s; what opens or closes there stays as long as the gripper takes."""
+    plain = by_joints(taught("movemaster"))
+    here = gripping_at(gripping_at(plain, "a", "open"), "c", "closed")
+    before, found = whole(moved(plain)), moved(here)
+    path, asked = whole(found), list(grips(found))
+    assert before is not None
+    assert path is not None
+    assert path.duration == pytest.approx(before.duration + GRIPPING)
+    assert [opening for _, opening in asked] == [1.0, 0.0]
+    for (s, _), name in zip(asked, "ac", strict=True):
+        for inside in (s + 1e-9, s + GRIPPING - 1e-9):
+            np.testing.assert_allclose(path.q(inside), here.waypoints[here.index(name)].q, rtol=0, atol=1e-8)
+    assert list(grips(moved(plain))) == []

@@ -13,7 +13,7 @@ from tests.trajectory.taught import taught
 
 from helicoide.text import HelicoideError
 from helicoide.trajectory.waypoint_file import FORMAT, decoded, encoded
-from helicoide.trajectory.waypoints import WAYS, Taught, waypoint
+from helicoide.trajectory.waypoints import GRIPS, WAYS, Taught, waypoint
 
 NAME = st.text(min_size=1, max_size=60).filter(lambda name: name.isprintable() and name == name.strip())
 ROBOT = arm("movemaster")
@@ -24,7 +24,7 @@ def are_alike(one: Taught, other: Taught) -> None:
     assert one.names == other.names
     for a, b in zip(one.waypoints, other.waypoints, strict=True):
         assert a.q.tobytes() == b.q.tobytes()
-        assert (a.way, a.dwell) == (b.way, b.dwell)
+        assert (a.way, a.dwell, a.gripper) == (b.way, b.dwell, b.gripper)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -40,12 +40,13 @@ def test_there_and_back_for_every_robot(name: str) -> None:
             st.tuples(*[st.floats(low, high) for low, high in zip(ROBOT.lower, ROBOT.upper, strict=True)]),
             st.sampled_from(list(WAYS)),
             st.floats(0, 3600),
+            st.sampled_from(list(GRIPS)),
         ),
         max_size=5,
         unique_by=lambda point: point[0],
     )
 )
-def test_there_and_back_to_the_last_bit(points: list[tuple[str, tuple[float, ...], str, float]]) -> None:
+def test_there_and_back_to_the_last_bit(points: list[tuple[str, tuple[float, ...], str, float, str]]) -> None:
     """Any name that a person can read, and every float, −0.0 and the smallest among them."""
     here = Taught(ROBOT, tuple(waypoint(ROBOT, *point) for point in points))
     are_alike(decoded(encoded(here), ROBOT), here)
@@ -73,17 +74,28 @@ def test_a_person_can_read_it() -> None:
     ]
 
 
+def test_a_gripper_that_opens_or_closes_has_a_line_of_its_own() -> None:
+    here = Taught(ROBOT, (waypoint(ROBOT, "x", [0, 0, -1, 0, 0], gripper="closed"),))
+    assert encoded(here).decode().splitlines()[-1] == 'gripper = "closed"'
+
+
 def test_what_a_person_leaves_out_or_writes_as_a_whole_number() -> None:
     file = encoded(Taught(ROBOT)) + b'[[waypoint]]\nname = "zero"\nq = [0, 0, -1, 0, 0]\n'
     (point,) = decoded(file, ROBOT).waypoints
     np.testing.assert_array_equal(point.q, [0, 0, -1, 0, 0])
-    assert (point.way, point.dwell) == ("joints", 0.0)
+    assert (point.way, point.dwell, point.gripper) == ("joints", 0.0, "")
 
 
 def test_the_file_of_another_robot_is_refused_with_both_names() -> None:
     with pytest.raises(HelicoideError, match="taught to puma560, and this robot is movemaster") as refused:
         decoded(encoded(taught("puma560")), ROBOT)
     assert "robô puma560, e este é o movemaster" in refused.value.text.pt_BR
+
+
+def test_an_arm_without_a_gripper_has_none_to_open() -> None:
+    with pytest.raises(HelicoideError, match="is to have the gripper open, and this robot has none") as refused:
+        waypoint(arm("puma560"), "x", arm("puma560").poses["ready"], gripper="open")
+    assert "pede a garra aberta" in refused.value.text.pt_BR
 
 
 def test_the_file_of_a_robot_with_other_joints_is_refused() -> None:
@@ -118,6 +130,8 @@ POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
         (GOOD.replace("dwell = 0.5", "dwell = -0.5"), "0 to 3600 s, not -0.5"),
         (GOOD.replace("dwell = 0.5", "dwell = nan"), "0 to 3600 s, not nan"),
         (GOOD.replace("dwell = 0.5", "dwell = 1e999"), "0 to 3600 s, not inf"),
+        (HEADER + POINT + 'gripper = "ajar"\n', "cannot be 'ajar' at waypoint 'x'; it may be: open, closed"),
+        (HEADER + POINT + "gripper = 1\n", "not a file of waypoints"),
         (HEADER + POINT.replace("[0.0, ", "["), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "nan"), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "-inf"), "takes 5 finite joint values"),

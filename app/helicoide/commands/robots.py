@@ -14,6 +14,7 @@ from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.forward import disagreement
 from helicoide.kinematics.library import load, packaged
 from helicoide.kinematics.robot import Robot
+from helicoide.readout import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.text import Language, Text
 
 POSTURES = 100
@@ -43,6 +44,10 @@ def described(robot: Robot) -> dict[str, Any]:
         "ours": list(robot.ours),
         "reach": robot.stretched,
         "disagreement": max(disagreement(robot, q) for q in postures),
+        "planes": [
+            {"name": pane.name, "normal": [*pane.normal], "offset": pane.offset, "printed": pane.printed or None}
+            for pane in robot.panes
+        ],
         "joints": [
             {
                 "name": joint.name,
@@ -89,6 +94,7 @@ def _lines(robot: Robot, spoken: Language) -> list[str]:
     """What is said of a robot, as people read it."""
     head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.stretched)
     ours = OURS.format(fields=", ".join(robot.ours)) if robot.ours else ""
+    planes = printed_planes(robot)
     agreement = AGREEMENT.format(error=described(robot)["disagreement"], n=POSTURES)
     return [
         head[spoken],
@@ -96,6 +102,7 @@ def _lines(robot: Robot, spoken: Language) -> list[str]:
         "   " + ", ".join(map(_limits, robot.variables)),
         SOURCE.format(source=robot.source, ours=ours)[spoken],
         agreement[spoken],
+        *(f"   {line[spoken]}" for line in (*planes, *([WHY_PRINTED_DIFFERS] if planes else []))),
     ]
 
 

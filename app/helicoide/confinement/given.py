@@ -22,7 +22,7 @@ def from_coefficients(coefficients: ArrayLike, inside: ArrayLike) -> Plane:
 
     Args: coefficients (a, b, c, d) (4,), d in m where (a, b, c) is of length one; inside: a point on the allowed side,
     (3,), m. Raises HelicoideError for a zero normal, other numbers, or a point that lies on the plane.
-    Source: Cerbaro 2022, eq. 18; the sign as in its digest, §5.1.
+    Source: Cerbaro 2022, eq. 18; its sign so that l > 0 inside.
     """
     a, b, c, d = map(float, _finite(coefficients, 4, Text(en="A plane", pt_BR="Um plano"), most=np.inf))
     scale = max(abs(a), abs(b), abs(c))

@@ -2,7 +2,7 @@
 
 A plane is n·r = d with a unit normal that points to the allowed side; the distance of a point is l = n·r − d.
 The points watched are the joint centres and the tool; links are straight, so no other point of the chain comes closer
-to a plane than these. Source: Cerbaro 2022, §6.1; normals and signs as in the digest of eq. 36 (corrected).
+to a plane than these. Source: Cerbaro 2022, §6.1; eqs. 18 and 20, with every normal turned inward.
 """
 
 from __future__ import annotations

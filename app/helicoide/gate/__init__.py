@@ -4,6 +4,7 @@ A wish that cannot be granted leaves the state as it was, but for a notice that 
 nowhere else: a browser may send anything.
 """
 
+from helicoide.gate.ball import POINTS, can_grasp, pick_and_place, put_ball, take_ball_away
 from helicoide.gate.check import PARKED, pose, while_asked
 from helicoide.gate.enclosure import (
     add_plane,
@@ -57,6 +58,7 @@ from helicoide.gate.teaching import (
     record,
     rename_waypoint,
     set_dwell,
+    set_grip,
     set_way,
     take_waypoints,
     teach_again,
@@ -72,12 +74,14 @@ __all__ = [
     "LONGEST",
     "NO_PARKING",
     "PARKED",
+    "POINTS",
     "SHORTEST",
     "SMALLEST",
     "Phase",
     "add_obstacle",
     "add_plane",
     "add_plane_through",
+    "can_grasp",
     "choose_leg_shape",
     "choose_map",
     "choose_method",
@@ -107,9 +111,11 @@ __all__ = [
     "park",
     "path_of",
     "pause",
+    "pick_and_place",
     "play",
     "pose",
     "presets",
+    "put_ball",
     "record",
     "remove_obstacle",
     "remove_plane",
@@ -125,6 +131,7 @@ __all__ = [
     "set_dwell",
     "set_entry",
     "set_gain",
+    "set_grip",
     "set_gripper",
     "set_joint",
     "set_objective",
@@ -137,6 +144,7 @@ __all__ = [
     "show_map",
     "start_map",
     "stop",
+    "take_ball_away",
     "take_planes",
     "take_planes_of",
     "take_waypoints",

@@ -16,12 +16,12 @@ from helicoide.trajectory.spline import Spline
 MOST, KNOTS = 500_000, 1500
 
 
-def replay(path: JointPath, title: Text) -> Update:
-    """A path of this arm's joints; the guard keeps every limit on the way."""
+def replay(path: JointPath, title: Text, grips: tuple[tuple[float, float], ...] = ()) -> Update:
+    """A path of this arm's joints; the guard keeps every limit on the way. grips: as in `Replay`."""
 
     def wish(state: State) -> State:
         finite(path.q(0.0), state.arm.q.shape)
-        return commanded(state, Replay(path, title))
+        return commanded(state, Replay(path, title, grips=grips))
 
     return driven(wish)
 

@@ -14,6 +14,7 @@ from helicoide.trajectory.waypoint_file import decoded
 from helicoide.trajectory.waypoints import (
     Taught,
     deleted,
+    gripping_at,
     inserted,
     moved,
     placed_at,
@@ -69,6 +70,11 @@ def set_dwell(name: str, seconds: float) -> Update:
         return stayed_at(state.taught, name, float(value))
 
     return _changed(change)
+
+
+def set_grip(name: str, gripper: str) -> Update:
+    """What the gripper does at a waypoint, one of `waypoints.GRIPS`."""
+    return _changed(lambda state: gripping_at(state.taught, name, gripper))
 
 
 def teach_again(name: str) -> Update:

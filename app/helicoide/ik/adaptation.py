@@ -5,12 +5,13 @@ walls and bench. In the run, where a point of the arm is nearer than δ_c to a p
 
     p ← p + (1.1 δ_c − d) n                                        eq. 36, corrected; as printed: (δ_c − 1.1 d) n
 
-and where it is nearer than the warning distance the target may not come nearer than the one before it,
+and where it is nearer than the warning distance the target may not come nearer than the former point,
 
-    p ← p − min(0, (p − p_before)·n) n                             eq. 37 for any plane; as printed: z must not rise
+    p ← p − min(0, (p − p_former)·n) n                             eq. 37 for any plane; as printed: z must not rise
 
-each time with the inverse kinematics once more, until neither applies. n: unit normal to the allowed side.
-Source: Cerbaro 2022, §6.1; digest E12 (the bracket of eq. 36), E13 (every point and plane, not the ceiling alone).
+each time with the inverse kinematics once more, until neither applies. n: unit normal to the allowed side. The former
+point may be that of the wanted path, or the former target as it ended: then one target holds back all that follow.
+Source: Cerbaro 2022, §6.1. As printed, the tenth in eq. 36 is on d, and the ceiling alone is watched.
 """
 
 from __future__ import annotations
@@ -40,13 +41,15 @@ class Rule:
     """How targets give way: watched: numbers of the planes; cap: how often at most a target is moved.
 
     corrected: eq. 36 with the tenth on δ_c instead of on d; level: eq. 37 as printed, where a warning from any plane
-    forbids to rise; damps: whether there is eq. 37 at all.
+    forbids to rise; damps: whether there is eq. 37 at all; ratchets: whether its former point is the former target as
+    it ended, not that of the wanted path.
     """
 
     watched: tuple[int, ...]
     corrected: bool = True
     level: bool = False
     damps: bool = True
+    ratchets: bool = False
     cap: int = CAP
 
 
@@ -83,9 +86,9 @@ def moved_away(target: Array, distance: float, normal: Array, critical: float, c
     return np.asarray(target + by * normal)
 
 
-def held_back(target: Array, before: Array, normal: Array) -> Array:
-    """Eq. 37 for a plane of any direction: p − min(0, (p − p_before)·n) n. Args: (3,) each; normal: unit, inward."""
-    return np.asarray(target - min(0.0, float((target - before) @ normal)) * normal)
+def held_back(target: Array, former: Array, normal: Array) -> Array:
+    """Eq. 37 for a plane of any direction: p − min(0, (p − p_former)·n) n. Args: (3,) each; normal: unit, inward."""
+    return np.asarray(target - min(0.0, float((target - former) @ normal)) * normal)
 
 
 def nearest(problem: Problem, q: Array) -> Array:
@@ -96,10 +99,10 @@ def nearest(problem: Problem, q: Array) -> Array:
     return np.asarray(distances(problem.planes.normals, frozen(problem.planes.offsets), points).min(axis=0))
 
 
-def given_way(target: Array, before: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule) -> Array:
+def given_way(target: Array, former: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule) -> Array:
     """The target after one application of the rule; the same array where none applies.
 
-    Args: target and the one before it on the path, (3,), m; near (k,), m, of `nearest`.
+    Args: target and the former point, (3,), m, None at the first; near (k,), m, of `nearest`.
     """
     watched = list(rule.watched)
     if not watched:
@@ -107,12 +110,12 @@ def given_way(target: Array, before: Array | None, near: Array, planes: Planes, 
     worst = watched[int(near[watched].argmin())]
     if near[worst] < zones.critical:
         return moved_away(target, float(near[worst]), planes.normals[worst], zones.critical, rule.corrected)
-    if before is None or not rule.damps:
+    if former is None or not rule.damps:
         return target
     back = target
     for i in watched:
         if near[i] < zones.warning:
-            back = held_back(back, before, -UP if rule.level else planes.normals[i])
+            back = held_back(back, former, -UP if rule.level else planes.normals[i])
     return target if np.abs(back - target).max() < STILL else back
 
 
@@ -150,19 +153,20 @@ def adapted(
     each. Every target gets a step at least. Source: Cerbaro 2022, §6.1, steps 3–7 (the caps are ours).
     """
     rows: list[tuple[Array, Array, Array, float, int]] = []
-    before: Array | None = None
+    former: Array | None = None
     for i, point in enumerate(points):
         target, moved = np.asarray(point), 0
         report = converged(problem, run, aimed(target), q, tolerance, cap, 1, memory)
         near = nearest(problem, report.q)
         while moved < rule.cap:
-            other = given_way(target, before, near, problem.planes, problem.zones, rule)
+            other = given_way(target, former, near, problem.planes, problem.zones, rule)
             if other is target:
                 break
             target, moved = other, moved + 1
             report = converged(problem, run, aimed(target), report.q, tolerance, cap, 1, report.memory)
             near = nearest(problem, report.q)
-        before, q, memory = target, report.q, report.memory
+        former = target if rule.ratchets else np.asarray(point)
+        q, memory = report.q, report.memory
         rows.append((target, q, near, _missed(report), moved))
         progress((i + 1) / len(points))
     targets, joints, distance, errors, moves = (np.array(column) for column in zip(*rows, strict=True))

@@ -63,6 +63,7 @@ def _pane(file: robot_file.PlaneFile) -> Pane:
         centre=_metres(file.centre_mm),
         size=(file.size_mm[0] / 1000, file.size_mm[1] / 1000),
         movable=file.movable,
+        printed=file.printed,
     )
 
 

@@ -73,7 +73,10 @@ class Capsule:
 
 @dataclass(frozen=True, eq=False)
 class Pane:
-    """A confinement plane n·r = d (m, inward normal) as the robot's file gives it, with the pane that shows it."""
+    """A confinement plane n·r = d (m, inward normal) as the robot's file gives it, with the pane that shows it.
+
+    printed: the plane as its source prints it, "" where none does.
+    """
 
     name: str
     title: Text
@@ -82,6 +85,7 @@ class Pane:
     centre: Array
     size: tuple[float, float]
     movable: bool
+    printed: str = ""
 
 
 @dataclass(frozen=True)

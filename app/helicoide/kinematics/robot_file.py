@@ -130,7 +130,7 @@ class PoseFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class PlaneFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A confinement plane n·r = d with inward normal, and the pane that shows it."""
+    """A confinement plane n·r = d with inward normal, and the pane that shows it; printed: as its source has it."""
 
     name: str
     title: Title
@@ -139,6 +139,7 @@ class PlaneFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     centre_mm: Triple
     size_mm: tuple[float, float]
     movable: bool
+    printed: str = ""
 
 
 class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):

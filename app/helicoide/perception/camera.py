@@ -60,8 +60,8 @@ def on_hand(behind: float, above: float) -> Array:
     return frozen(T)
 
 
-# The field of view and the range are those of the D435, the clip that of the source (Cerbaro 2022, §2.3 of the digest).
-# Where the camera sat the source does not say: on a bracket behind the gripper, above the wrist, is assumed.
+# The field of view and the range are those of the D435, the clip that of Cerbaro 2022, §3.2. Where the camera sat the
+# source does not say: on a bracket behind the gripper, above the wrist, is assumed.
 D435 = Camera(on_hand(behind=0.200, above=0.070), (radians(87), radians(58)), nearest=0.3, farthest=3.0, clip=0.7)
 
 

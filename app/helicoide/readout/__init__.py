@@ -3,11 +3,13 @@
 from helicoide.readout.distances import nearest, plane_distances, zones
 from helicoide.readout.instruments import Instrument, held_by, instruments
 from helicoide.readout.multivectors import Reading, chosen, distance_product, readings
+from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status
 
 __all__ = [
     "SHORT",
     "TURNED",
+    "WHY_PRINTED_DIFFERS",
     "Instrument",
     "Reading",
     "Status",
@@ -19,6 +21,7 @@ __all__ = [
     "instruments",
     "nearest",
     "plane_distances",
+    "printed_planes",
     "readings",
     "status",
     "zones",

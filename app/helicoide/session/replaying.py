@@ -17,7 +17,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.state import State, Update, commanded
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.fastest import fastest
-from helicoide.trajectory.program import legs, whole
+from helicoide.trajectory.program import grips, legs, whole
 from helicoide.trajectory.spline import Spline
 from helicoide.trajectory.waypoints import WAYS
 
@@ -53,7 +53,7 @@ def through(state: State) -> Update:
     if blocked is not None:
         return gate.say(BLOCKED.format(name=blocked.name, way=WAYS[blocked.way]))
     path = whole(ways)
-    return gate.say(NONE) if path is None else gate.replay(path, TITLE)
+    return gate.say(NONE) if path is None else gate.replay(path, TITLE, tuple(grips(ways)))
 
 
 def along_fastest(state: State) -> Update:

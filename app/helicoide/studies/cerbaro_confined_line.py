@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from helicoide.studies.cerbaro_runs import chapter6
-from helicoide.studies.cerbaro_runs.chapter6_rows import Told
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import LINE
 from helicoide.studies.study import Progress, Result
@@ -20,19 +19,11 @@ ABOUT = Text(
     "Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho além do limite; com ela livre, o "
     "cotovelo sobe, e o alvo tem de ceder.",
 )
-TOLD = Told(
-    untouched=(171.2, 55.6, 55.9),
-    ceiling=((171.2, 110.0), (81.6, 116.8), (81.6, 116.8)),
-    planes={2: (81.6, 117.6, 110.0, 177.9), 3: (81.6, 117.6, 110.0, 177.9)},
-    deviation={1: 12.0, 2: 50.5, 3: 50.5},
-    turned_down=325,
-    undamped=25.0,
-)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three cases by the source's rules, read in several ways, and the guarded step beside them."""
-    return chapter6.study(LINE, TOLD, options, short, progress)
+    return chapter6.study(LINE, (53, 58), options, short, progress)
 
 
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]

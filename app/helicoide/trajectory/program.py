@@ -82,5 +82,15 @@ def whole(legs: Sequence[Leg]) -> JointChain | None:
 def _parts(leg: Leg) -> Iterator[JointPath]:
     if leg.joints is not None:
         yield leg.joints
-    if leg.waypoint.dwell > 0:
-        yield JointMove(leg.waypoint.q, leg.waypoint.q, leg.waypoint.dwell)
+    if leg.waypoint.stay > 0:
+        yield JointMove(leg.waypoint.q, leg.waypoint.q, leg.waypoint.stay)
+
+
+def grips(legs: Sequence[Leg]) -> Iterator[tuple[float, float]]:
+    """When on the whole path the gripper is asked for something, s, and what: 0 closed, 1 open."""
+    s = 0.0
+    for leg in legs:
+        s += 0.0 if leg.joints is None else leg.joints.duration
+        if leg.waypoint.gripper:
+            yield s, float(leg.waypoint.gripper == "open")
+        s += leg.waypoint.stay

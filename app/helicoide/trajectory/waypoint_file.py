@@ -15,7 +15,8 @@ FORMAT = "helicoide waypoints 1"
 MOST_BYTES = 1_000_000  # of thousands of waypoints
 HEAD = """\
 # Waypoints taught to a robot arm, in the order in which it visits them.
-# q: joint values, rad, or m where a joint slides; way: joints, line or screw; dwell: how long it stays, s.
+# q: joint values, rad, or m where a joint slides; way: joints, line or screw; dwell: how long it stays, s; gripper:
+# open or closed from there on.
 """
 
 
@@ -26,6 +27,7 @@ class WaypointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     q: tuple[float, ...]
     way: str = "joints"
     dwell: float = 0.0
+    gripper: str = ""
 
 
 class TaughtFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
@@ -52,6 +54,7 @@ def encoded(taught: Taught) -> bytes:
             f"q = [{', '.join(repr(float(value)) for value in each.q)}]",
             f"way = {_quoted(each.way)}",
             f"dwell = {float(each.dwell)!r}",
+            *([f"gripper = {_quoted(each.gripper)}"] if each.gripper else []),
         ]
     return (HEAD + "\n".join(lines) + "\n").encode()
 
@@ -84,7 +87,7 @@ def decoded(content: bytes, robot: Robot) -> Taught:
         )
     taught = Taught(robot)
     for each in file.waypoint:
-        new = waypoint(robot, each.name, each.q, each.way, each.dwell)
+        new = waypoint(robot, each.name, each.q, each.way, each.dwell, each.gripper)
         taught = inserted(taught, len(taught.waypoints), new)
     return taught
 

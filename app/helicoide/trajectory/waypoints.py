@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from math import isfinite
 from types import MappingProxyType
-from typing import Literal, cast
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,6 +24,16 @@ WAYS: Mapping[Way, Text] = MappingProxyType(
         "screw": Text(en="a single screw motion", pt_BR="um único movimento helicoidal"),
     }
 )
+Grip = Literal["", "open", "closed"]
+GRIPS: Mapping[Grip, Text] = MappingProxyType(
+    {
+        "": Text(en="as it is", pt_BR="como está"),
+        "open": Text(en="open", pt_BR="aberta"),
+        "closed": Text(en="closed", pt_BR="fechada"),
+    }
+)
+# A gripper opens or closes in so many s, for which an arm stays at a waypoint at least.
+GRIPPING = 0.5
 LONGEST_NAME = 60
 LONGEST_DWELL = 3600.0
 # A posture may stand so far outside the limits and the named postures of its arm, rad or m.
@@ -32,12 +42,21 @@ OUTSIDE = 1e-3
 
 @dataclass(frozen=True, eq=False)
 class Waypoint:
-    """A taught posture: q (n,), rad or m; way: how to come there from the one before; dwell: how long to stay, s."""
+    """A taught posture: q (n,), rad or m; way: how to come there from the one before; dwell: how long to stay, s.
+
+    gripper: what it does there, before the arm goes on.
+    """
 
     name: str
     q: Array
     way: Way = "joints"
     dwell: float = 0.0
+    gripper: Grip = ""
+
+    @property
+    def stay(self) -> float:
+        """How long the arm is there, s: as it was told, and at least as long as its gripper takes."""
+        return max(self.dwell, GRIPPING) if self.gripper else self.dwell
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,14 +92,16 @@ def _listed(names: tuple[str, ...]) -> Text:
     return Text(en=words, pt_BR=words) if names else Text(en="none yet", pt_BR="nenhum ainda")
 
 
-def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: float = 0.0) -> Waypoint:
-    """A waypoint of an arm; raises HelicoideError for a name, posture, way or time that cannot be one."""
+def waypoint(
+    robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: float = 0.0, gripper: str = ""
+) -> Waypoint:
+    """A waypoint of an arm; raises HelicoideError for a name, posture, way, time or gripper that cannot be one."""
     if way not in WAYS:
         raise HelicoideError(
             Text(
                 en="Waypoint {name!r} cannot be reached by {way!r}; the ways are: {ways}.",
                 pt_BR="Não se chega ao ponto {name!r} por {way!r}; as maneiras são: {ways}.",
-            ).format(name=name, way=way, ways=_ways())
+            ).format(name=name, way=way, ways=_told(WAYS))
         )
     if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
         raise HelicoideError(
@@ -90,14 +111,33 @@ def waypoint(robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: 
             ).format(name=name, most=LONGEST_DWELL, dwell=dwell)
         )
     named = _named(name)
-    return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(Way, way), float(dwell))
+    grip = _gripping(robot, named, gripper)
+    return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(Way, way), float(dwell), grip)
 
 
-def _ways() -> Text:
-    """The ways with what they mean."""
+def _gripping(robot: Robot, name: str, gripper: str) -> Grip:
+    if gripper not in GRIPS:
+        raise HelicoideError(
+            Text(
+                en="The gripper cannot be {gripper!r} at waypoint {name!r}; it may be: {grips}.",
+                pt_BR="A garra não pode ficar {gripper!r} no ponto {name!r}; pode ficar: {grips}.",
+            ).format(name=name, gripper=gripper, grips=_told({grip: told for grip, told in GRIPS.items() if grip}))
+        )
+    if gripper and robot.gripper is None:
+        raise HelicoideError(
+            Text(
+                en="Waypoint {name!r} is to have the gripper {gripper}, and this robot has none.",
+                pt_BR="O ponto {name!r} pede a garra {gripper}, e este robô não tem garra.",
+            ).format(name=name, gripper=GRIPS[cast(Grip, gripper)])
+        )
+    return cast(Grip, gripper)
+
+
+def _told(known: Mapping[Any, Text]) -> Text:
+    """Keys with what they mean."""
     return Text(
-        en=", ".join(f"{way} ({words.en})" for way, words in WAYS.items()),
-        pt_BR=", ".join(f"{way} ({words.pt_BR})" for way, words in WAYS.items()),
+        en=", ".join(f"{key} ({words.en})" if key != words.en else key for key, words in known.items()),
+        pt_BR=", ".join(f"{key} ({words.pt_BR})" for key, words in known.items()),
     )
 
 
@@ -164,17 +204,22 @@ def renamed(taught: Taught, name: str, new: str) -> Taught:
 
 def reached_by(taught: Taught, name: str, way: str) -> Taught:
     """The list with another way to a waypoint."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, way, old.dwell))
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, way, old.dwell, old.gripper))
 
 
 def stayed_at(taught: Taught, name: str, dwell: float) -> Taught:
     """The list with another stay at a waypoint, s."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, dwell))
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, dwell, old.gripper))
+
+
+def gripping_at(taught: Taught, name: str, gripper: str) -> Taught:
+    """The list with what the gripper does at a waypoint, one of `GRIPS`."""
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, old.dwell, gripper))
 
 
 def placed_at(taught: Taught, name: str, q: ArrayLike) -> Taught:
     """The list with another posture of a waypoint, (n,), rad or m."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, q, old.way, old.dwell))
+    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, q, old.way, old.dwell, old.gripper))
 
 
 def _changed(taught: Taught, name: str, change: Callable[[Waypoint], Waypoint]) -> Taught:

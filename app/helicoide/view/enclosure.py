@@ -18,6 +18,7 @@ from helicoide.perception import realsense
 from helicoide.perception.tour import READINGS, Reading, readings
 from helicoide.perception.units import TITLES as UNIT_TITLES
 from helicoide.perception.units import UNITS
+from helicoide.readout import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.state import Update
 from helicoide.text import Text
 from helicoide.view.rows import (
@@ -40,6 +41,7 @@ from helicoide.view.rows import (
 )
 
 FILE = "planes.toml"
+PRINTED = Text(en="As the source prints them", pt_BR="Como a fonte os imprime")
 NUMBERS = Text(en="Give {n} numbers with blanks between them.", pt_BR="Dê {n} números separados por espaços.")
 
 
@@ -50,6 +52,7 @@ def plane_rows(robot: Robot) -> Folder:
         Button(lambda _: restore, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _free, _has(robot.panes)),
         *(_tours() if readings(robot) else []),
         Words(_read),
+        *([Folder(PRINTED, [Words(_printed)], open=False)] if printed_planes(robot) else []),
         Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
         Folder(
             Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"),
@@ -90,6 +93,14 @@ def _read(view: View) -> Markup:
     line, language = Markup("<li>{}</li>"), view.seat.language
     lines = Markup("").join(line.format(seen.words[language]) for seen in view.state.seen.values())
     return lines and Markup("<ul class='helicoide-note'>{}</ul>").format(lines)
+
+
+def _printed(view: View) -> Markup:
+    """The planes of the robot's file beside what the source prints, and why the two differ."""
+    line, language = Markup("<li>{}</li>"), view.seat.language
+    lines = Markup("").join(line.format(said[language]) for said in printed_planes(view.state.robot))
+    why = WHY_PRINTED_DIFFERS[language]
+    return Markup("<div class='helicoide-note'><ul>{}</ul><p>{}</p></div>").format(lines, why)
 
 
 def numbers(text: str, count: int) -> list[float] | None:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from viser import Icon
 
 from helicoide import gate
+from helicoide.kinematics.robot import Robot
 from helicoide.text import Text, same
 from helicoide.trajectory.waypoint_file import encoded
-from helicoide.trajectory.waypoints import WAYS, Way, Waypoint
+from helicoide.trajectory.waypoints import GRIPS, WAYS, Way, Waypoint
 from helicoide.view.followed import scaling
 from helicoide.view.rows import (
     Button,
@@ -22,18 +24,20 @@ from helicoide.view.rows import (
     Row,
     Save,
     Slider,
+    Triple,
     Upload,
     View,
+    Wish,
 )
 
 FILE, LONGEST_STAY = "waypoints.toml", 60.0
 
 
-def teaching_rows() -> Folder:
+def teaching_rows(robot: Robot) -> Folder:
     """Record in each way of coming there, the points themselves, and what can be done with all of them."""
     rows: list[Row] = [
         *map(_record, WAYS),
-        Folder(Text(en="Points", pt_BR="Pontos"), Changing(_names, _points)),
+        Folder(Text(en="Points", pt_BR="Pontos"), Changing(_names, partial(_points, robot.gripper is not None))),
         scaling(lambda view: view.state.taught.shape, gate.choose_leg_shape),
         Button(
             lambda _: Text(en="Go through the points", pt_BR="Percorrer os pontos"),
@@ -63,11 +67,11 @@ def _names(view: View) -> tuple[str, ...]:
     return tuple(waypoint.name for waypoint in view.state.taught.waypoints)
 
 
-def _points(names: tuple[str, ...]) -> Sequence[Row]:
-    return [Folder(same(name), _point(place, name), open=False) for place, name in enumerate(names)]
+def _points(grips: bool, names: tuple[str, ...]) -> Sequence[Row]:
+    return [Folder(same(name), _point(place, name, grips), open=False) for place, name in enumerate(names)]
 
 
-def _point(place: int, name: str) -> list[Row]:
+def _point(place: int, name: str, grips: bool) -> list[Row]:
     def here(view: View) -> Waypoint:
         return view.state.taught.waypoints[place]
 
@@ -95,6 +99,7 @@ def _point(place: int, name: str) -> list[Row]:
             lambda view: here(view).dwell,
             lambda seconds: ForArm(gate.set_dwell(name, seconds)),
         ),
+        *([_grip(name, here)] if grips else []),
         Button(lambda _: again, lambda _: ForArm(gate.teach_again(name)), Icon.TARGET),
         *(
             [Button(lambda _: earlier, lambda _: ForArm(gate.move_waypoint(name, place - 1)), Icon.ARROW_UP)]
@@ -103,3 +108,43 @@ def _point(place: int, name: str) -> list[Row]:
         ),
         Button(lambda _: away, lambda _: ForArm(gate.delete_waypoint(name)), Icon.TRASH),
     ]
+
+
+def _grip(name: str, here: Callable[[View], Waypoint]) -> Choice:
+    return Choice(
+        Text(en="gripper", pt_BR="garra"),
+        list(GRIPS.items()),
+        lambda view: here(view).gripper,
+        lambda gripper: ForArm(gate.set_grip(name, gripper)),
+    )
+
+
+def ball_rows(robot: Robot) -> Folder:
+    """Something to grasp: the ball put somewhere, or on its stand with the points that carry it to another."""
+    carried = Text(
+        en="Golf ball, from stand to stand: teach the points (Cerbaro 2022, fig. 21)",
+        pt_BR="Bola de golfe, de um suporte a outro: ensinar os pontos (Cerbaro 2022, fig. 21)",
+    )
+    away = Text(en="Take the ball away", pt_BR="Tirar a bola")
+    rows: list[Row] = [
+        *([Button(lambda _: carried, lambda _: ForArm(gate.pick_and_place()))] if robot.name in gate.POINTS else []),
+        Triple(Text(en="ball, x y z [mm]", pt_BR="bola, x y z [mm]"), 1.0, _ball, _put),
+        Button(
+            lambda _: away,
+            lambda _: ForArm(gate.take_ball_away()),
+            Icon.TRASH,
+            lambda view: view.state.ball is not None,
+        ),
+    ]
+    return Folder(Text(en="A ball to grasp", pt_BR="Uma bola para pegar"), rows, open=False)
+
+
+def _ball(view: View) -> tuple[float, float, float]:
+    """Where the ball is, mm; the origin where there is none."""
+    ball = view.state.ball
+    x, y, z = (0.0, 0.0, 0.0) if ball is None else (round(1000 * float(value), 1) for value in ball.centre)
+    return x, y, z
+
+
+def _put(view: View, millimetres: tuple[float, float, float]) -> Wish:
+    return ForArm(gate.put_ball([value / 1000 for value in millimetres]))

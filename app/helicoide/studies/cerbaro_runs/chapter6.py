@@ -1,19 +1,38 @@
-"""What the three studies of chapter 6 say: the rows of the digest's table 5.5, and the curves of figs. 47 to 64."""
+"""What the three studies of chapter 6 say: the sentences of §6.2 and §6.3, and the curves of figs. 47 to 64."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs.chapter6_charts import charts
-from helicoide.studies.cerbaro_runs.chapter6_rows import Told, promises, table
-from helicoide.studies.cerbaro_runs.chapter6_runs import Options, in_short, whole
-from helicoide.studies.study import Motion, Progress, Result
+from helicoide.studies.cerbaro_runs.chapter6_rows import numbers, sentences
+from helicoide.studies.cerbaro_runs.chapter6_runs import GUARDED, Options, Runs, runs, title
+from helicoide.studies.cerbaro_runs.runs import few
+from helicoide.studies.study import Motion, Progress, Result, unstated
+from helicoide.text import Text
 from helicoide.trajectory import Ellipse
 
 
-def study(path: Ellipse, told: Told, options: Options, short: bool, progress: Progress) -> Result:
-    """All runs of a path and what they say; short: 121 samples, one case, a third of the guarded turn."""
-    runs = in_short(path, options, progress) if short else whole(path, options, progress)
-    rows = promises(runs) if short else (*table(runs, told, options), *promises(runs))
-    times = np.linspace(0.0, path.period, len(runs.shown.q))
-    return Result(rows, charts(runs), Motion("movemaster", times, runs.shown.q))
+def study(path: Ellipse, figures: tuple[int, int], options: Options, short: bool, progress: Progress) -> Result:
+    """All runs of a path and what they say. figures: the first and last of the source.
+
+    short: 121 samples by one rule, a third of the guarded turn.
+    """
+    found = runs(path, options, short, progress)
+    rows = sentences(found, options)
+    if not short:
+        rows += numbers(found)
+    return Result(rows if options.usual else unstated(rows), charts(found, path, figures), motions(found))
+
+
+def motions(found: Runs) -> tuple[Motion, ...]:
+    """Every run by its name."""
+    named = [(title(*run), course.q, found.period) for run, course in found.courses.items()]
+    named.append((GUARDED, found.guard.q, len(found.guard.q) / 100))
+    return tuple(_motion(name, q, seconds) for name, q, seconds in named)
+
+
+def _motion(name: Text, q: Array, seconds: float) -> Motion:
+    shown = few(q)
+    return Motion("movemaster", np.linspace(0.0, seconds, len(shown)), shown, title=name)

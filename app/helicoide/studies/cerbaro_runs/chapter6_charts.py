@@ -1,74 +1,121 @@
-"""The curves of figs. 47 to 64: paths from two sides, distances to the planes, joints between their limits."""
+"""The curves of figs. 47 to 64: paths, joints between their limits, errors and distances, three cases in one chart."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from helicoide.kinematics.chain import Array
-from helicoide.studies.cerbaro_runs.chapter6_runs import CRITICAL, GUARDED, PLANES, WARNING, Runs
-from helicoide.studies.cerbaro_runs.confined import Course, confined
+from helicoide.studies.cerbaro_runs.chapter6_runs import CASES, CRITICAL, GUARDED, PLANES, WARNING, Runs
+from helicoide.studies.cerbaro_runs.confined import TICK, Course, confined
 from helicoide.studies.cerbaro_runs.runs import few
 from helicoide.studies.study import Chart, Line
 from helicoide.text import Text, same
+from helicoide.trajectory import Ellipse
 
 TURN = Text(en="share of the turn", pt_BR="fração da volta")
+ABOVE = Text(en="The path from above", pt_BR="O caminho visto de cima")
+AHEAD = Text(en="The path as the arm sees it", pt_BR="O caminho visto pelo braço")
+SPACE = Text(en="The path in space", pt_BR="O caminho no espaço")
+# From where the pictures of a run in space are looked at: turned about z and from above, without perspective.
+AZIMUTH, ELEVATION = np.radians(-50), np.radians(25)
 
 
-def charts(runs: Runs) -> tuple[Chart, ...]:
-    """Paths from above and from the side, distances, joints, of the case that is shown beside others."""
-    course = runs.shown
+def charts(runs: Runs, path: Ellipse, figures: tuple[int, int]) -> tuple[Chart, ...]:
+    """The most telling first. figures: the first and last of the source."""
+    first, last = figures
+    shown, whole = f"figs. {first}–{first + 2}", f"figs. {first}–{last}"
+    turned = Text(en="across (mm)", pt_BR="na horizontal (mm)"), Text(en="up (mm)", pt_BR="na vertical (mm)")
+    near = tuple(_distances(runs, _case(case), runs.cases[case], whole) for case in reversed(CASES))
     return (
-        _paths(course, runs.guard, 0, same("x (mm)")),
-        _paths(course, runs.guard, 2, same("z (mm)")),
-        _distances(course, Text(en="Distances by the chosen rule", pt_BR="Distâncias pela regra escolhida")),
-        _distances(runs.guard, Text(en="Distances by the guarded step", pt_BR="Distâncias pelo passo guardado")),
-        *(_joint(runs, joint) for joint in (1, 2, 3)),
+        _paths(runs, ABOVE, np.eye(3)[[1, 0]], (same("y (mm)"), same("x (mm)")), shown),
+        _paths(runs, SPACE, _seen(), turned, shown),
+        _errors(runs, shown),
+        *(_joints(runs, joints, shown) for joints in ((0, 4), (1,), (2,), (3,))),
+        *near,
+        _orientation(runs, path, shown),
+        _paths(runs, AHEAD, np.eye(3)[[1, 2]], (same("y (mm)"), same("z (mm)")), shown),
+        _distances(runs, GUARDED, runs.guard),
     )
-
-
-def _share(values: Array) -> Array:
-    return np.linspace(0.0, 1.0, len(values))
-
-
-def _paths(course: Course, guard: Course, axis: int, up: Text) -> Chart:
-    named = (
-        (Text(en="desired", pt_BR="desejado"), course.desired),
-        (Text(en="trimmed", pt_BR="recortado"), course.trimmed),
-        (Text(en="by the rules", pt_BR="pelas regras"), course.tool),
-        (Text(en="by the guarded step", pt_BR="pelo passo guardado"), guard.tool),
-    )
-    lines = tuple(Line(title, 1000 * few(p[:, 1]), 1000 * few(p[:, axis])) for title, p in named)
-    above = Text(en="The path from above", pt_BR="O caminho visto de cima")
-    ahead = Text(en="The path as the arm sees it", pt_BR="O caminho visto pelo braço")
-    return Chart(above if axis == 0 else ahead, same("y (mm)"), up, lines)
-
-
-def _distances(course: Course, title: Text) -> Chart:
-    near = 1000 * few(course.near)
-    x = _share(near)
-    levels = (
-        (Text(en="critical", pt_BR="crítica"), CRITICAL),
-        (Text(en="warning", pt_BR="alerta"), WARNING),
-    )
-    lines = [Line(same(name), x, near[:, i]) for i, name in enumerate(PLANES)]
-    lines += [Line(name, x[[0, -1]], np.full(2, level)) for name, level in levels]
-    return Chart(title, TURN, Text(en="least distance (mm)", pt_BR="menor distância (mm)"), tuple(lines))
-
-
-def _joint(runs: Runs, joint: int) -> Chart:
-    limits = confined().limits
-    lines = [
-        Line(_case(case), _share(few(c.q)), np.degrees(few(c.q)[:, joint])) for case, c in sorted(runs.planes.items())
-    ]
-    lines.append(Line(GUARDED, _share(few(runs.guard.q)), np.degrees(few(runs.guard.q)[:, joint])))
-    for name, bound in (
-        (Text(en="lower limit", pt_BR="limite inferior"), limits.lower[joint]),
-        (Text(en="upper limit", pt_BR="limite superior"), limits.upper[joint]),
-    ):
-        lines.append(Line(name, np.array([0.0, 1.0]), np.full(2, np.degrees(bound))))
-    title = Text(en="J{joint} between its limits", pt_BR="J{joint} entre seus limites").format(joint=joint + 1)
-    return Chart(title, TURN, same(f"J{joint + 1} (°)"), tuple(lines))
 
 
 def _case(case: int) -> Text:
     return Text(en="case {case}", pt_BR="caso {case}").format(case=case)
+
+
+def _share(runs: Runs, course: Course) -> Array:
+    """Where on the turn the samples are; the guarded step need not go round."""
+    end = TICK * len(course.q) / runs.period if course is runs.guard else 1.0
+    return few(np.linspace(0.0, end, len(course.q)))
+
+
+def _seen() -> Array:
+    """Across and up as seen from there, (2, 3)."""
+    (c, s), (c2, s2) = ((np.cos(angle), np.sin(angle)) for angle in (AZIMUTH, ELEVATION))
+    return np.array([[-s, c, 0.0], [-s2 * c, -s2 * s, c2]])
+
+
+def _paths(runs: Runs, name: Text, view: Array, axes: tuple[Text, Text], figure: str) -> Chart:
+    """What was wanted, what was left of it, and where the tool went, by two rows (2, 3) of a view."""
+    first = runs.cases[1]
+    named = [
+        (Text(en="desired", pt_BR="desejado"), first.desired),
+        (Text(en="trimmed", pt_BR="recortado"), first.trimmed),
+        *((_case(case), course.tool) for case, course in runs.cases.items()),
+        (GUARDED, runs.guard.tool),
+    ]
+    lines = tuple(Line(title, *(1000 * view @ few(points).T)) for title, points in named)
+    return Chart(name, *axes, lines, figure)
+
+
+def _errors(runs: Runs, figure: str) -> Chart:
+    lines = []
+    for case, course in runs.cases.items():
+        x, name = _share(runs, course), _case(case)
+        missed = Text(en="{case}: error", pt_BR="{case}: erro").format(case=name)
+        left = Text(en="{case}: off the desired path", pt_BR="{case}: fora do caminho desejado").format(case=name)
+        lines += [Line(missed, x, 1000 * few(course.errors)), Line(left, x, few(course.deviations))]
+    lines.append(_level(same("10 mm"), 10.0))
+    name = Text(
+        en="Position error, and how far the tool is off the path",
+        pt_BR="Erro de posição, e quanto o efetuador se desvia",
+    )
+    return Chart(name, TURN, same("mm"), tuple(lines), figure, log=True)
+
+
+def _level(title: Text, value: float) -> Line:
+    return Line(title, np.array([0.0, 1.0]), np.full(2, value))
+
+
+def _joints(runs: Runs, joints: tuple[int, ...], figure: str) -> Chart:
+    limits, lines = confined().limits, []
+    for joint in joints:
+        of = "" if len(joints) == 1 else f"J{joint + 1}, "
+        for name, course in (*((_case(case), course) for case, course in runs.cases.items()), (GUARDED, runs.guard)):
+            q = np.degrees(few(course.q)[:, joint])
+            lines.append(Line(same("{of}{name}").format(of=of, name=name), _share(runs, course), q))
+        for name, bound in (
+            (Text(en="{of}lower limit", pt_BR="{of}limite inferior"), limits.lower[joint]),
+            (Text(en="{of}upper limit", pt_BR="{of}limite superior"), limits.upper[joint]),
+        ):
+            lines.append(_level(name.format(of=of), float(np.degrees(bound))))
+    which = " ".join(f"J{joint + 1}" for joint in joints)
+    title = Text(en="{which} between limits", pt_BR="{which} entre os limites").format(which=which)
+    return Chart(title, TURN, same(f"{which} (°)"), tuple(lines), figure)
+
+
+def _distances(runs: Runs, of: Text, course: Course, figure: str = "") -> Chart:
+    near, x = 1000 * few(course.near), _share(runs, course)
+    lines = [Line(same(name), x, near[:, i]) for i, name in enumerate(PLANES)]
+    lines.append(_level(Text(en="critical", pt_BR="crítica"), CRITICAL))
+    lines.append(_level(Text(en="warning", pt_BR="alerta"), WARNING))
+    title = Text(en="Distances to the planes, {of}", pt_BR="Distâncias aos planos, {of}").format(of=of)
+    return Chart(title, TURN, Text(en="least distance (mm)", pt_BR="menor distância (mm)"), tuple(lines), figure)
+
+
+def _orientation(runs: Runs, path: Ellipse, figure: str) -> Chart:
+    """‖vector part of Δq‖ of case 1, sin(θ/2): the turn left is one about y and one about x (eqs. 91, 92)."""
+    q = few(runs.cases[1].q)
+    cosine = np.cos((path.pitch - q[:, 1:4].sum(axis=1)) / 2) * np.cos((path.roll - q[:, 4]) / 2)
+    line = Line(_case(1), _share(runs, runs.cases[1]), np.sqrt(np.maximum(0.0, 1 - cosine**2)))
+    title = Text(en="Orientation error where it is held", pt_BR="Erro de orientação onde ela é mantida")
+    return Chart(title, TURN, same("‖Δq‖"), (line,), figure)

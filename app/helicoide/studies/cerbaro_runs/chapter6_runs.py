@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 from typing import Annotated
 
 from helicoide.ik.adaptation import NONE, Rule, everywhere
@@ -27,84 +28,97 @@ from helicoide.trajectory import Ellipse
 CASES = (1, 2, 3)
 PLANES = ("+z", "+y", "-y", "-z")
 CRITICAL, WARNING = 80.0, 110.0
-PRINTED = Rule((CEILING,), corrected=False, level=True)
 GUARDED = Text(en="cases 2 and 3, guarded step", pt_BR="casos 2 e 3, passo guardado")
 
 
 @dataclass(frozen=True)
 class Options:
-    """What the source does not give (D7), by default as the digest assumed it; rule, case: of the run that is shown."""
+    """What the source does not give, k₀ so that its sentences hold; former: how eq. 37 is read."""
 
-    gain: Annotated[float, Quantity(Text(en="gain k₀", pt_BR="ganho k₀"), 0.0, 2000.0, "1/s")] = 500.0
+    gain: Annotated[float, Quantity(Text(en="gain k₀", pt_BR="ganho k₀"), 0.0, 3000.0, "1/s")] = 2000.0
     factor: Annotated[float, Quantity(Text(en="step factor κ", pt_BR="fator de passo κ"), 0.1, 1.0)] = 0.5
     tolerance: Annotated[float, Quantity(Text(en="inner tolerance", pt_BR="tolerância interna"), 0.1, 10.0, "mm")] = 1.0
-    rule: Annotated[
+    former: Annotated[
         str,
         OneOf(
-            Text(en="rule in the curves", pt_BR="regra nas curvas"),
+            Text(en="former point in eq. 37", pt_BR="ponto anterior na eq. 37"),
             {
-                "planes": Text(en="all points and planes", pt_BR="todos os pontos e planos"),
-                "ceiling": Text(en="ceiling alone, eq. 36 corrected", pt_BR="só o teto, eq. 36 corrigida"),
-                "printed": Text(en="ceiling alone, eq. 36 as printed", pt_BR="só o teto, eq. 36 como impressa"),
+                "wanted": Text(en="of the wanted path", pt_BR="do caminho desejado"),
+                "adapted": Text(en="the former target as it ended", pt_BR="o alvo anterior já adaptado"),
             },
         ),
-    ] = "planes"
-    case: Annotated[
-        str,
-        OneOf(
-            Text(en="case in the curves", pt_BR="caso nas curvas"),
-            {
-                "1": Text(en="1, orientation held", pt_BR="1, orientação mantida"),
-                "2": Text(en="2, one gain", pt_BR="2, um só ganho"),
-                "3": Text(en="3, Algorithm 1", pt_BR="3, Algoritmo 1"),
-            },
-        ),
-    ] = "3"
+    ] = "wanted"
 
     @property
     def gains(self) -> Gains:
         """As the runs take them."""
         return Gains(self.gain, self.factor, self.tolerance * 1e-3)
 
+    @property
+    def usual(self) -> bool:
+        """Whether the source can be asked: the text allows either reading of eq. 37, the rest is as it was chosen."""
+        return replace(self, former="wanted") == Options()
+
+
+class Kind(Enum):
+    """By which rule targets give way."""
+
+    PLANES = Text(en="all points and planes", pt_BR="todos os pontos e planos")
+    TRIMMED = Text(en="trimmed only", pt_BR="só recortado")
+    CEILING = Text(en="ceiling alone", pt_BR="só o teto")
+    PRINTED = Text(en="ceiling alone, eq. 36 as printed", pt_BR="só o teto, eq. 36 como impressa")
+    UNDAMPED = Text(en="all planes without eq. 37", pt_BR="todos os planos, sem a eq. 37")
+    OTHER = Text(en="eq. 37 read the other way", pt_BR="eq. 37 na outra leitura")
+
+
+def title(kind: Kind, case: int) -> Text:
+    """Such as "case 3, trimmed only"."""
+    return Text(en="case {case}, {kind}", pt_BR="caso {case}, {kind}").format(case=case, kind=kind.value)
+
+
+def rule(kind: Kind, options: Options) -> Rule:
+    """The rule of a kind, with eq. 37 as the options read it."""
+    every, ratchets = everywhere(confined().planes), options.former == "adapted"
+    match kind:
+        case Kind.TRIMMED:
+            return NONE
+        case Kind.CEILING:
+            return replace(source_rule(), ratchets=ratchets)
+        case Kind.PRINTED:
+            return Rule((CEILING,), corrected=False, level=True, ratchets=ratchets)
+        case Kind.UNDAMPED:
+            return replace(every, damps=False)
+        case Kind.OTHER:
+            return replace(every, ratchets=not ratchets)
+    return replace(every, ratchets=ratchets)
+
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Every run of a path, those of a kind by case; shown: that of the options; guard: cases 2 and 3, guarded."""
+    """Every run of a path, by its kind and case, and cases 2 and 3 by the guarded step; s of the whole turn."""
 
-    untouched: Mapping[int, Course]
-    ceiling: Mapping[int, Course]
-    planes: Mapping[int, Course]
+    courses: Mapping[tuple[Kind, int], Course]
     guard: Course
-    shown: Course
-    printed: Course | None = None
-    undamped: Course | None = None
+    period: float
+
+    @property
+    def cases(self) -> dict[int, Course]:
+        """The three cases by the rule for all planes."""
+        return {case: self.courses[Kind.PLANES, case] for case in CASES}
 
 
-def whole(path: Ellipse, options: Options, progress: Progress) -> Runs:
-    """All of them, at every sample."""
-    every, gains = everywhere(confined().planes), options.gains
-    kinds = [(NONE, case) for case in CASES] + [(source_rule(), case) for case in CASES] + [(every, c) for c in CASES]
-    kinds += [(PRINTED, 3), (Rule(every.watched, damps=False), 3)]
-    count = len(kinds) + 1
-    runs = [by_rule(path, case, gains, rule, SAMPLES, part(progress, i, count)) for i, (rule, case) in enumerate(kinds)]
-    untouched, ceiling, planes = (dict(zip(CASES, runs[i : i + 3], strict=True)) for i in (0, 3, 6))
-    guard = guarded(path, gains.k0, path.period, part(progress, count - 1, count))
-    known = {"planes": planes, "ceiling": ceiling, "printed": {3: runs[9]}}[options.rule]
-    case = int(options.case)
-    shown = known[case] if case in known else by_rule(path, case, gains, PRINTED, SAMPLES, _unheard)
-    return Runs(untouched, ceiling, planes, guard, shown, printed=runs[9], undamped=runs[10])
+WHOLE = (*((kind, case) for kind in (Kind.PLANES, Kind.TRIMMED, Kind.CEILING, Kind.OTHER) for case in CASES),)
+WHOLE += ((Kind.PRINTED, 3), (Kind.UNDAMPED, 3))
+SHORT = tuple((Kind.PLANES, case) for case in CASES)
 
 
-def in_short(path: Ellipse, options: Options, progress: Progress) -> Runs:
-    """Of one case, at 121 samples, and a third of the guarded turn."""
-    every, case, gains = everywhere(confined().planes), int(options.case), options.gains
-    untouched = by_rule(path, case, gains, NONE, SAMPLES_SHORT, part(progress, 0, 4))
-    planes = by_rule(path, case, gains, every, SAMPLES_SHORT, part(progress, 1, 4))
-    guard = guarded(path, options.gain, path.period / 3, part(progress, 2, 4))
-    other = {"ceiling": source_rule(), "printed": PRINTED}.get(options.rule)
-    shown = by_rule(path, case, gains, other, SAMPLES_SHORT, part(progress, 3, 4)) if other else planes
-    return Runs({case: untouched}, {}, {case: planes}, guard, shown)
-
-
-def _unheard(share: float) -> None:
-    """The progress of one run more than was counted on."""
+def runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> Runs:
+    """All of them; short: by one rule, at fewer samples, and a third of the guarded turn."""
+    asked, samples = (SHORT, SAMPLES_SHORT) if short else (WHOLE, SAMPLES)
+    count = len(asked) + 1
+    courses = {
+        (kind, case): by_rule(path, case, options.gains, rule(kind, options), samples, part(progress, i, count))
+        for i, (kind, case) in enumerate(asked)
+    }
+    seconds = path.period / 3 if short else path.period
+    return Runs(courses, guarded(path, options.gain, seconds, part(progress, count - 1, count)), path.period)

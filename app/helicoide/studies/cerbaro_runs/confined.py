@@ -29,19 +29,19 @@ from helicoide.studies.study import Progress
 from helicoide.trajectory import EQ_33, Ellipse
 
 ELLIPSE = EQ_33
-# Eq. 34 prints 500 mm for the last radius, which its own end points contradict (E14).
+# Eq. 34 prints 500 mm for the last radius, which its own end points contradict.
 LINE = Ellipse(centre=(0.55, 0.0, 0.23), radii=(0.0, 0.25, 0.05), pitch=0.0, roll=np.pi / 2)
 CIRCLE = Ellipse(centre=(0.48, 0.1, 0.2), radii=(0.22, 0.22, 0.0), pitch=-1.2217, roll=0.5236)
 
 CEILING, WALLS_AND_BENCH = 0, (1, 2, 3)
-SAMPLES, SAMPLES_SHORT = 601, 121
+SAMPLES, SAMPLES_SHORT = 301, 121
 TICK, LONGEST = 0.01, 90.0
 DT = 1e-3
 
 
 @dataclass(frozen=True)
 class Gains:
-    """What the source does not give (D7): k₀; κ, the step factor; tolerance, m; λ, mm/rad."""
+    """What the source does not give: k₀, 1/s; κ, the step factor; tolerance, m; λ, mm/rad."""
 
     k0: float
     factor: float
@@ -68,9 +68,14 @@ class Course:
         return np.asarray(1000 * self.near.min(axis=0))
 
     @property
+    def deviations(self) -> Array:
+        """Distance of the tool from the desired path's point, mm."""
+        return np.asarray(1000 * np.linalg.norm(self.tool - self.desired, axis=1))
+
+    @property
     def deviation(self) -> float:
-        """Mean distance of the tool from the desired path's point, mm."""
-        return float(1000 * np.linalg.norm(self.tool - self.desired, axis=1).mean())
+        """Their mean."""
+        return float(self.deviations.mean())
 
 
 def confined() -> Problem:

@@ -21,7 +21,7 @@ from helicoide.view.followed import path_rows
 from helicoide.view.mapping import workspace_rows
 from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
 from helicoide.view.surroundings import entry_rows, obstacle_rows
-from helicoide.view.teaching import teaching_rows
+from helicoide.view.teaching import ball_rows, teaching_rows
 
 TITLE = Text(en="Robot", pt_BR="Robô")
 ORDER = 1
@@ -42,7 +42,8 @@ def rows(robot: Robot) -> list[Row]:
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
         path_rows(robot),
-        teaching_rows(),
+        teaching_rows(robot),
+        *([ball_rows(robot)] if gate.can_grasp(robot) else []),
         plane_rows(robot),
         obstacle_rows(robot),
         *([entry_rows()] if "rcm" in robot.frames else []),

@@ -1,0 +1,93 @@
+"""A ball to grasp: put somewhere, taken away, and carried from stand to stand by a path that is taught already."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from helicoide.gate.check import FARTHEST, checked, finite
+from helicoide.kernels import plain
+from helicoide.kinematics.ball import RADIUS, Ball, closed_on
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.robot import Robot
+from helicoide.state import State, Update
+from helicoide.text import HelicoideError, Text
+from helicoide.trajectory.waypoints import waypoint
+
+# Name, joints, °, way and gripper. Cerbaro 2022, §3.2, fig. 21, tells the test and shows it; the postures are ours.
+ABOVE, ON_IT = (34.13, -64.21, -59.92), (23.79, -64.66, -49.13)
+POINTS = {
+    "movemaster": (
+        ("A1", (20.0, *ABOVE, 0.0), "joints", "open"),
+        ("A2", (20.0, *ON_IT, 0.0), "line", "closed"),
+        ("A3", (20.0, *ABOVE, 0.0), "line", ""),
+        ("B1", (-20.0, *ABOVE, 0.0), "joints", ""),
+        ("B2", (-20.0, *ON_IT, 0.0), "line", "open"),
+        ("B3", (-20.0, *ABOVE, 0.0), "line", ""),
+    )
+}
+
+
+def can_grasp(robot: Robot) -> bool:
+    """Whether the fingers of an arm go round the ball."""
+    return robot.gripper is not None and closed_on(robot.gripper) < 1
+
+
+def put_ball(centre: ArrayLike) -> Update:
+    """The ball with its centre at a point (3,), m; nobody holds it."""
+
+    def wish(state: State) -> State:
+        at, far = finite(centre, (3,)), FARTHEST * state.robot.extended
+        if not can_grasp(state.robot):
+            raise HelicoideError(
+                Text(
+                    en="This arm has no gripper that goes round a ball of {mm:.1f} mm.",
+                    pt_BR="Este braço não tem garra em que caiba uma bola de {mm:.1f} mm.",
+                ).format(mm=2000 * RADIUS)
+            )
+        if np.abs(at).max() > far:
+            raise HelicoideError(
+                Text(
+                    en="The ball must lie within {far:.1f} m of the base.",
+                    pt_BR="A bola deve ficar a até {far:.1f} m da base.",
+                ).format(far=far)
+            )
+        return replace(state, ball=Ball(at), notice=None)
+
+    return checked(wish)
+
+
+def take_ball_away() -> Update:
+    """No ball."""
+    return lambda state: replace(state, ball=None)
+
+
+def pick_and_place() -> Update:
+    """The ball on the first of two stands, and the points that take it to the second, in place of those there are."""
+
+    def wish(state: State) -> State:
+        robot = state.robot
+        if robot.name not in POINTS:
+            raise HelicoideError(
+                Text(
+                    en="The points of the golf ball are taught to: {robots}.",
+                    pt_BR="Os pontos da bola de golfe foram ensinados a: {robots}.",
+                ).format(robots=", ".join(POINTS))
+            )
+        points = tuple(
+            waypoint(robot, name, np.radians(q), way, gripper=gripper) for name, q, way, gripper in POINTS[robot.name]
+        )
+        first, second = (_tool(robot, points[i].q) for i in (1, 4))
+        stands = frozen(np.array([first, second]) - [0, 0, RADIUS])
+        taught = replace(state.taught, waypoints=points)
+        return replace(state, taught=taught, ball=Ball(first, stands), notice=None)
+
+    return checked(wish)
+
+
+def _tool(robot: Robot, q: Array) -> Array:
+    """Where the tool is in a posture (n,), (3,), m; without a kernel, for the view."""
+    return frozen((plain(link_poses)(robot.chain, frozen(q))[-1] @ robot.T_link_tool)[:3, 3])

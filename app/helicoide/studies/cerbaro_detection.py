@@ -1,0 +1,230 @@
+"""How the enclosure of chapter 6 was measured: planes in clouds of a camera on the hand, by all points or by three."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Annotated
+
+import numpy as np
+
+from helicoide.geometry import rigid
+from helicoide.ik.method import Quantity
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Pane
+from helicoide.perception.camera import D435, Camera, SimulatedCamera, on_hand
+from helicoide.perception.planes import ANGLE, Found, find
+from helicoide.perception.tour import OUTLIERS, READINGS, Reading
+from helicoide.state import State, initial
+from helicoide.studies.study import Chart, Fitted, Line, Motion, Progress, Result, Row, Statement, unstated
+from helicoide.text import Text
+
+TITLE = Text(en="Measuring the enclosure", pt_BR="A medição do recinto")
+SOURCE = "Cerbaro 2022, §6.1, 6.2.1, eqs. 25–26, figs. 44, 46"
+ROBOT = "movemaster"
+ABOUT = Text(
+    en="From three postures a depth camera on the hand reads ceiling and walls; a plane is sought along each reference "
+    "normal, and the source takes it through three random points of those near it. Here the scene holds the planes "
+    "that it prints, and a simulated camera reads them. Where its camera sat the source does not say: two places are "
+    "compared.",
+    pt_BR="De três posturas, uma câmera de profundidade na mão lê teto e paredes; procura-se um plano ao longo de cada "
+    "normal de referência, e a fonte o faz passar por três pontos aleatórios dos que estão perto dele. Aqui a cena tem "
+    "os planos que ela imprime, lidos por uma câmera simulada. Onde ficava a câmera a fonte não diz: comparam-se dois "
+    "lugares.",
+)
+# The camera where the source has the odometer: 37.5 mm behind the tool, 62.5 mm above it.
+ON_BRACKET = replace(D435, T_tool_camera=on_hand(behind=0.0375, above=0.0625))
+CLOUDS, CLOUDS_SHORT, TRIPLES = 15, 3, 2000
+# Angles to the reference normal, °, within which planes are sought; the chart of them shows how far 10° holds.
+TRIED = (2, 3, 4, 5, 6, 8, 10, 15, 20, 25)
+
+TILT = Statement(Text(en="maximum angular distance 4°", pt_BR="distância angular máxima de 4°"), "§6.1", 4.0, "≤")
+THREE = Statement(Text(en="three planes are measured", pt_BR="medem-se três planos"), "§6.2.1", 3.0)
+SOUGHT = Fitted(
+    Text(en="largest angle to the reference normal", pt_BR="maior ângulo com a normal de referência"),
+    10.0,
+    6.0,
+    25.0,
+    "°",
+)
+THREE_POINTS = Text(
+    en="the printed plane goes through three random points, and these tilt it more than a fit to all of them would",
+    pt_BR="o plano impresso passa por três pontos aleatórios, que o inclinam mais que um ajuste a todos",
+)
+WALLS_TILT = Text(
+    en="the walls that the source prints are tilted by 4.6° and 5.5°, and the scene is made of these",
+    pt_BR="as paredes impressas pela fonte inclinam-se 4,6° e 5,5°, e a cena é feita delas",
+)
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the source does not give of its camera."""
+
+    noise: Annotated[float, Quantity(Text(en="noise of the depth", pt_BR="ruído da profundidade"), 0.0, 20.0, "mm")] = (
+        2.0
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Read:
+    """What clouds of a wall came to: tilts from it, °, of fits (k,) and of triples; shares of points on the fits, %."""
+
+    tilts: Array
+    shares: Array
+    of_three: Array
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """Clouds with as many seeds, from either place of the camera; short: fewer of them."""
+    clouds = CLOUDS_SHORT if short else CLOUDS
+    jobs = [(camera, reading) for camera in (D435, ON_BRACKET) for reading in READINGS]
+    read = []
+    for i, (camera, reading) in enumerate(jobs):
+        read.append(_read(camera, reading, options.noise / 1000, clouds))
+        progress((i + 1) / (len(jobs) + 1))
+    found = _found(options.noise / 1000)
+    progress(1.0)
+    here, bracket = read[:3], read[3:]
+    rows = (*_stated(found), *_ours(here, bracket))
+    charts = (_tilts(here), _by_angle(found), _places(here, bracket))
+    return Result(rows if options == Options() else unstated(rows), charts, (_tour(),))
+
+
+def at(pose: str) -> State:
+    """The arm in a named posture, with the printed planes around it."""
+    state = initial(load(ROBOT))
+    q = state.robot.poses[pose]
+    return replace(state, arm=replace(state.arm, q=q, poses=frozen(link_poses(state.robot.chain, q))))
+
+
+def pane(reading: Reading) -> Pane:
+    """The wall of the scene that a reading is after."""
+    return next(pane for pane in load(ROBOT).panes if pane.name == reading.name)
+
+
+def searched(camera: Camera, reading: Reading, noise: float, angle: float, seed: int) -> tuple[Array, Found | None]:
+    """A cloud of the wall, (k, 3), m, and the plane within an angle, rad, of the reference normal. noise: σ, m."""
+    state = at(reading.pose)
+    points = SimulatedCamera(camera, noise=noise, outliers=OUTLIERS, seed=seed).cloud(state).points
+    found = find(points, reading.towards, state.T_world_tool[:3, 3], angle=angle, seed=seed)
+    return points, found if isinstance(found, Found) else None
+
+
+def tilt(normal: Array, other: Array) -> Array:
+    """Angles between normals (..., 3) and another (3,), °, whichever way they point."""
+    return np.asarray(np.degrees(np.arccos(np.minimum(1.0, np.abs(normal @ other)))))
+
+
+def through_three(points: Array, seed: int) -> Array:
+    """Normals of planes through three random points of a cloud, (n, 3), eqs. 25–26; those on a line are drawn again."""
+    triples = points[np.random.default_rng(seed).integers(len(points), size=(TRIPLES, 3))]
+    planes = rigid.plane_through(*np.moveaxis(rigid.point(triples), 1, 0))
+    return np.asarray(rigid.normal_and_offset(planes[planes.any(axis=1)])[0])
+
+
+def _read(camera: Camera, reading: Reading, noise: float, clouds: int) -> Read:
+    wall, tilts, shares, of_three = pane(reading).normal, [], [], []
+    for seed in range(clouds):
+        points, found = searched(camera, reading, noise, ANGLE, seed)
+        if found is not None:
+            tilts.append(float(tilt(found.plane.normal, wall)))
+            shares.append(100 * found.share)
+            of_three.append(tilt(through_three(points[found.on_it], seed), wall))
+    return Read(np.array(tilts), np.array(shares), np.concatenate(of_three))
+
+
+def _found(noise: float) -> Array:
+    """How many of the three planes are found within each of the angles that are tried, (a,)."""
+    return np.array(
+        [
+            sum(searched(D435, reading, noise, angle, 0)[1] is not None for reading in READINGS)
+            for angle in np.radians(TRIED)
+        ]
+    )
+
+
+def _stated(found: Array) -> list[Row]:
+    printed_tilt = Text(
+        en="printed plane, {wall}: tilt from the reference normal", pt_BR="plano impresso, {wall}: inclinação da normal"
+    )
+    within = Text(en="planes found within {angle}° of it", pt_BR="planos achados a até {angle}° dela")
+    rows = [
+        Row(printed_tilt.format(wall=reading.title), float(tilt(pane(reading).normal, reading.towards)), "°", TILT)
+        for reading in READINGS
+    ]
+    rows = [replace(row, why=THREE_POINTS) for row in rows]
+    counts = dict(zip(TRIED, found, strict=True))
+    rows.append(Row(within.format(angle=4), int(counts[4]), source=THREE, why=WALLS_TILT))
+    rows.append(Row(within.format(angle=10), int(counts[10]), source=THREE, fitted=(SOUGHT,)))
+    return rows
+
+
+def _ours(here: list[Read], bracket: list[Read]) -> list[Row]:
+    kinds = (
+        (Text(en="fit to all points, median tilt", pt_BR="ajuste a todos os pontos, inclinação mediana"), 50, "tilts"),
+        (Text(en="three random points, median tilt", pt_BR="três pontos ao acaso, inclinação mediana"), 50, "of_three"),
+        (Text(en="three random points, 95 % below", pt_BR="três pontos ao acaso, 95 % abaixo de"), 95, "of_three"),
+    )
+    rows = [
+        Row(OF_WALL.format(wall=reading.title, what=what), float(np.percentile(getattr(read, which), share)), "°")
+        for what, share, which in kinds
+        for reading, read in zip(READINGS, here, strict=True)
+    ]
+    for read, place in ((here, BEHIND), (bracket, AT_ODOMETER)):
+        left = READINGS[1].title
+        share = Text(en="points on it, {place}", pt_BR="pontos nela, {place}").format(place=place)
+        turned = Text(en="median tilt, {place}", pt_BR="inclinação mediana, {place}").format(place=place)
+        rows.append(Row(OF_WALL.format(wall=left, what=share), float(np.median(read[1].shares)), "%"))
+        rows.append(Row(OF_WALL.format(wall=left, what=turned), float(np.median(read[1].tilts)), "°"))
+    return rows
+
+
+OF_WALL = Text(en="{wall}: {what}", pt_BR="{wall}: {what}")
+BEHIND = Text(en="camera 200 mm behind the tool", pt_BR="câmera 200 mm atrás do efetuador")
+AT_ODOMETER = Text(en="camera where the odometer is", pt_BR="câmera no lugar do odômetro")
+SHARE_OF_DRAWS = Text(en="share of the draws (%)", pt_BR="fração dos sorteios (%)")
+TILTED = Text(en="tilt from the wall (°)", pt_BR="inclinação em relação à parede (°)")
+
+
+def _spread(title: Text, tilts: Array) -> Line:
+    """Tilts in order, over the share that lies below each."""
+    shares = np.linspace(1, 99, 99)
+    return Line(title, shares, np.asarray(np.percentile(tilts, shares)))
+
+
+def _tilts(here: list[Read]) -> Chart:
+    three = Text(en="{wall}, three points", pt_BR="{wall}, três pontos")
+    fit = Text(en="{wall}, fit to all", pt_BR="{wall}, ajuste a todos")
+    named = list(zip(READINGS, here, strict=True))
+    lines = [_spread(three.format(wall=reading.title), read.of_three) for reading, read in named]
+    lines += [_spread(fit.format(wall=reading.title), read.tilts) for reading, read in named]
+    title = Text(en="How far measured planes tilt", pt_BR="Quanto se inclinam os planos medidos")
+    return Chart(title, SHARE_OF_DRAWS, TILTED, tuple(lines), log=True)
+
+
+def _by_angle(found: Array) -> Chart:
+    line = Line(Text(en="planes found", pt_BR="planos achados"), np.array(TRIED, dtype=float), found.astype(float))
+    title = Text(en="Planes found, of three", pt_BR="Planos achados, de três")
+    across = Text(en="largest angle to the reference normal (°)", pt_BR="maior ângulo com a normal de referência (°)")
+    return Chart(title, across, Text(en="planes", pt_BR="planos"), (line,))
+
+
+def _places(here: list[Read], bracket: list[Read]) -> Chart:
+    lines = (_spread(BEHIND, here[1].tilts), _spread(AT_ODOMETER, bracket[1].tilts))
+    title = Text(en="The left wall from two places of the camera", pt_BR="A parede esquerda de dois lugares da câmera")
+    return Chart(title, SHARE_OF_DRAWS, TILTED, lines)
+
+
+def _tour() -> Motion:
+    """From one reading posture to the next, three seconds each."""
+    poses = load(ROBOT).poses
+    stops = np.array([poses[name] for name in ("ready", *(reading.pose for reading in READINGS), "ready")])
+    times = np.linspace(0.0, 3.0 * (len(stops) - 1), 121)
+    q = np.stack([np.interp(times, 3.0 * np.arange(len(stops)), joint) for joint in stops.T], axis=1)
+    title = Text(en="the three readings", pt_BR="as três leituras")
+    return Motion(ROBOT, times, q, title=title)
+
+
+__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]

@@ -1,0 +1,58 @@
+"""The ball that can be grasped, and the stands on which it may lie."""
+
+from __future__ import annotations
+
+import viser
+
+from helicoide.kinematics.ball import RADIUS
+from helicoide.kinematics.chain import Array
+from helicoide.view.layers import Stage
+from helicoide.view.rows import View
+
+NAME = "ball"
+SHARED = True
+
+WHITE, WOOD = (245, 245, 240), (150, 111, 70)
+STAND = 0.014
+
+
+def build(stage: Stage) -> Ball:
+    """A ball that is not there yet, and no stands."""
+    sphere = stage.scene.add_icosphere("/ball", RADIUS, WHITE, cast_shadow=False)
+    sphere.visible = False
+    return Ball(stage, sphere)
+
+
+class Ball:
+    """The ball, and a column from the floor for each stand; those that are not needed are kept and hidden."""
+
+    def __init__(self, stage: Stage, sphere: viser.IcosphereHandle) -> None:
+        self.stage, self.sphere = stage, sphere
+        self.columns: list[viser.CylinderHandle] = []
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the ball."""
+        ball, before = new.state.ball, None if old is None else old.state.ball
+        if old is not None and ball is before:
+            return
+        self.sphere.visible = ball is not None
+        if ball is not None:
+            self.sphere.position = ball.centre
+        if before is None or ball is None or ball.stands is not before.stands:
+            self._stand([] if ball is None else list(ball.stands))
+
+    def _stand(self, tops: list[Array]) -> None:
+        scene, floor = self.stage.scene, self.stage.robot.floor
+        for column in self.columns:
+            column.remove()
+        self.columns = [
+            scene.add_cylinder(
+                f"/stands/{k}",
+                STAND,
+                max(float(top[2]) - floor, 1e-3),
+                WOOD,
+                cast_shadow=False,
+                position=(float(top[0]), float(top[1]), (float(top[2]) + floor) / 2),
+            )
+            for k, top in enumerate(tops)
+        ]

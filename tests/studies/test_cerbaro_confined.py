@@ -1,0 +1,124 @@
+"""Chapter 6 of Cerbaro 2022: its paths, its rules in both readings, and what becomes of its sentences without them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helicoide.ik import adaptation, limit_gains
+from helicoide.kinematics.chain import Array
+from helicoide.studies.cerbaro_runs import arms, confined
+from helicoide.studies.cerbaro_runs.chapter6_rows import numbers, sentences
+from helicoide.studies.cerbaro_runs.chapter6_runs import SHORT, Kind, Options, Runs, rule
+from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, SAMPLES_SHORT, Gains, guarded, margins
+from helicoide.studies.study import Row, Verdict
+from helicoide.trajectory import Ellipse
+
+USUAL = Options()
+
+
+def nothing(share: float) -> None:
+    pass
+
+
+def runs(path: Ellipse, asked: tuple[tuple[Kind, int], ...] = SHORT, options: Options = USUAL) -> Runs:
+    """Those that were asked for, and the first of them in the place of the guarded step."""
+    courses = {
+        run: confined.by_rule(path, run[1], options.gains, rule(run[0], options), SAMPLES_SHORT, nothing)
+        for run in asked
+    }
+    return Runs(courses, courses[asked[0]], path.period)
+
+
+def said(path: Ellipse, options: Options = USUAL) -> dict[str, Row]:
+    """The sentences of the source by the words of their quantity."""
+    return {row.quantity.en: row for row in sentences(runs(path, SHORT, options), options)}
+
+
+BORDER = "share of the turn with a point at 80 to 88 mm"
+MORE = "mean deviation of case 1 less the larger of cases 2 and 3"
+FARTHER = "least margin of case 3 less that of case 2"
+CASE_3 = "case 3, all points and planes: least distance"
+
+
+def test_where_the_three_paths_begin_and_turn() -> None:
+    """Cerbaro 2022, §6.1, eqs. 33–35; the last radius of eq. 34 is 50 mm, and the circle is level."""
+    for path, start in ((ELLIPSE, (460, 0, 230)), (LINE, (550, 0, 230)), (CIRCLE, (260, 100, 200))):
+        np.testing.assert_allclose(1000 * path.point(0.0), start, atol=1e-9)
+    np.testing.assert_allclose(1000 * LINE.point(LINE.period / 4), (550, 250, 280), atol=1e-9)
+    np.testing.assert_allclose(1000 * LINE.point(3 * LINE.period / 4), (550, -250, 180), atol=1e-9)
+    turn = np.array([CIRCLE.point(s) for s in np.linspace(0, 30, 7)])
+    np.testing.assert_allclose(np.linalg.norm(turn - CIRCLE.centre, axis=1), 0.22, rtol=1e-12)
+    np.testing.assert_allclose(turn[:, 2], 0.2, atol=1e-12)
+
+
+def test_with_the_wanted_path_in_eq_37_the_sentences_hold_on_the_ellipse_and_with_the_target_they_do_not() -> None:
+    wanted, adapted = said(ELLIPSE), said(ELLIPSE, Options(former="adapted"))
+    assert {row.verdict for row in wanted.values()} == {Verdict.PRINTED, Verdict.FITTED}
+    assert {name for name, row in adapted.items() if row.verdict is Verdict.DIFFERS} >= {BORDER}
+    assert adapted[MORE].ours < wanted[MORE].ours
+
+
+def test_what_differs_on_the_line_and_the_circle() -> None:
+    """Held, the line is trimmed at the walls alone; the circle is partly beyond reach."""
+    for path, other in ((LINE, {MORE}), (CIRCLE, {"case 1: largest position error"})):
+        assert {name for name, row in said(path).items() if row.verdict is Verdict.DIFFERS} == other
+
+
+def test_without_eq_36_the_arm_comes_too_near(monkeypatch: pytest.MonkeyPatch) -> None:
+    def unmoved(target: Array, distance: float, normal: Array, critical: float, corrected: bool) -> Array:
+        return np.asarray(target + 1e-6 * normal)
+
+    monkeypatch.setattr(adaptation, "moved_away", unmoved)
+    assert said(LINE)[CASE_3].verdict is Verdict.DIFFERS
+
+
+def test_with_eq_36_as_printed_it_rests_at_72_7_mm_and_the_row_names_the_erratum() -> None:
+    row = numbers(runs(LINE, (*SHORT, (Kind.PRINTED, 3), (Kind.OTHER, 3))))
+    printed = next(each for each in row if "as printed: least distance" in each.quantity.en)
+    assert printed.ours == pytest.approx(80 / 1.1, abs=0.1)
+    assert (printed.verdict, printed.erratum) == (Verdict.ERRATUM, "cerbaro-23")
+
+
+def test_without_clips_algorithm_1_keeps_no_joint_farther_from_its_limits(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(limit_gains, "clipped", lambda q, lower, upper, gains: (q, gains))
+    assert said(LINE)[FARTHER].verdict is Verdict.DIFFERS
+
+
+@pytest.mark.parametrize("path", [ELLIPSE, LINE, CIRCLE], ids=["ellipse", "line", "circle"])
+def test_the_guarded_step_keeps_every_distance_and_every_joint_limit(path: Ellipse) -> None:
+    """Cases 2 and 3: no joint is ever beyond its limit, so that Algorithm 1 has nothing to clip."""
+    course = guarded(path, 500.0, path.period, nothing)
+    assert course.least.min() >= 80 - 1e-6
+    assert margins(confined.confined(), course.q).min() >= 0
+    assert course.deviation < 25
+    travelled = np.linalg.norm(np.diff(course.desired, axis=0), axis=1).sum()
+    round_once = np.linalg.norm(np.diff(confined.desired(path, 3001), axis=0), axis=1).sum()
+    assert travelled == pytest.approx(round_once, rel=1e-2)
+
+
+def test_with_a_small_gain_algorithm_1_turns_the_margin_of_j3() -> None:
+    """Circle, k₀ = 500, recomputed from the source's formulas: −10.2° with one gain, +8.0° with gains that grow."""
+    gains, by = Gains(500.0, 0.5, 1e-3), replace(confined.source_rule(), ratchets=True)
+    courses = [confined.by_rule(CIRCLE, case, gains, by, 601, nothing) for case in (2, 3)]
+    j3 = [margins(confined.confined(), course.q)[2] for course in courses]
+    assert j3 == pytest.approx([-10.2, 8.0], abs=0.06)
+    np.testing.assert_array_equal(courses[0].gains, 500)
+    assert courses[1].gains[2] > 500
+    np.testing.assert_array_equal(courses[1].gains[[0, 3, 4]], 500)
+    assert min(course.least[0] for course in courses) >= 80
+    assert [course.least[1] for course in courses] == pytest.approx([40.9, 35.3], abs=0.06)
+
+
+def test_case_1_holds_its_pitch_and_roll() -> None:
+    course = confined.by_rule(LINE, 1, Options().gains, confined.source_rule(), SAMPLES_SHORT, nothing)
+    assert np.abs(course.q[:, 1:4].sum(axis=1) - LINE.pitch).max() <= 0.01
+    assert np.abs(course.q[:, 4] - LINE.roll).max() <= 0.01
+    assert np.degrees(course.q[:, 3].max()) == pytest.approx(110.3, abs=0.1)
+
+
+def test_the_tool_is_where_the_arm_says() -> None:
+    here = arms.movemaster()
+    np.testing.assert_allclose(arms.tool(here, here.robot.poses["zero"]), [0.82, 0, 0.4], atol=1e-12)

@@ -159,3 +159,34 @@ def test_names_that_do_not_apply_list_those_that_do() -> None:
     assert "puma560" not in ways(robot)
     with pytest.raises(HelicoideError, match="orientation"):
         solve_by("puma560", arm("puma560"), np.eye(4), arm("puma560").poses["ready"], with_orientation=False)
+
+
+def test_a_point_for_two_joints_is_solved_in_closed_form() -> None:
+    robot = arm("planar2r")
+    for q in postures(robot, 20, seed=11):
+        T = np.eye(4)
+        T[:3, 3] = tool_at(robot, q)[:3, 3]
+        every = solve(robot, T, q, every=True, with_orientation=False)
+        assert "Two postures" in every.words.en
+        assert len(every.branches) == 2
+        assert all(EXACT.holds(branch.missed, branch.turned) for branch in every.branches)
+        (one,) = solve(robot, T, q, with_orientation=False).branches
+        np.testing.assert_allclose(one.q, q, atol=1e-9)
+        assert solve_by("planar2r", robot, T, q, with_orientation=False).branches[0].turned == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "off"),
+    [("polar_rp", (0.3, 0.4), 0.1), ("planar2r", (1.0, 0.8), 0.05), ("planar3r", (1, 0.4), 0.2)],
+)
+def test_a_point_off_the_plane_of_an_arm_is_projected(name: str, place: tuple[float, float], off: float) -> None:
+    robot = arm(name)
+    T = np.eye(4)
+    T[:3, 3] = (*place, robot.T_world_tool_0[2, 3] + off)
+    for way in ("front", "numeric"):
+        asked = (robot, T, robot.poses["ready"], False, False)
+        answer = solve(*asked) if way == "front" else solve_by(way, *asked)
+        assert (answer.moved, answer.turned) == (pytest.approx(off), 0)
+        assert status(answer).en == f"projected by 0.000° and {1000 * off:.3f} mm to what the arm can take: reached"
+        np.testing.assert_allclose(tool_at(robot, answer.branches[0].q)[:2, 3], place, atol=1e-6)
+        assert answer.branches[0].missed == pytest.approx(off)

@@ -21,7 +21,6 @@ from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
 NUMERIC = "numeric"
-GENERAL = "pieper"  # for all arms with a spherical wrist: it comes after the forms of one arm
 EXACT = Tolerance(1e-5, 1e-5)  # what may be left of a goal that counts as reached
 FACTOR, PERIOD, STEPS = 0.5, 0.1, 1000  # of an iteration: step factor, how long a step lasts, s, and how many
 
@@ -50,11 +49,10 @@ def solve(
     one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
     """
     T, q = check_pose(T_world_tool), robot.check_joints(q)
-    forms = closed.of(robot) if with_orientation else {}
+    forms = {name: form for name, form in closed.of(robot).items() if with_orientation or name in closed.OF_POINTS}
     if not forms:
         return _searched(robot, T, q, every, with_orientation)
-    first = min(forms, key=lambda name: (name == GENERAL, name))
-    return _by_form(robot, forms[first], T, q, every)
+    return _by_form(robot, next(iter(forms.values())), T, q, every, with_orientation)
 
 
 def solve_by(
@@ -72,10 +70,10 @@ def solve_by(
     if name not in closed.found():
         raise _refused(robot, Text(en=f"There is no way {name!r}.", pt_BR=f"Não existe o modo {name!r}."))
     form = closed.found()[name]
-    reason = form.applies(robot) if with_orientation else _WHOLE
+    reason = form.applies(robot) if with_orientation or name in closed.OF_POINTS else _WHOLE
     if reason is not None:
         raise _refused(robot, sentences(Text(en=f"{name} does not apply.", pt_BR=f"{name} não se aplica."), reason))
-    return _by_form(robot, form, T, q, every)
+    return _by_form(robot, form, T, q, every, with_orientation)
 
 
 _WHOLE = Text(en="A closed form needs an orientation.", pt_BR="Uma forma fechada precisa de orientação.")
@@ -108,29 +106,37 @@ def _measured(robot: Robot, answer: Answer, T: Array, with_orientation: bool = T
     return replace(answer, branches=tuple(branches), values=values, left=solved[order[0]] if order else None)
 
 
-def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool) -> Answer:
-    """The answer of a closed form; where one posture is asked for and none keeps the limits, the nearest that does."""
-    answer = _measured(robot, _ordered(robot, form.solve(robot, T, q), q), T)
+def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
+    """The answer of a closed form; where one posture is asked for and none keeps the limits, the nearest that does.
+
+    A point is asked for with the orientation that the arm has there, so that nothing is turned.
+    """
+    if not with_orientation:
+        T = T.copy()
+        T[:3, :3] = subspace.project_point(robot, T, q).T_world_goal[:3, :3]
+    answer = _measured(robot, _ordered(robot, form.solve(robot, T, q), q), T, with_orientation)
     if every:
         return answer
     if answer.left is not None and EXACT.holds(*answer.left) and answer.branches[0].within:
         return replace(answer, branches=answer.branches[:1], values=answer.values[:1])
-    found = numeric.solve(robot, answer.T_world_goal, q)
+    found = numeric.solve(robot, answer.T_world_goal, q, with_orientation)
     words = sentences(answer.words, found.words)
     answer = replace(answer, branches=found.branches, words=words, short=max(answer.short, found.short))
-    return _measured(robot, answer, T)
+    return _measured(robot, answer, T, with_orientation)
 
 
 def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
-    """The answer of the searches; a pose that an arm with fewer than six joints cannot take is projected first."""
+    """The answer of the searches; a goal that an arm with fewer than six joints cannot take is projected first."""
     find = numeric.branches if every else numeric.solve
     answer = _measured(robot, find(robot, T, q, with_orientation), T, with_orientation)
-    if _is_met(answer) or not with_orientation or len(robot.variables) >= 6:
+    if _is_met(answer) or len(robot.variables) >= 6:
         return answer
-    goal = subspace.project(robot, T, q)
-    answer = find(robot, goal.T_world_goal, q)
+    goal = (subspace.project if with_orientation else subspace.project_point)(robot, T, q)
+    if goal.words is None:
+        return answer
+    answer = find(robot, goal.T_world_goal, q, with_orientation)
     words = sentences(goal.words, answer.words)
-    return _measured(robot, replace(answer, moved=goal.moved, turned=goal.turned, words=words), T)
+    return _measured(robot, replace(answer, moved=goal.moved, turned=goal.turned, words=words), T, with_orientation)
 
 
 def _ordered(robot: Robot, answer: Answer, q: Array) -> Answer:

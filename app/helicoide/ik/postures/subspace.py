@@ -58,6 +58,18 @@ def project(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
     return Projection(goal, *between(T, goal))
 
 
+def project_point(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
+    """The same for a point: that of a pose (4, 4), m, in the plane of the arm, with the orientation that it has there.
+
+    Arms whose axes are all parallel, and polar arms; for others the pose itself. Arguments and errors as in `project`.
+    """
+    T, q = check_pose(T_world_tool), robot.check_joints(q)
+    if not (isinstance(planar(robot, 2), Planar) or _keeps_upright(robot) or polar_arm(robot)):
+        return Projection(T, 0.0, 0.0)
+    goal = frozen(_projected(robot, T, q))
+    return Projection(goal, between(T, goal)[0], 0.0)
+
+
 def beyond(robot: Robot, T_world_goal: Array, q: Array) -> float:
     """How far a pose of the subspace (4, 4), m, lies beyond the edge of the workspace, m; 0 inside.
 

@@ -136,6 +136,19 @@ def test_the_words_for_people_carry_the_same_numbers(
     assert lines[-1].split() == ["A5", "(−", "J4", "+", "J5):", "120°,", "13920", "pulses"]
 
 
+def test_the_ball_screws_of_the_l3_have_lengths(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ["helicoide", "fk", "motoman_l3", "--deg", "--q", "0", "-75", "80", "105", "0"]
+    monkeypatch.setattr(sys, "argv", arguments)
+    __main__.main()
+    assert "A2 (J2): -75°, -8504.11 pulses, screw 239.5 mm long" in capsys.readouterr().out
+    monkeypatch.setattr(sys, "argv", [*arguments, "--json"])
+    __main__.main()
+    screws = [motor["screw"] for motor in json.loads(capsys.readouterr().out)["motors"]]
+    assert screws == [None, pytest.approx(0.23948, abs=1e-5), pytest.approx(0.36242, abs=1e-5), None, None]
+
+
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_every_mistake_in_a_urdf_ends_the_command_alike(
     tmp_path: Path, refused: Callable[..., str], caplog: pytest.LogCaptureFixture, mistake: str

@@ -19,6 +19,7 @@ from helicoide import __main__
 from helicoide.geometry import euler, rotation
 from helicoide.ik import methods
 from helicoide.ik.postures.branch import tool_at
+from helicoide.kinematics.library import load
 
 APP = Path(__file__).parents[2] / "app"
 EXAMPLE = ("--position", "0.4704294", "0.2716025", "0.3", "--quat", "0.683013", "0.5", "0.5", "-0.183013")
@@ -56,7 +57,7 @@ def test_the_json_has_its_keys_and_the_numbers_lead_to_the_goal(
     goal = ("--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "-0.2")
     answer = answered(monkeypatch, capsys, "puma560", *goal, "--all")
     keys = {"robot", "joints", "goal", "solved", "moved", "turned", "reached", "short", "status", "words", "branches"}
-    keys |= {"base", "tip", "remarks"}
+    keys |= {"base", "tip", "remarks", "solvability"}
     assert set(answer) == keys
     assert answer["reached"] is True
     assert answer["robot"] == "puma560"
@@ -66,11 +67,14 @@ def test_the_json_has_its_keys_and_the_numbers_lead_to_the_goal(
     assert is_text(answer["status"])
     assert is_text(answer["words"])
     assert answer["status"] == {"en": "reached", "pt_BR": "alcançado"}
+    assert answer["solvability"]["closed"] is True
+    assert answer["solvability"]["axes"] == [4, 5, 6]
     assert len(answer["branches"]) == 8
     R = euler.matrix([3.0, 0.1, -0.2], "extrinsic xyz")
     np.testing.assert_allclose(rotation.to_matrix(np.array(answer["goal"]["quaternion_wxyz"])), R, atol=1e-12)
     for branch in answer["branches"]:
-        assert set(branch) == {"name", "q", "missed", "turned", "within"}
+        assert set(branch) == {"name", "q", "missed", "turned", "within", "cost", "dropped", "screws"}
+        assert (branch["dropped"] is None) == branch["within"]
         assert is_text(branch["name"])
         T = tool_at(arm("puma560"), np.array(branch["q"]))
         np.testing.assert_allclose(T[:3, 3], [0.4, 0.2, 0.3], atol=1e-9)
@@ -193,6 +197,9 @@ def test_the_answer_is_there_in_portuguese(monkeypatch: pytest.MonkeyPatch, caps
             ["panda", "--position", "0.4", "0", "0.3", "--quat", "1", "0", "0", "0", "--method", "puma560"],
             ["puma560 does not apply", "numeric", "pseudoinverse"],
         ),
+        (["planar2r", "--position", "1", "0", "0", "--weights", "1", "2", "3"], ["2 weights", "1, 2, 3"]),
+        (["planar2r", "--position", "1", "0", "0", "--obstacle", "1", "2", "3"], ["--obstacle", "4 finite numbers"]),
+        (["planar2r", "--position", "1", "0", "0", "--obstacle", "1", "2", "3", "0"], ["--obstacle", "positive"]),
         (["puma", "--position", "0.4", "0", "0.3"], ["'puma'", "movemaster"]),
         (["{arm}", "--tip", "nowhere", "--position", "0.4", "0", "0.3"], ["{arm}", "'nowhere'"]),
         (["planar2r", "--set", "l1=abc", "--position", "1", "0", "0"], ["l1=abc"]),
@@ -204,6 +211,70 @@ def test_wrong_input_ends_in_one_line(
     path = str(write(tmp_path))
     said = refused("ik", *(argument.format(arm=path) for argument in arguments))
     assert [word for word in words if word.format(arm=path) not in said] == []
+
+
+@pytest.mark.parametrize(
+    ("robot", "words"),
+    [
+        ("puma560", "Closed form: axes 4, 5, 6 meet at a point (Pieper). At most 8 postures"),
+        ("movemaster", "Closed form: axes 2, 3, 4 are parallel"),
+        ("planar2r", "Closed form: with 2 joints"),
+        ("panda", "Numerically only: 7 joints leave infinitely many postures"),
+    ],
+)
+def test_piepers_verdict_is_printed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], robot: str, words: str
+) -> None:
+    place = [f"{x:.9f}" for x in tool_at(load(robot), load(robot).poses["ready"])[:3, 3]]
+    assert printed(monkeypatch, capsys, robot, "--position", *place).splitlines()[2].strip().startswith(words)
+
+
+# Campos 1998, s.17: the third axis at (−0.7, −1.1) m, the hand towards −1.4 rad, of links of 1, 0.7 and 0.2 m
+CHOICE = ("planar3r", "--set", "l1=1000", "l2=700", "l3=200", "--from", "0.5", "0.2", "-1", "--rpy", "0", "0", "-1.4")
+CHOICE = (*CHOICE, "--position", "-0.6660066", "-1.2970899", "0")
+UP, DOWN = [-1.57798, -1.42023, 1.59821], [3.58611, 1.42023, -0.12316]
+
+
+@pytest.mark.parametrize(
+    ("asked", "q", "cost"),
+    [
+        (["--weights", "1", "1", "1"], DOWN, 5.183),
+        (["--weights", "3", "2", "1"], UP, 12.073),
+        (["--weights", "3", "2", "1", "--obstacle", "0", "-1", "0", "0.1"], DOWN, 12.576),
+        (["--obstacle", "0.05", "1.2", "0", "0.1"], DOWN, 5.183),
+        (["--obstacle", "-0.9", "-0.4", "0", "0.1"], UP, 6.296),
+    ],
+)
+def test_the_choice_follows_weights_and_obstacle(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], asked: list[str], q: list[float], cost: float
+) -> None:
+    (branch,) = answered(monkeypatch, capsys, *CHOICE, *asked)["branches"]
+    assert branch["q"] == pytest.approx(q, abs=2e-5)
+    assert branch["cost"] == pytest.approx(cost, abs=6e-4)
+    assert f"cost {cost:.3f}" in printed(monkeypatch, capsys, *CHOICE, *asked)
+
+
+def test_what_an_obstacle_rules_out_is_shown_among_all_and_ends_with_three_where_none_is_left(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = printed(monkeypatch, capsys, *CHOICE, "--all", "--obstacle", "0", "-1", "0", "0.1")
+    assert out.splitlines()[-1].endswith("ruled out: touches an obstacle")
+    with pytest.raises(SystemExit) as caught:
+        printed(monkeypatch, capsys, *CHOICE, "--obstacle", "-0.6", "-1.2", "0", "0.3")
+    assert caught.value.code == 3
+    assert "every posture that was found touches the obstacle" in capsys.readouterr().out
+
+
+def test_the_screws_of_the_l3_are_shown(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = load("motoman_l3")
+    T = tool_at(robot, robot.poses["ready"])
+    place, quat = ([f"{x:.12f}" for x in values] for values in (T[:3, 3], rotation.from_matrix(T[:3, :3])))
+    goal = ("motoman_l3", "--position", *place, "--quat", *quat)
+    assert "A2 (J2) -8504 pulses, screw 239.5 mm long" in printed(monkeypatch, capsys, *goal)
+    (branch,) = answered(monkeypatch, capsys, *goal)["branches"]
+    assert branch["screws"] == [None, pytest.approx(0.23948, abs=1e-5), pytest.approx(0.36242, abs=1e-5), None, None]
+    out = printed(monkeypatch, capsys, *goal, "--weights", "1", "1", "1", "1", "1")
+    assert "pulses" in out
 
 
 def test_lengths_and_tips_are_set(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json as json_format
 import sys
+from math import isnan
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -35,6 +36,10 @@ NO_FRAMES = Text(
 MOTORS = Text(en="motors, pulses from a zero that is ours:", pt_BR="motores, pulsos a partir de um zero nosso:")
 DRIVEN = Text(
     en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses", pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos"
+)
+SCREW = Text(
+    en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses, screw {mm:.1f} mm long",
+    pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos, fuso com {mm:.1f} mm",
 )
 ROUNDING = 1e-9  # of a joint that is put on its limit, rad or m
 
@@ -113,12 +118,22 @@ def _poses(robot: Robot, q: Array) -> list[Text]:
     motors = driven(robot, q)
     if isinstance(motors, Text):
         return [*lines, motors]
-    told = [DRIVEN.format(label=label, angle=np.degrees(angle), pulses=pulses) for label, angle, pulses in motors]
+    told = [
+        (DRIVEN if isnan(length) else SCREW).format(
+            label=label, angle=np.degrees(angle), pulses=pulses, mm=1000 * length
+        )
+        for label, angle, pulses, length in motors
+    ]
     return [*lines, MOTORS, *told] if told else lines
 
 
-def driven(robot: Robot, q: Array) -> list[tuple[str, float, float]] | Text:
-    """Of each actuator its label, the angle that it drives, rad, and its pulses; or why one cannot hold its angle."""
+Motor = tuple[str, float, float, float]
+
+
+def driven(robot: Robot, q: Array) -> list[Motor] | Text:
+    """Of each actuator its label, the angle that it drives, rad, its pulses, and the length of its ball screw, m, NaN
+    where it has none; or why one cannot hold its angle.
+    """
     actuators = robot.actuators
     if actuators is None:
         return []
@@ -126,7 +141,8 @@ def driven(robot: Robot, q: Array) -> list[tuple[str, float, float]] | Text:
         pulses = actuators.from_joints(q)
     except HelicoideError as error:
         return error.text
-    return list(zip(actuators.labels, map(float, actuators.coupling @ q), map(float, pulses), strict=True))
+    numbers = (actuators.coupling @ q, pulses, actuators.lengths(q))
+    return list(zip(actuators.labels, *(map(float, values) for values in numbers), strict=True))
 
 
 def _told(robot: Robot, q: Array) -> dict[str, Any]:
@@ -144,10 +160,13 @@ def _told(robot: Robot, q: Array) -> dict[str, Any]:
     }
 
 
-def _motors(found: list[tuple[str, float, float]] | Text) -> list[dict[str, Any]]:
+def _motors(found: list[Motor] | Text) -> list[dict[str, Any]]:
     if isinstance(found, Text):
         return []
-    return [{"motor": label, "driven": angle, "pulses": pulses} for label, angle, pulses in found]
+    return [
+        {"motor": label, "driven": angle, "pulses": pulses, "screw": None if isnan(length) else length}
+        for label, angle, pulses, length in found
+    ]
 
 
 def _warning(joint: Joint, value: float, deg: bool) -> Text:

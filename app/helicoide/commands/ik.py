@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import json as json_format
 import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import isfinite
 from typing import Annotated, Any
 
 import numpy as np
 import tyro
 
 from helicoide.commands import NOT_REACHED, described_ends, ends, language, remark
+from helicoide.confinement import Obstacles
 from helicoide.geometry import euler, rotation
-from helicoide.ik.postures.branch import Answer, Branch
-from helicoide.ik.postures.solve import reached, solve, solve_by, status
+from helicoide.ik.postures import solvability
+from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
+from helicoide.ik.postures.solve import chosen, reached, solve, solve_by, status
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -25,6 +31,11 @@ LEFT = Text(
 )
 WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas")
 BEYOND = Text(en="beyond the joint limits", pt_BR="além dos limites das juntas")
+COST = Text(en="; cost {cost:.3f}", pt_BR="; custo {cost:.3f}")
+RULED_OUT = Text(en="; ruled out: {why}", pt_BR="; descartada: {why}")
+ALL_COLLIDE = Text(
+    en="every posture that was found touches the obstacle", pt_BR="toda postura encontrada toca o obstáculo"
+)
 
 
 def run(
@@ -36,6 +47,8 @@ def run(
     method: str | None = None,
     all: bool = False,
     start: Annotated[tuple[float, ...] | None, tyro.conf.arg(name="from")] = None,
+    weights: tuple[float, ...] | None = None,
+    obstacle: Annotated[tuple[float, ...] | None, tyro.conf.arg(metavar="X Y Z R")] = None,
     tip: str | None = None,
     base: str | None = None,
     set: tuple[str, ...] = (),
@@ -54,6 +67,8 @@ def run(
         method: name of a closed form, of a method that iterates, or numeric; a wrong one lists what there is.
         all: print every posture, not only the nearest to where the arm is.
         start: joint values where the arm is, rad, or m where a joint slides; its posture ready if there are none.
+        weights: what the motion of each joint costs, 1/rad, or 1/m where it slides; the cheapest posture is chosen.
+        obstacle: centre and radius of a sphere, m; postures that touch it are ruled out.
         tip: the link of a URDF where the arm ends.
         base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
@@ -66,26 +81,37 @@ def run(
     T[:3, 3] = _checked(position, "--position", 3)
     T[:3, :3] = np.eye(3) if R is None else R
     q = arm.poses["ready"] if start is None else _radians(arm, arm.check_joints(start), deg)
-    asked = (arm, T, q, all, R is not None)
+    choosing = weights is not None or obstacle is not None
+    asked = (arm, T, q, all or choosing, R is not None)
     answer = solve(*asked) if method is None else solve_by(method, *asked)
+    ranking = chosen(arm, answer, q, alike(arm) if weights is None else weights, _sphere(obstacle), R is not None)
+    free = [row for row in ranking if row.dropped is not COLLIDES]
+    shown = ranking if all else free[: 1 if choosing else None] or ranking
+    told = replace(answer, branches=tuple(replace(row.branch, q=row.q) for row in free))
+    said = ALL_COLLIDE if answer.branches and not free else status(told)
     if json:
-        print(json_format.dumps(described(arm, answer, T, R is not None), indent=1))
+        print(json_format.dumps(described(arm, told, said, shown, T, R is not None), indent=1))
     else:
-        print("\n".join(_lines(arm, answer, deg, language())))
-    if not reached(answer):
+        print("\n".join(_lines(arm, answer.words, said, shown, deg, choosing, language())))
+    if not reached(told):
         sys.exit(NOT_REACHED)
 
 
-def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientation: bool) -> dict[str, Any]:
+def described(
+    robot: Robot, answer: Answer, said: Text, shown: Sequence[Ranked], T_world_tool: Array, with_orientation: bool
+) -> dict[str, Any]:
     """An answer in SI units; words in both languages.
 
-    goal is what was asked for, solved what was solved for: other than the goal by moved and turned where it was
-    projected; reached: whether the command ends with 0; short: how far the goal lies beyond the workspace; missed and
-    turned: what each branch leaves of it.
+    solvability: Pieper's test; goal is what was asked for, solved what was solved for: other than the goal by moved and
+    turned where it was projected; reached: whether the command ends with 0; short: how far the goal lies beyond the
+    workspace; missed and turned: what each branch leaves of it; cost: of the way there, by the weights; dropped: why it
+    is ruled out; screws: lengths of the ball screws that hold it, m, null where a gear does.
     """
+    verdict = solvability.verdict(robot)
     return {
         "robot": robot.name,
         **described_ends(robot),
+        "solvability": {"closed": verdict.closed, "axes": [axis + 1 for axis in verdict.axes], **_words(verdict.words)},
         "joints": [joint.name for joint in robot.variables],
         "goal": _pose(T_world_tool, with_orientation),
         "solved": _pose(answer.T_world_goal, with_orientation),
@@ -93,18 +119,24 @@ def described(robot: Robot, answer: Answer, T_world_tool: Array, with_orientatio
         "turned": answer.turned,
         "short": answer.short,
         "reached": reached(answer),
-        "status": _words(status(answer)),
+        "status": _words(said),
         "words": _words(answer.words),
-        "branches": [
-            {
-                "name": _words(branch.name),
-                "q": branch.q.tolist(),
-                "missed": branch.missed,
-                "turned": branch.turned,
-                "within": branch.within,
-            }
-            for branch in answer.branches
-        ],
+        "branches": [_described(robot, row) for row in shown],
+    }
+
+
+def _described(robot: Robot, row: Ranked) -> dict[str, Any]:
+    branch, actuators = row.branch, robot.actuators
+    lengths = [] if actuators is None else actuators.lengths(row.q).tolist()
+    return {
+        "name": _words(branch.name),
+        "q": row.q.tolist(),
+        "missed": branch.missed,
+        "turned": branch.turned,
+        "within": branch.within,
+        "cost": row.cost,
+        "dropped": None if row.dropped is None else _words(row.dropped),
+        "screws": [length if isfinite(length) else None for length in lengths],
     }
 
 
@@ -117,24 +149,34 @@ def _words(text: Text) -> dict[str, str]:
     return {"en": text.en, "pt_BR": text.pt_BR}
 
 
-def _lines(robot: Robot, answer: Answer, deg: bool, spoken: Language) -> list[str]:
+def _lines(
+    robot: Robot, words: Text, said: Text, shown: Sequence[Ranked], deg: bool, choosing: bool, spoken: Language
+) -> list[str]:
     """The answer as people read it."""
     return [
-        f"{robot.name}: {status(answer)[spoken]}",
+        f"{robot.name}: {said[spoken]}",
         ends(robot)[spoken],
-        *([f"   {answer.words[spoken]}"] if answer.words[spoken] else []),
-        *(line for branch in answer.branches for line in _of_branch(robot, branch, deg, spoken)),
+        f"   {solvability.verdict(robot).words[spoken]}",
+        *([f"   {words[spoken]}"] if words[spoken] else []),
+        *(line for row in shown for line in _of_posture(robot, row, deg, choosing, spoken)),
     ]
 
 
-def _of_branch(robot: Robot, branch: Branch, deg: bool, spoken: Language) -> tuple[str, str]:
+def _of_posture(robot: Robot, row: Ranked, deg: bool, choosing: bool, spoken: Language) -> Iterator[str]:
+    branch = row.branch
     values = ", ".join(
-        f"{joint.name} {_value(float(x), joint.slides, deg)}"
-        for joint, x in zip(robot.variables, branch.q, strict=True)
+        f"{joint.name} {_value(float(x), joint.slides, deg)}" for joint, x in zip(robot.variables, row.q, strict=True)
     )
     turned = f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad"
-    left = LEFT.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else BEYOND)
-    return f"{branch.name[spoken]}: {values}", left[spoken]
+    left = LEFT.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else BEYOND)[spoken]
+    if choosing:
+        left += COST.format(cost=row.cost)[spoken]
+    if row.dropped is COLLIDES:
+        left += RULED_OUT.format(why=row.dropped)[spoken]
+    yield f"{branch.name[spoken]}: {values}"
+    yield left
+    if robot.actuators is not None:
+        yield f"   {robot.actuators.words(row.q)[spoken]}"
 
 
 def _value(x: float, slides: bool, deg: bool) -> str:
@@ -164,6 +206,21 @@ def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, 
         return None
     angles = _checked(rpy, "--rpy", 3)
     return euler.matrix(np.radians(angles) if deg else angles, URDF)
+
+
+def _sphere(given: tuple[float, ...] | None) -> Obstacles:
+    """The obstacle that was given, or none."""
+    if given is None:
+        return Obstacles()
+    *centre, radius = _checked(given, "--obstacle", 4)
+    if radius <= 0:
+        raise HelicoideError(
+            Text(
+                en="The radius of --obstacle, the last of its four numbers, is positive, not {radius:g}.",
+                pt_BR="O raio de --obstacle, o último dos quatro números, é maior que zero, não {radius:g}.",
+            ).format(radius=radius)
+        )
+    return Obstacles().with_sphere(np.array(centre), float(radius))
 
 
 def _checked(values: tuple[float, ...], option: str, count: int) -> Array:

@@ -16,9 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, joined
 
 UNIT = Text(en="pulses", pt_BR="pulsos")
+ACTUATORS = Text(en="actuators: {told}", pt_BR="atuadores: {told}")
+GEAR = Text(en="{label} {n} pulses", pt_BR="{label} {n} pulsos")
+SCREW = Text(en="{label} {n} pulses, screw {mm:.1f} mm long", pt_BR="{label} {n} pulsos, fuso com {mm:.1f} mm")
 HELD = Text(
     en="The ball screw of {label} can hold {low:.4g}° to {high:.4g}°, not {given:.4g}°.",
     pt_BR="O fuso de esferas de {label} sustenta de {low:.4g}° a {high:.4g}°, não {given:.4g}°.",
@@ -51,7 +54,7 @@ class Gear:
         return self.pulses_per_rad * (np.asarray(angle) - self.zero)
 
     def angle(self, pulses: ArrayLike) -> Array:
-        """The driven angle, φ = φ₀ + A / r, (...), rad; pulses (...). Source: Campos 1998, s.55 (θ1, θ4 and θ5)."""
+        """The driven angle, φ = φ₀ + A / r, (...), rad; pulses (...). Source: Craig, chapter 3 (θ1, θ4 and θ5)."""
         return self.zero + np.asarray(pulses) / self.pulses_per_rad
 
 
@@ -72,20 +75,26 @@ class BallScrew:
         """The driven angles, rad, between the folded triangle, L = |α − β|, and the flat one, L = α + β."""
         return self.zero, self.zero + math.pi
 
-    def pulses(self, angle: ArrayLike) -> Array:
-        """Pulses at a driven angle, A = (√(α² + β² − 2αβ cos(φ − δ)) − λ) / k, with δ the zero and k in m per pulse.
+    def length(self, angle: ArrayLike) -> Array:
+        """Length of the screw at a driven angle, L = √(α² + β² − 2αβ cos(φ − δ)), (...), m, with δ the zero.
 
-        Args: angle (...), rad. Source: Campos 1998, s.55 (inverse of θ2 and θ2 + θ3); Craig, chapter 3.
+        Args: angle (...), rad. Source: Campos 1998, s.55 (names the arm); Craig, chapter 3.
         """
         a, b = self.sides
         # with the half angle, rounding cannot bring what is under the root of a folded triangle below zero
-        length = np.sqrt((a - b) ** 2 + 4 * a * b * np.sin((np.asarray(angle) - self.zero) / 2) ** 2)
-        return np.asarray((length - self.length_at_zero) * self.pulses_per_m)
+        return np.sqrt((a - b) ** 2 + 4 * a * b * np.sin((np.asarray(angle) - self.zero) / 2) ** 2)
+
+    def pulses(self, angle: ArrayLike) -> Array:
+        """Pulses at a driven angle, A = (L − λ) / k, k in m per pulse, (...); angle (...), rad.
+
+        Source: Campos 1998, s.55 (names the arm); Craig, chapter 3.
+        """
+        return np.asarray((self.length(angle) - self.length_at_zero) * self.pulses_per_m)
 
     def angle(self, pulses: ArrayLike) -> Array:
         """The driven angle, φ = acos((α² + β² − L²) / 2αβ) + δ with L = k A + λ, (...), rad.
 
-        Args: pulses (...). Source: Campos 1998, s.55 (θ2 and θ2 + θ3); Craig, chapter 3.
+        Args: pulses (...). Source: Campos 1998, s.55 (names the arm); Craig, chapter 3.
         """
         a, b = self.sides
         length = self.length_at_zero + np.asarray(pulses) / self.pulses_per_m
@@ -136,6 +145,29 @@ class Actuators:
             _check(COUNTED, label, counted, drive.pulses(drive.angles))
         angles = np.stack([drive.angle(counted) for _, drive, counted in self._each(values)], axis=-1)
         return np.asarray(angles @ self.uncoupling.T)
+
+    def lengths(self, q: ArrayLike) -> Array:
+        """Lengths of the ball screws at joint angles, (..., n), m; NaN where a gear drives. Args: q (..., n), rad."""
+        angles = self._values(q) @ self.coupling.T
+        return np.stack(
+            [
+                drive.length(angle) if isinstance(drive, BallScrew) else np.full_like(angle, np.nan)
+                for _, drive, angle in self._each(angles)
+            ],
+            axis=-1,
+        )
+
+    def words(self, q: ArrayLike) -> Text:
+        """What the actuators count at joint angles (n,), rad, and how long the screws are; or why they cannot hold."""
+        try:
+            counted = self.from_joints(q)
+        except HelicoideError as error:
+            return error.text
+        told = [
+            (SCREW if length == length else GEAR).format(label=label, n=round(float(n)), mm=1000 * length)
+            for label, n, length in zip(self.labels, counted, self.lengths(q), strict=True)
+        ]
+        return ACTUATORS.format(told=joined(told))
 
     def _each(self, values: Array) -> list[tuple[str, Gear | BallScrew, Array]]:
         return list(zip(self.labels, self.drives, np.moveaxis(values, -1, 0), strict=True))

@@ -8,8 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.confinement import Obstacles, Zones, planes_of
+from helicoide.ik import Limits, Problem
+from helicoide.ik.guard.collision import clearances
 from helicoide.ik.postures.branch import ON_LIMIT, Branch, wrap
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
@@ -48,6 +52,27 @@ def ranked(
     now, w = robot.check_joints(q), _checked(robot, weights)
     rows = [_row(robot, branch, now, w, collides) for branch in branches]
     return tuple(sorted(rows, key=lambda row: (row.dropped is not None, row.cost)))
+
+
+def touching(robot: Robot, obstacles: Obstacles) -> Callable[[Array], bool]:
+    """Whether a body of the arm in a posture (n,), rad or m, meets one of the obstacles.
+
+    Source: Campos 1998, s.17 (an obstacle may rule out the nearest posture).
+    """
+    limits = Limits(robot.lower, robot.upper, robot.speed)
+    problem = Problem(robot, limits, planes_of(()), Zones(between=0.0), obstacles=obstacles)
+    first = len(robot.self_collision)
+
+    def touches(q: Array) -> bool:
+        arrays = problem.points, problem.plane_arrays, problem.pair_arrays
+        return bool((clearances(link_poses(robot.chain, q), *arrays)[0][first:] < 0).any())
+
+    return touches
+
+
+def alike(robot: Robot) -> Array:
+    """Weights (n,) by which joints count alike: 1/rad, and a slide in units of the reach, 1/m."""
+    return frozen([1.0 / robot.reach if joint.slides else 1.0 for joint in robot.variables])
 
 
 def nearest(rows: Sequence[Ranked]) -> Ranked | None:

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-
 from helicoide.ik.postures.branch import Branch
-from helicoide.ik.postures.choice import ranked
+from helicoide.ik.postures.choice import alike, ranked
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
@@ -18,5 +16,4 @@ def nearest_first(robot: Robot, branches: Sequence[Branch], q: Array) -> tuple[B
 
     Joints count alike, a slide in units of the reach. Each turns the shorter way from q where its limits allow it.
     """
-    weights = np.array([1.0 / robot.reach if joint.slides else 1.0 for joint in robot.variables])
-    return tuple(replace(row.branch, q=row.q) for row in ranked(robot, branches, q, weights))
+    return tuple(replace(row.branch, q=row.q) for row in ranked(robot, branches, q, alike(robot)))

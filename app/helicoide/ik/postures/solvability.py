@@ -133,8 +133,8 @@ def link_lengths(robot: Robot) -> Array:
 def table_row(robot: Robot) -> int | None:
     """What the table of the source prints: a₁ = a₃ = a₅ = 0 ≤ 4, a₃ = a₅ = 0 ≤ 8, else ≤ 16; six turning joints only.
 
-    Its first two rows do not hold for every arm: the PUMA with a₃ = 0 has eight postures, and an arm with
-    a₁ = a₃ = a₅ = 0, right-angled twists and offsets d can have sixteen. Source: Campos 1998, s.22, after Craig.
+    Its first two rows do not hold for every arm: the PUMA with a₃ = 0 has eight postures, and arms with a₃ = a₅ = 0,
+    a₁ zero or not, right-angled twists and offsets d can have sixteen. Source: Campos 1998, s.22, after Craig.
     """
     if not _has_six(robot):
         return None
@@ -157,6 +157,6 @@ def _has_six(robot: Robot) -> bool:
 
 
 AT_MOST = Text(
-    en="At most {bound} postures for one pose; the table by zero link lengths prints {row}.",
-    pt_BR="No máximo {bound} posturas para uma pose; a tabela por comprimentos de elo nulos traz {row}.",
+    en="At most {bound} postures for one pose; the table of Campos 1998, s.22, prints {row}.",
+    pt_BR="No máximo {bound} posturas para uma pose; a tabela de Campos 1998, s.22, traz {row}.",
 )

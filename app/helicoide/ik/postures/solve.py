@@ -7,13 +7,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.confinement import planes_of
+from helicoide.confinement import Obstacles, planes_of
 from helicoide.ik import Limits, Problem, closed, methods
 from helicoide.ik.clik import asked, to_pose
 from helicoide.ik.converge import Tolerance, by_method, converged
 from helicoide.ik.method import Method
 from helicoide.ik.postures import numeric, subspace
 from helicoide.ik.postures.branch import Answer, Form, branch_of, check_pose, sentences
+from helicoide.ik.postures.choice import Ranked, ranked, touching
 from helicoide.ik.postures.listing import nearest_first
 from helicoide.ik.postures.measure import left
 from helicoide.kinematics.chain import Array
@@ -163,6 +164,21 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
     words = sentences(goal.words, report.words)
     answer = Answer((branch,), goal.T_world_goal, words, moved=goal.moved, turned=goal.turned)
     return _measured(robot, answer, T, with_orientation)
+
+
+def chosen(
+    robot: Robot, answer: Answer, q: Array, weights: ArrayLike, obstacles: Obstacles, with_orientation: bool
+) -> tuple[Ranked, ...]:
+    """The postures of an answer by the weighted motion from q, those that are ruled out or miss the goal at the end.
+
+    Arguments and errors as in `choice.ranked`. Source: Campos 1998, s.17.
+    """
+    rows = ranked(robot, answer.branches, q, weights, touching(robot, obstacles))
+
+    def misses(row: Ranked) -> bool:
+        return not EXACT.holds(*left(robot, row.branch.q, answer.T_world_goal, with_orientation))
+
+    return tuple(sorted(rows, key=lambda row: (row.dropped is not None, misses(row))))
 
 
 def _is_met(answer: Answer) -> bool:

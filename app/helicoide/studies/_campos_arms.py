@@ -14,7 +14,7 @@ from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 
-# a2, a3, d3, d4, m: the source's own, and the three other data sets it names
+# a2, a3, d3, d4, m: as published for the machine, and three other sets; the slides give none
 LENGTHS = [
     (0.4318, *rest) for rest in [(0.0203, 0.1244, 0.4318), (-0.0203, 0.1501, 0.4331), (0, 0, 0.4), (-0.2, -0.1, -0.3)]
 ]

@@ -1,39 +1,44 @@
-"""What the studies of Campos' slides share: rows, settings of lengths, an arm that takes postures one after another."""
+"""What the studies of Campos' slides share: statements, settings of lengths, an arm that takes postures one by one."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
+from dataclasses import replace
 
 import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Motion, Row
-from helicoide.text import Text
+from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Relation, Result, Row, Statement, unstated
+from helicoide.text import Text, same
 
-Relation = Literal["=", "≥", "≤"]
-NOT_PRINTED = Text(en="not printed", pt_BR="não impresso")
 LENGTH_1 = Quantity(Text(en="length of the first link", pt_BR="comprimento do primeiro elo"), 0.2, 2.0, "m")
 LENGTH_2 = Quantity(Text(en="length of the second link", pt_BR="comprimento do segundo elo"), 0.2, 2.0, "m")
+POSES = Quantity(Text(en="random poses", pt_BR="poses aleatórias"), 100, 100_000, decades=True)
+JOINT, DEGREES = Text(en="joint", pt_BR="junta"), same("θ, °")
 
 
-def row(
-    quantity: Text,
-    ours: float,
-    digest: float,
-    tolerance: float = 0.0,
-    unit: str = "",
-    source: str | Text = NOT_PRINTED,
-    relation: Relation = "=",
-) -> Row:
-    """A quantity beside the digest's: the slides print formulas and few numbers."""
-    return Row(quantity, float(ours), float(digest), tolerance, unit, source, relation)
+def said(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
+    """A sentence of the slides that asks something of a number; the slides print formulas and few numbers."""
+    return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
-def posed(robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = ()) -> Motion:
+def finished(options: object, rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
+    """The result; with settings that are not the usual ones every number stands alone."""
+    numbers = tuple(replace(row, ours=float(row.ours)) for row in rows)
+    usual = options == type(options)()
+    return Result(numbers if usual else unstated(numbers), tuple(charts), tuple(motions))
+
+
+def posed(robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = (), title: Text = THE_RUN) -> Motion:
     """An arm that takes postures one after another, two seconds each."""
-    return Motion(robot, np.arange(0.0, 2.0 * len(postures), 2.0), np.array(postures), parameters)
+    return Motion(robot, np.arange(0.0, 2.0 * len(postures), 2.0), np.array(postures), parameters, title)
+
+
+def by_joint(title: Text, postures: Sequence[tuple[Text, Array]]) -> Chart:
+    """Postures (n,), rad, as curves over the joints."""
+    lines = (Line(name, np.arange(1.0, len(q) + 1), np.degrees(q)) for name, q in postures)
+    return Chart(title, JOINT, DEGREES, tuple(lines))
 
 
 def millimetres(**lengths: float) -> tuple[str, ...]:

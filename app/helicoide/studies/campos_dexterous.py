@@ -1,4 +1,4 @@
-"""Which points a planar arm reaches with every orientation: the dexterous set of three links."""
+"""Which points a planar arm reaches with every orientation: the dexterous set of two and of three links."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures.workspace import dexterous
 from helicoide.kinematics.chain import Array
-from helicoide.studies._campos_rows import millimetres, posed, row
-from helicoide.studies.study import Chart, Line, Progress, Result
+from helicoide.studies._campos_rows import finished, millimetres, posed, said
+from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="With every orientation", pt_BR="Com qualquer orientação")
@@ -31,8 +31,9 @@ ROBOT = "planar3r"
 L1, L2 = 1.0, 0.7
 HAND = Quantity(Text(en="length of the hand", pt_BR="comprimento da mão"), 0.05, 0.5, "m")
 TURNS, FEW = 36_000, 3600
-# Shares of all orientations that the digest counts at distances, m, for a hand of 0.2 m.
-SHARES = {0.49: 0.92, 0.51: 1.0, 1.0: 1.0, 1.49: 1.0, 1.51: 0.89}
+DISTANCES = (0.49, 0.51, 1.0, 1.49, 1.51)
+# A link's end is at a point to so much, m; points at which two links are tried, from the first axis, m.
+THERE, STEP = 1e-9, 0.01
 
 
 @dataclass(frozen=True)
@@ -49,27 +50,36 @@ def share(r: float, l3: float, turns: int) -> float:
     return float(np.mean([bool(links.elbows(hypot(r - l3 * np.cos(phi), l3 * np.sin(phi)))) for phi in phis]))
 
 
+def share_of_two(r: float, l1: float, l2: float, turns: int) -> float:
+    """The same of two links: those orientations of the second with which it begins where the first one ends."""
+    phi = 2 * np.pi * np.arange(turns) / turns
+    return float(np.mean(np.abs(np.hypot(r - l2 * np.cos(phi), l2 * np.sin(phi)) - l1) < THERE))
+
+
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Shares at the digest's distances, and where the share becomes whole; short: fewer orientations."""
+    """Two links, equal and not, and where the share of three becomes whole; short: fewer orientations."""
     l3, turns = options.l3, FEW if short else TURNS
-    known = SHARES if l3 == 0.2 else {}
-    rows = [row(SHARE.format(r=r), share(r, l3, turns), expected, 0.005, source="") for r, expected in known.items()]
-    rings = dexterous(np.array([L1, L2, l3]))
-    for inner, outer in rings[-1:]:
-        rows += [
-            row(INNER, _edge(inner, l3, +1), inner, 0.01 * inner, "m"),
-            row(OUTER, _edge(outer, l3, -1), outer, 0.01 * outer, "m"),
-        ]
-    progress(0.5)
-    rows += [
-        row(UNEQUAL, len(dexterous(np.array([L1, L2]))), 0, source="0"),
-        row(EQUAL, _size(dexterous(np.array([L1, L1]))), 0.0, 0.0, "m", source="0"),
+    whole = [dexterous_points(l1, l2) for l1, l2 in ((L1, L2), (L1, L1))]
+    progress(0.2)
+    rows = [
+        Row(UNEQUAL, len(whole[0]), "", NO_SPACE),
+        Row(EQUAL, len(whole[1]), "", ONE_POINT),
+        Row(FARTHEST, max(whole[1], default=np.nan), "m", AT_ORIGIN),
+        *(Row(SHARE.format(r=r), share(r, l3, turns)) for r in DISTANCES),
     ]
+    for inner, outer in dexterous(np.array([L1, L2, l3]))[-1:]:
+        rows += [Row(INNER, _edge(inner, l3, +1), "m"), Row(OUTER, _edge(outer, l3, -1), "m")]
+    progress(0.6)
     r = np.linspace(0, L1 + L2 + l3, 100)
     shares = np.array([share(x, l3, 360) for x in r])
     progress(1.0)
     chart = Chart(SHARES_TITLE, same("r, m"), ORIENTATIONS, (Line(same(f"l₃ = {l3:g} m"), r, shares),))
-    return Result(tuple(rows), (chart,), posed(ROBOT, _turning(l3), millimetres(l1=L1, l2=L2, l3=l3)))
+    return finished(options, rows, [chart], [posed(ROBOT, turning(l3), millimetres(l1=L1, l2=L2, l3=l3))])
+
+
+def dexterous_points(l1: float, l2: float) -> list[float]:
+    """The distances of a fine row, m, at which two links are with each of 360 orientations."""
+    return [float(r) for r in np.arange(0, l1 + l2 + STEP, STEP) if share_of_two(r, l1, l2, 360) == 1]
 
 
 def _edge(near: float, l3: float, inwards: int) -> float:
@@ -81,13 +91,7 @@ def _edge(near: float, l3: float, inwards: int) -> float:
     return into
 
 
-def _size(rings: tuple[tuple[float, float], ...]) -> float:
-    """The outer radius of a single ring, m."""
-    ((_, outer),) = rings
-    return outer
-
-
-def _turning(l3: float) -> list[Array]:
+def turning(l3: float) -> list[Array]:
     """Postures of the arm at 1 m with its hand turned all round, elbow bent one way, rad."""
     links, postures = Annulus(L1, L2), []
     for phi in np.linspace(0, 2 * np.pi, 25):
@@ -98,10 +102,16 @@ def _turning(l3: float) -> list[Array]:
     return postures
 
 
-SHARE = Text(en="share of orientations at r = {r} m", pt_BR="fração das orientações em r = {r} m")
+NO_SPACE = said("L₁ ≠ L₂: no dexterous space", "L₁ ≠ L₂: não há espaço destro", "s.10", 0)
+ONE_POINT = said("L₁ = L₂: a single point", "L₁ = L₂: um único ponto", "s.8", 1)
+AT_ORIGIN = said("the origin", "a origem", "s.8", 0)
+UNEQUAL = Text(en="dexterous points of two unequal links", pt_BR="pontos destros de dois elos desiguais")
+EQUAL = Text(en="dexterous points of two equal links", pt_BR="pontos destros de dois elos iguais")
+FARTHEST = Text(en="distance of that point from the first axis", pt_BR="distância desse ponto ao primeiro eixo")
+SHARE = Text(
+    en="share of orientations of three links at r = {r} m", pt_BR="fração das orientações de três elos em r = {r} m"
+)
 INNER = Text(en="inner edge of the dexterous ring", pt_BR="borda interna do anel destro")
 OUTER = Text(en="outer edge of the dexterous ring", pt_BR="borda externa do anel destro")
-UNEQUAL = Text(en="dexterous rings of two unequal links", pt_BR="anéis destros de dois elos desiguais")
-EQUAL = Text(en="radius of the dexterous set of two equal links", pt_BR="raio do conjunto destro de dois elos iguais")
 SHARES_TITLE = Text(en="Share of orientations by distance", pt_BR="Fração das orientações por distância")
 ORIENTATIONS = Text(en="share of all orientations", pt_BR="fração de todas as orientações")

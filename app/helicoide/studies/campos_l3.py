@@ -1,53 +1,44 @@
-"""The four postures of the Motoman L-3, after its goal was turned into the plane of the arm."""
+"""The four postures of the Motoman L-3, after its goal was turned into the plane of the arm, and its ball screws."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, cast
 
 import numpy as np
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import motoman_l3
-from helicoide.ik.method import Quantity
 from helicoide.ik.postures.branch import tool_at, wrap
+from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import posed, row
-from helicoide.studies.study import Chart, Line, Progress, Result
-from helicoide.text import Text, same
+from helicoide.studies._campos_rows import POSES, by_joint, finished, posed, said
+from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row
+from helicoide.text import HelicoideError, Text, same
 
 TITLE = Text(en="Four postures of the L-3", pt_BR="Quatro posturas do L-3")
 SOURCE = "Campos 1998, s.36, s.55 (Craig)"
 ABOUT = Text(
     en="Five joints cannot take every pose: the hand of the L-3 always points within the vertical plane of the arm. A "
     "general goal is turned into that plane by as little as may be, and then four postures reach it, to the front or "
-    "over the back, elbow up or down.",
+    "over the back, elbow up or down. Two of its joints are moved by ball screws: their lengths say which postures the "
+    "machine holds.",
     pt_BR="Cinco juntas não assumem qualquer pose: a mão do L-3 sempre aponta dentro do plano vertical do braço. Um "
     "alvo qualquer é girado para esse plano o mínimo possível, e então quatro posturas o alcançam, à frente ou para "
-    "trás, com o cotovelo para cima ou para baixo.",
+    "trás, com o cotovelo para cima ou para baixo. Duas de suas juntas são movidas por fusos de esferas: os "
+    "comprimentos deles dizem que posturas a máquina sustenta.",
 )
 ROBOT = "motoman_l3"
-
-# The names of the postures for the goal, and their joints, degrees.
-SOLUTIONS = {
-    "front, elbow up": (21.8014, -83.1026, 94.3012, 98.9770, 0.6431),
-    "front, elbow down": (21.8014, 24.8595, -94.3012, 179.6174, 0.6431),
-    "back, elbow down": (-158.1986, 155.1405, 94.3012, 0.3826, -179.3569),
-    "back, elbow up": (-158.1986, -96.8974, -94.3012, 81.0230, -179.3569),
-}
-ANGLE, POINTING = -16.6918, frozen([0.871505, 0.348602, -0.344899])
-FEW = 300
+FEW, SAMPLES = 300, 101
 
 
 @dataclass(frozen=True)
 class Options:
     """How many random poses of the subspace are solved."""
 
-    poses: Annotated[float, Quantity(Text(en="random poses", pt_BR="poses aleatórias"), 100, 100_000, decades=True)] = (
-        20_000
-    )
+    poses: Annotated[float, POSES] = 20_000
 
 
 def goal() -> Array:
@@ -58,41 +49,26 @@ def goal() -> Array:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The digest's goal and random poses of the subspace; short: 300 of them."""
+    """A goal that is turned, random poses of the subspace, and the screws on a way; short: 300 poses."""
     robot, now = load(ROBOT), np.zeros(5)
+    actuators = cast(Actuators, robot.actuators)
     turn = motoman_l3.pointed(robot, goal(), now)
-    postures = [branch.q for branch in motoman_l3.solve(robot, goal(), now).branches]
+    branches = motoman_l3.solve(robot, goal(), now).branches
     missed, lost, counts = there_and_back(robot, FEW if short else int(options.poses), progress)
-    off = [
-        float(np.abs(np.degrees(wrap(q - np.radians(expected)))).max())
-        for q, expected in zip(postures, SOLUTIONS.values(), strict=True)
+    off_plane = abs(float(np.arcsin(turn.M @ goal()[:3, 2])))
+    way = lifted(robot, actuators)
+    rows = [
+        Row(TURNED, abs(turn.angle) - off_plane, "rad", NEAREST),
+        Row(ANGLE, np.degrees(turn.angle), "°"),
+        Row(LEAST, min(counts)),
+        Row(MOST, max(counts)),
+        Row(MISSED, missed),
+        Row(LOST, lost, "rad"),
     ]
-    return Result(
-        rows=(
-            row(TURNED, np.degrees(turn.angle), ANGLE, 5.1e-5, "°"),
-            row(AXIS, np.abs(turn.Z - POINTING).max(), 0, 5.1e-7),
-            *(
-                row(POSTURE.format(name=name), value, 0, 5.1e-5, "°")
-                for name, value in zip(SOLUTIONS, off, strict=True)
-            ),
-            row(LEAST, min(counts), 4),
-            row(MOST, max(counts), 4),
-            row(MISSED, missed, 0, 1e-9),
-            row(LOST, lost, 0, 1e-9, "rad"),
-        ),
-        charts=(
-            Chart(
-                TITLE,
-                Text(en="joint", pt_BR="junta"),
-                same("θ, °"),
-                tuple(
-                    Line(same(name), np.arange(1.0, 6.0), np.degrees(q))
-                    for name, q in zip(SOLUTIONS, postures, strict=True)
-                ),
-            ),
-        ),
-        motion=posed(ROBOT, postures),
-    )
+    rows += [Row(HELD, sum(_holds(actuators, branch.q) for branch in branches)), *_screws(actuators, branches[0].q)]
+    charts = [by_joint(TITLE, [(branch.name, branch.q) for branch in branches]), *_lengths(actuators, way)]
+    motions = [posed(ROBOT, [branch.q for branch in branches], title=TITLE), way]
+    return finished(options, rows, charts, motions)
 
 
 def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float, float, set[int]]:
@@ -107,12 +83,53 @@ def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float,
     return missed, lost, counts
 
 
-TURNED = Text(en="how far the goal is turned", pt_BR="quanto o alvo é girado")
-AXIS = Text(en="the turned pointing axis, from the digest's", pt_BR="o eixo girado da mão, em relação ao da síntese")
-POSTURE = Text(
-    en="{name}: largest difference from the digest's joints", pt_BR="{name}: maior diferença para as juntas da síntese"
+def lifted(robot: Robot, actuators: Actuators) -> Motion:
+    """What the arm does when actuator 2 alone runs back and forth from its posture ready."""
+    times = np.linspace(0, 5, SAMPLES)
+    pulses = np.tile(actuators.from_joints(robot.poses["ready"]), (SAMPLES, 1))
+    pulses[:, 1] += 0.3 * abs(pulses[0, 1]) * np.sin(2 * np.pi * times / 5)
+    return Motion(ROBOT, times, actuators.to_joints(pulses), title=ALONE)
+
+
+def _holds(actuators: Actuators, q: Array) -> bool:
+    try:
+        actuators.from_joints(q)
+    except HelicoideError:
+        return False
+    return True
+
+
+def _screws(actuators: Actuators, q: Array) -> list[Row]:
+    lengths = zip(actuators.labels, actuators.lengths(q), strict=True)
+    return [Row(SCREW.format(label=label), 1000 * length, "mm") for label, length in lengths if np.isfinite(length)]
+
+
+def _lengths(actuators: Actuators, way: Motion) -> list[Chart]:
+    lengths = 1000 * actuators.lengths(way.q)
+    lines = [
+        Line(same(label), way.times, lengths[:, i])
+        for i, label in enumerate(actuators.labels)
+        if np.isfinite(lengths[:, i]).all()
+    ]
+    angles = [
+        Line(same(name), way.times, np.degrees(values))
+        for name, values in (("θ₂", way.q[:, 1]), ("θ₃", way.q[:, 2]), ("θ₂ + θ₃", way.q[:, 1] + way.q[:, 2]))
+    ]
+    time = Text(en="time, s", pt_BR="tempo, s")
+    return [Chart(SCREWS, time, same("mm"), tuple(lines)), Chart(ALONE, time, same("°"), tuple(angles))]
+
+
+NEAREST = said("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9)
+TURNED = Text(
+    en="by how much the goal is turned more than its axis leaves the plane",
+    pt_BR="quanto o alvo é girado além do que seu eixo sai do plano",
 )
+ANGLE = Text(en="how far the goal is turned", pt_BR="quanto o alvo é girado")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")
 MOST = Text(en="largest number of postures of random poses", pt_BR="maior número de posturas de poses aleatórias")
 MISSED = Text(en="worst miss of any posture", pt_BR="maior erro de qualquer postura")
 LOST = Text(en="worst distance of the generating posture", pt_BR="maior distância da postura geradora")
+HELD = Text(en="postures of the goal that the screws can hold", pt_BR="posturas do alvo que os fusos sustentam")
+SCREW = Text(en="length of the screw of {label}, first posture", pt_BR="comprimento do fuso de {label}, 1ª postura")
+SCREWS = Text(en="Lengths of the ball screws", pt_BR="Comprimentos dos fusos de esferas")
+ALONE = Text(en="Actuator 2 runs alone", pt_BR="Só o atuador 2 gira")

@@ -7,44 +7,45 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.confinement import Obstacles
 from helicoide.ik.closed import planar3r
-from helicoide.ik.method import OneOf
-from helicoide.ik.postures import choice
+from helicoide.ik.families import elbow
+from helicoide.ik.postures import choice, numeric
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright
-from helicoide.studies._campos_rows import millimetres, posed, row
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies._campos_rows import POSES, by_joint, finished, millimetres, posed, said
+from helicoide.studies.study import Chart, Line, Progress, Result, Row, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="Three links, two postures", pt_BR="Três elos, duas posturas")
-SOURCE = "Campos 1998, s.15–18, s.38–54"
+SOURCE = "Campos 1998, s.15–18, s.24, s.38–54"
 ABOUT = Text(
     en="For a point and an orientation three links have two postures, elbow up and elbow down, and algebra and "
-    "geometry lead to the same angles. Which of the two is nearer depends on how much the large joints count.",
+    "geometry lead to the same angles. Which of the two is nearer depends on how much the large joints count, and an "
+    "obstacle at the elbow of the nearer one leaves the other.",
     pt_BR="Para um ponto e uma orientação, três elos têm duas posturas, cotovelo para cima e para baixo, e a álgebra e "
-    "a geometria levam aos mesmos ângulos. Qual das duas está mais perto depende de quanto pesam as juntas grandes.",
+    "a geometria levam aos mesmos ângulos. Qual das duas está mais perto depende de quanto pesam as juntas grandes, e "
+    "um obstáculo no cotovelo da mais próxima deixa a outra.",
 )
 ROBOT = "planar3r"
 
 L1, L2, L3 = 1.0, 0.7, 0.2
-# For (x, y, φ) = (1, 0.8, 0.5) of the third axis, rad.
-GOAL = (1.0, 0.8, 0.5)
-POSTURES = frozen([[0.100185, 1.463447, -1.063633], [1.249296, -1.463447, 0.714151]])
-# The choice: where the arm is, the goal, its two postures, and what each costs by weights.
-NOW, CHOICE = frozen([0.5, 0.2, -1.0]), (-0.7, -1.1, -1.4)
-A, B = (-2.6971, 1.4202, -0.1232), (-1.5780, -1.4202, 1.5982)
-COSTS = {"alike": ((1, 1, 1), (5.183, 6.296), A), "falling": ((3, 2, 1), (12.073, 12.576), B)}
-WEIGHTS = {"alike": same("1, 1, 1"), "falling": same("3, 2, 1")}
-FEW, MANY = 500, 20_000
+LENGTHS = millimetres(l1=L1, l2=L2, l3=L3)
+# (x, y, φ) of the third axis, m and rad: one goal whose steps are drawn; and one to choose for from where the arm is.
+GOAL, CHOICE = (1.0, 0.8, 0.5), (-0.7, -1.1, -1.4)
+NOW = frozen([0.5, 0.2, -1.0])
+ALIKE, FALLING = (1, 1, 1), (3, 2, 1)
+POST, FEW, TRIED = 0.05, 500, 60
 
 
 @dataclass(frozen=True)
 class Options:
-    """The weights of the joints in the choice."""
+    """How many random poses are solved."""
 
-    weights: Annotated[str, OneOf(Text(en="weights of the joints", pt_BR="pesos das juntas"), WEIGHTS)] = "falling"
+    poses: Annotated[float, POSES] = 20_000
 
 
 def of_third_axis(x: float, y: float, phi: float) -> Array:
@@ -53,36 +54,50 @@ def of_third_axis(x: float, y: float, phi: float) -> Array:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The digest's example, the choice, and random postures by both roads; short: 500 of them."""
+    """The two roads, the choice, and random postures; short: 500 of them."""
     robot = planar(ROBOT, L1, L2, L3)
-    found = [branch.q for branch in planar3r.solve(robot, of_third_axis(*GOAL), np.zeros(3)).branches]
-    missed, apart, lost, counts = both_roads(robot, FEW if short else MANY, progress)
-    weights, costs, best = COSTS[options.weights]
-    ranked = choice.ranked(robot, planar3r.solve(robot, of_third_axis(*CHOICE), NOW).branches, NOW, weights)
-    rows: list[Row] = [
+    branches = planar3r.solve(robot, of_third_axis(*GOAL), np.zeros(3)).branches
+    missed, apart, lost, counts = both_roads(robot, FEW if short else int(options.poses), progress)
+    near, weighed, around = chosen(robot)
+    rows = [
+        Row(LEAST, min(counts), "", printed("2", "s.15")),
+        Row(MOST, max(counts), "", printed("2", "s.15")),
+        Row(ROADS, apart, "rad", SIGN_RULE),
+        Row(BY_COSINE, disagreements(robot), "", COSINE),
+        Row(SMALLER, _large(weighed[0]) - _large(near[0]), "rad", SMALL_LINKS),
+        Row(PLACE, [row.branch.name for row in around].index(near[0].branch.name) + 1, "", RULED_OUT),
         *(
-            row(ANGLE.format(which=which, joint=joint + 1), q[joint], expected[joint], 5.1e-7, "rad")
-            for which, q, expected in zip((DOWN, UP), found, POSTURES, strict=True)
-            for joint in range(3)
+            Row(COST.format(which=which, weights=weights), row.cost)
+            for weights, ranking in (("1, 1, 1", near), ("3, 2, 1", weighed))
+            for which, row in zip((NEARER, FARTHER), ranking, strict=True)
         ),
-        *(
-            row(COST.format(which=which), one.cost, cost, 6e-4)
-            for which, one, cost in zip((NEARER, FARTHER), ranked, costs, strict=True)
-        ),
-        *(
-            row(CHOSEN.format(joint=joint + 1), ranked[0].branch.q[joint], best[joint], 5.1e-5, "rad")
-            for joint in range(3)
-        ),
-        row(LEAST, min(counts), 2, source="2"),
-        row(MOST, max(counts), 2, source="2"),
-        row(MISSED, missed, 0, 1e-9),
-        row(ROADS, apart, 0, 1e-9, "rad"),
-        row(LOST, lost, 0, 1e-9, "rad"),
+        Row(MISSED, missed),
+        Row(LOST, lost, "rad"),
     ]
-    lines = tuple(Line(which, np.arange(1.0, 4.0), np.degrees(q)) for which, q in zip((DOWN, UP), found, strict=True))
-    chart = Chart(TITLE, Text(en="joint", pt_BR="junta"), same("θ, °"), lines)
-    motion = posed(ROBOT, [NOW, *(one.q for one in ranked)], millimetres(l1=L1, l2=L2, l3=L3))
-    return Result(tuple(rows), (chart,), motion)
+    named = [(branch.name, branch.q) for branch in branches]
+    charts = [by_joint(TITLE, named), _drawn(robot, TITLE_PLANE, named), _drawn(robot, TITLE_CHOICE, _choice(near))]
+    motions = [
+        posed(ROBOT, [q for _, q in named], LENGTHS, TITLE),
+        posed(ROBOT, [NOW, near[0].q, NOW, weighed[0].q], LENGTHS, TITLE_CHOICE),
+    ]
+    return finished(options, rows, charts, motions)
+
+
+Ranking = tuple[choice.Ranked, ...]
+
+
+def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
+    """The choice with equal weights, with falling ones, and with equal ones and a post at the elbow of the nearest."""
+    branches = planar3r.solve(robot, of_third_axis(*CHOICE), NOW).branches
+    near = choice.ranked(robot, branches, NOW, ALIKE)
+    post = Obstacles().with_sphere(link_poses(robot.chain, near[0].branch.q)[2][:3, 3], POST)
+    around = choice.ranked(robot, branches, NOW, ALIKE, choice.touching(robot, post))
+    return near, choice.ranked(robot, branches, NOW, FALLING), around
+
+
+def _large(row: choice.Ranked) -> float:
+    """How far the largest link turns, rad."""
+    return abs(float(row.change[0]))
 
 
 def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, float, float, set[int]]:
@@ -103,14 +118,65 @@ def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, flo
     return missed, apart, lost, counts
 
 
-DOWN = Text(en="elbow down", pt_BR="cotovelo para baixo")
-UP = Text(en="elbow up", pt_BR="cotovelo para cima")
-ANGLE = Text(en="{which}: θ{joint}", pt_BR="{which}: θ{joint}")
-COST = Text(en="cost of the {which} posture", pt_BR="custo da postura {which}")
+def disagreements(robot: Robot) -> int:
+    """For how many random poses the test by c₂ and searches that know nothing of it say different things."""
+    links, count = elbow.Annulus(L1, L2), 0
+    for x, y, phi in np.random.default_rng(44).uniform([-2, -2, -np.pi], [2, 2, np.pi], (TRIED, 3)):
+        goal = np.ascontiguousarray(of_third_axis(x, y, phi))
+        found, _ = numeric.gathered(numeric.searcher(robot), goal, np.zeros(3), True, 4)
+        count += (abs(elbow.cosine_of_elbow(x, y, links)) <= 1) != (len(found) > 0)
+    return count
+
+
+def _choice(near: Ranking) -> list[tuple[Text, Array]]:
+    return [(PRESENT, NOW), *((row.branch.name, row.branch.q) for row in near)]
+
+
+def _drawn(robot: Robot, title: Text, postures: list[tuple[Text, Array]]) -> Chart:
+    """The links in their plane, m."""
+    lines = []
+    for name, q in postures:
+        points = [*link_poses(robot.chain, q)[1:, :2, 3], tool_at(robot, q)[:2, 3]]
+        lines.append(Line(name, *np.array(points).T))
+    return Chart(title, same("x, m"), same("y, m"), tuple(lines))
+
+
+SIGN_RULE = said(
+    "algebraic = geometric; θ₁ = β + ψ for θ₂ < 0, β − ψ for θ₂ > 0",
+    "algébrica = geométrica; θ₁ = β + ψ para θ₂ < 0, β − ψ para θ₂ > 0",
+    "s.24, s.54",
+    0,
+    "=",
+    1e-9,
+)
+COSINE = said("−1 ≤ c₂ ≤ 1, else out of reach", "−1 ≤ c₂ ≤ 1, senão fora de alcance", "s.44", 0)
+SMALL_LINKS = said(
+    "weights: the small links move rather than the large",
+    "pesos: movem-se os elos pequenos em vez dos grandes",
+    "s.17",
+    0,
+    "<",
+)
+RULED_OUT = said("an obstacle may rule out the nearest", "um obstáculo pode excluir a mais próxima", "s.17", 1, ">")
+COST = Text(en="cost of the {which} posture, weights {weights}", pt_BR="custo da postura {which}, pesos {weights}")
 NEARER, FARTHER = Text(en="nearer", pt_BR="mais próxima"), Text(en="farther", pt_BR="mais distante")
-CHOSEN = Text(en="the one that is chosen: θ{joint}", pt_BR="a escolhida: θ{joint}")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")
 MOST = Text(en="largest number of postures of random poses", pt_BR="maior número de posturas de poses aleatórias")
 MISSED = Text(en="worst miss of any posture", pt_BR="maior erro de qualquer postura")
 ROADS = Text(en="largest difference of algebra and geometry", pt_BR="maior diferença entre álgebra e geometria")
 LOST = Text(en="worst distance of the generating posture", pt_BR="maior distância da postura geradora")
+BY_COSINE = Text(
+    en="random poses for which c₂ and searches say different things",
+    pt_BR="poses aleatórias em que c₂ e as buscas discordam",
+)
+SMALLER = Text(
+    en="motion of joint 1 with weights 3, 2, 1, less that with 1, 1, 1",
+    pt_BR="movimento da junta 1 com pesos 3, 2, 1, menos o com 1, 1, 1",
+)
+PLACE = Text(
+    en="place in the choice of the nearest posture, a post at its elbow",
+    pt_BR="lugar na escolha da postura mais próxima, com um poste no cotovelo dela",
+)
+TITLE_PLANE = Text(en="Elbow up and elbow down", pt_BR="Cotovelo para cima e para baixo")
+TITLE_CHOICE = Text(en="The choice", pt_BR="A escolha")
+PRESENT = Text(en="where the arm is", pt_BR="onde o braço está")

@@ -14,9 +14,10 @@ from helicoide.ik.postures import subspace
 from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright
-from helicoide.studies._campos_rows import posed, row
-from helicoide.studies.study import Chart, Line, Progress, Result
+from helicoide.studies._campos_rows import finished, posed, said
+from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Goals that an arm cannot take", pt_BR="Alvos que o braço não pode assumir")
@@ -31,7 +32,8 @@ ABOUT = Text(
 )
 ROBOT = "motoman_l3"
 
-FEW = 200
+FEW, SHOWN = 200, 40
+Z = np.array([0.0, 0.0, 1.0])
 
 
 @dataclass(frozen=True)
@@ -43,49 +45,59 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Random goals for three arms; short: 200 for each."""
-    count = FEW if short else int(options.goals)
-    goals = [_goal(draw) for draw in np.random.default_rng(36).uniform(-1, 1, (count, 6))]
-    l3, angles, nearer = _l3(goals)
-    progress(1 / 3)
-    polar = _polar(goals)
-    progress(2 / 3)
-    flat = _planar(goals)
+    goals = [
+        _goal(draw) for draw in np.random.default_rng(36).uniform(-1, 1, (FEW if short else int(options.goals), 6))
+    ]
+    robot, polar, flat = load(ROBOT), load("polar_rp"), planar("planar3r", 1.0, 0.7, 0.2)
+    off, angles, nearer = turned(robot, goals)
+    progress(0.4)
+    ahead, down, across = polar_frame(polar, goals)
+    progress(0.6)
+    found = [motoman_l3.solve(robot, T, robot.poses["ready"]).branches for T in goals]
+    progress(0.8)
+    rows = [
+        *(
+            Row(TAKEN.format(robot=arm.title), taken(arm, goals), "", said(*FEWER, "s.13, s.27", 0))
+            for arm in (robot, polar, flat)
+        ),
+        Row(NEARER, nearer, "rad", said("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9)),
+        Row(OUTSIDE, sum(not branches for branches in found), "", said(*STILL_OUT, "s.36", 0, ">")),
+        Row(AHEAD, ahead, "rad", said("Ẑ₂ along (x, y, 0)", "Ẑ₂ ao longo de (x, y, 0)", "s.32–33", 0, "=", 1e-9)),
+        Row(DOWN, down, "rad", said("Ŷ₂ always straight down", "Ŷ₂ sempre para baixo", "s.32–33", 0, "=", 1e-9)),
+        Row(ACROSS, across, "", said("X̂₂ = Ŷ₂ × Ẑ₂", "X̂₂ = Ŷ₂ × Ẑ₂", "s.33", 0, "=", 1e-9)),
+        Row(
+            FLAT,
+            _flat(flat),
+            "",
+            said("cφ, −sφ; sφ, cφ; x, y; z = 0", "cφ, −sφ; sφ, cφ; x, y; z = 0", "s.29", 0, "=", 1e-9),
+        ),
+        Row(BY_ANGLE, off),
+    ]
     progress(1.0)
-    robot = load(ROBOT)
-    shown = [motoman_l3.solve(robot, T, robot.poses["ready"]).branches for T in goals[:40]]
-    return Result(
-        rows=(
-            row(BY_ANGLE, l3, 0, 1e-9),
-            row(NEARER, nearer, 0, 1e-9, "rad", relation="≤"),
-            row(POLAR, polar, 0, 1e-12),
-            row(FLAT, flat, 0, 1e-9),
-        ),
-        charts=(
-            Chart(
-                Text(en="How far goals of the L-3 are turned", pt_BR="Quanto são girados os alvos do L-3"),
-                Text(en="share of goals", pt_BR="fração dos alvos"),
-                same("|θ|, °"),
-                (Line(same("asin |M·Ẑ|"), np.arange(1, count + 1) / count, np.degrees(np.sort(angles))),),
-            ),
-        ),
-        motion=posed(ROBOT, [branches[0].q for branches in shown if branches]),
-    )
+    shown = [branches[0].q for branches in found[:SHOWN] if branches]
+    return finished(options, rows, _charts(angles), [posed(ROBOT, shown)])
 
 
 def _goal(draw: Array) -> Array:
-    """A random pose (4, 4), m, from six numbers in [−1, 1], within half a metre."""
+    """A random pose (4, 4), m, from six numbers in [−1, 1], within 0.6 m each way."""
     T = np.eye(4)
     T[:3, :3] = euler.matrix(np.pi * draw[3:] * [1, 0.49, 1], "zyx")
-    T[:3, 3] = 0.5 * draw[:3]
+    T[:3, 3] = 0.6 * draw[:3]
     return T
 
 
-def _l3(goals: list[Array]) -> tuple[float, Array, float]:
+def taken(robot: Robot, goals: list[Array]) -> int:
+    """How many of the goals lie in the subspace of the arm as they are."""
+    now = np.zeros(len(robot.variables))
+    return sum(subspace.project(robot, T, now).words is None for T in goals)
+
+
+def turned(robot: Robot, goals: list[Array]) -> tuple[float, Array, float]:
     """How far sin |θ| is from |M·Ẑ|, the angles, rad, and by how much another pose of the subspace comes nearer.
 
     The others: the projected pose turned about the arm's normal, and about its own pointing axis, by small angles.
     """
-    robot, now = load(ROBOT), np.zeros(5)
+    now = np.zeros(5)
     off, angles, nearer = 0.0, [], 0.0
     for T in goals:
         turn = motoman_l3.pointed(robot, T, now)
@@ -100,30 +112,49 @@ def _l3(goals: list[Array]) -> tuple[float, Array, float]:
     return off, np.array(angles), nearer
 
 
-def _polar(goals: list[Array]) -> float:
-    """The largest difference of the polar arm's pose from the matrix of the slides. Source: Campos 1998, s.31–34."""
-    robot, worst = load("polar_rp"), 0.0
-    for T in goals:
-        x, y = T[:2, 3]
-        rho = np.hypot(x, y)
-        expected = [[y / rho, 0, x / rho, x], [-x / rho, 0, y / rho, y], [0, -1, 0, 0], [0, 0, 0, 1]]
-        at = tool_at(robot, frozen([np.arctan2(-x, y), rho]))
-        projected = subspace.project(robot, T, np.zeros(2)).T_world_goal
-        worst = max(worst, *(float(np.abs(pose - expected).max()) for pose in (at, projected)))
+def polar_frame(robot: Robot, goals: list[Array]) -> tuple[float, float, float]:
+    """Of the tool's frame, in random postures and in projected goals: how far Ẑ₂ is from (x, y, 0), Ŷ₂ from straight
+    down, rad, and X̂₂ from Ŷ₂ × Ẑ₂.
+    """
+    draw = np.random.default_rng(31).uniform([-np.pi, 0.1], [np.pi, 1.0], (len(goals), 2))
+    poses = [tool_at(robot, q) for q in draw]
+    poses += [subspace.project(robot, T, np.zeros(2)).T_world_goal for T in goals]
+    ahead = max(_apart(T[:3, 2], T[:3, 3] * [1, 1, 0]) for T in poses)
+    down = max(_apart(T[:3, 1], -Z) for T in poses)
+    across = max(float(np.abs(np.cross(T[:3, 1], T[:3, 2]) - T[:3, 0]).max()) for T in poses)
+    return ahead, down, across
+
+
+def _apart(a: Array, b: Array) -> float:
+    """The angle between two directions, rad."""
+    return float(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b))
+
+
+def _flat(robot: Robot) -> float:
+    """How far the tool of random postures is from the matrix with its own x, y and φ = θ₁ + θ₂ + θ₃."""
+    worst = 0.0
+    for q in np.random.default_rng(29).uniform(-np.pi, np.pi, (FEW, 3)):
+        T = tool_at(robot, frozen(q))
+        worst = max(worst, float(np.abs(T - upright(T[0, 3], T[1, 3], float(q.sum()))).max()))
     return worst
 
 
-def _planar(goals: list[Array]) -> float:
-    """The largest difference from z = 0 and φ' = Atan2(r₂₁ − r₁₂, r₁₁ + r₂₂). Source: Campos 1998, s.29."""
-    robot, worst = planar("planar3r", 1.0, 0.7, 0.2), 0.0
-    for T in goals:
-        R = T[:3, :3]
-        expected = upright(T[0, 3], T[1, 3], float(np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1])))
-        worst = max(worst, float(np.abs(subspace.project(robot, T, np.zeros(3)).T_world_goal - expected).max()))
-    return worst
+def _charts(angles: Array) -> list[Chart]:
+    share = np.arange(1, len(angles) + 1) / len(angles)
+    line = Line(same("asin |M·Ẑ|"), share, np.degrees(np.sort(angles)))
+    return [Chart(HOW_FAR, Text(en="share of goals", pt_BR="fração dos alvos"), same("|θ|, °"), (line,))]
 
 
-BY_ANGLE = Text(en="L-3: sin |θ| from |M·Ẑ|, largest difference", pt_BR="L-3: sen |θ| e |M·Ẑ|, maior diferença")
+FEWER = ("fewer than six joints: no general poses", "menos de seis juntas: não alcança poses quaisquer")
+STILL_OUT = ("it may still be outside the workspace", "ainda pode ficar fora do espaço de trabalho")
+TAKEN = Text(
+    en="random goals that the arm takes as they are, {robot}", pt_BR="alvos aleatórios aceitos como são, {robot}"
+)
 NEARER = Text(en="L-3: by how much a neighbour comes nearer", pt_BR="L-3: quanto uma pose vizinha chega mais perto")
-POLAR = Text(en="polar arm: from the matrix of the slides", pt_BR="braço polar: em relação à matriz dos slides")
-FLAT = Text(en="planar arm: from z = 0 and φ'", pt_BR="braço planar: em relação a z = 0 e φ'")
+OUTSIDE = Text(en="L-3: projected goals without a posture", pt_BR="L-3: alvos projetados sem postura")
+AHEAD = Text(en="polar arm: Ẑ₂ from (x, y, 0), at most", pt_BR="braço polar: maior ângulo entre Ẑ₂ e (x, y, 0)")
+DOWN = Text(en="polar arm: Ŷ₂ from straight down, at most", pt_BR="braço polar: maior ângulo entre Ŷ₂ e a vertical")
+ACROSS = Text(en="polar arm: X̂₂ from Ŷ₂ × Ẑ₂, at most", pt_BR="braço polar: maior diferença entre X̂₂ e Ŷ₂ × Ẑ₂")
+FLAT = Text(en="planar arm: the tool from that matrix, at most", pt_BR="braço planar: maior diferença para essa matriz")
+BY_ANGLE = Text(en="L-3: sin |θ| from |M·Ẑ|, largest difference", pt_BR="L-3: sen |θ| e |M·Ẑ|, maior diferença")
+HOW_FAR = Text(en="How far goals of the L-3 are turned", pt_BR="Quanto são girados os alvos do L-3")

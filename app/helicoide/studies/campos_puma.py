@@ -8,50 +8,37 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.closed import puma560
-from helicoide.ik.method import Quantity
+from helicoide.ik.postures import numeric, solvability
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.chain import frozen
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import posed, row
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
-from helicoide.text import Text, same
+from helicoide.studies._campos_rows import POSES, by_joint, finished, posed, said
+from helicoide.studies.study import Progress, Result, Row, printed
+from helicoide.text import Text
 
 TITLE = Text(en="Eight postures of the PUMA", pt_BR="Oito posturas do PUMA")
-SOURCE = "Campos 1998, s.19–21, s.55 (Craig)"
+SOURCE = "Campos 1998, s.19–26, s.55 (Craig)"
 ABOUT = Text(
     en="Shoulder left or right, elbow up or down, wrist flipped or not: eight postures bring the tool to the same "
-    "pose. The flip of the wrist, θ₄ + 180°, −θ₅, θ₆ + 180°, leaves the tool exactly where it is.",
+    "pose. The flip of the wrist, θ₄ + 180°, −θ₅, θ₆ + 180°, leaves the tool exactly where it is. Searches that know "
+    "nothing of the closed form find no ninth.",
     pt_BR="Ombro à esquerda ou à direita, cotovelo para cima ou para baixo, punho virado ou não: oito posturas levam o "
-    "efetuador à mesma pose. Virar o punho, θ₄ + 180°, −θ₅, θ₆ + 180°, deixa o efetuador exatamente onde está.",
+    "efetuador à mesma pose. Virar o punho, θ₄ + 180°, −θ₅, θ₆ + 180°, deixa o efetuador exatamente onde está. Buscas "
+    "que nada sabem da forma fechada não encontram uma nona.",
 )
 ROBOT = "puma560"
 
-# The postures, degrees, for the pose of EXAMPLE, rad.
+# The pose of these joint values, rad, is the one that is shown.
 EXAMPLE = frozen([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])
-POINT = frozen([0.262305, 0.211356, -0.220210])
-TABLE = frozen(
-    [
-        [17.1887, -28.6479, 40.1070, 22.9183, 51.5662, -63.0254],
-        [17.1887, -28.6479, 40.1070, -157.0817, -51.5662, 116.9746],
-        [17.1887, 98.8955, 145.2762, 79.3309, 161.9162, 30.4899],
-        [17.1887, 98.8955, 145.2762, -100.6691, -161.9162, -149.5101],
-        [-119.4674, 81.1045, 40.1070, -103.7593, 125.3785, 52.1355],
-        [-119.4674, 81.1045, 40.1070, 76.2407, -125.3785, -127.8645],
-        [-119.4674, -151.3521, 145.2762, -113.4273, 59.6660, -64.3108],
-        [-119.4674, -151.3521, 145.2762, 66.5727, -59.6660, 115.6892],
-    ]
-)
-FEW = 1_000
+FEW, SEARCHED = 1_000, 10
 
 
 @dataclass(frozen=True)
 class Options:
     """How many random poses are solved."""
 
-    poses: Annotated[float, Quantity(Text(en="random poses", pt_BR="poses aleatórias"), 100, 100_000, decades=True)] = (
-        20_000
-    )
+    poses: Annotated[float, POSES] = 20_000
 
 
 def there_and_back(
@@ -61,7 +48,7 @@ def there_and_back(
 
     Then the least and the largest number of postures.
     """
-    lengths, missed, apart, counts = puma560.lengths_of(arm).copy(), 0.0, 0.0, [8]
+    lengths, missed, apart, counts = puma560.lengths_of(arm).copy(), 0.0, 0.0, list[int]()
     for done, q in enumerate(np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))):
         T = tool_at(arm, q)
         found, exists = puma560.postures(lengths, T, np.zeros(6))
@@ -74,53 +61,75 @@ def there_and_back(
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The table, the flip and random poses; short: 1,000 of them."""
+    """One pose, the flip, searches, and random poses; short: 1,000 of them."""
     arm = load(ROBOT)
-    T = tool_at(arm, EXAMPLE)
-    postures = [branch.q for branch in puma560.solve(arm, T, np.zeros(6)).branches]
+    branches = puma560.solve(arm, tool_at(arm, EXAMPLE), np.zeros(6)).branches
     missed, apart, least, most = there_and_back(arm, FEW if short else int(options.poses), 560, progress)
+    meeting = solvability.meeting_axes(arm)
+    rows = [
+        Row(SHOULDERS, _distinct([branch.q[:3] for branch in branches]), "", printed("4", "s.19")),
+        Row(LEAST, least, "", printed("8", "s.20")),
+        Row(MOST, most, "", printed("8", "s.20")),
+        Row(FLIP, _moved_by_flip(arm), "", FLIPPED),
+        Row(UNKNOWN, _unknown_to_the_form(arm), "", ALL),
+        Row(MEETING, 0 if meeting is None else meeting[0][0] + 1, "", AXES),
+        Row(MISSED, missed),
+        Row(APART, apart, "rad"),
+    ]
     progress(1.0)
-    return Result(
-        rows=(
-            *_table(postures),
-            row(AWAY, np.abs(T[:3, 3] - POINT).max(), 0, 5e-7, "m"),
-            row(FLIP, _moved_by_flip(arm), 0, 1e-12),
-            row(LEAST, least, 8, source="8"),
-            row(MOST, most, 8, source="8"),
-            row(MISSED, missed, 0, 1e-9),
-            row(APART, apart, 0, 1e-8, "rad"),
-        ),
-        charts=(
-            Chart(
-                Text(en="The eight postures", pt_BR="As oito posturas"),
-                Text(en="joint", pt_BR="junta"),
-                same("θ, °"),
-                tuple(
-                    Line(same(str(number + 1)), np.arange(1.0, 7.0), np.degrees(q)) for number, q in enumerate(postures)
-                ),
-            ),
-        ),
-        motion=posed(ROBOT, postures),
-    )
+    charts = [by_joint(CHART, [(branch.name, branch.q) for branch in branches])]
+    return finished(options, rows, charts, [posed(ROBOT, [branch.q for branch in branches], title=CHART)])
 
 
-def _table(postures: list[np.ndarray[tuple[int], np.dtype[np.float64]]]) -> list[Row]:
-    """Each posture beside its row of the table: the joint that differs most, degrees."""
-    off = np.degrees(np.abs(wrap(np.array(postures) - np.radians(TABLE)))).max(axis=1)
-    return [row(POSTURE.format(number=number + 1), value, 0, 5.1e-5, "°") for number, value in enumerate(off)]
+def _distinct(arms: list[Array]) -> int:
+    """How many of the angles (k, 3), rad, are others than those before."""
+    kept: list[Array] = []
+    for arm in arms:
+        if all(np.abs(wrap(arm - other)).max() > 1e-6 for other in kept):
+            kept.append(arm)
+    return len(kept)
 
 
 def _moved_by_flip(arm: Robot) -> float:
-    flipped = EXAMPLE * [1, 1, 1, 1, -1, 1] + [0, 0, 0, np.pi, 0, np.pi]
-    return float(np.abs(tool_at(arm, flipped) - tool_at(arm, EXAMPLE)).max())
+    """How far the tool moves where the wrist is flipped, entry by entry of its pose: the worst of random postures."""
+    moved = 0.0
+    for q in np.random.default_rng(20).uniform(-np.pi, np.pi, (100, 6)):
+        flipped = q * [1, 1, 1, 1, -1, 1] + [0, 0, 0, np.pi, 0, np.pi]
+        moved = max(moved, float(np.abs(tool_at(arm, flipped) - tool_at(arm, q)).max()))
+    return moved
 
 
-POSTURE = Text(
-    en="posture {number}: largest difference from the table", pt_BR="postura {number}: maior diferença da tabela"
+def _unknown_to_the_form(arm: Robot) -> int:
+    """How many postures of some poses the closed form gives and searches do not find, or the other way round."""
+    unknown = 0
+    for q in np.random.default_rng(23).uniform(-2.5, 2.5, (SEARCHED, 6)):
+        T = tool_at(arm, q)
+        formed = np.array([branch.q for branch in puma560.solve(arm, T, np.zeros(6)).branches])
+        searched, _ = numeric.gathered(numeric.searcher(arm), np.ascontiguousarray(T), np.zeros(6), True, 64)
+        apart = np.abs(wrap(formed[:, None] - searched)).max(axis=2)
+        unknown += int((apart.min(axis=0) > 1e-5).sum() + (apart.min(axis=1) > 1e-5).sum())
+    return unknown
+
+
+FLIPPED = said(
+    "θ₄' = θ₄ + 180°, θ₅' = −θ₅, θ₆' = θ₆ + 180°", "θ₄' = θ₄ + 180°, θ₅' = −θ₅, θ₆' = θ₆ + 180°", "s.20", 0, "=", 1e-9
 )
-AWAY = Text(en="wrist centre from that of the table", pt_BR="centro do punho em relação ao da tabela")
+ALL = said(
+    "solvable: an algorithm finds all sets of joint values",
+    "solúvel: um algoritmo encontra todos os conjuntos de variáveis de junta",
+    "s.23",
+    0,
+)
+AXES = said("axes 4, 5 and 6 meet at a point", "os eixos 4, 5 e 6 se cruzam num ponto", "s.26", 4)
+SHOULDERS = Text(en="postures of the arm, without the wrist", pt_BR="posturas do braço, sem o punho")
 FLIP = Text(en="how far a flip of the wrist moves the tool", pt_BR="quanto virar o punho move o efetuador")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")
 MOST = Text(en="largest number of postures of random poses", pt_BR="maior número de posturas de poses aleatórias")
+UNKNOWN = Text(
+    en="postures of ten poses that only one of closed form and searches finds",
+    pt_BR="posturas de dez poses que só a forma fechada, ou só as buscas, encontram",
+)
+MEETING = Text(en="first of three adjacent axes that meet", pt_BR="primeiro de três eixos vizinhos que se cruzam")
 MISSED = Text(en="worst miss of any posture", pt_BR="maior erro de qualquer postura")
 APART = Text(en="worst distance of the generating posture", pt_BR="maior distância da postura geradora")
+CHART = Text(en="The eight postures", pt_BR="As oito posturas")

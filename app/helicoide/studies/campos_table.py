@@ -1,4 +1,4 @@
-"""How many postures zero link lengths allow: the table of the slides, and arms that do not keep to it."""
+"""How many postures zero link lengths allow: the table of the slides, and arms of each of its rows, searched."""
 
 from __future__ import annotations
 
@@ -10,149 +10,133 @@ import numpy as np
 
 from helicoide.ik.closed import pieper
 from helicoide.ik.method import Quantity
-from helicoide.ik.postures import solvability
-from helicoide.ik.postures.branch import tool_at, wrap
+from helicoide.ik.postures import numeric
+from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, some_pose, spherical
-from helicoide.studies._campos_rows import row
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies._campos_rows import finished
+from helicoide.studies.study import Chart, Line, Progress, Result, Row, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="Zero link lengths and the count of postures", pt_BR="Elos de comprimento zero e o número de posturas")
 SOURCE = "Campos 1998, s.22 (Craig); Primrose 1986"
 ABOUT = Text(
-    en="A table of the slides bounds the postures of six turning joints by which link lengths are zero. Its first row "
-    "does not hold: the PUMA with a₃ = 0 has eight postures, and an arm without a spherical wrist sixteen; with a "
-    "spherical wrist eight is the bound, and sixteen without.",
-    pt_BR="Uma tabela dos slides limita as posturas de seis juntas de revolução segundo os elos de comprimento zero. A "
-    "primeira linha não vale: o PUMA com a₃ = 0 tem oito posturas, e um braço sem punho esférico, dezesseis; com punho "
-    "esférico o limite é oito, e sem ele dezesseis.",
+    en="A table of the slides bounds the postures of six turning joints by which link lengths are zero. Here arms of "
+    "each row, random ones and one that is known for many, are searched for every posture of a pose, without a bound. "
+    "The first two rows are exceeded, by random arms too; nothing was ever found beyond sixteen, and with a spherical "
+    "wrist nothing beyond eight.",
+    pt_BR="Uma tabela dos slides limita as posturas de seis juntas de revolução segundo os elos de comprimento zero. "
+    "Aqui se buscam, sem limite, todas as posturas de uma pose em braços de cada linha: aleatórios e um conhecido por "
+    "ter muitas. As duas primeiras linhas são ultrapassadas, também por braços aleatórios; nunca se achou nada além de "
+    "dezesseis nem, com punho esférico, além de oito.",
 )
 ROBOT = "puma560"
 
-# Zero link lengths of each row, and its bound.
+# Zero link lengths of each row of the table, and its bound.
 ROWS: tuple[tuple[tuple[int, ...], int], ...] = (((1, 3, 5), 4), ((3, 5), 8), ((3,), 16), ((), 16))
-# Of one pose, θ in rad, to be polished: α = 90°, a2 = 0.6, a4 = 0.7, d3 = 0.4, d4 = d5 = 0.2 m, all others zero.
-SIXTEEN = frozen(
-    [
-        (-1.3, -2.8, -0.7, -0.6, -2.9, -2.8),
-        (-1.33, -2.82, -0.65, -0.63, -2.87, -2.78),
-        (-2.74, -2.41, -2.01, -2.35, -1.12, 0.74),
-        (-2.5, -2.73, 1.57, -0.51, -1.71, -3.09),
-        (-2.36, -1.23, 2.74, 0.95, 0.07, -0.7),
-        (-2.06, -1.2, -0.71, 2.59, -2.72, 1.92),
-        (-2.06, -2.96, 3.03, -1.69, -0.38, 1.16),
-        (-0.91, -2.28, 1.35, -2.44, 0.69, 0.39),
-        (0.28, 0.14, -1.58, 0.4, -0.86, -0.32),
-        (0.45, 0.53, 0.81, 3.05, -1.47, 2.21),
-        (1.0, 0.98, 0.07, 2.62, -0.46, 1.18),
-        (1.23, -0.77, 0.53, -0.95, 0.17, -0.66),
-        (1.43, 1.01, -2.98, 1.12, -2.52, -2.64),
-        (1.98, -0.69, -2.25, -2.12, -2.92, 2.04),
-        (2.31, -0.42, 1.88, 0.02, 0.55, -0.35),
-        (2.31, -0.41, -1.82, -2.61, -3.14, 2.24),
-    ]
-)
-FAMILIES = ("general", "a1 = 0", "sin α1 = 0")
-FEW = 10
+# In a row whose bound does not hold: the number of the entry about it.
+WRONG = {(1, 3, 5): "campos-1", (3, 5): "campos-2"}
+RIGHT = pi / 2
+# An arm of the first row with sixteen postures for one pose: α = 90°, a2 = 0.6, a4 = 0.7, d3 = 0.4, d4 = d5 = 0.2 m;
+# link lengths that are not to be zero are SHORT, m, which leaves all sixteen. And one of these postures, rad.
+KNOWN = ((0.0, 0.0), (0.0, 0.0), (0.6, 0.4), (0.0, 0.2), (0.7, 0.2), (0.0, 0.0))
+SHORT, POSTURE = 0.02, frozen([-1.3, -2.8, -0.7, -0.6, -2.9, -2.8])
+# No count of a pose reaches this; a search ends after 150 times in a row that it came to a posture that was known.
+ENDLESS = 64
+FAMILIES, FEW = ("general", "a1 = 0", "sin α1 = 0"), 20
 
 
 @dataclass(frozen=True)
 class Options:
-    """How many random arms of each family are counted."""
+    """How many random arms of each row, and of each family with a spherical wrist, are counted."""
 
     arms: Annotated[float, Quantity(Text(en="random arms", pt_BR="braços aleatórios"), 10, 1500, decades=True)] = 100
 
 
-def with_zeros(zeros: tuple[int, ...]) -> Robot:
-    """An arm of random rows whose link lengths of these numbers are zero."""
-    draw = np.random.default_rng(1)
-    a = draw.uniform(0.1, 1, 6)
-    a[list(zeros)] = 0
-    alpha, d = draw.uniform(0.3, 2.8, 6), draw.uniform(0.1, 1, 6)
+def with_zeros(zeros: tuple[int, ...], draw: np.random.Generator) -> Robot:
+    """An arm of random rows whose link lengths of these numbers are zero; its twists are all right angles, or any."""
+    a, d = draw.uniform(0.1, 1, (2, 6))
+    a[[0, *zeros]] = 0
+    alpha = draw.choice([-RIGHT, RIGHT], 6) if draw.random() < 0.5 else draw.uniform(0.3, 2.8, 6)
     rows = [(float(x), float(y), float(z)) for x, y, z in zip(alpha, a, d, strict=True)]
     return of_rows(rows, some_pose(draw), some_pose(draw))
 
 
-def sixteen() -> tuple[Robot, Array]:
-    """An arm of the table's first row, and sixteen postures (16, 6), rad, of one pose."""
-    right = pi / 2
-    rows = [(0, 0, 0), (right, 0, 0), (right, 0.6, 0.4), (right, 0, 0.2), (right, 0.7, 0.2), (right, 0, 0)]
-    robot = of_rows(rows, np.eye(4), np.eye(4))
-    goal = tool_at(robot, SIXTEEN[0])
-    return robot, np.array([pieper.polished(robot, goal, np.array(q)) for q in SIXTEEN])
+def known(zeros: tuple[int, ...]) -> Robot:
+    """The arm of `KNOWN`, in the row with these link lengths zero."""
+    a = [length or SHORT * (i > 0 and i not in zeros) for i, (length, _) in enumerate(KNOWN)]
+    return of_rows([(RIGHT * (i > 0), a[i], d) for i, (_, d) in enumerate(KNOWN)], np.eye(4), np.eye(4))
 
 
-def distinct(robot: Robot, postures: Array) -> int:
-    """How many postures (k, 6), rad, bring the tool to the pose of the first and differ from those before, by 0.01."""
-    goal = tool_at(robot, postures[0])
-    kept: list[Array] = []
-    for q in postures:
-        there = np.abs(tool_at(robot, q) - goal).max() < 1e-12
-        if there and all(np.abs(wrap(q - other)).max() > 0.01 for other in kept):
-            kept.append(q)
-    return len(kept)
+def counted(robot: Robot, q: Array) -> int:
+    """How many postures searches from random ones find for the pose of one (6,), rad: an upper bound is not known."""
+    goal = np.ascontiguousarray(tool_at(robot, q))
+    return len(numeric.gathered(numeric.searcher(robot), goal, np.zeros(6), True, ENDLESS)[0])
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The rows of the table, the arms that exceed it, and random arms with a spherical wrist; short: ten of each."""
-    counts = _counted(FEW if short else int(options.arms), progress)
-    robot, postures = sixteen()
-    arm = puma(*LENGTHS[2])
-    q = np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])
-    eight = len(pieper.solve(arm, tool_at(arm, q), np.zeros(6)).branches)
-    rows: list[Row] = [
-        row(
-            PRINTED.format(zeros=_named(zeros)),
-            solvability.table_row(with_zeros(zeros)) or 0,
-            bound,
-            source=f"≤ {bound}",
-        )
-        for zeros, bound in ROWS
-    ]
-    rows += [
-        Row(PUMA, float(eight), 4.0, relation="≤", source="≤ 4", doubt="s.22"),
-        Row(NO_WRIST, float(distinct(robot, postures)), 4.0, relation="≤", source="≤ 4", doubt="s.22"),
-        row(BOUND_PUMA, eight, float(solvability.solution_bound(arm) or 0), relation="≤"),
-        row(BOUND_NO_WRIST, distinct(robot, postures), float(solvability.solution_bound(robot) or 0), relation="≤"),
-        *(row(MOST.format(family=family), max(found), 8, relation="≤") for family, found in counts.items()),
-    ]
-    values = np.arange(1.0, 17.0)
-    lines = [
-        Line(same(family), values, np.array([np.mean([n == v for n in found]) for v in values]))
-        for family, found in counts.items()
-    ]
-    share = Text(en="share of arms", pt_BR="fração dos braços")
-    return Result(tuple(rows), (Chart(TITLE, Text(en="postures", pt_BR="posturas"), share, tuple(lines)),))
-
-
-def _counted(arms: int, progress: Progress) -> dict[str, list[int]]:
-    """How many postures random arms of each family have for a pose of theirs."""
-    draw, counts = np.random.default_rng(2), dict[str, list[int]]()
-    for part, family in enumerate(FAMILIES):
-        found = counts.setdefault(family, [])
+    """Arms of each row of the table, the PUMA, and arms with a spherical wrist; short: twenty of each."""
+    arms = FEW if short else int(options.arms)
+    draw, found = np.random.default_rng(22), dict[tuple[int, ...], list[int]]()
+    for part, (zeros, _) in enumerate(ROWS):
+        found[zeros] = [counted(known(zeros), POSTURE)]
         for done in range(arms):
-            robot = spherical(draw, family, right_wrist=False)
-            found.append(len(pieper.solve(robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches))
-            progress((part + (done + 1) / arms) / len(FAMILIES))
+            found[zeros].append(counted(with_zeros(zeros, draw), draw.uniform(-pi, pi, 6)))
+            progress((part + (done + 1) / arms) / (len(ROWS) + 1))
+    wrists = _spherical(arms, draw, lambda share: progress((len(ROWS) + share) / (len(ROWS) + 1)))
+    puma_0 = counted(puma(*LENGTHS[2]), np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
+    rows = [
+        *(
+            Row(
+                MOST.format(zeros=_named(zeros)),
+                max(found[zeros]),
+                "",
+                printed(f"≤ {bound}", "s.22"),
+                erratum=WRONG.get(zeros, ""),
+            )
+            for zeros, bound in ROWS
+        ),
+        Row(PUMA, puma_0, "", printed("≤ 4", "s.22"), erratum="campos-1"),
+        *(
+            Row(RANDOM.format(zeros=_named(zeros), bound=bound), float(np.mean(np.array(found[zeros][1:]) > bound)))
+            for zeros, bound in ROWS[:2]
+        ),
+        Row(WRIST, max(wrists)),
+    ]
+    values = np.arange(1.0, 18.0)
+    lines = [(_named(zeros), found[zeros][1:]) for zeros, _ in ROWS] + [(WITH_WRIST, wrists)]
+    chart = Chart(
+        TITLE,
+        Text(en="postures", pt_BR="posturas"),
+        Text(en="share of random arms", pt_BR="fração dos braços aleatórios"),
+        tuple(Line(name, values, np.array([np.mean(np.array(n) == v) for v in values])) for name, n in lines),
+    )
+    return finished(options, rows, (chart,))
+
+
+def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list[int]:
+    """How many postures random arms with a spherical wrist have for a pose of theirs, by Pieper's solution."""
+    counts: list[int] = []
+    for done in range(arms):
+        robot = spherical(draw, FAMILIES[done % len(FAMILIES)], right_wrist=False)
+        counts.append(len(pieper.solve(robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches))
+        progress((done + 1) / arms)
     return counts
 
 
 def _named(zeros: tuple[int, ...]) -> Text:
     if not zeros:
-        return Text(en="no length zero", pt_BR="nenhum comprimento nulo")
+        return Text(en="no aᵢ = 0", pt_BR="nenhum aᵢ = 0")
     return same(" = ".join([*(f"a{number}" for number in zeros), "0"]))
 
 
-PRINTED = Text(en="bound by the table, {zeros}", pt_BR="limite pela tabela, {zeros}")
-PUMA = Text(
-    en="postures of the PUMA with a3 = 0 against its row", pt_BR="posturas do PUMA com a3 = 0 perante sua linha"
+MOST = Text(en="most postures of one pose, {zeros}", pt_BR="mais posturas de uma pose, {zeros}")
+PUMA = Text(en="postures of the PUMA with a1 = a3 = a5 = 0", pt_BR="posturas do PUMA com a1 = a3 = a5 = 0")
+RANDOM = Text(
+    en="random arms with more than {bound} postures, {zeros}", pt_BR="braços aleatórios com mais de {bound}, {zeros}"
 )
-NO_WRIST = Text(
-    en="postures of an arm without a spherical wrist against its row",
-    pt_BR="posturas de um braço sem punho esférico perante sua linha",
+WRIST = Text(
+    en="most postures of random arms with a spherical wrist", pt_BR="mais posturas de braços com punho esférico"
 )
-BOUND_PUMA = Text(en="the same against 8 for a spherical wrist", pt_BR="as mesmas perante 8 para um punho esférico")
-BOUND_NO_WRIST = Text(en="the same against 16 for any arm", pt_BR="as mesmas perante 16 para qualquer braço")
-MOST = Text(en="most postures of random arms, {family}", pt_BR="mais posturas de braços aleatórios, {family}")
+WITH_WRIST = Text(en="spherical wrist", pt_BR="punho esférico")

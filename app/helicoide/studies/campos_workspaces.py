@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
 
 from helicoide.ik.closed import planar2r
+from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.workspace import reachable
 from helicoide.kinematics import workspace
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Map
 from helicoide.studies._campos_arms import limited, planar, upright
-from helicoide.studies._campos_rows import LENGTH_1, LENGTH_2, millimetres, posed, row
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies._campos_rows import LENGTH_1, LENGTH_2, finished, millimetres, posed, said
+from helicoide.studies.study import Chart, Line, Progress, Result, Row, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="Workspaces in a plane", pt_BR="Espaços de trabalho no plano")
-SOURCE = "Campos 1998, s.6–13, s.31–34"
+SOURCE = "Campos 1998, s.6–13, s.31–34, s.53"
 ABOUT = Text(
     en="Two links reach an annulus, every point inside with two orientations and every point on an edge with one. "
     "Random postures find the same area as the formula, and limiting the elbow to one side changes the count, not "
@@ -30,10 +32,10 @@ ABOUT = Text(
 ROBOT = "planar2r"
 
 SAMPLES, FEW = 4_000_000, 300_000
-# Relative errors of an area; measured are 0.2 % and 1.2 % at most.
+# Parts by which counted areas may be apart; measured are 0.2 % and 1.2 % of the formula at most.
 CLOSE, COARSE = 0.006, 0.02
-# How far off an edge points are counted, m, as the slides' own check has it.
-ASIDE = 1e-6
+# How far off an edge points are counted, and beside the first axis, m; a tool that is longer, m; random postures.
+ASIDE, BESIDE, LONGER, TRIED = 1e-6, 1e-3, 0.1, 5000
 
 
 @dataclass(frozen=True)
@@ -47,24 +49,43 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Areas by random postures, and counts at the edges; short: fewer postures."""
     l1, l2 = options.l1, options.l2
-    robot, polar = planar(ROBOT, l1, l2), load("polar_rp")
+    robot, polar, equal = planar(ROBOT, l1, l2), load("polar_rp"), planar(ROBOT, l1, l1)
     half = limited(robot, [0.0, 0.0], [2 * np.pi, np.pi])
     samples, near = (FEW, COARSE) if short else (SAMPLES, CLOSE)
-    maps = [_map(arm, samples, done, progress) for done, arm in enumerate((robot, half, polar))]
+    whole, one_sided, ring = (_map(arm, samples, done, progress) for done, arm in enumerate((robot, half, polar)))
     inner, outer = reachable(np.array([l1, l2]))
-    low, high = polar.lower[1], polar.upper[1]
-    areas = (np.pi * (outer**2 - inner**2), np.pi * (outer**2 - inner**2), np.pi * (high**2 - low**2))
-    return Result(
-        rows=(
-            *(
-                row(AREA.format(which=which), found.measure, area, near * area, "m²")
-                for which, found, area in zip((TWO, HALF, POLAR), maps, areas, strict=True)
-            ),
-            *_counts(robot, half, inner, outer),
-        ),
-        charts=(_radial(maps[0]),),
-        motion=posed(ROBOT, [np.zeros(2), np.array([0.0, np.pi])], millimetres(l1=l1, l2=l2)),
-    )
+    r, r_longer, r_equal = (distances(arm) for arm in (robot, with_tool(robot, LONGER), equal))
+    area = np.pi * (outer**2 - inner**2)
+    rows = [
+        *_counts(robot, half, inner, outer),
+        Row(SAME_SET, one_sided.measure / whole.measure, "", said(*SAME_WORDS, "s.12", 1, "=", near)),
+        Row(NEAREST, r.min(), "m", said("r ≥ |L₁ − L₂|", "r ≥ |L₁ − L₂|", "s.10", inner, "≥", 1e-12)),
+        Row(FARTHEST, r.max(), "m", said("r ≤ L₁ + L₂", "r ≤ L₁ + L₂", "s.10, s.53", outer, "≤", 1e-12)),
+        Row(DISC, r_equal.max() / l1, "L₁", said(*DISC_WORDS, "s.8", 2, "=", 1e-3)),
+        Row(NO_HOLE, _count(equal, BESIDE), "", said(*DISC_WORDS, "s.8", 0, ">")),
+        Row(TOOL, r_longer.max() - r.max(), "m", said(*TOOL_WORDS, "s.13", 0, ">")),
+        Row(AREA.format(which=TWO), whole.measure, "m²"),
+        Row(BY_FORMULA.format(which=TWO), area, "m²"),
+        Row(AREA.format(which=POLAR), ring.measure, "m²"),
+        Row(BY_FORMULA.format(which=POLAR), np.pi * (polar.upper[1] ** 2 - polar.lower[1] ** 2), "m²"),
+    ]
+    charts = [_edges(inner, outer), _radial(whole)]
+    motion = posed(ROBOT, [np.zeros(2), np.array([0.0, np.pi])], millimetres(l1=l1, l2=l2), STRETCHED)
+    return finished(options, rows, charts, [motion])
+
+
+def distances(robot: Robot) -> Array:
+    """How far from the first axis the tool is in random postures, (k,), m, and in the four with straight angles."""
+    q = np.random.default_rng(6).uniform(-np.pi, np.pi, (TRIED, 2))
+    q[:2, 1] = 0, np.pi
+    return np.array([np.hypot(*tool_at(robot, row)[:2, 3]) for row in q])
+
+
+def with_tool(robot: Robot, longer: float) -> Robot:
+    """The arm with a tool that is so much longer, m."""
+    T = robot.T_world_tool_0.copy()
+    T[0, 3] += longer
+    return replace(robot, T_world_tool_0=frozen(T))
 
 
 def _map(robot: Robot, samples: int, done: int, progress: Progress) -> Map:
@@ -72,22 +93,30 @@ def _map(robot: Robot, samples: int, done: int, progress: Progress) -> Map:
     return workspace.gathered(plan, workspace.parts(plan), lambda share: progress((done + share) / 3))
 
 
+def _count(arm: Robot, r: float) -> int:
+    """How many postures within the limits there are for a point at the distance r, m."""
+    return sum(branch.within for branch in planar2r.solve(arm, upright(r, 0.0), np.zeros(2)).branches)
+
+
 def _counts(robot: Robot, half: Robot, inner: float, outer: float) -> list[Row]:
     """How many postures there are for points beside the edges, on them and between."""
-
-    def count(arm: Robot, r: float) -> int:
-        return sum(branch.within for branch in planar2r.solve(arm, upright(r, 0.0), np.zeros(2)).branches)
-
-    places = [
-        (OUTSIDE, outer + ASIDE, 0),
-        (OUTER, outer, 1),
-        (INSIDE, 0.5 * (inner + outer), 2),
-        # equal links close the hole: there the centre is reached with any orientation, by one folded posture
-        (INNER, inner, 1),
-        *([(HOLE, inner - ASIDE, 0)] if inner > ASIDE else []),
+    middle = 0.5 * (inner + outer)
+    annulus = said("|L₁ − L₂| ≤ r ≤ L₁ + L₂", "|L₁ − L₂| ≤ r ≤ L₁ + L₂", "s.10", 0)
+    return [
+        Row(INSIDE, _count(robot, middle), "", printed("2", "s.10")),
+        Row(OUTER, _count(robot, outer), "", printed("1", "s.10")),
+        Row(INNER, _count(robot, inner), "", printed("1", "s.10")),
+        Row(OUTSIDE, _count(robot, outer + ASIDE), "", annulus),
+        *([Row(HOLE, _count(robot, inner - ASIDE), "", annulus)] if inner > ASIDE else []),
+        Row(ONE_SIDE, _count(half, middle), "", printed("1", "s.12")),
     ]
-    found = [row(which, count(robot, r), expected, source=str(expected)) for which, r, expected in places]
-    return [*found, row(ONE_SIDE, count(half, 0.5 * (inner + outer)), 1, source="1")]
+
+
+def _edges(inner: float, outer: float) -> Chart:
+    """The two circles, m."""
+    turn = np.linspace(0, 2 * np.pi, 121)
+    lines = tuple(Line(name, r * np.cos(turn), r * np.sin(turn)) for name, r in ((EDGE_OUT, outer), (EDGE_IN, inner)))
+    return Chart(EDGES, same("x, m"), same("y, m"), lines)
 
 
 def _radial(found: Map) -> Chart:
@@ -108,9 +137,33 @@ def _radial(found: Map) -> Chart:
     )
 
 
+SAME_WORDS = ("θ₂ from 0 to 180°: the same reachable set", "θ₂ de 0 a 180°: o mesmo conjunto alcançável")
+DISC_WORDS = ("L₁ = L₂: a disc of radius 2 L₁", "L₁ = L₂: um disco de raio 2 L₁")
+TOOL_WORDS = ("the workspace depends on the tool", "o espaço de trabalho depende da ferramenta")
+SAME_SET = Text(
+    en="area with the elbow to one side only, over the whole one",
+    pt_BR="área com o cotovelo só de um lado, sobre a total",
+)
+NEAREST = Text(
+    en="smallest distance of the tool from the first axis", pt_BR="menor distância do efetuador ao primeiro eixo"
+)
+FARTHEST = Text(
+    en="largest distance of the tool from the first axis", pt_BR="maior distância do efetuador ao primeiro eixo"
+)
+DISC = Text(
+    en="largest distance of the tool from the first axis, two equal links",
+    pt_BR="maior distância do efetuador ao primeiro eixo, dois elos iguais",
+)
+NO_HOLE = Text(
+    en="postures of two equal links for a point 1 mm beside the first axis",
+    pt_BR="posturas de dois elos iguais para um ponto a 1 mm do primeiro eixo",
+)
+TOOL = Text(
+    en="how far the edge moves with a tool 100 mm longer", pt_BR="quanto a borda anda com ferramenta 100 mm mais longa"
+)
 AREA = Text(en="area, {which}", pt_BR="área, {which}")
+BY_FORMULA = Text(en="area by its formula, {which}", pt_BR="área pela fórmula, {which}")
 TWO = Text(en="two links", pt_BR="dois elos")
-HALF = Text(en="the elbow to one side only", pt_BR="cotovelo só de um lado")
 POLAR = Text(en="polar arm", pt_BR="braço polar")
 OUTSIDE = Text(en="postures 1 µm beyond the outer edge", pt_BR="posturas 1 µm além da borda externa")
 OUTER = Text(en="postures on the outer edge", pt_BR="posturas na borda externa")
@@ -121,3 +174,6 @@ ONE_SIDE = Text(
     en="postures between the edges, the elbow to one side only",
     pt_BR="posturas entre as bordas, cotovelo só de um lado",
 )
+EDGES = Text(en="The annulus", pt_BR="O anel")
+EDGE_OUT, EDGE_IN = Text(en="outer edge", pt_BR="borda externa"), Text(en="inner edge", pt_BR="borda interna")
+STRETCHED = Text(en="stretched, then folded", pt_BR="esticado, depois dobrado")

@@ -18,10 +18,19 @@ from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies.campos_l3 import ANGLE, POINTING, SOLUTIONS, goal
+from helicoide.studies.campos_l3 import goal
 from helicoide.text import LANGUAGES, HelicoideError, Text
 
 ROBOT = load("motoman_l3")
+# Of the goal of the study, recomputed from the formulas of the book by other code: the turn, °, where the hand then
+# points, and the postures, °.
+ANGLE, POINTING = -16.6918, (0.871505, 0.348602, -0.344899)
+SOLUTIONS = {
+    "front, elbow up": (21.8014, -83.1026, 94.3012, 98.9770, 0.6431),
+    "front, elbow down": (21.8014, 24.8595, -94.3012, 179.6174, 0.6431),
+    "back, elbow down": (-158.1986, 155.1405, 94.3012, 0.3826, -179.3569),
+    "back, elbow up": (-158.1986, -96.8974, -94.3012, 81.0230, -179.3569),
+}
 NOW = np.zeros(5)
 angles = st.floats(-np.pi, np.pi)
 points = st.tuples(*[st.floats(-0.8, 0.8)] * 3)
@@ -111,7 +120,7 @@ def test_every_posture_is_found_again(q: tuple[float, ...], sign: int) -> None:
 
 
 def test_each_step_follows_from_those_before() -> None:
-    """Section 3.4: u, c₃, θ₂ and the sum a = θ₂ + θ₃ + θ₄."""
+    """The steps: u, c₃, θ₂ and the sum a = θ₂ + θ₃ + θ₄."""
     l2, l3 = 0.4, 0.5
     for steps in motoman_l3.solve(ROBOT, goal(), NOW).values:
         u, p_z = steps["u"], steps["p_z"]
@@ -197,7 +206,7 @@ def test_equal_links_folded_leave_the_upper_arm_free() -> None:
 
 
 def test_actuators_count_every_posture_that_they_can_hold() -> None:
-    """Section 3.4: A → θ → A and back, for the branches that the ball screws hold."""
+    """A → θ → A and back, for the branches that the ball screws hold."""
     assert ROBOT.actuators is not None
     held = {}
     for branch in motoman_l3.solve(ROBOT, goal(), NOW).branches:

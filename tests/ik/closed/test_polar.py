@@ -25,7 +25,7 @@ angles = st.floats(-np.pi, np.pi)
 
 @given(x=st.floats(-2, 2), y=st.floats(-2, 2), z=st.floats(-1, 1), turn=st.tuples(angles, st.floats(-1.5, 1.5), angles))
 def test_a_goal_takes_the_matrix_of_the_subspace(x: float, y: float, z: float, turn: tuple[float, ...]) -> None:
-    """Section 2: x' = x, y' = y, z' = 0, and the forced orientation."""
+    """s.31–36: x' = x, y' = y, z' = 0, and the forced orientation."""
     rho = np.hypot(x, y)
     assume(rho > 1e-6)
     T = upright(x, y, z=z)

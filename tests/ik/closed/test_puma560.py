@@ -16,10 +16,24 @@ from helicoide.kinematics.forward import dh_frames, link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, puma_rows, wrist
-from helicoide.studies.campos_puma import EXAMPLE, POINT, TABLE, there_and_back
+from helicoide.studies.campos_puma import EXAMPLE, there_and_back
 from helicoide.text import HelicoideError
 
 HERE = np.zeros(6)
+
+
+# The pose of EXAMPLE and its postures, degrees, recomputed from the formulas of the book by other code.
+POINT = (0.262305, 0.211356, -0.220210)
+TABLE = [
+    [17.1887, -28.6479, 40.1070, 22.9183, 51.5662, -63.0254],
+    [17.1887, -28.6479, 40.1070, -157.0817, -51.5662, 116.9746],
+    [17.1887, 98.8955, 145.2762, 79.3309, 161.9162, 30.4899],
+    [17.1887, 98.8955, 145.2762, -100.6691, -161.9162, -149.5101],
+    [-119.4674, 81.1045, 40.1070, -103.7593, 125.3785, 52.1355],
+    [-119.4674, 81.1045, 40.1070, 76.2407, -125.3785, -127.8645],
+    [-119.4674, -151.3521, 145.2762, -113.4273, 59.6660, -64.3108],
+    [-119.4674, -151.3521, 145.2762, 66.5727, -59.6660, 115.6892],
+]
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +47,7 @@ def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Arr
     return found[exists]
 
 
-def test_the_table_of_the_source(arm: Robot) -> None:
+def test_the_eight_postures_of_the_example(arm: Robot) -> None:
     assert np.allclose(wrist(LENGTHS[0], EXAMPLE)[:3, 3], POINT, rtol=0, atol=5e-7)
     np.testing.assert_allclose(np.degrees(wrap(rows_for(LENGTHS[0], EXAMPLE))), TABLE, rtol=0, atol=5.1e-5)
     answer = puma560.solve(arm, tool_at(arm, EXAMPLE), HERE)

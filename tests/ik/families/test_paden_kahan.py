@@ -29,8 +29,8 @@ def turned(axis: Axis, angle: float, p: Array) -> Array:
 def test_1_the_angle_is_the_one_by_which_the_point_was_turned(seed: int) -> None:
     rng = np.random.default_rng(seed)
     axis, p, theta = some_axis(rng), rng.normal(size=3), rng.uniform(-np.pi, np.pi)
-    far = np.linalg.norm(np.cross(p - axis.point, axis.direction))
-    assert abs(wrap(turn_to(axis, p, turned(axis, theta, p), 0.0) - theta)) < 1e-13 * max(1, 1 / far)
+    far = float(np.linalg.norm(np.cross(p - axis.point, axis.direction)))
+    assert abs(wrap(turn_to(axis, p, turned(axis, theta, p), 0.0) - theta)) < 1e-13 * max(1.0, 1 / far)
 
 
 @given(seeds)

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from helicoide.confinement import Obstacles
 from helicoide.ik.closed import motoman_l3, planar3r
 from helicoide.ik.postures import choice
 from helicoide.ik.postures.branch import Branch, branch_of, tool_at
@@ -17,15 +18,18 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import limited, planar, upright
-from helicoide.studies.campos_planar3r import COSTS, NOW, B
+from helicoide.studies.campos_planar3r import NOW
 from helicoide.text import HelicoideError, same
 
 L3 = 0.2
+# Both postures of the example, and by weights what the nearer and the farther one cost, and which is nearer.
+A, B = (-2.6971, 1.4202, -0.1232), (-1.5780, -1.4202, 1.5982)
+COSTS = {"alike": ((1, 1, 1), (5.183, 6.296), A), "falling": ((3, 2, 1), (12.073, 12.576), B)}
 ROBOT = planar("planar3r", 1.0, 0.7, L3)
 
 
 def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
-    """Section 1.3 of the checks: the third axis at (−0.7, −1.1), φ = −1.4."""
+    """The third axis at (−0.7, −1.1), φ = −1.4; recomputed from the formulas of the source."""
     phi = -1.4
     T = upright(-0.7 + L3 * np.cos(phi), -1.1 + L3 * np.sin(phi), phi)
     return planar3r.solve(robot, T, NOW).branches
@@ -45,15 +49,23 @@ def test_weights_turn_the_choice(
 def test_an_obstacle_rules_a_posture_out_and_the_other_is_chosen() -> None:
     """s.17–18: a post where the elbow of the nearer posture stands."""
     near, far = choice.ranked(ROBOT, example(), NOW, (1, 1, 1))
-    post = link_poses(ROBOT.chain, near.branch.q)[2][:3, 3]
-
-    def touches(q: Array) -> bool:
-        return bool(np.linalg.norm(link_poses(ROBOT.chain, q)[2][:3, 3] - post) < 0.1)
-
-    rows = choice.ranked(ROBOT, example(), NOW, (1, 1, 1), touches)
+    post = Obstacles().with_sphere(link_poses(ROBOT.chain, near.branch.q)[2][:3, 3], 0.1)
+    rows = choice.ranked(ROBOT, example(), NOW, (1, 1, 1), choice.touching(ROBOT, post))
     assert [row.branch.name for row in rows] == [far.branch.name, near.branch.name]
     assert [row.dropped for row in rows] == [None, choice.COLLIDES]
     assert choice.nearest(rows) is rows[0]
+
+
+@pytest.mark.parametrize("name", ["puma560", "movemaster", "planar3r"])
+def test_what_touches_is_nearer_than_both_radii(name: str) -> None:
+    robot = load(name)
+    q = robot.poses["ready"]
+    body = robot.bodies[-1]
+    middle = body.at(link_poses(robot.chain, q)).mean(axis=0)
+    way = np.array([0.0, 0.0, 5.0]) if name == "planar3r" else np.array([5.0, 0.0, 0.0])
+    assert choice.touching(robot, Obstacles().with_sphere(middle, 0.01))(q)
+    assert not choice.touching(robot, Obstacles().with_sphere(middle + way, 0.01))(q)
+    assert not choice.touching(robot, Obstacles())(q)
 
 
 def test_limits_rule_a_posture_out_before_it_is_asked_whether_it_collides() -> None:

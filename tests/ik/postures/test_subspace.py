@@ -196,7 +196,7 @@ def test_distance_to_the_edge_of_other_arms(name: str, p: tuple[float, ...], exp
 
 
 def test_edges_of_planar_workspaces() -> None:
-    """Section 1.2: radii |L1 − L2| and L1 + L2; a disc of 2 L1 where they are equal."""
+    """s.8–10: radii |L1 − L2| and L1 + L2; a disc of 2 L1 where they are equal."""
     assert workspace.reachable(np.array([1, 0.7])) == pytest.approx((0.3, 1.7))
     assert workspace.reachable(np.array([0.8, 0.8])) == (0, 1.6)
     assert workspace.reachable(np.array([1, 0.7, 0.2])) == pytest.approx((0.1, 1.9))
@@ -204,7 +204,7 @@ def test_edges_of_planar_workspaces() -> None:
 
 
 def test_dexterous_points() -> None:
-    """Section 1.2: none for two unequal links, the centre for equal ones; 0.5 to 1.5 for L = (1, 0.7, 0.2)."""
+    """s.8–10: none for two unequal links, the centre for equal ones; 0.5 to 1.5 for L = (1, 0.7, 0.2)."""
     assert workspace.dexterous(np.array([1, 0.7])) == ()
     assert workspace.dexterous(np.array([0.8, 0.8])) == ((0, 0),)
     ((inner, outer),) = workspace.dexterous(np.array([1, 0.7, 0.2]))

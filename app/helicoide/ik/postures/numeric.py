@@ -126,7 +126,7 @@ def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientati
     Arguments and errors as in `solve`.
     """
     goal, start = check_pose(T_world_tool).copy(), robot.check_joints(q)
-    rows, searches = _gathered(searcher(robot), goal, start, with_orientation, MOST)
+    rows, searches = gathered(searcher(robot), goal, start, with_orientation, MOST)
     if not len(rows):
         return _nearest(robot, goal, start, with_orientation)
     postures = [_branch(robot, row, goal, with_orientation) for row in rows]
@@ -141,8 +141,8 @@ def _branch(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> Bran
     return branch_of(robot, POSTURE.format(n=1), q, goal, with_orientation)
 
 
-def _gathered(of: Searcher, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
-    """Different postures (k, n), within the limits or not, and the number of searches.
+def gathered(of: Searcher, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
+    """Different postures (k, n), within the limits or not, and the number of searches; unchecked.
 
     It ends with `most` of them, or when a number of searches in a row came to known ones.
     """
@@ -179,7 +179,7 @@ def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) ->
     weights = (1.0 / of.reach, ORIENTATION_LENGTH * with_orientation)
     q = approach(of.arm, of.ranges, goal, start.copy(), weights, APPROACH_STEPS, APPROACHES)
     branch = _branch(robot, q, goal, with_orientation)
-    beyond_limits = len(_gathered(of, goal, start, with_orientation, 1)[0]) > 0
+    beyond_limits = len(gathered(of, goal, start, with_orientation, 1)[0]) > 0
     words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * branch.missed, degrees=np.degrees(branch.turned))
     return Answer((branch,), frozen(goal), words, short=branch.missed)
 

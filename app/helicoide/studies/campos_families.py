@@ -1,0 +1,267 @@
+"""The families of methods of slide 37 side by side: the same goals, by closed forms of four kinds and by iteration."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from helicoide.confinement import planes_of
+from helicoide.ik import Limits, Problem, closed, methods
+from helicoide.ik.clik import to_pose
+from helicoide.ik.converge import Report, by_method, converged
+from helicoide.ik.method import Quantity
+from helicoide.ik.postures import numeric
+from helicoide.ik.postures.branch import Answer, tool_at, wrap
+from helicoide.ik.postures.measure import left
+from helicoide.ik.postures.solve import EXACT
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_rows import by_joint, finished, posed, said
+from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, printed
+from helicoide.text import Text, same
+
+TITLE = Text(en="The families of methods, side by side", pt_BR="As famílias de métodos, lado a lado")
+SOURCE = "Campos 1998, s.20, s.23–24, s.37; Paden 1986; Murray, Li and Sastry 1994"
+ABOUT = Text(
+    en="A slide names the families: inverse transforms, screws, dual matrices and quaternions, geometry, iteration. "
+    "Here each solves the same goals of the PUMA and of the Movemaster. The closed ones give every posture, and the "
+    "same ones to rounding; the iteration comes to one, and which one depends on where it starts.",
+    pt_BR="Um slide nomeia as famílias: transformadas inversas, helicoides, matrizes e quatérnios duais, geometria, "
+    "iteração. Aqui cada uma resolve os mesmos alvos do PUMA e do Movemaster. As fechadas dão todas as posturas, e as "
+    "mesmas a menos de arredondamento; a iteração chega a uma só, e qual delas depende de onde parte.",
+)
+ROBOT = "puma560"
+
+INVERSE = Text(en="inverse transforms", pt_BR="transformadas inversas")
+SCREWS = Text(en="screws", pt_BR="helicoides")
+DUAL = Text(en="dual quaternions", pt_BR="quatérnios duais")
+GEOMETRY = Text(en="geometry", pt_BR="geometria")
+SEARCH = Text(en="iteration with restarts", pt_BR="iteração com reinícios")
+# The closed form of each family for each arm. Dual matrices turn lines as dual quaternions do: they are no other road.
+FORMS = {
+    "puma560": {INVERSE: "puma560", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "geometry"},
+    "movemaster": {INVERSE: "inverse_transform", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "movemaster"},
+}
+# What each family works out on the way to the joints, and its unit.
+STEPS: dict[str, dict[Text, dict[str, str]]] = {
+    "puma560": {
+        INVERSE: {"K": "m", "u": "m"},
+        SCREWS: {"δ": "m"},
+        DUAL: {"k": "m"},
+        GEOMETRY: {"u": "m", "β": "rad", "ψ": "rad"},
+    },
+    "movemaster": {
+        INVERSE: {"s_234": "", "c_234": "", "w_x": "m", "w_y": "m"},
+        SCREWS: {"α": "rad", "δ": "m"},
+        DUAL: {"k": "m"},
+        GEOMETRY: {"α": "rad", "u_W": "m", "z_W": "m"},
+    },
+}
+NAMES = {"puma560": same("PUMA"), "movemaster": same("Movemaster")}
+# Of the goal whose steps are shown, rad.
+EXAMPLE = {"puma560": (0.3, -0.5, 0.7, 0.4, 0.9, -1.1), "movemaster": (0.3, 1.8, -2.0, -1.0, 0.9)}
+FEW, STARTS, FEW_STARTS, CAP, MOST, PERIOD = 20, 200, 40, 300, 64, 0.1
+GOALS = Quantity(Text(en="random goals", pt_BR="alvos aleatórios"), 10, 5000, decades=True)
+
+
+@dataclass(frozen=True)
+class Options:
+    """How many random goals each family solves on each arm."""
+
+    goals: Annotated[float, GOALS] = 200
+
+
+@dataclass(frozen=True)
+class Tally:
+    """What a family came to: postures in all, the worst residual of each goal, m and rad, and the farthest, rad, that a
+    posture of it or of the inverse transforms is from the nearest of the other.
+    """
+
+    postures: int
+    residuals: Array
+    apart: float
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """Both arms, family after family, and iterations from many starts.
+
+    short: twenty goals, and too few starts to
+    count where they lead.
+    """
+    count, rows, charts, motions = FEW if short else int(options.goals), list[Row](), list[Chart](), list[Motion]()
+    for part, name in enumerate(FORMS):
+        robot = load(name)
+        tallies = tallied(robot, count, _part(progress, part))
+        steps = {family: _of(robot, family, np.array(EXAMPLE[name])) for family in FORMS[name]}
+        starts = iterations(robot, FEW_STARTS if short else STARTS)
+        progress((part + 1) / len(FORMS))
+        rows += [*_rows(robot, tallies, count), *_steps(robot, steps)]
+        if not short:
+            rows += _iterated(robot, starts, steps[INVERSE])
+        charts += _charts(robot, tallies, starts, steps[INVERSE])
+        motions += _motions(robot, starts, steps[INVERSE])
+    return finished(options, rows, charts, motions)
+
+
+def _part(progress: Progress, part: int) -> Progress:
+    return lambda share: progress((part + 0.8 * share) / len(FORMS))
+
+
+def tallied(robot: Robot, count: int, progress: Progress) -> dict[Text, Tally]:
+    """What each family comes to for random postures' poses."""
+    postures, apart = dict[Text, int](), dict[Text, float]()
+    residuals = dict[Text, list[float]]()
+    for done, q in enumerate(np.random.default_rng(37).uniform(-2.5, 2.5, (count, len(robot.variables))), start=1):
+        first: Array | None = None
+        T = tool_at(robot, q)
+        for family, found in _by_family(robot, T):
+            first = found if first is None else first
+            postures[family] = postures.get(family, 0) + len(found)
+            residuals.setdefault(family, []).append(max((max(left(robot, one, T)) for one in found), default=np.inf))
+            apart[family] = max(apart.get(family, 0.0), _apart(first, found))
+        progress(done / count)
+    return {family: Tally(postures[family], np.array(residuals[family]), apart[family]) for family in postures}
+
+
+def _by_family(robot: Robot, T: Array) -> Iterator[tuple[Text, Array]]:
+    """Every posture (k, n), rad, that each family finds, the inverse transforms first."""
+    now = np.zeros(len(robot.variables))
+    for family, name in FORMS[robot.name].items():
+        yield family, np.array([branch.q for branch in closed.found()[name].solve(robot, T, now).branches])
+    yield SEARCH, numeric.gathered(numeric.searcher(robot), np.ascontiguousarray(T), now, True, MOST)[0]
+
+
+def _of(robot: Robot, family: Text, q: Array) -> Answer:
+    return closed.found()[FORMS[robot.name][family]].solve(robot, tool_at(robot, q), np.zeros(len(q)))
+
+
+def _apart(one: Array, other: Array) -> float:
+    """The farthest that a posture of either is from the nearest of the other, rad; infinite where one has none."""
+    if not (len(one) and len(other)):
+        return np.inf
+    ways = np.abs(wrap(one[:, None] - other)).max(axis=2)
+    return float(max(ways.min(axis=0).max(), ways.min(axis=1).max()))
+
+
+def iterations(robot: Robot, count: int) -> list[tuple[Array, Report]]:
+    """Where damped least squares come to from random starts, one after another, for the goal of EXAMPLE."""
+    problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
+    aiming = to_pose(problem, tool_at(robot, np.array(EXAMPLE[robot.name])), True)
+    method = methods.named("damped")
+    loop = by_method(problem, method, method.Options(), 0.5, dt=PERIOD)
+    starts = np.random.default_rng(24).uniform(-2.5, 2.5, (count, len(robot.variables)))
+    return [(q, converged(problem, loop, aiming, q, EXACT, CAP)) for q in starts]
+
+
+def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]:
+    """Postures for each goal, residuals, and how far apart the families are."""
+    eight = printed("8", "s.20") if robot.name == "puma560" else None
+    for family, tally in tallies.items():
+        named = {"arm": NAMES[robot.name], "family": family}
+        yield Row(COUNT.format(**named), tally.postures / count, "", eight)
+        yield Row(RESIDUAL.format(**named), float(tally.residuals.max()))
+        if family is not INVERSE:
+            yield Row(APART.format(**named), tally.apart, "rad", ALIKE.get(family))
+
+
+def _steps(robot: Robot, steps: dict[Text, Answer]) -> Iterator[Row]:
+    """What each family works out on the way to its first posture."""
+    for family, symbols in STEPS[robot.name].items():
+        for symbol, unit in symbols.items():
+            quantity = STEP.format(arm=NAMES[robot.name], family=family, symbol=symbol)
+            yield Row(quantity, steps[family].values[0][symbol], unit)
+
+
+def _iterated(robot: Robot, starts: list[tuple[Array, Report]], answer: Answer) -> Iterator[Row]:
+    """How many starts lead to a posture, to how many different ones, and in how many passes."""
+    ends = [_nearest(answer, report) for _, report in starts if report.reached]
+    passes = [report.iterations for _, report in starts if report.reached]
+    yield Row(LED.format(arm=NAMES[robot.name]), len(ends) / len(starts))
+    yield Row(DIFFERENT.format(arm=NAMES[robot.name]), len(set(ends)))
+    yield Row(PASSES.format(arm=NAMES[robot.name]), float(np.mean(passes)))
+
+
+def _nearest(answer: Answer, report: Report) -> int:
+    """The number, from 1, of the posture to which an iteration came."""
+    ways = [float(np.abs(wrap(branch.q - report.q)).max()) for branch in answer.branches]
+    return int(np.argmin(ways)) + 1
+
+
+def _charts(
+    robot: Robot, tallies: dict[Text, Tally], starts: list[tuple[Array, Report]], answer: Answer
+) -> Iterator[Chart]:
+    yield by_joint(POSTURES.format(arm=NAMES[robot.name]), [(branch.name, branch.q) for branch in answer.branches])
+    yield Chart(
+        RESIDUALS.format(arm=NAMES[robot.name]),
+        Text(en="share of goals", pt_BR="fração dos alvos"),
+        same("m, rad"),
+        tuple(
+            Line(
+                family, np.arange(1, len(tally.residuals) + 1) / len(tally.residuals), np.sort(tally.residuals) + 1e-17
+            )
+            for family, tally in tallies.items()
+        ),
+        log=True,
+    )
+    met = [report for _, report in starts if report.reached][:4]
+    yield Chart(
+        ERRORS.format(arm=NAMES[robot.name]),
+        Text(en="iterations", pt_BR="iterações"),
+        same("m"),
+        tuple(
+            Line(START.format(n=n), np.arange(0.0, len(report.errors)), report.errors[:, 0] + 1e-17)
+            for n, report in enumerate(met, start=1)
+        ),
+        log=True,
+    )
+    numbers = np.arange(1.0, len(answer.branches) + 1)
+    ends = np.array([_nearest(answer, report) for _, report in starts if report.reached])
+    shares = np.array([np.sum(ends == n) / len(starts) for n in numbers])
+    yield Chart(
+        WHICH.format(arm=NAMES[robot.name]),
+        Text(en="posture", pt_BR="postura"),
+        Text(en="share of starts", pt_BR="fração das partidas"),
+        (Line(same("damped"), numbers, shares),),
+    )
+
+
+def _motions(robot: Robot, starts: list[tuple[Array, Report]], answer: Answer) -> Iterator[Motion]:
+    title = POSTURES.format(arm=NAMES[robot.name])
+    yield posed(robot.name, [branch.q for branch in answer.branches], title=title)
+    ways = [frozen(q) for start, report in starts[:8] if report.reached for q in (start, report.q)]
+    yield posed(robot.name, ways, title=ENDS.format(arm=NAMES[robot.name]))
+
+
+ALIKE: dict[Text, Statement] = {
+    GEOMETRY: said(
+        "algebraic and geometric: other in approach only",
+        "algébrica e geométrica: diferem só na abordagem",
+        "s.24",
+        0,
+        "=",
+        1e-8,
+    )
+}
+COUNT = Text(en="{arm}, {family}: postures for each goal", pt_BR="{arm}, {family}: posturas por alvo")
+RESIDUAL = Text(en="{arm}, {family}: worst residual, m or rad", pt_BR="{arm}, {family}: maior resíduo, m ou rad")
+APART = Text(
+    en="{arm}, {family}: farthest posture from those of inverse transforms",
+    pt_BR="{arm}, {family}: postura mais distante das de transformadas inversas",
+)
+STEP = Text(en="{arm}, {family}: {symbol} of the goal shown", pt_BR="{arm}, {family}: {symbol} do alvo mostrado")
+LED = Text(en="{arm}, iteration: share of starts that lead there", pt_BR="{arm}, iteração: fração que chega ao alvo")
+DIFFERENT = Text(
+    en="{arm}, iteration: different postures that the starts lead to",
+    pt_BR="{arm}, iteração: posturas diferentes a que as partidas levam",
+)
+PASSES = Text(en="{arm}, iteration: passes for one posture", pt_BR="{arm}, iteração: passos para uma postura")
+POSTURES = Text(en="{arm}: the postures of a goal", pt_BR="{arm}: as posturas de um alvo")
+RESIDUALS = Text(en="{arm}: residuals by family", pt_BR="{arm}: resíduos por família")
+ERRORS = Text(en="{arm}: error of position while iterating", pt_BR="{arm}: erro de posição ao iterar")
+START = Text(en="start {n}", pt_BR="partida {n}")
+WHICH = Text(en="{arm}: which posture a start leads to", pt_BR="{arm}: a que postura cada partida leva")
+ENDS = Text(en="{arm}: starts of the iteration, and where they lead", pt_BR="{arm}: partidas da iteração e aonde levam")

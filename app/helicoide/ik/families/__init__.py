@@ -1,1 +1,1 @@
-"""Families of arms that closed forms know: recognised from their axes, with the geometry of their plane and elbow."""
+"""Families of arms that closed forms know, recognised from their axes, and what the forms share: elbow, screws, lists."""

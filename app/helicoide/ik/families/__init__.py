@@ -1,1 +1,1 @@
-"""Families of arms that closed forms know, recognised from their axes, and what the forms share: elbow, screws, lists."""
+"""Families of arms that closed forms know, recognised from their axes, and what the forms share."""

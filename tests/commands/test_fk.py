@@ -142,7 +142,7 @@ def test_the_ball_screws_of_the_l3_have_lengths(
     arguments = ["helicoide", "fk", "motoman_l3", "--deg", "--q", "0", "-75", "80", "105", "0"]
     monkeypatch.setattr(sys, "argv", arguments)
     __main__.main()
-    assert "A2 (J2): -75°, -8504.11 pulses, screw 239.5 mm long" in capsys.readouterr().out
+    assert "A2 (J2): -75°, -8504.21 pulses, screw 239.5 mm long" in capsys.readouterr().out
     monkeypatch.setattr(sys, "argv", [*arguments, "--json"])
     __main__.main()
     screws = [motor["screw"] for motor in json.loads(capsys.readouterr().out)["motors"]]

@@ -120,7 +120,7 @@ def _poses(robot: Robot, q: Array) -> list[Text]:
         return [*lines, motors]
     told = [
         (DRIVEN if isnan(length) else SCREW).format(
-            label=label, angle=np.degrees(angle), pulses=pulses, mm=1000 * length
+            label=label, angle=np.degrees(angle), pulses=pulses + 0.0, mm=1000 * length
         )
         for label, angle, pulses, length in motors
     ]

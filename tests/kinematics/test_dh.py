@@ -28,8 +28,18 @@ def unit(vector: Array) -> Array:
 
 
 def joint(direction: Array, point: Array, slides: bool = False, mimic: Mimic | None = None) -> Joint:
-    kind, word = "prismatic" if slides else "revolute", same("joint")
-    return Joint("joint", word, "link", kind, frozen(unit(direction)), frozen(point), -3, 3, 1, mimic)  # type: ignore[arg-type]
+    return Joint(
+        "joint",
+        same("joint"),
+        "prismatic" if slides else "revolute",
+        lower=-3,
+        upper=3,
+        speed=1,
+        link="link",
+        direction=frozen(unit(direction)),
+        point=frozen(point),
+        mimic=mimic,
+    )
 
 
 def next_axis(relation: str, before: Joint, draw: np.random.Generator) -> tuple[Array, Array]:

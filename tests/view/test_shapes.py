@@ -19,6 +19,7 @@ from helicoide.geometry import rotation
 from helicoide.kinematics import urdf_file
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
 from helicoide.view import shapes
 from helicoide.view.layers.arm import Placed
 from helicoide.view.scene import outlook
@@ -51,9 +52,19 @@ def node(said: Said, name: str) -> SimpleNamespace:
     )
 
 
-@pytest.mark.parametrize("name", ARMS)
-def test_every_mesh_stands_where_the_urdf_has_its_link(name: str) -> None:
-    robot = load(name)
+def led_from_beside(folder: Path) -> Robot:
+    """An arm whose second joint follows one beside it, with boxes on its links."""
+    text = chain_of(["base", "a", "b"]) + chain_of(["base", "x"]).replace('<link name="base"/>', "")
+    for link in "ab":
+        text = text.replace(f'<link name="{link}"/>', f'<link name="{link}">{visual(BOX)}</link>')
+    text = text.replace('<child link="b"/>', '<child link="b"/><mimic joint="base-x" multiplier="2" offset="0.1"/>')
+    (path := folder / "led.urdf").write_text(f'<robot name="led">{text}</robot>', "utf-8")
+    return load(str(path), "b")
+
+
+@pytest.mark.parametrize("name", [*ARMS, "led"])
+def test_every_mesh_stands_where_the_urdf_has_its_link(name: str, tmp_path: Path) -> None:
+    robot = led_from_beside(tmp_path) if name == "led" else load(name)
     found = shapes.load(robot)
     said = Said()
     frames = [node(said, shape.name) for shape in found]

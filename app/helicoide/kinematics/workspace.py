@@ -114,11 +114,7 @@ def extent(robot: Robot) -> tuple[Array, float]:
     z = robot.directions[0]
     up = (ways[0] @ z) * z
     ways[0] -= up
-    joints = robot.chain[robot.chain["slides"]]
-    ends = (
-        np.outer([1, 1], joints["shift"]) + joints["ratio"] * np.array([robot.lower, robot.upper])[:, joints["driver"]]
-    )
-    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + np.abs(ends).max(axis=0).sum())
+    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + robot.strokes.sum())
 
 
 def planned(robot: Robot, kind: Kind, samples: int, seed: int = 0) -> Plan:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import trimesh
 import yourdfpy
+from PIL import Image
 from tests.kinematics.urdfs import chain_of, write
 from viser._messages import Message, SetOrientationMessage, SetPositionMessage
 
@@ -126,6 +127,18 @@ def test_the_solids_of_one_link_are_all_drawn(tmp_path: Path, name: str) -> None
         alone = [meshes(*drawn(tmp_path, each))[0] for each in (visual(one), visual(other, TURNED))]
         together = meshes(*drawn(tmp_path, visual(one, "", name), visual(other, TURNED, name)))
         np.testing.assert_allclose([mesh.bounds for mesh in together], [mesh.bounds for mesh in alone], atol=1e-6)
+
+
+@pytest.mark.parametrize(("mode", "written"), [("RGB", b"image/jpeg"), ("RGBA", b"image/png")])
+def test_opaque_textures_are_written_as_jpeg(tmp_path: Path, mode: str, written: bytes) -> None:
+    """To write them as PNG takes so long that arms with many take more than ten seconds."""
+    box, texture = trimesh.creation.box(extents=(100, 100, 100)), Image.new(mode, (8, 8), "red")
+    box.visual = trimesh.visual.TextureVisuals(box.vertices[:, :2] / 100, image=texture)
+    box.export(tmp_path / "plate.glb")
+    (shape,) = drawn(tmp_path, visual(MESH.replace("stl", "glb")))
+    assert written in shape.glb
+    assert shape.glb.count(b"image/") == 1
+    assert len(shape.edges) == 12
 
 
 def test_a_box_shows_flat_faces_with_twelve_edges(tmp_path: Path) -> None:

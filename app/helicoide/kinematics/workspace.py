@@ -27,6 +27,10 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
 PARALLEL = 1e-9
 POINT = 1e-3  # of the reach: half of the only cell of an arm whose tool stays where it is
+STAYS = Text(
+    en="{name}: the tool stays at {position} m whatever the joints do; only its orientation changes",
+    pt_BR="{name}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,6 +110,11 @@ def normal_of(robot: Robot) -> Array | None:
     apart = max(float(np.linalg.norm(np.cross(z, direction))) for direction in turning)
     along = max((abs(float(z @ joint.direction)) for joint in robot.joints if joint.slides), default=0.0)
     return z if max(apart, along) < PARALLEL else None
+
+
+def stays(robot: Robot, name: str | Text) -> Text:
+    """What is said, under a name, of an arm whose tool only turns."""
+    return STAYS.format(name=name, position=", ".join(f"{x + 0.0:.3f}" for x in robot.T_world_tool_0[:3, 3].round(3)))
 
 
 def extent(robot: Robot) -> tuple[Array, float]:

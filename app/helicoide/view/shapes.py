@@ -122,16 +122,19 @@ def _plain(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
     return mesh.smooth_shaded if isinstance(mesh, trimesh.primitives.Primitive) else mesh
 
 
-def _bare(scene: trimesh.Scene, node: str) -> trimesh.Trimesh:
-    """One mesh of a scene, in the frame of the scene, without its colours and textures."""
-    T, name = scene.graph[node]
-    mesh = scene.geometry[name]
-    return trimesh.Trimesh(mesh.vertices, mesh.faces, process=False).apply_transform(T)
+def _bare(scene: trimesh.Scene) -> trimesh.Trimesh:
+    """The meshes of a scene as one, without colours and textures, which take long to join."""
+    bare = trimesh.Scene()
+    for T, name in (scene.graph[node] for node in scene.graph.nodes_geometry):
+        mesh = scene.geometry[name]
+        bare.add_geometry(trimesh.Trimesh(mesh.vertices, mesh.faces, process=False), transform=T)
+    whole: trimesh.Trimesh = bare.to_mesh()
+    return whole
 
 
 def _edges(scene: trimesh.Scene, shortest: float) -> Array:
     """The sharp edges of a shape that are at least so long, (e, 2, 3), m; of a smooth shape those that show it best."""
-    mesh = trimesh.util.concatenate([_bare(scene, node) for node in scene.graph.nodes_geometry])
+    mesh = _bare(scene)
     mesh.merge_vertices()
     edges, angles = mesh.vertices[mesh.face_adjacency_edges], mesh.face_adjacency_angles
     lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)

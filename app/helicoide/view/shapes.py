@@ -70,6 +70,11 @@ def _lines(robot: Robot, seen: Set[int]) -> list[Shape]:
 
 
 def _glb(scene: trimesh.Scene) -> bytes:
+    """The scene as a page takes it; opaque textures as JPEG, which is written 25 times as fast as PNG."""
+    materials = [getattr(mesh.visual, "material", None) for mesh in scene.geometry.values()]
+    for texture in (getattr(material, name, None) for material in materials for name in ("image", "baseColorTexture")):
+        if texture is not None and texture.mode == "RGB":
+            texture.format = "JPEG"
     return bytes(scene.export(file_type="glb", include_normals=True))
 
 
@@ -117,10 +122,20 @@ def _plain(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
     return mesh.smooth_shaded if isinstance(mesh, trimesh.primitives.Primitive) else mesh
 
 
+def _bare(scene: trimesh.Scene) -> trimesh.Trimesh:
+    """The meshes of a scene as one, without colours and textures, which take long to join."""
+    bare = trimesh.Scene()
+    for T, name in (scene.graph[node] for node in scene.graph.nodes_geometry):
+        mesh = scene.geometry[name]
+        bare.add_geometry(trimesh.Trimesh(mesh.vertices, mesh.faces, process=False), transform=T)
+    whole: trimesh.Trimesh = bare.to_mesh()
+    return whole
+
+
 def _edges(scene: trimesh.Scene, shortest: float) -> Array:
     """The sharp edges of a shape that are at least so long, (e, 2, 3), m; of a smooth shape those that show it best."""
-    mesh = scene.to_mesh()
-    mesh.merge_vertices(merge_tex=True, merge_norm=True)
+    mesh = _bare(scene)
+    mesh.merge_vertices()
     edges, angles = mesh.vertices[mesh.face_adjacency_edges], mesh.face_adjacency_angles
     lengths = np.linalg.norm(edges[:, 0] - edges[:, 1], axis=1)
     sharp = (angles > SHARP) & (lengths > shortest)

@@ -8,6 +8,7 @@ import zlib
 from dataclasses import replace
 from pathlib import Path
 
+from helicoide.files import written
 from helicoide.perception import formats
 from helicoide.perception.broken import Broken
 from helicoide.perception.cloud import FARTHEST, Cloud, cloud_of
@@ -23,11 +24,9 @@ _OF_ARCHIVES = (zlib.error, zipfile.BadZipFile, struct.error)
 def load(path: Path, unit: Unit | None = None) -> Cloud:
     """The cloud in a file. Raises HelicoideError: what is wrong with the file, and what is valid."""
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise _refusal(path.name, _TOO_LONG)
-        data = path.read_bytes()
-    except OSError as error:
-        raise _refusal(path.name, _NO_FILE) from error
+        data = written.raw(path, MOST_BYTES)
+    except HelicoideError as error:
+        raise _refusal(path.name, error.text) from error
     return read(path.name, data, unit)
 
 
@@ -82,9 +81,6 @@ _DAMAGED = Text(en="it is damaged, or no {ending}", pt_BR="está danificado ou n
 _NO_POINTS = Text(en="there are no points in it", pt_BR="não há pontos nele")
 _ALL_HOLES = Text(
     en="none of its {n} points has finite coordinates", pt_BR="nenhum dos seus {n} pontos tem coordenadas finitas"
-)
-_NO_FILE = Text(
-    en="there is no file of that name that may be read", pt_BR="não há arquivo com esse nome que se possa ler"
 )
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, Chain, Joint, chain_of, frozen
 from helicoide.kinematics.dh import DhTable
-from helicoide.kinematics.urdf_file import read, root_of
+from helicoide.kinematics.urdf_file import not_drawn, read, root_of
 from helicoide.text import HelicoideError, Text
 
 # Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
@@ -130,6 +130,12 @@ class Robot:
     actuators: Actuators | None = None
     base: str = ""
     remarks: tuple[Text, ...] = ()
+
+    @cached_property
+    def all_remarks(self) -> tuple[Text, ...]:
+        """The remarks, and what of the robot is not drawn, and why, for which its meshes are read."""
+        left_out = not_drawn(self.urdf, self.parameters)
+        return self.remarks if left_out is None else (*self.remarks, left_out)
 
     @cached_property
     def variables(self) -> tuple[Joint, ...]:

@@ -123,9 +123,7 @@ def test_a_range_that_is_ours_is_marked_and_said_once(
 
 
 @pytest.mark.parametrize("command", [["robots"], ["fk", "--q", "0", "0"]])
-@pytest.mark.parametrize(
-    ("spoken", "said"), [("C.UTF-8", "cannot be read"), ("pt_BR.UTF-8", "não dá para ler a malha")]
-)
+@pytest.mark.parametrize(("spoken", "said"), [("C.UTF-8", "cannot be read"), ("pt_BR.UTF-8", "não dá para ler")])
 def test_a_mesh_that_cannot_be_drawn_is_said_once(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,

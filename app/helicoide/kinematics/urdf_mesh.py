@@ -68,7 +68,7 @@ def _why_not(file: Path) -> Text | None:
 def _read(file: Path, changed: int) -> Text | None:
     """Why there is nothing to be drawn in a file, which was changed last at that time, ns; None where there is."""
     try:
-        scene = trimesh.load(file, ignore_broken=True, force="scene")
+        scene = trimesh.load_scene(file, ignore_broken=True)
     except Exception:  # readers raise whatever a broken file makes them stumble over
         return BROKEN_MESH
     surfaces = (mesh for mesh in scene.geometry.values() if isinstance(mesh, trimesh.Trimesh))

@@ -48,9 +48,7 @@ def reader(kind: str, folder: Path) -> Callable[[bytes], object]:
 
 
 @pytest.mark.parametrize(
-    ("count", "seed"),
-    [(1000, 1), pytest.param(50_000, 2, marks=pytest.mark.soak)],
-    ids=["a thousand", "fifty thousand"],
+    ("count", "seed"), [(1000, 1), *(pytest.param(10_000, seed, marks=pytest.mark.soak) for seed in range(2, 7))]
 )
 @pytest.mark.parametrize("kind", GOOD)
 @pytest.mark.filterwarnings("error")

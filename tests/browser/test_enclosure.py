@@ -68,7 +68,7 @@ def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
     until(page, lambda: "p1" not in lab.state.problem.planes.names and "+y" in lab.state.problem.planes.names)
     send(page, "Load planes", "junk.toml", b"\x00\xff")
     until(page, lambda: "junk.toml" in status(page))
-    page.get_by_role("button", name="Planes back to the measured ones").click()
+    page.get_by_role("button", name="Back to the measured planes").click()
     until(page, lambda: lab.state.problem.planes.names == measured.names)
 
 

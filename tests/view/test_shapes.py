@@ -21,8 +21,13 @@ from helicoide.kinematics import urdf_file
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.seat import Seat
+from helicoide.state import initial
+from helicoide.text import Language
 from helicoide.view import shapes
 from helicoide.view.layers.arm import Placed
+from helicoide.view.panels import robot as panel
+from helicoide.view.rows import View, Words
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
@@ -154,6 +159,17 @@ def test_a_box_shows_flat_faces_with_twelve_edges(tmp_path: Path) -> None:
 def test_a_solid_without_a_size_is_not_drawn(tmp_path: Path, nothing: str) -> None:
     assert [shape.name for shape in drawn(tmp_path, visual(nothing))] == ["base", "upper"]  # as lines
     assert len(meshes(*drawn(tmp_path, visual(nothing), visual(BOX)))) == 1
+
+
+SAID: dict[Language, str] = {"en": "there is no mesh plate.stl", "pt_BR": "não há malha plate.stl"}
+
+
+def test_what_is_not_drawn_is_said_in_the_panel_of_the_robot(tmp_path: Path) -> None:
+    robot = load(str(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{visual(MESH)}</link>')), "tool")
+    words = next(row for row in panel.rows(robot) if isinstance(row, Words))
+    for language, said in SAID.items():
+        assert said in words.html(View(initial(robot), Seat("", language)))
+    assert words.html(View(initial(load("movemaster")), Seat("", "en"))) == ""
 
 
 @pytest.mark.parametrize("origin", ["", TURNED])

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, Chain, Joint, Variable, chain_of, frozen, spread
 from helicoide.kinematics.dh import DhTable
-from helicoide.kinematics.urdf_file import read, root_of
+from helicoide.kinematics.urdf_file import not_drawn, read, root_of
 from helicoide.text import HelicoideError, Text
 
 # Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
@@ -132,6 +132,12 @@ class Robot:
     base: str = ""
     leaders: tuple[Variable, ...] = ()
     remarks: tuple[Text, ...] = ()
+
+    @cached_property
+    def all_remarks(self) -> tuple[Text, ...]:
+        """The remarks, and what of the robot is not drawn, and why, for which its meshes are read."""
+        left_out = not_drawn(self.urdf, self.parameters)
+        return self.remarks if left_out is None else (*self.remarks, left_out)
 
     @cached_property
     def variables(self) -> tuple[Variable, ...]:

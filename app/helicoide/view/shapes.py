@@ -14,12 +14,16 @@ from helicoide.kinematics import urdf_file
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_xml import broken
-from helicoide.text import same
+from helicoide.text import Text
 from helicoide.view import skeleton
 
 SHARP = np.radians(50.0)
 SHORTEST_EDGE = 0.015
 FEWEST_EDGES = 8
+NO_GRIPPER = Text(
+    en="it has no joint {name!r} for the gripper; its moving joints are: {known}",
+    pt_BR="ele não tem junta {name!r} para a garra; as juntas móveis são: {known}",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +53,7 @@ def load(robot: Robot) -> list[Shape]:
         opened = _urdf(robot)
         if robot.gripper.joint not in opened.actuated_joint_names:
             known = ", ".join(opened.actuated_joint_names)
-            raise broken(robot.urdf, same(f"gripper joint {robot.gripper.joint!r}: {known}"))
+            raise broken(robot.urdf, NO_GRIPPER.format(name=robot.gripper.joint, known=known))
         upper = float(opened.joint_map[robot.gripper.joint].limit.upper)
         opened.update_cfg({robot.gripper.joint: upper})
     drawn = {link.name: _visuals(closed, link.name) for link in closed.robot.links if link.visuals}

@@ -47,12 +47,22 @@ def refusal(path: Path) -> str:
 
 def test_our_own_reading_is_that_of_the_parser(tmp_path: Path) -> None:
     path = write(tmp_path)
-    tree, urdf = Tree(path), yourdfpy.URDF.load(str(path), build_scene_graph=True, load_meshes=False)
+    tree, urdf = Tree.of(path), yourdfpy.URDF.load(str(path), build_scene_graph=True, load_meshes=False)
     assert tree.tips() == ["tool"]
     for q in np.random.default_rng(0).uniform(-1, 1, (5, 2)):
         urdf.update_cfg(values := dict(zip(("one", "two"), q.tolist(), strict=True)))
         np.testing.assert_allclose(tree.pose("tool", values), urdf.get_transform("tool"), atol=1e-12)
     assert tree.beyond("tool", {"one": 0.0, "two": 2.5}) == 0.5
+
+
+def test_our_own_reading_takes_what_others_write(tmp_path: Path) -> None:
+    """Undeclared prefixes, a declaration that is not the beginning, commas between numbers."""
+    plain = Tree.of(path := write(tmp_path))
+    text = "\n" + path.read_text("utf-8").replace('"0 1 0"', '"0, 1, 0"').replace("<limit ", '<limit drake:a="1" ')
+    other = Tree(text.replace("</robot>", '<ros2:control name="a:b"><ros2:joint/></ros2:control></robot>'))
+    values = {"one": 0.3, "two": 0.4}
+    np.testing.assert_array_equal(other.pose("tool", values), plain.pose("tool", values))
+    assert other.beyond("tool", {"one": 0.0, "two": 2.5}) == 0.5
 
 
 def test_an_arm_that_answers_rightly_is_not_listed(tmp_path: Path) -> None:

@@ -23,6 +23,10 @@ STEPS = (
     Step("second", lambda state: state, lambda state, seat: True, ()),
 )
 """
+WISH = """
+from helicoide.text import HelicoideError, Text
+raise HelicoideError(Text(en="three points on a line", pt_BR="três pontos numa reta"))
+"""
 PAGE = "## first: One\n\nText.\n\nMore.\n\n> Hint\n> on two lines.\n\n## second: Two\n\nText.\n\n> Hint.\n"
 
 
@@ -66,11 +70,24 @@ BROKEN = {
     "a syntax error": ("lesson.py", b"STEPS = ("),
     "a failing import": ("lesson.py", b"import no_such_module"),
     "a failing line": ("lesson.py", b"1 / 0"),
+    "a refused wish": ("lesson.py", WISH.encode()),
+    "an end": ("lesson.py", b"raise SystemExit"),
     "no robot": ("lesson.py", GOOD.replace('"movemaster"', '"nobody"').encode()),
     "no title": ("lesson.py", GOOD.replace("TITLE", "NAME").encode()),
     "no steps": ("lesson.py", GOOD.replace("STEPS", "PASSOS").encode()),
     "empty steps": ("lesson.py", (GOOD + "\nSTEPS = ()").encode()),
     "something else as a step": ("lesson.py", (GOOD + "\nSTEPS = ('first', 'second')").encode()),
+}
+
+
+SAID = {
+    "no page": ("there is no such file", "esse arquivo não existe"),
+    "a page in another encoding": ("is no text in utf-8", "não é texto em utf-8"),
+    "a syntax error": ("line 1 is no Python", "a linha 1 não é Python"),
+    "a failing import": ("line 1 imports no_such_module", "a linha 1 importa no_such_module"),
+    "a failing line": ("line 1 stops with ZeroDivisionError", "a linha 1 para com ZeroDivisionError"),
+    "a refused wish": ("line 3: three points on a line", "linha 3: três pontos numa reta"),
+    "an end": ("line 1 stops with SystemExit", "a linha 1 para com SystemExit"),
 }
 
 
@@ -86,6 +103,18 @@ def test_a_broken_lesson_gives_one_error_that_names_the_file(folder: Path, file:
     assert str(path) in caught.value.text.en
     assert str(path) in caught.value.text.pt_BR
     assert "\n" not in caught.value.text.en
+
+
+@pytest.mark.parametrize("case", SAID)
+def test_what_is_wrong_with_a_lesson_is_said_in_both_languages(folder: Path, case: str) -> None:
+    file, broken = BROKEN[case]
+    (folder / file).unlink()
+    if broken is not None:
+        (folder / file).write_bytes(broken)
+    with pytest.raises(HelicoideError) as caught:
+        lesson.load("tour")
+    assert SAID[case][0] in caught.value.text.en
+    assert SAID[case][1] in caught.value.text.pt_BR
 
 
 def test_two_steps_of_one_name_are_refused(folder: Path) -> None:

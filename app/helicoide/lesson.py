@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -11,11 +12,13 @@ from pathlib import Path
 from types import ModuleType
 
 from helicoide import content
+from helicoide.files import written
 from helicoide.seat import Seat
 from helicoide.state import State, Update
 from helicoide.text import LANGUAGES, HelicoideError, Language, Text
 
 Goal = Callable[[State, Seat], bool]
+MOST_BYTES = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -54,6 +57,16 @@ class Lesson:
 _SECTION = re.compile(
     r"^## (?P<id>[a-z][a-z0-9_]*): (?P<title>\S.*)\n\s*(?P<body>[^\s>](?:.|\n)*?)\n(?P<hint>(?:> *\S.*\n)+)$"
 )
+_NO_PYTHON = Text(en="it is no Python", pt_BR="isto não é Python")
+_NO_PYTHON_AT = Text(en="line {line} is no Python", pt_BR="a linha {line} não é Python")
+_IMPORT = Text(
+    en="line {line} imports {name}, which cannot be loaded", pt_BR="a linha {line} importa {name}, que não carrega"
+)
+_REFUSED = Text(en="line {line}: {why}", pt_BR="linha {line}: {why}")
+_STOPPED = Text(
+    en="line {line} stops with {kind}; run the file with Python to see why",
+    pt_BR="a linha {line} para com {kind}; execute o arquivo com o Python para ver por quê",
+)
 _FORM = Text(
     en="each step is '## id: title', its text and, at the end, its hint on lines that begin with '> '; not so: {got!r}",
     pt_BR="cada passo é '## id: título', o texto e, ao fim, a dica em linhas iniciadas por '> '; não é assim: {got!r}",
@@ -78,11 +91,12 @@ def load(name: str) -> Lesson:
     return Lesson(name, title, robot, steps, {step.id: _prose(pages, step.id) for step in steps})
 
 
-def _broken(path: Path, reason: object) -> HelicoideError:
+def _broken(path: Path, reason: Text) -> HelicoideError:
     return HelicoideError(
-        Text(en="{path} is not a valid lesson: {reason}.", pt_BR="{path} não é uma lição válida: {reason}.").format(
-            path=path, reason=reason
-        )
+        Text(
+            en="{path} is not a valid lesson: {reason}. The lessons that come with Helicoide are examples.",
+            pt_BR="{path} não é uma lição válida: {reason}. As lições que vêm com o Helicoide servem de exemplo.",
+        ).format(path=path, reason=reason)
     )
 
 
@@ -92,8 +106,8 @@ def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
     module = ModuleType(loader.name)
     try:
         loader.exec_module(module)
-    except Exception as error:
-        raise _broken(path, f"{type(error).__name__}: {error}") from error
+    except (Exception, SystemExit) as error:
+        raise _broken(path, _stopped(path, error)) from error
     title, robot, steps = (getattr(module, name, None) for name in ("TITLE", "ROBOT", "STEPS"))
     if robot not in content.found("robots"):
         raise _broken(path, _ROBOT.format(robots=", ".join(content.found("robots"))))
@@ -102,12 +116,25 @@ def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
     return title, robot, steps
 
 
+def _stopped(path: Path, error: BaseException) -> Text:
+    """Where a lesson.py stopped, and at what."""
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    if not lines:
+        line = error.lineno if isinstance(error, SyntaxError) else None
+        return _NO_PYTHON if line is None else _NO_PYTHON_AT.format(line=line)
+    if isinstance(error, ImportError):
+        return _IMPORT.format(line=lines[-1], name=error.name)
+    if isinstance(error, HelicoideError):
+        return _REFUSED.format(line=lines[-1], why=error.text)
+    return _STOPPED.format(line=lines[-1], kind=type(error).__name__)
+
+
 def _read_page(path: Path, steps: tuple[Step, ...]) -> dict[str, re.Match[str]]:
     """The sections of one language's page by step id, in the order of the steps."""
     try:
-        before, *sections = re.split(r"(?m)^(?=## )", path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise _broken(path, error) from error
+        before, *sections = re.split(r"(?m)^(?=## )", written.text(path, MOST_BYTES))
+    except HelicoideError as error:
+        raise _broken(path, error.text) from error
     if before.strip():
         raise _broken(path, _FORM.format(got=before.strip().splitlines()[0]))
     found = [_section(path, section) for section in sections]

@@ -94,7 +94,7 @@ def _faults(found: Findings, doing: str) -> Iterator[None]:
 def _tree(path: Path) -> Tree | None:
     """Our own reading; None for a file that cannot be read."""
     try:
-        return Tree(path)
+        return Tree.of(path)
     except Exception:
         return None
 

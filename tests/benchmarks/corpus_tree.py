@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -55,8 +56,14 @@ class Joint:
 class Tree:
     """The joints of a file by the links that they carry."""
 
-    def __init__(self, path: Path) -> None:
-        root = ElementTree.parse(path).getroot()
+    @classmethod
+    def of(cls, path: Path) -> Tree:
+        """The joints of the file at a path."""
+        return cls(path.read_text("utf-8-sig", "replace"))
+
+    def __init__(self, text: str) -> None:
+        """Reads what a file says, also after a declaration that is not its beginning and with undeclared prefixes."""
+        root = ElementTree.fromstring(re.sub(r"((?:</?|\s)\w+):(?=\w)", r"\1-", re.sub(r"<\?xml\b.*?\?>", "", text)))
         joints = [_joint(element) for element in root.findall("joint") if element.find("child") is not None]
         self.above = {joint.child: joint for joint in joints}
         self.links = [link.get("name", "") for link in root.findall("link")]
@@ -145,4 +152,4 @@ def _link(element: ElementTree.Element, end: str) -> str:
 def _numbers(element: ElementTree.Element, tag: str, attribute: str, otherwise: str) -> Array:
     found = element.find(tag)
     words = otherwise if found is None else found.get(attribute, otherwise)
-    return np.array(list(map(float, words.split())))
+    return np.array(list(map(float, words.replace(",", " ").split())))

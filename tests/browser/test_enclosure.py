@@ -27,6 +27,7 @@ def page(shared_page: Page) -> Page:
     tab(shared_page, "Robot")
     shared_page.get_by_text("Planes", exact=True).click()
     shared_page.get_by_text("Give a plane", exact=True).click()
+    shared_page.get_by_text("From a cloud of points", exact=True).click()
     shared_page.get_by_text("Teach a path", exact=True).click()
     return shared_page
 
@@ -51,22 +52,40 @@ def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, p
     assert lab.nearest >= 0.080 - 1e-9
 
 
+def send(page: Page, button: str, name: str, content: bytes) -> None:
+    """Choose a file for a button."""
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name=button).click()
+    chooser.value.set_files(FilePayload(name=name, mimeType="text/plain", buffer=content))
+
+
 def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
     page.get_by_role("button", name="Put it there").first.click()
     until(page, lambda: "p1" in lab.state.problem.planes.names)
     until(page, lambda: page.evaluate(SHOWN, f"/planes/{len(lab.state.problem.planes.names) - 1}"))
     measured = planes_of(lab.state.robot.panes)
-    file = FilePayload(name="planes.toml", mimeType="text/plain", buffer=written(measured.names, measured).encode())
-    with page.expect_file_chooser() as chooser:
-        page.get_by_role("button", name="Load planes").click()
-    chooser.value.set_files(file)
+    send(page, "Load planes", "planes.toml", written(measured.names, measured).encode())
     until(page, lambda: "p1" not in lab.state.problem.planes.names and "+y" in lab.state.problem.planes.names)
-    with page.expect_file_chooser() as chooser:
-        page.get_by_role("button", name="Load planes").click()
-    chooser.value.set_files(FilePayload(name="junk.toml", mimeType="text/plain", buffer=b"\x00\xff"))
+    send(page, "Load planes", "junk.toml", b"\x00\xff")
     until(page, lambda: "junk.toml" in status(page))
-    page.get_by_role("button", name="Planes back to the measured ones").click()
+    page.get_by_role("button", name="Back to the measured planes").click()
     until(page, lambda: lab.state.problem.planes.names == measured.names)
+
+
+def test_a_cloud_in_centimetres_is_asked_about_and_then_read(lab: Lab, page: Page) -> None:
+    rng = np.random.default_rng(0)
+    ceiling = np.column_stack([rng.uniform(20, 90, 400), rng.uniform(-30, 30, 400), rng.normal(70, 0.05, 400)])
+    cloud = "\n".join(f"{x:.3f} {y:.3f} {z:.3f}" for x, y, z in ceiling).encode()
+    send(page, "Look for: ceiling", "room.xyz", cloud)
+    until(page, lambda: "whether these are centimetres, inches, feet" in status(page))
+    page.locator("input[role=combobox]:visible").and_(page.get_by_label("unit of the file")).click()
+    page.get_by_role("option", name="centimetres").click()
+    until(page, lambda: lab.seats[-1].cloud_unit == "cm")
+    send(page, "Look for: ceiling", "room.xyz", cloud)
+    expect(page.get_by_text("In centimetres, as chosen: x 0.20 to 0.90")).to_be_visible()
+    planes = lab.state.problem.planes
+    assert abs(planes.offsets[planes.names.index("+z")] + 0.700) < 0.002
+    lab.post(gate.restore_planes())
 
 
 def test_any_name_of_a_plane_is_text_in_a_new_window(lab: Lab, page: Page, browser: Browser) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import re
 import sys
@@ -35,11 +36,11 @@ def study(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -
     return run
 
 
-def put(monkeypatch: pytest.MonkeyPatch, result: Result | HelicoideError) -> None:
+def put(monkeypatch: pytest.MonkeyPatch, result: Result | Exception) -> None:
     """A study that comes to a given result."""
 
     def run(options: Any, short: bool, progress: Callable[[float], None]) -> Result:
-        if isinstance(result, HelicoideError):
+        if isinstance(result, Exception):
             raise result
         return result
 
@@ -120,6 +121,35 @@ def test_a_study_that_does_not_end_is_reported_and_ends_with_three(
         study(NAME)
     assert caught.value.code == 3
     assert "did not run to its end: out of metal" in capsys.readouterr().out
+
+
+def test_a_study_that_crashes_is_told_in_words_and_where_in_the_log(
+    study: Callable[..., Said],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    put(monkeypatch, ZeroDivisionError("float division by zero"))
+    with pytest.raises(SystemExit):
+        study(NAME, "--lang", "pt_BR")
+    assert "o programa falhou; o terminal mostra onde\n" in capsys.readouterr().out
+    assert "division by zero" in caplog.text
+
+
+def test_a_report_that_finds_no_room_is_told_of_in_words(
+    study: Callable[..., Said],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_text", full)
+    report = str(tmp_path / "report.html")
+    with pytest.raises(SystemExit):
+        study(NAME, "--short", "--report", report)
+    assert f"{report} cannot be written: the disk is full." in capsys.readouterr().err
 
 
 def test_all_are_run_in_processes_and_reported(

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from helicoide.confinement import Planes, plane_file, planes_of
+from helicoide.confinement.plane_file import written
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
@@ -18,32 +17,33 @@ NAMES = st.lists(st.text(st.characters(exclude_categories=["Cs"])), unique=True,
 ONE = '[[planes]]\nname = "+z"\nnormal = [0, 0, -1]\ncentre_m = [0.5, 0, 0.6]\n'
 
 
+def decoded(text: str) -> tuple[tuple[str, ...], Planes]:
+    return plane_file.decoded(text.encode(), "here.toml")
+
+
 @given(names=NAMES, seed=st.integers(0, 2**32 - 1))
 def test_names_and_numbers_come_back_bit_by_bit(names: list[str], seed: int) -> None:
     rng = np.random.default_rng(seed)
     normals, centres = rng.normal(size=(2, len(names), 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    again, planes = plane_file.parsed(plane_file.written(names, Planes(normals, centres)), "planes")
+    again, planes = decoded(written(names, Planes(normals, centres)))
     assert again == tuple(names)
     np.testing.assert_array_equal(planes.normals, normals)
     np.testing.assert_array_equal(planes.centres, centres)
     assert not planes.normals.flags.writeable
 
 
-def test_planes_of_the_robot_survive_a_file(robot: Robot, tmp_path: Path) -> None:
-    path, planes = tmp_path / "planes.toml", planes_of(robot.panes)
-    plane_file.save(path, ["overwritten"], Planes(planes.normals[:1], planes.centres[:1]))
-    plane_file.save(path, [pane.name for pane in robot.panes], planes)
-    names, again = plane_file.load(path)
+def test_planes_of_the_robot_survive_a_file(robot: Robot) -> None:
+    planes = planes_of(robot.panes)
+    names, again = decoded(written([pane.name for pane in robot.panes], planes))
     assert names == ("+z", "+y", "-y", "-z")
     np.testing.assert_array_equal(again.normals, planes.normals)
     np.testing.assert_array_equal(again.centres, planes.centres)
-    assert [file.name for file in tmp_path.iterdir()] == ["planes.toml"]
 
 
 @pytest.mark.parametrize("length", ["1e-320", "3", "1e300"])
 def test_a_normal_written_by_hand_is_of_any_length(length: str) -> None:
-    _, planes = plane_file.parsed(ONE.replace("-1", f"-{length}"), "planes")
+    _, planes = decoded(ONE.replace("-1", f"-{length}"))
     np.testing.assert_array_equal(planes.normals, [[0, 0, -1]])
 
 
@@ -76,7 +76,7 @@ def test_broken_texts_are_refused_in_words(case: str) -> None:
     if case == "too many":
         text = "".join(ONE.replace("+z", str(i)) for i in range(33))
     with pytest.raises(HelicoideError, match=f"here.toml is not a file of planes: .*{said}") as refused:
-        plane_file.parsed(text, "here.toml")
+        decoded(text)
     assert "Valid is TOML with 1 to 32 tables" in refused.value.text.en
     assert "Vale TOML com 1 a 32 tabelas" in refused.value.text.pt_BR
 
@@ -84,17 +84,6 @@ def test_broken_texts_are_refused_in_words(case: str) -> None:
 @pytest.mark.parametrize(
     ("content", "said"), [(b"\xff\xfe", "utf-8"), (b"#" * 100_001, "too long"), (b"[[planes]]", "name")]
 )
-def test_broken_files_are_refused_in_words(tmp_path: Path, content: bytes, said: str) -> None:
-    path = tmp_path / "planes.toml"
-    path.write_bytes(content)
-    with pytest.raises(HelicoideError, match=said):
-        plane_file.load(path)
-
-
-def test_files_that_are_not_there_are_refused_in_words(tmp_path: Path, robot: Robot) -> None:
-    with pytest.raises(HelicoideError, match="it is a folder: name a file in it"):
-        plane_file.load(tmp_path)
-    with pytest.raises(HelicoideError, match="there is no such file"):
-        plane_file.load(tmp_path / "planes.toml")
-    with pytest.raises(HelicoideError, match="cannot be written: No such file"):
-        plane_file.save(tmp_path / "nowhere" / "planes.toml", ["a", "b", "c", "d"], planes_of(robot.panes))
+def test_broken_files_are_refused_in_words(content: bytes, said: str) -> None:
+    with pytest.raises(HelicoideError, match=f"here.toml is not a file of planes: .*{said}"):
+        plane_file.decoded(content, "here.toml")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 import trimesh
 from tests.kinematics.urdfs import GOOD, MISTAKES, chain_of, write
@@ -117,11 +118,40 @@ def test_of_many_links_that_are_not_drawn_the_first_are_named(tmp_path: Path) ->
     assert said.en.endswith("; and 2 more")
 
 
-def test_a_mesh_that_holds_none_is_left_out(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
-    path = with_mesh(tmp_path, "upper.glb")
-    (tmp_path / "upper.glb").write_text("nothing", "utf-8")
+BOX = trimesh.creation.box((1, 2, 3)).export(file_type="stl")
+POINTER = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "why"),
+    [
+        ("upper.glb", b"nothing", "cannot be read"),
+        ("upper.dae", POINTER, "cannot be read"),
+        ("upper.blend", b"BLENDER", "cannot be read"),
+        ("upper.stl", POINTER, "no surface"),
+        ("upper.stl", BOX[: len(BOX) // 2], "no surface"),
+        ("upper.stl", BOX[:84] + np.full(12 * 50 // 4, np.nan, "<f4").tobytes(), "no surface"),
+        ("upper.obj", b"v 0 0 0\n", "no surface"),
+    ],
+)
+def test_a_mesh_that_holds_none_is_left_out_and_said(tmp_path: Path, name: str, content: bytes, why: str) -> None:
+    path = with_mesh(tmp_path, name)
+    (tmp_path / name).write_bytes(content)
     assert parsed(path, meshes=True).scene.geometry == {}
-    assert "upper.glb" in caplog.text
+    *_, said = from_urdf(path).all_remarks
+    assert name in said.en
+    assert why in said.en
+    assert name in said.pt_BR
+    assert said.pt_BR.startswith("não desenhado: do elo upper, não ")
+
+
+def test_a_mesh_that_was_mended_is_drawn(tmp_path: Path) -> None:
+    path = with_mesh(tmp_path, "upper.stl")
+    (tmp_path / "upper.stl").write_bytes(POINTER)
+    assert not_drawn(path) is not None
+    (tmp_path / "upper.stl").write_bytes(BOX)
+    assert not_drawn(path) is None
+    assert from_urdf(path).all_remarks == ()
 
 
 @pytest.mark.parametrize(

@@ -6,24 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.kinematics.urdfs import GOOD, chain_of, write
+from tests.kinematics.urdfs import GOOD, chain_of, said, write
 
-from helicoide.kinematics.chain import Array, Mimic
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import ROADS, tool_by_screws
-from helicoide.kinematics.robot import NO_REACH, Robot
+from helicoide.kinematics.robot import NO_REACH
 from helicoide.kinematics.urdf_chain import from_urdf
 from helicoide.kinematics.urdf_limits import SLIDE
 from helicoide.text import HelicoideError
 
 LIMIT = '<limit lower="-1" upper="2" velocity="0.5"/>'
 Q = np.array([0.7, 0.35])
-
-
-def said(robot: Robot) -> str:
-    for text in robot.remarks:
-        assert text.en != text.pt_BR
-        assert len(text.en.splitlines()) == len(text.pt_BR.splitlines()) == 1
-    return " ".join(text.en for text in robot.remarks)
 
 
 def good_tool(folder: Path, q: Array = Q) -> Array:
@@ -207,72 +200,6 @@ def test_an_arm_that_its_limits_hold_says_so(tmp_path: Path) -> None:
         from_urdf(path)
 
 
-FOUR = chain_of(["base", "a", "b", "c", "d"])
-BESIDE = '<link name="x"/><joint name="base-x" type="revolute"><parent link="base"/><child link="x"/>{limit}</joint>'
-
-
-def following(folder: Path, mimics: dict[str, str], more: str = "") -> Path:
-    """An arm of four joints a-b and so on, of which some follow others."""
-    text = FOUR
-    for child, mimic in mimics.items():
-        text = text.replace(f'<child link="{child}"/>', f'<child link="{child}"/><mimic {mimic}/>')
-    (path := folder / "four.urdf").write_text(f'<robot name="four">{text}{more}</robot>', "utf-8")
-    return path
-
-
-def test_what_follows_a_follower_follows_its_leader(tmp_path: Path) -> None:
-    """x_c = −x_b + 0.3 and x_b = 2 x_a + 0.1: x_c = −2 x_a + 0.2."""
-    mimics = {"c": 'joint="a-b" multiplier="-1" offset="0.3"', "b": 'joint="base-a" multiplier="2" offset="0.1"'}
-    robot = from_urdf(following(tmp_path, mimics))
-    assert [joint.mimic for joint in robot.joints[:2]] == [None, Mimic(0, 2.0, 0.1)]
-    third = robot.joints[2].mimic
-    assert third is not None
-    assert (third.driver, third.ratio) == (0, -2.0)
-    assert third.shift == pytest.approx(0.2)
-    assert [joint.name for joint in robot.variables] == ["base-a", "c-d"]
-
-
-def test_a_leader_may_come_after(tmp_path: Path) -> None:
-    robot = from_urdf(following(tmp_path, {"b": 'joint="c-d" multiplier="0.5"'}))
-    assert robot.joints[1].mimic == Mimic(2, 0.5, 0.0)
-
-
-def test_followers_of_a_joint_beside_the_arm_go_together(tmp_path: Path) -> None:
-    """x_b = 2 z + 0.1 and x_d = z − 0.2 for z of −0.2 to 0.3: x_d = x_b/2 − 0.25, x_b of −0.3 to 0.7."""
-    mimics = {"b": 'joint="base-x" multiplier="2" offset="0.1"', "d": 'joint="base-x" offset="-0.2"'}
-    limit = '<limit lower="-0.2" upper="0.3" velocity="1"/>'
-    robot = from_urdf(following(tmp_path, mimics, BESIDE.format(limit=limit)), "d")
-    assert [joint.name for joint in robot.variables] == ["base-a", "a-b", "b-c"]
-    mimic = robot.joints[3].mimic
-    assert mimic is not None
-    assert (mimic.driver, mimic.ratio) == (1, 0.5)
-    assert mimic.shift == pytest.approx(-0.25)
-    assert (robot.lower[1], robot.upper[1]) == pytest.approx((-0.3, 0.7))
-    assert "a-b follows base-x" in said(robot)
-
-
-def test_what_follows_a_joint_that_is_fixed_is_fixed(tmp_path: Path) -> None:
-    limit = '<limit lower="0.4" upper="0.4" velocity="1"/>'
-    mimics = {"b": 'joint="base-x" multiplier="2" offset="0.1"'}
-    robot = from_urdf(following(tmp_path, mimics, BESIDE.format(limit=limit)), "d")
-    assert [joint.name for joint in robot.joints] == ["base-a", "b-c", "c-d"]
-    free = from_urdf(following(tmp_path, {}), "d")
-    np.testing.assert_allclose(
-        tool_by_screws(robot, np.array([0.1, 0.2, 0.3])),
-        tool_by_screws(free, np.array([0.1, 0.9, 0.2, 0.3])),
-        atol=1e-15,
-    )
-
-
-@pytest.mark.parametrize(
-    "mimics", [{"b": 'joint="a-b"'}, {"b": 'joint="b-c"', "c": 'joint="a-b"'}, {"b": 'joint="gone"'}, {"b": ""}]
-)
-def test_who_follows_nobody_is_refused_where_it_counts(tmp_path: Path, mimics: dict[str, str]) -> None:
-    with pytest.raises(HelicoideError, match=r"'a-b' follows"):
-        from_urdf(following(tmp_path, mimics), "d")
-    assert len(from_urdf(following(tmp_path, mimics), "a").variables) == 1
-
-
 @pytest.mark.parametrize("kind", ["planar", "floating"])
 def test_an_arm_on_a_free_base_begins_above_it(tmp_path: Path, kind: str) -> None:
     text = GOOD.replace("<link ", '<link name="world"/><link ', 1)
@@ -301,43 +228,6 @@ def test_a_base_begins_the_chain_later(tmp_path: Path) -> None:
 def test_a_link_that_no_joint_holds_is_left_out(tmp_path: Path) -> None:
     robot = from_urdf(write(tmp_path, "</robot>", '<link name="table"/></robot>'), "tool")
     assert "table" in said(robot)
-
-
-@pytest.mark.parametrize(
-    ("links", "expected"),
-    [
-        (["left_EndEffector", "cover"], "left_EndEffector"),
-        (["link_eef"], "link_eef"),
-        (["gripper_base", "fingertip"], "gripper_base"),
-        (["Tip"], "Tip"),
-        (["tipper", "handle", "legend"], "b"),
-        (["gripper", "tool_frame"], "tool_frame"),
-    ],
-)
-def test_the_tool_is_known_by_what_it_is_called(tmp_path: Path, links: list[str], expected: str) -> None:
-    more = "".join(
-        f'<link name="{link}"/><joint name="to-{link}" type="fixed"><parent link="b"/><child link="{link}"/></joint>'
-        for link in links
-    )
-    text = f'<robot name="three">{chain_of(["base", "a", "b"])}{more}</robot>'
-    (path := tmp_path / "three.urdf").write_text(text, "utf-8")
-    assert from_urdf(path).tool_link == expected
-
-
-def test_the_tool_may_be_beside_the_fingers(tmp_path: Path) -> None:
-    """Where the fingers hang on another link that is fixed to the same one as the tool."""
-    fixed = '<joint name="to-{0}" type="fixed"><parent link="a"/><child link="{0}"/></joint>'
-    fingers = chain_of(["fork", "left"]) + chain_of(["fork", "right"]).replace('<link name="fork"/>', "")
-    more = '<link name="tool0"/>' + fixed.format("tool0") + fixed.format("fork") + fingers
-    (path := tmp_path / "fork.urdf").write_text(f'<robot name="r">{chain_of(["base", "a"])}{more}</robot>', "utf-8")
-    assert from_urdf(path).tool_link == "tool0"
-
-
-def test_a_jaw_beyond_the_tool_is_no_joint_of_the_arm(tmp_path: Path) -> None:
-    arm = chain_of(["base", "a", "tool0"])
-    jaw = chain_of(["tool0", "jaw"]).replace("revolute", "prismatic").replace('<link name="tool0"/>', "")
-    (path := tmp_path / "jaw.urdf").write_text(f'<robot name="r">{arm}{jaw}</robot>', "utf-8")
-    assert from_urdf(path).tool_link == "tool0"
 
 
 @pytest.mark.parametrize("height", [0.0, 0.3])

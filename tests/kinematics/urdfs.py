@@ -5,6 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 from pathlib import Path
 
+from helicoide.kinematics.robot import Robot
+
 GOOD = """<?xml version="1.0"?>
 <robot name="arm">
   <link name="base"/><link name="upper"/><link name="lower"/><link name="tool"/>
@@ -74,3 +76,11 @@ def write(folder: Path, old: str = "", new: str = "") -> Path:
     path = folder / "arm.urdf"
     path.write_text(GOOD.replace(old, new, 1) if old else GOOD, "utf-8")
     return path
+
+
+def said(robot: Robot) -> str:
+    """The remarks of a robot, in one line; fails where one is not in two languages, or not a single line."""
+    for text in robot.remarks:
+        assert text.en != text.pt_BR
+        assert len(text.en.splitlines()) == len(text.pt_BR.splitlines()) == 1
+    return " ".join(text.en for text in robot.remarks)

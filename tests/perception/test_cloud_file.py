@@ -153,7 +153,7 @@ def test_a_file_is_read_from_its_path(tmp_path: Path) -> None:
     path = tmp_path / "cloud.pcd"
     path.write_bytes(pcd(SOME, "binary"))
     np.testing.assert_array_equal(cloud_file.load(path, "mm").points, SOME * 1e-3)
-    with pytest.raises(HelicoideError, match=r"none\.pcd cannot be read: there is no file of that name"):
+    with pytest.raises(HelicoideError, match=r"none\.pcd cannot be read: there is no such file"):
         cloud_file.load(tmp_path / "none.pcd")
     with pytest.raises(HelicoideError, match="Valid are"):
         cloud_file.load(tmp_path)

@@ -233,12 +233,12 @@ def test_the_unit_that_is_chosen_counts(unit: Unit) -> None:
     ceiling("c.xyz", points(1 / METRES[unit], " ").encode(), unit)
 
 
-@pytest.mark.parametrize("unit", ["m", "cm", "mm"])
+@pytest.mark.parametrize("unit", ["m", "cm", "mm", "in", "ft"])
 @pytest.mark.parametrize(
     "names", ["x [{u}],y [{u}],z [{u}]", "X({u}),Y({u}),Z({u})", "x_{u},y_{u},z_{u}", "x,y,z\n{u},{u},{u}"]
 )
-def test_the_unit_in_the_names_counts(unit: Unit, names: str) -> None:
-    text = f"{names.format(u=unit)}\n{points(1 / METRES[unit])}".encode()
+def test_the_unit_in_the_names_counts(unit: str, names: str) -> None:
+    text = f"{names.format(u=unit)}\n{points(1 / METRES['inch' if unit == 'in' else unit])}".encode()
     ceiling("c.csv", text)
     assert "as the file says" in cloud_file.read("c.csv", text).notes[0].en
 
@@ -247,17 +247,20 @@ def test_millimetres_are_known_by_how_they_look_also_beyond_a_thousand() -> None
     far = points(1000).encode(), rows(1000 * X + 1500, 1000 * Y, 1000 * Z).encode()
     for text in far:
         ceiling("c.csv", text)
-        assert cloud_file.read("c.csv", text).notes[0].pt_BR.startswith("Em milímetros, ao que parece: x de ")
+        assert cloud_file.read("c.csv", text).notes[0].pt_BR.startswith("Em milímetros, ao que parece (se não, escolha")
 
 
 def test_the_unit_and_the_extent_are_said_with_the_plane() -> None:
     cloud = cloud_file.read("c.xyz", f"{PLAIN}0.1 zero 0.2\nnan nan nan\n".encode())
     seen, pane = found_in(cloud, READINGS[0], INSIDE)
     assert pane is not None
-    assert "In metres, as it looks: x 0.20 to 0.90, y -0.30 to 0.30, z 0.70 to 0.70 m." in seen.words.en
+    assert (
+        "In metres, as it looks (if not so, choose the unit): x 0.20 to 0.90, y -0.30 to 0.30, z 0.70 to 0.70 m."
+        in seen.words.en
+    )
     assert "Rows passed over: 1 of 402; line 401, column 2 holds “zero”; valid is a number" in seen.words.en
     assert seen.words.en.endswith("Left out for want of coordinates within 1000 m: 1.")
-    assert "Em metros, ao que parece: x de 0.20 a 0.90" in seen.words.pt_BR
+    assert "Em metros, ao que parece (se não, escolha a unidade): x de 0.20 a 0.90" in seen.words.pt_BR
     none, pane = found_in(cloud, READINGS[1], INSIDE)
     assert pane is None
     assert "In metres, as it looks" in none.words.en

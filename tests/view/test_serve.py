@@ -207,10 +207,19 @@ def test_a_taken_port_is_an_error_and_not_another_port(port: int, site: Path) ->
         assert "--port" in sentence
 
 
-@pytest.mark.parametrize(("host", "port"), [("127.0.0.1", 70000), ("127.0.0.1", -1), ("no.such.name.invalid", 0)])
+@pytest.mark.parametrize(
+    ("host", "port"),
+    [("127.0.0.1", 70000), ("127.0.0.1", -1), ("no.such.name.invalid", 0), ("203.0.113.1", 0), ("a" * 300, 0)],
+)
 def test_an_impossible_address_is_an_error(site: Path, host: str, port: int) -> None:
-    with pytest.raises(HelicoideError, match=f"port {port}"):
+    with pytest.raises(HelicoideError, match=f"port {port}") as refused:
         serve(host, port, site, {})
+    assert "porta" in refused.value.text.pt_BR
+
+
+def test_an_address_in_brackets_that_is_none_is_no_origin(site: Path) -> None:
+    with pytest.raises(HelicoideError, match=r"http://\[lab is no origin"):
+        serve("127.0.0.1", 0, site, {}, ["http://[lab"])
 
 
 def test_the_port_is_ours_whatever_visers_environment_says(

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import trimesh
 import yourdfpy
+from PIL import Image
 from tests.kinematics.urdfs import chain_of, write
 from viser._messages import Message, SetOrientationMessage, SetPositionMessage
 
@@ -19,8 +20,14 @@ from helicoide.geometry import rotation
 from helicoide.kinematics import urdf_file
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
+from helicoide.kinematics.robot import Robot
+from helicoide.seat import Seat
+from helicoide.state import initial
+from helicoide.text import Language
 from helicoide.view import shapes
 from helicoide.view.layers.arm import Placed
+from helicoide.view.panels import robot as panel
+from helicoide.view.rows import View, Words
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
@@ -51,9 +58,19 @@ def node(said: Said, name: str) -> SimpleNamespace:
     )
 
 
-@pytest.mark.parametrize("name", ARMS)
-def test_every_mesh_stands_where_the_urdf_has_its_link(name: str) -> None:
-    robot = load(name)
+def led_from_beside(folder: Path) -> Robot:
+    """An arm whose second joint follows one beside it, with boxes on its links."""
+    text = chain_of(["base", "a", "b"]) + chain_of(["base", "x"]).replace('<link name="base"/>', "")
+    for link in "ab":
+        text = text.replace(f'<link name="{link}"/>', f'<link name="{link}">{visual(BOX)}</link>')
+    text = text.replace('<child link="b"/>', '<child link="b"/><mimic joint="base-x" multiplier="2" offset="0.1"/>')
+    (path := folder / "led.urdf").write_text(f'<robot name="led">{text}</robot>', "utf-8")
+    return load(str(path), "b")
+
+
+@pytest.mark.parametrize("name", [*ARMS, "led"])
+def test_every_mesh_stands_where_the_urdf_has_its_link(name: str, tmp_path: Path) -> None:
+    robot = led_from_beside(tmp_path) if name == "led" else load(name)
     found = shapes.load(robot)
     said = Said()
     frames = [node(said, shape.name) for shape in found]
@@ -117,6 +134,18 @@ def test_the_solids_of_one_link_are_all_drawn(tmp_path: Path, name: str) -> None
         np.testing.assert_allclose([mesh.bounds for mesh in together], [mesh.bounds for mesh in alone], atol=1e-6)
 
 
+@pytest.mark.parametrize(("mode", "written"), [("RGB", b"image/jpeg"), ("RGBA", b"image/png")])
+def test_opaque_textures_are_written_as_jpeg(tmp_path: Path, mode: str, written: bytes) -> None:
+    """To write them as PNG takes so long that arms with many take more than ten seconds."""
+    box, texture = trimesh.creation.box(extents=(100, 100, 100)), Image.new(mode, (8, 8), "red")
+    box.visual = trimesh.visual.TextureVisuals(box.vertices[:, :2] / 100, image=texture)
+    box.export(tmp_path / "plate.glb")
+    (shape,) = drawn(tmp_path, visual(MESH.replace("stl", "glb")))
+    assert written in shape.glb
+    assert shape.glb.count(b"image/") == 1
+    assert len(shape.edges) == 12
+
+
 def test_a_box_shows_flat_faces_with_twelve_edges(tmp_path: Path) -> None:
     (shape,) = drawn(tmp_path, visual(BOX))
     normals = np.abs(meshes(shape)[0].vertex_normals)
@@ -130,6 +159,17 @@ def test_a_box_shows_flat_faces_with_twelve_edges(tmp_path: Path) -> None:
 def test_a_solid_without_a_size_is_not_drawn(tmp_path: Path, nothing: str) -> None:
     assert [shape.name for shape in drawn(tmp_path, visual(nothing))] == ["base", "upper"]  # as lines
     assert len(meshes(*drawn(tmp_path, visual(nothing), visual(BOX)))) == 1
+
+
+SAID: dict[Language, str] = {"en": "there is no mesh plate.stl", "pt_BR": "não há malha plate.stl"}
+
+
+def test_what_is_not_drawn_is_said_in_the_panel_of_the_robot(tmp_path: Path) -> None:
+    robot = load(str(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{visual(MESH)}</link>')), "tool")
+    words = next(row for row in panel.rows(robot) if isinstance(row, Words))
+    for language, said in SAID.items():
+        assert said in words.html(View(initial(robot), Seat("", language)))
+    assert words.html(View(initial(load("movemaster")), Seat("", "en"))) == ""
 
 
 @pytest.mark.parametrize("origin", ["", TURNED])

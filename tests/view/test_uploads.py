@@ -134,6 +134,7 @@ def test_a_file_arrives_whole_and_is_let_go(desk: Desk, page: Sender, size: int)
     page.file("one", content)
     assert eventually(lambda: desk.taken == [content])
     assert eventually(lambda: desk.holds_nothing)
+    assert eventually(lambda: page.is_free("one"))
     assert desk.refused == []
     assert takes_another(desk, page)
 

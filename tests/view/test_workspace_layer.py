@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 from functools import cache
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.kinematics.urdfs import chain_of
 
 from helicoide.kinematics import workspace
 from helicoide.kinematics.cells import Cells
@@ -17,11 +19,11 @@ from helicoide.kinematics.library import load
 from helicoide.kinematics.workspace import Kind, Map
 from helicoide.seat import Seat
 from helicoide.state import Workspace, initial, points_on
-from helicoide.text import LANGUAGES
+from helicoide.text import LANGUAGES, Language
 from helicoide.view import shapes
 from helicoide.view.layers import Stage
 from helicoide.view.layers import workspace as layer
-from helicoide.view.mapping import ANCHORS, colours, measure, scale, scale_of, values, workspace_rows
+from helicoide.view.mapping import ANCHORS, TITLES, colours, measure, scale, scale_of, values, workspace_rows
 from helicoide.view.rows import Slider, View, Words
 
 
@@ -218,6 +220,20 @@ def test_the_words_give_measure_postures_and_the_bounds_of_the_scale(kind: Kind,
     assert all(f"rgb({r} {g} {b})" in html for r, g, b in ANCHORS.astype(int))
     there = values(found, np.argwhere(found.reached.reshape(found.cells.shape)))
     assert (said.least, said.greatest) == (there.min(), there.max())
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("kind", workspace.KINDS)
+def test_of_a_tool_that_only_turns_no_volume_is_told(tmp_path: Path, language: Language, kind: Kind) -> None:
+    text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', 'xyz="0 0 0.3"')
+    (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
+    robot = load(str(path))
+    plan = workspace.planned(robot, kind, 1000)
+    found = workspace.gathered(plan, workspace.parts(plan), lambda share: None)
+    view = View(replace(initial(robot), workspace=Workspace(map=found)), Seat("", language))
+    html = "".join(row.html(view) for row in workspace_rows(robot).rows if isinstance(row, Words))  # type: ignore[union-attr]
+    assert workspace.stays(robot, TITLES[kind])[language] in html
+    assert measure(found) not in html
 
 
 def test_manipulability_has_a_unit_only_where_all_joints_turn() -> None:

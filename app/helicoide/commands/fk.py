@@ -14,7 +14,7 @@ from helicoide.commands import described_ends, ends, language, remark
 from helicoide.export import stage_table
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.chain import Array, Joint
+from helicoide.kinematics.chain import Array, Variable
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -57,7 +57,7 @@ def described(T_world_tool: Array, robot: Robot) -> dict[str, object]:
     }
 
 
-def outside(robot: Robot, q: Array) -> list[tuple[Joint, float]]:
+def outside(robot: Robot, q: Array) -> list[tuple[Variable, float]]:
     """The joints whose values, q (n,), rad or m, are outside their limits, with these values."""
     pairs = zip(robot.variables, map(float, q), strict=True)
     return [(joint, x) for joint, x in pairs if not joint.lower - ROUNDING <= x <= joint.upper + ROUNDING]
@@ -169,7 +169,7 @@ def _motors(found: list[Motor] | Text) -> list[dict[str, Any]]:
     ]
 
 
-def _warning(joint: Joint, value: float, deg: bool) -> Text:
+def _warning(joint: Variable, value: float, deg: bool) -> Text:
     scale, unit = (1.0, " m") if joint.slides else (180 / np.pi, "°") if deg else (1.0, " rad")
     given, lower, upper = (f"{scale * x:.6g}{unit}" for x in (value, joint.lower, joint.upper))
     return OUTSIDE.format(joint=joint.name, value=given, lower=lower, upper=upper)

@@ -10,7 +10,7 @@ import tyro
 
 from helicoide import content
 from helicoide.commands import described_ends, ends, language, remark
-from helicoide.kinematics.chain import Joint
+from helicoide.kinematics.chain import Variable
 from helicoide.kinematics.forward import disagreement
 from helicoide.kinematics.library import load, packaged
 from helicoide.kinematics.robot import Robot
@@ -106,7 +106,7 @@ def _lines(robot: Robot, spoken: Language) -> list[str]:
     ]
 
 
-def _limits(joint: Joint) -> str:
+def _limits(joint: Variable) -> str:
     scale, unit = (1000.0, " mm") if joint.slides else (180 / np.pi, "°")
     ours = OURS_HERE[language()] if joint.ours else ""
     return f"{joint.name} {scale * joint.lower:.0f}…{scale * joint.upper:.0f}{unit}{ours}"

@@ -14,7 +14,6 @@ from helicoide import kernels
 from helicoide.commands import language, remark
 from helicoide.jobs.apart import end_all
 from helicoide.kinematics.library import load, welcome
-from helicoide.kinematics.urdf_file import not_drawn
 from helicoide.lesson import load as read_lesson
 from helicoide.session.lab import Lab
 
@@ -48,7 +47,6 @@ def run(
     """
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
     arm = load(robot or default, tip, set, base)
-    remark(arm, lang)
     welcome(arm)
     lab = Lab(arm, lang, lesson)
     if kernels.CACHE_NOTE is not None:
@@ -57,8 +55,7 @@ def run(
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
-    if (text := not_drawn(arm.urdf, arm.parameters)) is not None:
-        print(f"{arm.name}: {text[lang or language()]}", file=sys.stderr)
+    remark(arm, lang)
     while not stopped.wait(LOOK):  # without an end to it, Windows would not tell of Ctrl+C
         pass
     _end(lab)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json as json_format
+import logging
 import os
 import sys
 import time
@@ -20,12 +21,17 @@ from helicoide import studies
 from helicoide.commands import NOT_REACHED, language
 from helicoide.export.study_report import DIFFERS, FAILED, Record, by_source, chosen, counted, differences, page
 from helicoide.export.study_table import HEADINGS, cells, in_order
+from helicoide.files.system import why
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
 from helicoide.jobs.several import Outcome, Progress, in_processes, timed
 from helicoide.studies.study import Chart, Figure, Motion, Result, Row, Statement
 from helicoide.text import HelicoideError, Language, Text, same
 
+log = logging.getLogger("helicoide")
+
 WORDS = {"true": True, "yes": True, "sim": True, "false": False, "no": False, "não": False}
+CRASHED = Text(en="the program failed; the terminal shows where", pt_BR="o programa falhou; o terminal mostra onde")
+UNWRITTEN = Text(en="{report} cannot be written: {why}.", pt_BR="Não dá para gravar {report}: {why}.")
 
 
 @dataclass(frozen=True)
@@ -215,8 +221,8 @@ def _refuse(report: Path) -> None:
 def _write(report: Path, text: str) -> None:
     try:
         report.write_text(text, "utf-8")
-    except OSError:
-        _refuse(report)
+    except OSError as error:
+        raise HelicoideError(UNWRITTEN.format(report=report, why=why(error))) from error
 
 
 def _work(asked: Asked, progress: Progress) -> Result:
@@ -235,7 +241,9 @@ def _run(asked: tuple[Asked, ...], workers: int) -> list[Record]:
 def _record(asked: Asked, outcome: Outcome[Result]) -> Record:
     error, failure = outcome.failure, None
     if error is not None:
-        failure = error.text if isinstance(error, HelicoideError) else same(f"{type(error).__name__}: {error}")
+        failure = error.text if isinstance(error, HelicoideError) else CRASHED
+    if failure is CRASHED:
+        log.error("the study %s stopped", asked.name, exc_info=error)
     study = studies.named(asked.name)
     return Record(asked.name, study, asked.options, asked.short, outcome.value, failure, outcome.seconds)
 

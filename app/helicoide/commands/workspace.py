@@ -16,7 +16,7 @@ from helicoide.jobs import chunks
 from helicoide.jobs.chunks import Backend
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Kind, Map, planned
+from helicoide.kinematics.workspace import Kind, Map, planned, stays
 from helicoide.text import HelicoideError, Language, Text
 
 WIDTH = 40
@@ -33,12 +33,6 @@ DEXTEROUS = Text(
 MANIPULABILITY = Text(
     en="   at best w = {value:.4g}, at {position} m; mean {mean:.4g}",
     pt_BR="   no melhor lugar, w = {value:.4g}, em {position} m; média {mean:.4g}",
-)
-
-
-STAYS = Text(
-    en="{robot}: the tool stays at {position} m whatever the joints do; only its orientation changes",
-    pt_BR="{robot}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
 )
 
 
@@ -122,7 +116,7 @@ def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
     if found.kind == "manipulability":
         lines.append(MANIPULABILITY.format(value=value, position=position, mean=mean))
     if robot.turns_only:
-        lines[:2] = [STAYS.format(robot=robot.name, position=position)]
+        lines[:2] = [stays(robot, robot.name)]
     return [line[spoken] for line in [lines[0], ends(robot), *lines[1:]]]
 
 

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from collections.abc import Sequence
-from pathlib import Path
 
 import msgspec
 import numpy as np
@@ -14,7 +12,7 @@ import numpy as np
 from helicoide.confinement.given import FARTHEST
 from helicoide.confinement.planes import Planes
 from helicoide.files import toml
-from helicoide.files.written import text as text_of
+from helicoide.files.written import decoded as text_of
 from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
 
@@ -27,10 +25,10 @@ _HEAD = """\
 # its pane is shown, in metres, in the frame of the arm's base.
 """
 _VALID = Text(
-    en="{path} is not a file of planes: {reason}. Valid is TOML with 1 to {most} tables [[planes]], each with a name "
+    en="{name} is not a file of planes: {reason}. Valid is TOML with 1 to {most} tables [[planes]], each with a name "
     'of its own, a normal that is not zero and a point within {far:g} m: name = "+z", normal = [0, 0, -1], '
     "centre_m = [0.5, 0, 0.6].",
-    pt_BR="{path} não é um arquivo de planos: {reason}. Vale TOML com 1 a {most} tabelas [[planes]], cada uma com nome "
+    pt_BR="{name} não é um arquivo de planos: {reason}. Vale TOML com 1 a {most} tabelas [[planes]], cada uma com nome "
     'próprio, normal diferente de zero e um ponto a até {far:g} m: name = "+z", normal = [0, 0, -1], '
     "centre_m = [0.5, 0, 0.6].",
 )
@@ -51,7 +49,7 @@ class PlanesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 def written(names: Sequence[str], planes: Planes) -> str:
-    """The text of the file; `parsed` gives the same names and the very same numbers back."""
+    """The text of the file; `decoded` gives the same names and the very same numbers back."""
     entries = [
         f"\n[[planes]]\nname = {_quoted(name)}\nnormal = {normal.tolist()}\ncentre_m = {centre.tolist()}\n"
         for name, normal, centre in zip(names, planes.normals, planes.centres, strict=True)
@@ -59,56 +57,33 @@ def written(names: Sequence[str], planes: Planes) -> str:
     return "".join([_HEAD, *entries])
 
 
-def parsed(text: str, path: str) -> tuple[tuple[str, ...], Planes]:
-    """The names and planes of a text called `path`; raises HelicoideError: what is wrong with it, and what is valid."""
+def decoded(content: bytes, name: str) -> tuple[tuple[str, ...], Planes]:
+    """The names and planes of a file of that name; raises HelicoideError: what is wrong with it, and what is valid."""
     try:
-        file = toml.struct(toml.table(text), PlanesFile)
+        file = toml.struct(toml.table(text_of(content, MOST_BYTES)), PlanesFile)
+        _check(file)
     except HelicoideError as error:
-        raise _refusal(path, error.text) from error
+        raise HelicoideError(_VALID.format(name=name, reason=error.text, most=MOST, far=FARTHEST)) from error
     names = tuple(entry.name for entry in file.planes)
-    _check(file, path)
     normals = np.array([_unit(entry.normal) for entry in file.planes])
     return names, Planes(frozen(normals), frozen([entry.centre_m for entry in file.planes]))
 
 
-def save(path: Path, names: Sequence[str], planes: Planes) -> None:
-    """Write the file as a whole, so that a crash leaves the old one; raises HelicoideError where that is impossible."""
-    part = path.with_name(path.name + ".part")
-    try:
-        part.write_text(written(names, planes), encoding="utf-8")
-        os.replace(part, path)
-    except OSError as error:
-        raise HelicoideError(
-            Text(en="{path} cannot be written: {error}.", pt_BR="Não dá para gravar {path}: {error}.").format(
-                path=path, error=error.strerror
-            )
-        ) from error
-
-
-def load(path: Path) -> tuple[tuple[str, ...], Planes]:
-    """The names and planes of a file. Raises HelicoideError: what is wrong with it, and what is valid."""
-    try:
-        text = text_of(path, MOST_BYTES)
-    except HelicoideError as error:
-        raise _refusal(str(path), error.text) from error
-    return parsed(text, str(path))
-
-
-def _check(file: PlanesFile, path: str) -> None:
+def _check(file: PlanesFile) -> None:
     """What types alone cannot say."""
     names = [entry.name for entry in file.planes]
     if not 1 <= len(names) <= MOST:
-        raise _refusal(path, Text(en="it has {n} planes", pt_BR="tem {n} planos").format(n=len(names)))
+        raise HelicoideError(Text(en="it has {n} planes", pt_BR="tem {n} planos").format(n=len(names)))
     if doubled := [name for name in names if names.count(name) > 1]:
-        raise _refusal(path, Text(en="two are named {name!r}", pt_BR="dois se chamam {name!r}").format(name=doubled[0]))
+        raise HelicoideError(Text(en="two are named {name!r}", pt_BR="dois se chamam {name!r}").format(name=doubled[0]))
     for entry in file.planes:
         numbers = (*entry.normal, *entry.centre_m)
         if not all(math.isfinite(value) for value in numbers) or max(map(abs, entry.centre_m)) > FARTHEST:
             reason = Text(en="plane {name!r} is nowhere", pt_BR="o plano {name!r} não fica em lugar nenhum")
-            raise _refusal(path, reason.format(name=entry.name))
+            raise HelicoideError(reason.format(name=entry.name))
         if not any(entry.normal):
             reason = Text(en="the normal of {name!r} is zero", pt_BR="a normal de {name!r} é zero")
-            raise _refusal(path, reason.format(name=entry.name))
+            raise HelicoideError(reason.format(name=entry.name))
 
 
 def _unit(normal: tuple[float, float, float]) -> tuple[float, ...]:
@@ -123,7 +98,3 @@ def _unit(normal: tuple[float, float, float]) -> tuple[float, ...]:
 def _quoted(name: str) -> str:
     """A TOML string: that of JSON, where DEL is escaped too."""
     return json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")
-
-
-def _refusal(path: str, reason: Text) -> HelicoideError:
-    return HelicoideError(_VALID.format(path=path, reason=reason, most=MOST, far=FARTHEST))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from helicoide.files.system import why
 from helicoide.text import HelicoideError, Text
 
 MISSING = Text(en="there is no such file", pt_BR="esse arquivo não existe")
 A_FOLDER = Text(en="it is a folder: name a file in it", pt_BR="é uma pasta: indique um arquivo dela")
-CLOSED = Text(en="it cannot be read", pt_BR="não dá para lê-lo")
 
 
 def text(path: Path, most: int) -> str:
@@ -23,8 +23,8 @@ def raw(path: Path, most: int) -> bytes:
             raise HelicoideError(A_FOLDER if path.is_dir() else MISSING)
         with path.open("rb") as file:
             return file.read(most + 1)
-    except (OSError, ValueError) as error:  # the second for a name with a zero byte
-        raise HelicoideError(CLOSED) from error
+    except OSError as error:
+        raise HelicoideError(why(error)) from error
 
 
 def decoded(content: bytes, most: int) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.confinement import Plane, Planes, box, from_coefficients, pane_on, stopped_at_arm, through_points
-from helicoide.confinement.plane_file import parsed
+from helicoide.confinement.plane_file import decoded
 from helicoide.gate.check import driven, finite
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.robot import Pane
@@ -89,13 +89,7 @@ def take_planes_of(content: bytes, name: str) -> Update:
     """The planes of a file of that name; what is wrong with it is said."""
 
     def wish(state: State) -> State:
-        try:
-            names, planes = parsed(content.decode("utf-8"), name)
-        except UnicodeDecodeError as error:
-            raise HelicoideError(
-                Text(en="{name} is not a text file.", pt_BR="{name} não é um arquivo de texto.").format(name=name)
-            ) from error
-        return take_planes(names, planes)(state)
+        return take_planes(*decoded(content, name))(state)
 
     return driven(wish)
 

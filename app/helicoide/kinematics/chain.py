@@ -41,23 +41,19 @@ class Mimic:
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
-    """A moving joint: its axis at q = 0 in the base frame; limits in rad and rad/s, m and m/s where it slides.
+class Variable:
+    """One of the joint variables q: where a joint stands; limits in rad and rad/s, m and m/s where it slides.
 
-    mimic: what it follows instead of a variable of its own; acceleration: rad/s² or m/s², infinite where none is given;
-    ours: whether the file that it comes from bounds it nowhere, so that its range says nothing of how large the arm is.
+    acceleration: rad/s² or m/s², infinite where none is given; ours: whether the file that it comes from bounds it
+    nowhere, so that its range says nothing of how large the arm is.
     """
 
     name: str
     title: Text
-    link: str
     kind: Kind
-    direction: Array
-    point: Array
     lower: float
     upper: float
     speed: float
-    mimic: Mimic | None = None
     acceleration: float = math.inf
     ours: bool = False
 
@@ -65,6 +61,19 @@ class Joint:
     def slides(self) -> bool:
         """Whether the joint is prismatic."""
         return self.kind == "prismatic"
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Joint(Variable):
+    """A moving joint of an arm: its axis when all joints stand at zero, base frame, and the link that it moves.
+
+    mimic: what it follows instead of a variable of its own.
+    """
+
+    link: str
+    direction: Array
+    point: Array
+    mimic: Mimic | None = None
 
 
 def chain_of(joints: Sequence[Joint]) -> Chain:

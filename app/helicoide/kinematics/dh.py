@@ -12,27 +12,32 @@ from helicoide.kinematics.chain import Array, Joint, frozen
 
 Convention = Literal["standard", "modified"]
 
-# Axes that meet at a smaller sine s count as parallel. Their common normal lies some 1/s away, so that rounding costs
-# 1e-15/s m; what taking them for parallel costs, 5 s m, is less below this.
-PARALLEL = 1.5e-8
+# The common normal of axes that meet at a small sine s lies some 1/s away, so that rounding costs 1e-15/s m: below this
+# their row has a fifth number.
+NEARLY_PARALLEL = 1e-4
 COINCIDENT = 1e-12
 
 
 @dataclass(frozen=True)
 class DhRow:
-    """A Denavit-Hartenberg row in rad and m; the joint's variable is added to theta, or to d where it slides."""
+    """A Denavit-Hartenberg row in rad and m; the joint's variable is added to theta, or to d where it slides.
+
+    beta: by how much the next axis, if it is nearly parallel, leans to x; 0 elsewhere. Source: Hayati 1983.
+    """
 
     theta: float
     d: float
     a: float
     alpha: float
+    beta: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
 class DhTable:
     """The rows of an arm from the constant T_world_dh (4, 4) to the last DH frame, and the tool in that, T_dh_tool.
 
-    standard: Aᵢ = Rz(θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ); modified (Craig): Aᵢ = Rx(αᵢ₋₁) Tx(aᵢ₋₁) Rz(θᵢ) Tz(dᵢ).
+    standard: Aᵢ = Rz(θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ); modified (Craig): Aᵢ = Rx(αᵢ₋₁) Tx(aᵢ₋₁) Rz(θᵢ) Tz(dᵢ). Where axes are
+    nearly parallel Ry(β) follows Rx(α).
     """
 
     convention: Convention
@@ -46,20 +51,20 @@ def _about_z(theta: float, d: float) -> Array:
     return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
 
 
-def _about_x(alpha: float, a: float) -> Array:
-    c, s = np.cos(alpha), np.sin(alpha)
-    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+def _about_x_and_y(a: float, alpha: float, beta: float) -> Array:
+    c, s, cb, sb = np.cos(alpha), np.sin(alpha), np.cos(beta), np.sin(beta)
+    return np.array([[cb, 0, sb, a], [s * sb, c, -s * cb, 0], [-c * sb, s, c * cb, 0], [0, 0, 0, 1]])
 
 
 def transform(convention: Convention, row: DhRow, joint: Joint, value: float) -> Array:
     """Pose of a DH frame in the one before it, with the joint at a value.
 
-    A = Rz(θ) Tz(d) Tx(a) Rx(α) in the standard convention, Rx(α) Tx(a) Rz(θ) Tz(d) in the modified one.
+    A = Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β) in the standard convention, Tx(a) Rx(α) Ry(β) Rz(θ) Tz(d) in the modified one.
     Args: value: rad, or m where the joint slides. Returns (4, 4), m.
-    Source: Cerbaro 2022, eq. 57 (standard); Campos 1998, s.40 and Craig (modified).
+    Source: Cerbaro 2022, eq. 57 (standard); Campos 1998, s.40 and Craig (modified); Hayati 1983 (β).
     """
     theta, d = (row.theta, row.d + value) if joint.slides else (row.theta + value, row.d)
-    z, x = _about_z(theta, d), _about_x(row.alpha, row.a)
+    z, x = _about_z(theta, d), _about_x_and_y(row.a, row.alpha, row.beta)
     return z @ x if convention == "standard" else x @ z
 
 
@@ -78,8 +83,9 @@ def recovered(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
     """Standard rows of a chain that is given by its screw axes.
 
     zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. Where they
-    are parallel the normal through the last origin is taken, xᵢ₋₁ where they coincide; the last frame stays in place.
-    Args: joints, base first; T_world_tool_0 (4, 4), m, at q = 0. Source: Denavit and Hartenberg 1955.
+    are parallel or nearly so, origin i is where axis i + 1 meets the plane across axis i through origin i − 1, and xᵢ
+    lies, but for β, along the way there, or along xᵢ₋₁ where there is none. The last frame stays in place.
+    Args: joints, base first; T_world_tool_0 (4, 4), m, at q = 0. Source: Denavit and Hartenberg 1955; Hayati 1983.
     """
     first = joints[0]
     frame = _frame(_across(np.eye(3)[0], first.direction), first.direction, first.point)
@@ -107,28 +113,49 @@ def _across(wished: Array, z: Array) -> Array:
 def _row(frame: Array, after: Joint) -> tuple[DhRow, Array]:
     """The row from a frame, whose z lies along its joint's axis, to the frame on the axis of the joint after."""
     x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
-    foot, normal, end = _common_normal(x, z, origin, after)
-    return (
-        DhRow(
-            theta=float(np.arctan2(np.cross(x, normal) @ z, x @ normal)),
-            d=float((foot - origin) @ z),
-            a=float((end - foot) @ normal),
-            alpha=float(np.arctan2(np.cross(z, after.direction) @ normal, z @ after.direction)),
-        ),
-        _frame(normal, after.direction, end),
-    )
-
-
-def _common_normal(x: Array, z: Array, origin: Array, after: Joint) -> tuple[Array, Array, Array]:
-    """Foot of the common normal on the axis z through origin, its unit direction, its end on the axis after."""
-    across, between = np.cross(z, after.direction), after.point - origin
+    across = np.cross(z, after.direction)
     sine = float(np.linalg.norm(across))
-    if sine < PARALLEL:
-        normal = between - (between @ z) * z
-        length = float(np.linalg.norm(normal))
-        return origin, x if length < COINCIDENT else _across(normal / length, z), origin + normal
-    along = np.cross(between, after.direction) @ across / sine**2
-    after_along = np.cross(between, z) @ across / sine**2
+    if sine < NEARLY_PARALLEL:
+        return _nearly_parallel(frame, after)
+    foot, normal, end = _common_normal(z, origin, across / sine, sine, after)
+    row = DhRow(
+        theta=_angle(x, normal, z),
+        d=float((foot - origin) @ z),
+        a=float((end - foot) @ normal),
+        alpha=_angle(z, after.direction, normal),
+    )
+    return row, _frame(normal, after.direction, end)
+
+
+def _angle(start: Array, end: Array, axis: Array) -> float:
+    """From one unit vector to another about an axis across both, rad."""
+    return float(np.arctan2(np.cross(start, end) @ axis, start @ end))
+
+
+def _nearly_parallel(frame: Array, after: Joint) -> tuple[DhRow, Array]:
+    """The row with β, and d = 0: z of the frame after is (sin β, −sin α cos β, cos α cos β) in the one of x and z."""
+    x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
+    end = after.point + (origin - after.point) @ z / (after.direction @ z) * after.direction
+    length = float(np.linalg.norm(end - origin))
+    normal = x if length < COINCIDENT else _across((end - origin) / length, z)
+    leans, turns, along = after.direction @ np.column_stack([normal, np.cross(z, normal), z])
+    row = DhRow(
+        theta=_angle(x, normal, z),
+        d=0.0,
+        a=float((end - origin) @ normal),
+        alpha=float(np.arctan2(-turns, along)),
+        beta=float(np.arctan2(leans, np.hypot(turns, along))),
+    )
+    return row, _frame(_across(normal, after.direction), after.direction, end)
+
+
+def _common_normal(z: Array, origin: Array, normal: Array, sine: float, after: Joint) -> tuple[Array, Array, Array]:
+    """Foot of the common normal on the axis z through origin, its unit direction, its end on the axis after.
+
+    Args: normal (3,): z × the direction of that axis, over its length, which is the sine.
+    """
+    between = after.point - origin
+    along = np.cross(between, after.direction) @ normal / sine
+    after_along = np.cross(between, z) @ normal / sine
     foot, end = origin + along * z, after.point + after_along * after.direction
-    normal = across / sine
     return foot, -normal if (end - foot) @ normal < 0 else normal, end

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helicoide.kinematics.actuators import Actuators
-from helicoide.kinematics.chain import Array, Chain, Joint, chain_of, frozen
+from helicoide.kinematics.chain import Array, Chain, Joint, Variable, chain_of, frozen, spread
 from helicoide.kinematics.dh import DhTable
-from helicoide.kinematics.urdf_file import read, root_of
+from helicoide.kinematics.urdf_file import not_drawn, read, root_of
 from helicoide.text import HelicoideError, Text
 
 # Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
@@ -98,7 +98,7 @@ class Gripper:
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """An arm: m moving joints in a chain, driven by n variables q; n = m unless a joint follows another.
+    """An arm: m moving joints in a chain, driven by n variables q; n = m unless joints follow others.
 
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
     guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
@@ -106,7 +106,8 @@ class Robot:
     parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
     is seen first, and where to, m. ours: what the source does not give: lengths, limits or speeds. capsules: what the
     file gives of its bodies; self_collision: pairs of them that must not touch, by number. base: the URDF link from
-    where the chain begins, "" for the root; remarks: what is to be said of how its file was read.
+    where the chain begins, "" for the root; leaders: the joints beside the chain that joints of it follow; remarks:
+    what is to be said of how its file was read.
     """
 
     name: str
@@ -133,12 +134,19 @@ class Robot:
     self_collision: tuple[tuple[int, int], ...] = ()
     actuators: Actuators | None = None
     base: str = ""
+    leaders: tuple[Variable, ...] = ()
     remarks: tuple[Text, ...] = ()
 
     @cached_property
-    def variables(self) -> tuple[Joint, ...]:
-        """The joints that q holds, (n,): all but those that follow another."""
-        return tuple(joint for joint in self.joints if joint.mimic is None)
+    def all_remarks(self) -> tuple[Text, ...]:
+        """The remarks, and what of the robot is not drawn, and why, for which its meshes are read."""
+        left_out = not_drawn(self.urdf, self.parameters)
+        return self.remarks if left_out is None else (*self.remarks, left_out)
+
+    @cached_property
+    def variables(self) -> tuple[Variable, ...]:
+        """The joints that q holds, (n,): all that follow no other, then the leaders beside the chain."""
+        return (*(joint for joint in self.joints if joint.mimic is None), *self.leaders)
 
     @cached_property
     def chain(self) -> Chain:
@@ -183,8 +191,9 @@ class Robot:
     @cached_property
     def turns_whole(self) -> NDArray[np.bool_]:
         """Whether the arm stands alike when a variable changes by 2π, (n,): not where one slides or is geared."""
-        whole = ~self.chain["slides"] & (self.chain["ratio"] == np.round(self.chain["ratio"]))
-        return np.array([bool(whole[self.chain["driver"] == i].all()) for i in range(len(self.variables))])
+        geared = self.chain["slides"] | (self.chain["ratio"] != np.round(self.chain["ratio"]))
+        held = set(self.chain["driver"][geared])
+        return np.array([not variable.slides and i not in held for i, variable in enumerate(self.variables)])
 
     @cached_property
     def T_link_tool(self) -> Array:
@@ -196,13 +205,23 @@ class Robot:
         """Length of the stretched chain from the first axis to the tool, with every slide that is bounded out, m."""
         ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
         ways[0] -= (ways[0] @ self.directions[0]) * self.directions[0]
-        slides = sum(_out(joint) for joint in self.variables if joint.slides and not joint.ours)
-        return float(np.linalg.norm(ways, axis=1).sum() + slides)
+        return float(np.linalg.norm(ways, axis=1).sum() + self.strokes[~self._ours].sum())
 
     @cached_property
     def extended(self) -> float:
         """How far the tool may be at most, m: `reach`, and the slides whose range is ours out as well."""
-        return self.reach + sum(_out(joint) for joint in self.variables if joint.slides and joint.ours)
+        return self.reach + float(self.strokes[self._ours].sum())
+
+    @cached_property
+    def strokes(self) -> Array:
+        """How far each joint that slides may be from zero, (m,), m; 0 where it turns."""
+        ends = np.abs([spread(self.chain, self.lower), spread(self.chain, self.upper)]).max(axis=0)
+        return frozen(np.where(self.chain["slides"], ends, 0.0))
+
+    @cached_property
+    def _ours(self) -> NDArray[np.bool_]:
+        """Whether the range of what drives each joint is ours, (m,)."""
+        return np.array([self.variables[i].ours for i in self.chain["driver"]])
 
     @cached_property
     def turns_only(self) -> bool:
@@ -238,10 +257,6 @@ class Robot:
                 )
             )
         return frozen(values)
-
-
-def _out(joint: Joint) -> float:
-    return max(abs(joint.lower), abs(joint.upper))
 
 
 def _between_guarded_points(robot: Robot) -> tuple[Capsule, ...]:

@@ -6,21 +6,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
+from typing import TypeVar
 
 import numpy as np
 import yourdfpy
 
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint, Mimic, frozen
+from helicoide.kinematics.chain import Array, Joint, Mimic, Variable, frozen
 from helicoide.kinematics.readiness import ready
 from helicoide.kinematics.robot import Frame, Robot, guarded_centres, on_link
 from helicoide.kinematics.urdf_file import read, root_of
 from helicoide.kinematics.urdf_limits import SLIDE_SPEED, SPEED, range_of, speed_of, wrong_limits
 from helicoide.kinematics.urdf_mend import MOVING
 from helicoide.kinematics.urdf_tip import default_tip
-from helicoide.kinematics.urdf_way import between, led_from_the_way
+from helicoide.kinematics.urdf_way import BESIDE, between, leaders
 from helicoide.kinematics.urdf_xml import broken
 from helicoide.text import Text, same
+
+Moved = TypeVar("Moved", bound=Variable)
 
 MOST_JOINTS = 30
 MEETING = 1e-6
@@ -50,8 +53,11 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
     else:
         link = tip
     begun, way, said = between(path, robot, base, link)
-    said += led_from_the_way(path, robot, way)
-    joints, T_world_tool_0 = _chain(path, way, link)
+    followed = leaders(path, robot, way)
+    said += [BESIDE.format(leader=name, joints=", ".join(joints)) for name, joints in followed.items()]
+    beside = [joint for name in followed for joint in robot.joints if joint.name == name]
+    joints, led_by, T_world_tool_0 = _chain(path, way, beside, link)
+    variables = [*(joint for joint in joints if joint.mimic is None), *led_by]
     guarded, guarded_points, guarded_joints = guarded_centres(joints, T_world_tool_0)
     found = Robot(
         name=path.stem,
@@ -68,32 +74,33 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
         guarded_joints=guarded_joints,
         poses=MappingProxyType({}),
         pose_titles=MappingProxyType({"ready": Text(en="ready", pt_BR="pronto")}),
-        ours=_ours(way, joints),
+        ours=_ours([*way, *beside], variables),
         base=begun,
-        remarks=(*reading.remarks, *said, *_boundless(way, joints)),
+        leaders=led_by,
+        remarks=(*reading.remarks, *said, *_boundless([*way, *beside], variables)),
     )
     if found.stretched > LARGE:
         found = replace(found, remarks=(*found.remarks, IN_MILLIMETRES.format(reach=f"{found.stretched:.0f}")))
     return replace(found, poses=MappingProxyType({"ready": ready(found)}))
 
 
-def _ours(way: Sequence[yourdfpy.Joint], joints: Sequence[Joint]) -> tuple[str, ...]:
+def _ours(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> tuple[str, ...]:
     """What of the variables is not in the file."""
-    speeds = {joint.name: speed_of(joint) for joint in way}
-    limits = any(joint.ours for joint in joints)
-    return (*["limits"] * limits, *["speeds"] * any(speeds[j.name] is None for j in joints if j.mimic is None))
+    speeds = {joint.name: speed_of(joint) for joint in given}
+    limits = any(variable.ours for variable in variables)
+    return (*["limits"] * limits, *["speeds"] * any(speeds[variable.name] is None for variable in variables))
 
 
-def _boundless(way: Sequence[yourdfpy.Joint], joints: Sequence[Joint]) -> list[Text]:
+def _boundless(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> list[Text]:
     """That ranges are ours, but for joints that turn without end, of which everybody knows it."""
-    continuous = {joint.name for joint in way if joint.type == "continuous"}
-    given = [joint for joint in joints if joint.ours and joint.name not in continuous]
-    return [NO_LIMITS.format(ranges=", ".join(map(_range, given)))] if given else []
+    continuous = {joint.name for joint in given if joint.type == "continuous"}
+    ours = [variable for variable in variables if variable.ours and variable.name not in continuous]
+    return [NO_LIMITS.format(ranges=", ".join(map(_range, ours)))] if ours else []
 
 
-def _range(joint: Joint) -> str:
-    scale, unit = (1.0, " m") if joint.slides else (180 / np.pi, "°")
-    return f"{joint.name} {scale * joint.lower:g}…{scale * joint.upper:g}{unit}"
+def _range(variable: Variable) -> str:
+    scale, unit = (1.0, " m") if variable.slides else (180 / np.pi, "°")
+    return f"{variable.name} {scale * variable.lower:g}…{scale * variable.upper:g}{unit}"
 
 
 def _frames(joints: tuple[Joint, ...], T_world_tool_0: Array) -> dict[str, Frame]:
@@ -115,9 +122,11 @@ def _meeting_point(joints: tuple[Joint, ...]) -> Array:
     return point if apart < MEETING and not any(joint.slides for joint in joints) else joints[-1].point
 
 
-def _chain(path: Path, way: Sequence[yourdfpy.Joint], tip: str) -> tuple[tuple[Joint, ...], Array]:
-    """The moving joints of the way to a link, and the pose of that link at zero, base frame."""
-    free = [joint.name for joint in way if joint.type in MOVING and joint.mimic is None]
+def _chain(
+    path: Path, way: Sequence[yourdfpy.Joint], beside: Sequence[yourdfpy.Joint], tip: str
+) -> tuple[tuple[Joint, ...], tuple[Variable, ...], Array]:
+    """The moving joints of the way to a link, the leaders beside it, and the pose of the link at zero, base frame."""
+    free = [joint.name for joint in (*way, *beside) if joint.type in MOVING and joint.mimic is None]
     if not 0 < (count := len(free)) <= MOST_JOINTS:
         raise broken(
             path,
@@ -132,43 +141,60 @@ def _chain(path: Path, way: Sequence[yourdfpy.Joint], tip: str) -> tuple[tuple[J
         T = T @ joint.origin
         if joint.type in MOVING:
             joints.append(_joint(path, joint, T, size, free))
-    return tuple(_within_limits_of_mimics(path, joints)), frozen(T)
+    led_by = [_variable(path, joint, size) for joint in beside]
+    return *_within_limits_of_mimics(path, joints, led_by), frozen(T)
+
+
+def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> Variable:
+    slides = joint.type == "prismatic"
+    lower, upper, ours = range_of(path, joint, size)
+    return Variable(
+        name=joint.name,
+        title=same(joint.name),
+        kind="prismatic" if slides else "revolute",
+        lower=lower,
+        upper=upper,
+        speed=speed_of(joint) or (SLIDE_SPEED if slides else SPEED),
+        ours=ours,
+    )
 
 
 def _joint(path: Path, joint: yourdfpy.Joint, T: Array, size: float, free: list[str]) -> Joint:
-    slides = joint.type == "prismatic"
     direction = T[:3, :3] @ np.asarray(joint.axis, dtype=float)
     if not np.linalg.norm(direction) > 0:
         raise broken(
             path, Text(en=f"the axis of joint {joint.name!r} is zero", pt_BR=f"o eixo da junta {joint.name!r} é nulo")
         )
     mimic = joint.mimic
-    lower, upper, ours = range_of(path, joint, size)
     return Joint(
-        name=joint.name,
-        title=same(joint.name),
+        **vars(_variable(path, joint, size)),
         link=joint.child,
-        kind="prismatic" if slides else "revolute",
         direction=frozen(direction / np.linalg.norm(direction)),
         point=frozen(T[:3, 3]),
-        lower=lower,
-        upper=upper,
-        speed=speed_of(joint) or (SLIDE_SPEED if slides else SPEED),
         mimic=None if mimic is None else Mimic(free.index(mimic.joint), mimic.multiplier, mimic.offset),
-        ours=ours and mimic is None,
     )
 
 
-def _within_limits_of_mimics(path: Path, joints: list[Joint]) -> list[Joint]:
-    """The joints, with the limits of each variable narrowed to what the joints that follow it allow."""
-    free = [i for i, joint in enumerate(joints) if joint.mimic is None]
-    narrowed = list(joints)
-    for joint in joints:
-        if (mimic := joint.mimic) is not None and joint.lower < joint.upper:
-            i = free[mimic.driver]
-            ends = sorted((end - mimic.shift) / mimic.ratio for end in (joint.lower, joint.upper))
-            lower, upper = max(narrowed[i].lower, ends[0]), min(narrowed[i].upper, ends[1])
-            if not lower < upper:
-                raise broken(path, wrong_limits(narrowed[i].name, lower, upper))
-            narrowed[i] = replace(narrowed[i], lower=lower, upper=upper)
-    return narrowed
+def _within_limits_of_mimics(
+    path: Path, joints: Sequence[Joint], led_by: Sequence[Variable]
+) -> tuple[tuple[Joint, ...], tuple[Variable, ...]]:
+    """The joints and the leaders beside them, each variable narrowed to what the joints that follow it allow."""
+    variables = [*(joint for joint in joints if joint.mimic is None), *led_by]
+    followers = [(joint, joint.mimic) for joint in joints if joint.mimic is not None and joint.lower < joint.upper]
+    ranges = {variable.name: (variable.lower, variable.upper) for variable in variables}
+    for joint, mimic in followers:
+        name = variables[mimic.driver].name
+        ends = sorted((end - mimic.shift) / mimic.ratio for end in (joint.lower, joint.upper))
+        ranges[name] = lower, upper = max(ranges[name][0], ends[0]), min(ranges[name][1], ends[1])
+        if not lower < upper:
+            raise broken(path, wrong_limits(name, lower, upper))
+    return (
+        tuple(joint if joint.mimic else _within(joint, *ranges[joint.name]) for joint in joints),
+        tuple(_within(leader, *ranges[leader.name]) for leader in led_by),
+    )
+
+
+def _within(variable: Moved, lower: float, upper: float) -> Moved:
+    """A variable with a narrower range, which is ours no more where both ends are of joints that follow it."""
+    ours = variable.ours and (lower == variable.lower or upper == variable.upper)
+    return replace(variable, lower=lower, upper=upper, ours=ours)

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import io
-import logging
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -32,7 +30,6 @@ MOST_SAID = 3
 NOT_DRAWN = Text(en="not drawn: {listed}{more}", pt_BR="não desenhado: {listed}{more}")
 NOT_DRAWN_OF = Text(en="of link {link}, {why}", pt_BR="do elo {link}, {why}")
 MORE = Text(en="; and {n} more", pt_BR="; e mais {n}")
-log = logging.getLogger("helicoide")
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,9 +74,12 @@ def parsed(path: Path, parameters: Mapping[str, float] = PLAIN, meshes: bool = F
 
 
 def not_drawn(path: Path, parameters: Mapping[str, float] = PLAIN) -> Text | None:
-    """What of a URDF's links cannot be drawn, and why, in one sentence; None where all can. Raises as `read`."""
+    """What of a URDF's links cannot be drawn, and why, in one sentence; None where all can. Reads the meshes.
+
+    Raises as `read`.
+    """
     reading = read(path, parameters)
-    missing = [*reading.not_drawn, *without_meshes(path, reading.robot, tried=False)]
+    missing = [*reading.not_drawn, *without_meshes(path, reading.robot)]
     if not missing:
         return None
     said = [NOT_DRAWN_OF.format(link=link, why=why) for link, why in missing[:MOST_SAID]]
@@ -96,14 +96,8 @@ def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
     for joint in robot.joints:
         if joint.mimic is not None and joint.mimic.joint not in leaders:
             joint.mimic = None
-    without_meshes(path, robot, tried=False)
-    load = partial(yourdfpy.URDF, build_scene_graph=True, load_meshes=True, filename_handler=mesh_file(path))
-    try:
-        return load(robot)
-    except Exception:  # one mesh that cannot be read ends it all
-        for link, why in without_meshes(path, robot, tried=True):
-            log.warning("%s, link %s: %s", path, link, why.en)
-        return load(robot)
+    without_meshes(path, robot)  # one that cannot be read would end it all
+    return yourdfpy.URDF(robot, build_scene_graph=True, load_meshes=True, filename_handler=mesh_file(path))
 
 
 def root_of(robot: yourdfpy.Robot) -> str:

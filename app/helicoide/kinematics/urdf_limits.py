@@ -28,7 +28,7 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
     """Lower and upper limit of a joint, rad or m, and whether one of them is ours.
 
     What is left out beside one that is given is zero, as the format says. Raises HelicoideError for limits in falling
-    order. A follower without a range of its own has an infinite one. Args: size: m, what the links of the chain add to.
+    order. A follower is unbounded where its file bounds it nowhere. Args: size: m, what the links of the chain add to.
     """
     slides, limit = joint.type == "prismatic", joint.limit
     ours = SLIDE * max(size, 1.0) if slides else TURN
@@ -42,6 +42,8 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
     if lower > upper:
         raise broken(path, wrong_limits(joint.name, lower, upper))
     below, above = lower < -most, upper > most
+    if joint.mimic is not None:
+        return -math.inf if below else float(lower), math.inf if above else float(upper), False
     if below and above:
         return -ours, ours, True
     if above:

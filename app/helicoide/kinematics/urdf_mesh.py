@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import partial
+from functools import lru_cache, partial
 from pathlib import Path
 
 import trimesh
@@ -16,6 +16,7 @@ from helicoide.text import Text
 PACKAGE = re.compile(r"^(?:package://|model://|\$\(find\s+([^)]+)\)/)")
 NO_MESH = Text(en="there is no mesh {file}", pt_BR="não há malha {file}")
 BROKEN_MESH = Text(en="the mesh {file} cannot be read", pt_BR="não dá para ler a malha {file}")
+EMPTY_MESH = Text(en="there is no surface in the mesh {file}", pt_BR="não há superfície na malha {file}")
 
 
 def mesh_file(path: Path) -> Callable[[str], str]:
@@ -46,26 +47,29 @@ def _alike(place: Path) -> Path | None:
         return None
 
 
-def without_meshes(path: Path, robot: yourdfpy.Robot, tried: bool) -> list[tuple[str, Text]]:
-    """Take away the meshes that are not there or, if tried, cannot be read; returns of which links, and why."""
-    found, known = list[tuple[str, Text]](), dict[str, Text | None]()
+def without_meshes(path: Path, robot: yourdfpy.Robot) -> list[tuple[str, Text]]:
+    """Take away the meshes of which nothing can be drawn; returns of which links, and why."""
+    found = list[tuple[str, Text]]()
     for link in robot.links:
         for visual in [visual for visual in link.visuals if visual.geometry.mesh]:
             name = visual.geometry.mesh.filename
-            if name not in known:
-                known[name] = _why_not(Path(mesh_file(path)(name)), tried)
-            if (why := known[name]) is not None:
+            if (why := _why_not(Path(mesh_file(path)(name)))) is not None:
                 link.visuals.remove(visual)
                 found.append((str(link.name), why.format(file=name)))
     return found
 
 
-def _why_not(file: Path, tried: bool) -> Text | None:
-    if _alike(file) is None:
-        return NO_MESH
+def _why_not(file: Path) -> Text | None:
+    there = _alike(file)
+    return NO_MESH if there is None else _read(there, there.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=1024)
+def _read(file: Path, changed: int) -> Text | None:
+    """Why there is nothing to be drawn in a file, which was changed last at that time, ns; None where there is."""
     try:
-        if tried:
-            trimesh.load(file, ignore_broken=True, force="scene")
+        scene = trimesh.load_scene(file, ignore_broken=True)
     except Exception:  # readers raise whatever a broken file makes them stumble over
         return BROKEN_MESH
-    return None
+    surfaces = (mesh for mesh in scene.geometry.values() if isinstance(mesh, trimesh.Trimesh))
+    return None if any(mesh.area > 0 for mesh in surfaces) else EMPTY_MESH

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import yourdfpy
 
 from helicoide.kinematics.urdf_xml import broken
@@ -56,16 +57,16 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
     def count(joint: yourdfpy.Joint) -> int:
         return moves(joint) + beyond[joint.child]
 
-    link, held, free = base, base, 0
+    link, above, held, free = base, base, base, 0
     while branches := [joint for joint in joints_below.get(link, []) if count(joint)]:
         best = max(branches, key=count)
-        if free and count(best) == 1 and best.type == "prismatic" and _words(link) & TOOLS[0]:
-            break  # the jaw of a gripper that has a single one
+        if free and count(best) == 1 and _is_jaw(best, above, held, joints_below):
+            break
         if sum(count(joint) == count(best) for joint in branches) > 1:
             break
         free += moves(best) and best.mimic is None
         link = best.child
-        held = link if best.type != "fixed" else held
+        above, held = (held, link) if best.type != "fixed" else (above, held)
     if not free:
         ends = ", ".join(link.name for link in robot.links if link.name not in joints_below)
         raise broken(
@@ -76,6 +77,25 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
             ),
         )
     return _tool_of(link, held, joints_below)
+
+
+def _is_jaw(joint: yourdfpy.Joint, above: str, held: str, joints_below: Below) -> bool:
+    """Whether the last moving joint closes a gripper: it slides or turns by at most half a turn, and the tool begins at
+    the link that the joint before it moves.
+
+    It begins where what is fixed to that link is called a tool, what is above it is not, or by a name that says it less
+    plainly, and what lies beyond is by none that says it more plainly.
+    """
+    limit = joint.limit
+    half = joint.type == "revolute" and limit is not None and (limit.upper or 0.0) - (limit.lower or 0.0) <= np.pi
+    before, here, beyond = (_rank(_fixed_to(start, joints_below)) for start in (above, held, joint.child))
+    return (half or joint.type == "prismatic") and before > here <= beyond
+
+
+def _rank(links: Sequence[str]) -> int:
+    """The first row of names of tools that one of these links has; how many rows there are where none has any."""
+    words = set[str]().union(*map(_words, links))
+    return next((i for i, names in enumerate(TOOLS) if words & names), len(TOOLS))
 
 
 def _moving_beyond(root: str, joints_below: Below) -> dict[str, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import yourdfpy
@@ -16,9 +17,9 @@ BEGINS = Text(
     en="joint {joint} is {kind}: the arm begins at link {base}, which stands still here",
     pt_BR="a junta {joint} é {kind}: o braço começa no elo {base}, que aqui fica parado",
 )
-ALONE = Text(
-    en="joint {joint} follows {leader}, which is not between base and tip: it is moved by itself",
-    pt_BR="a junta {joint} segue {leader}, que não está entre a base e a ponta: ela se move por conta própria",
+BESIDE = Text(
+    en="the variable is {leader}, which is not between base and tip; it is followed by {joints}",
+    pt_BR="a variável é {leader}, que não está entre a base e a ponta; quem a segue: {joints}",
 )
 
 
@@ -84,43 +85,20 @@ def _unknown(joint: yourdfpy.Joint) -> Text:
     )
 
 
-def led_from_the_way(path: Path, robot: yourdfpy.Robot, way: list[yourdfpy.Joint]) -> list[Text]:
-    """Have every joint of the way that follows one follow one of the way; returns what is to be said of that.
+def leaders(path: Path, robot: yourdfpy.Robot, way: Sequence[yourdfpy.Joint]) -> dict[str, list[str]]:
+    """The joints beside a way that joints of it follow, and which ones, by name.
 
-    Of several that follow a joint beside the way the first, at y = r z + s, moves by itself, and the others, at
-    y′ = r′ z + s′, follow it: y′ = (r′/r) y + s′ − (r′/r) s. Changes the joints.
+    Raises HelicoideError for one that follows itself, or what does not move.
     """
     known, on_way = {joint.name: joint for joint in robot.joints}, {joint.name for joint in way}
-    first, remarks = dict[str, tuple[yourdfpy.Joint, yourdfpy.Mimic]](), list[Text]()
-    for joint in (joint for joint in way if joint.mimic is not None and joint.mimic.joint not in on_way):
-        mimic, leader = joint.mimic, known.get(joint.mimic.joint)
-        if leader is None or leader.type not in MOVING:
+    found: dict[str, list[str]] = {}
+    for joint in (joint for joint in way if joint.mimic is not None):
+        leader = known.get(joint.mimic.joint)
+        if leader is None or leader.type not in MOVING or leader.mimic is not None:
             raise broken(path, _no_leader(joint))
-        if leader.name not in first:
-            first[leader.name] = (joint, mimic)
-            _bound(joint, mimic, leader)
-            joint.mimic = None
-            remarks.append(ALONE.format(joint=joint.name, leader=leader.name))
-        else:
-            before, led = first[leader.name]
-            ratio = mimic.multiplier / led.multiplier
-            joint.mimic = yourdfpy.Mimic(before.name, ratio, mimic.offset - ratio * led.offset)
-    for joint in way:
-        if joint.mimic is not None and known[joint.mimic.joint].mimic is not None:
-            raise broken(path, _no_leader(joint))
-    return remarks
-
-
-def _bound(joint: yourdfpy.Joint, mimic: yourdfpy.Mimic, leader: yourdfpy.Joint) -> None:
-    """Give a joint that moves by itself from now on the range that its leader gave it, where that gave one."""
-    limit = leader.limit
-    if leader.type == "continuous" or limit is None or limit.lower is None or limit.upper is None:
-        return
-    lower, upper = sorted(mimic.multiplier * end + mimic.offset for end in (limit.lower, limit.upper))
-    own = joint.limit or yourdfpy.Limit()
-    if joint.limit is not None and own.lower is not None and own.upper is not None and own.lower < own.upper:
-        lower, upper = max(lower, own.lower), min(upper, own.upper)
-    joint.limit = yourdfpy.Limit(effort=own.effort, velocity=own.velocity, lower=lower, upper=upper)
+        if leader.name not in on_way:
+            found.setdefault(str(leader.name), []).append(str(joint.name))
+    return found
 
 
 def _no_leader(joint: yourdfpy.Joint) -> Text:

@@ -27,6 +27,10 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
 PARALLEL = 1e-9
 POINT = 1e-3  # of the reach: half of the only cell of an arm whose tool stays where it is
+STAYS = Text(
+    en="{name}: the tool stays at {position} m whatever the joints do; only its orientation changes",
+    pt_BR="{name}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,17 +112,18 @@ def normal_of(robot: Robot) -> Array | None:
     return z if max(apart, along) < PARALLEL else None
 
 
+def stays(robot: Robot, name: str | Text) -> Text:
+    """What is said, under a name, of an arm whose tool only turns."""
+    return STAYS.format(name=name, position=", ".join(f"{x + 0.0:.3f}" for x in robot.T_world_tool_0[:3, 3].round(3)))
+
+
 def extent(robot: Robot) -> tuple[Array, float]:
     """A point (3,), m, from which the tool is never farther than the second value, m: the arm stretched."""
     ways = np.diff([*robot.points, robot.T_world_tool_0[:3, 3]], axis=0)
     z = robot.directions[0]
     up = (ways[0] @ z) * z
     ways[0] -= up
-    joints = robot.chain[robot.chain["slides"]]
-    ends = (
-        np.outer([1, 1], joints["shift"]) + joints["ratio"] * np.array([robot.lower, robot.upper])[:, joints["driver"]]
-    )
-    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + np.abs(ends).max(axis=0).sum())
+    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + robot.strokes.sum())
 
 
 def planned(robot: Robot, kind: Kind, samples: int, seed: int = 0) -> Plan:

@@ -8,12 +8,13 @@ import zlib
 from dataclasses import replace
 from pathlib import Path
 
+from helicoide.files import written
 from helicoide.perception import formats
 from helicoide.perception.broken import Broken
 from helicoide.perception.cloud import FARTHEST, Cloud, cloud_of
 from helicoide.perception.formats import MOST_BYTES, MOST_POINTS
 from helicoide.perception.units import Unit, unit_of
-from helicoide.text import LANGUAGES, HelicoideError, Text
+from helicoide.text import LANGUAGES, HelicoideError, Text, joined
 
 # What the parsers below the formats raise when a file is not what it says.
 _OF_PARSERS = (ValueError, ArithmeticError, LookupError, RuntimeError, OSError, EOFError, MemoryError)
@@ -23,11 +24,9 @@ _OF_ARCHIVES = (zlib.error, zipfile.BadZipFile, struct.error)
 def load(path: Path, unit: Unit | None = None) -> Cloud:
     """The cloud in a file. Raises HelicoideError: what is wrong with the file, and what is valid."""
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise _refusal(path.name, _TOO_LONG)
-        data = path.read_bytes()
-    except OSError as error:
-        raise _refusal(path.name, _NO_FILE) from error
+        data = written.raw(path, MOST_BYTES)
+    except HelicoideError as error:
+        raise _refusal(path.name, error.text) from error
     return read(path.name, data, unit)
 
 
@@ -44,11 +43,14 @@ def read(name: str, data: bytes, unit: Unit | None = None) -> Cloud:
         raise _refusal(name, _TOO_LONG)
     try:
         raw = formats.endings()[ending].coordinates(data)
-        taken, why = unit_of(raw.rows, unit, raw.unit)
     except Broken as broken:
         raise _refusal(name, broken.text) from broken
     except (*_OF_PARSERS, *_OF_ARCHIVES) as error:
         raise _refusal(name, _DAMAGED.format(ending=ending)) from error
+    try:
+        taken, why = unit_of(raw.rows, unit, raw.unit)
+    except Broken as broken:  # its format is right
+        raise HelicoideError(_UNREAD.format(name=name, reason=broken.text)) from broken
     cloud = cloud_of(raw.rows, taken)
     if not len(cloud.points):
         raise _refusal(name, _NO_POINTS if not cloud.dropped else _ALL_HOLES.format(n=cloud.dropped))
@@ -76,6 +78,11 @@ def _left_out(cloud: Cloud) -> tuple[Text, ...]:
     )
 
 
+_UNREAD = Text(en="{name} cannot be read: {reason}.", pt_BR="Não dá para ler {name}: {reason}.")
+_VALID = Text(
+    en=" Valid are {valid}, with at most {points:.0f} million points and {bytes:.0f} MB.",
+    pt_BR=" Valem {valid}, com no máximo {points:.0f} milhões de pontos e {bytes:.0f} MB.",
+)
 _TOO_LONG = Text(en="it is too long", pt_BR="é longo demais")
 _ENDING = Text(en="no format has names that end in {ending}", pt_BR="nenhum formato tem nomes que terminam em {ending}")
 _DAMAGED = Text(en="it is damaged, or no {ending}", pt_BR="está danificado ou não é {ending}")
@@ -83,18 +90,9 @@ _NO_POINTS = Text(en="there are no points in it", pt_BR="não há pontos nele")
 _ALL_HOLES = Text(
     en="none of its {n} points has finite coordinates", pt_BR="nenhum dos seus {n} pontos tem coordenadas finitas"
 )
-_NO_FILE = Text(
-    en="there is no file of that name that may be read", pt_BR="não há arquivo com esse nome que se possa ler"
-)
 
 
 def _refusal(name: str, reason: Text) -> HelicoideError:
-    valid = {language: ", ".join(module.TITLE[language] for module in formats.found()) for language in LANGUAGES}
-    return HelicoideError(
-        Text(
-            en="{name} cannot be read: {reason}. Valid are {valid}, with at most {points:.0f} million points and "
-            "{bytes:.0f} MB.",
-            pt_BR="Não dá para ler {name}: {reason}. Valem {valid}, com no máximo {points:.0f} milhões de pontos e "
-            "{bytes:.0f} MB.",
-        ).format(name=name, reason=reason, valid=Text(**valid), points=MOST_POINTS / 1e6, bytes=MOST_BYTES / 1e6)
-    )
+    titles = {language: ", ".join(module.TITLE[language] for module in formats.found()) for language in LANGUAGES}
+    valid = _VALID.format(valid=Text(**titles), points=MOST_POINTS / 1e6, bytes=MOST_BYTES / 1e6)
+    return HelicoideError(joined([_UNREAD.format(name=name, reason=reason), valid], by=""))

@@ -83,17 +83,26 @@ def find(
     points = np.ascontiguousarray(points, dtype=np.float64)  # kernels are compiled for one order
     rng, cone = np.random.default_rng(seed), np.append(n0, np.cos(angle))
     triples, order = points[rng.integers(len(points), size=(DRAWS, 3))], rng.permutation(len(points))
+    dense = best_draw(triples, points[order[:JUDGES]], cone, point, distance)
     thin = thinned(points[order[:THINNED]])
-    fits = []
-    for three, judges in ((triples, points[order[:JUDGES]]), (thin[rng.integers(len(thin), size=(DRAWS, 3))], thin)):
-        drawn = best_draw(three, judges[:JUDGES], cone, point, distance)
-        if drawn.any():
-            fit, on_it = _fitted(points, drawn, point, distance)
-            fits.append((fit, on_it, float(np.mean(np.abs(thin @ fit.normal - fit.offset) <= distance))))
-    if len(fits) == 2 and fits[1][2] > WIDER * fits[0][2]:
-        fits.reverse()
-    answers = [_judged(points, fit, on_it, n0, angle, covered) for fit, on_it, covered in fits] or [_none(angle)]
-    return next((answer for answer in answers if isinstance(answer, Found)), answers[0])
+    wide = best_draw(thin[rng.integers(len(thin), size=(DRAWS, 3))], thin[:JUDGES], cone, point, distance)
+
+    def answered(drawn: Array) -> Found | Text:
+        if not drawn.any():
+            return _none(angle)
+        fit, on_it = _fitted(points, drawn, point, distance)
+        return _judged(points, fit, on_it, n0, angle, _share(thin, fit, distance))
+
+    def is_wider(other: Plane) -> bool:
+        if not wide.any():
+            return False
+        return _share(thin, _fitted(thin, wide, point, distance)[0], distance) > WIDER * _share(thin, other, distance)
+
+    first = answered(dense)  # to all points, which takes longest; to the wide one only where it may be the answer
+    if isinstance(first, Found) and not is_wider(first.plane):
+        return first
+    second = answered(wide)
+    return second if isinstance(second, Found) else first
 
 
 def thinned(points: Array) -> Array:
@@ -103,6 +112,11 @@ def thinned(points: Array) -> Array:
     size = cubes.max(axis=0) + 1
     _, first = np.unique((cubes[:, 0] * size[1] + cubes[:, 1]) * size[2] + cubes[:, 2], return_index=True)
     return points[np.sort(first)]  # in their order, which is random
+
+
+def _share(points: Array, plane: Plane | _Fit, distance: float) -> float:
+    """How much of some points lies within a distance of a plane."""
+    return float(np.mean(np.abs(points @ plane.normal - plane.offset) <= distance))
 
 
 def _check(towards: Array, inside: Array, distance: float, angle: float) -> None:

@@ -21,6 +21,22 @@ PACKAGE = "pyrealsense2"
 # Until the exposure has settled, depths are missing or wrong.
 SETTLING = 30
 PATIENCE_MS = 5000
+NO_PICTURE = Text(
+    en="The RealSense camera sends no picture: check its cable, then connect it again.",
+    pt_BR="A câmera RealSense não envia imagem: verifique o cabo e conecte-a de novo.",
+)
+NO_CAMERA = Text(
+    en="No RealSense camera answers with {w} × {h} pixels at {rate} Hz: plug it into a USB 3 port, close other "
+    "programs that use it, or ask for 848 × 480 or 640 × 480 at 30 Hz.",
+    pt_BR="Nenhuma câmera RealSense responde com {w} × {h} pixels a {rate} Hz: ligue-a a uma porta USB 3, feche outros "
+    "programas que a usam, ou peça 848 × 480 ou 640 × 480 a 30 Hz.",
+)
+NO_PACKAGE = Text(
+    en="A RealSense camera needs the package {package}, which cannot be loaded: install it with "
+    "`pip install {package}`. Without a camera, use the simulated one or a file of points.",
+    pt_BR="Uma câmera RealSense precisa do pacote {package}, que não pôde ser carregado: instale-o com "
+    "`pip install {package}`. Sem câmera, use a simulada ou um arquivo de pontos.",
+)
 
 
 def installed() -> bool:
@@ -52,12 +68,7 @@ class RealSense:
             depths = self._pipeline.wait_for_frames(PATIENCE_MS).get_depth_frame()
             vertices = self._package.pointcloud().calculate(depths).get_vertices()
         except RuntimeError as error:
-            raise HelicoideError(
-                Text(
-                    en="The RealSense camera sends no picture: {error}. Check its cable, then connect it again.",
-                    pt_BR="A câmera RealSense não envia imagem: {error}. Verifique o cabo e conecte-a de novo.",
-                ).format(error=error)
-            ) from error
+            raise HelicoideError(NO_PICTURE) from error
         return np.asarray(np.asanyarray(vertices).view(np.float32).reshape(-1, 3), dtype=np.float64)
 
 
@@ -74,14 +85,7 @@ def connected(camera: Camera = D435, resolution: tuple[int, int] = (848, 480), r
     try:
         pipeline.start(wished)
     except RuntimeError as error:
-        raise HelicoideError(
-            Text(
-                en="No RealSense camera answers with {w} × {h} pixels at {rate} Hz: {error}. Plug it into a USB 3 "
-                "port, close other programs that use it, or ask for 848 × 480 or 640 × 480 at 30 Hz.",
-                pt_BR="Nenhuma câmera RealSense responde com {w} × {h} pixels a {rate} Hz: {error}. Ligue-a a uma "
-                "porta USB 3, feche outros programas que a usam, ou peça 848 × 480 ou 640 × 480 a 30 Hz.",
-            ).format(w=resolution[0], h=resolution[1], rate=rate, error=error)
-        ) from error
+        raise HelicoideError(NO_CAMERA.format(w=resolution[0], h=resolution[1], rate=rate)) from error
     try:
         sensor = RealSense(package, pipeline, camera)
         for _ in range(SETTLING):
@@ -95,11 +99,4 @@ def _package() -> Any:
     try:
         return importlib.import_module(PACKAGE)
     except ImportError as error:
-        raise HelicoideError(
-            Text(
-                en="A RealSense camera needs the package {package}, which cannot be loaded ({error}): install it with "
-                "`pip install {package}`. Without a camera, use the simulated one or a file of points.",
-                pt_BR="Uma câmera RealSense precisa do pacote {package}, que não pôde ser carregado ({error}): "
-                "instale-o com `pip install {package}`. Sem câmera, use a simulada ou um arquivo de pontos.",
-            ).format(package=PACKAGE, error=error)
-        ) from error
+        raise HelicoideError(NO_PACKAGE.format(package=PACKAGE)) from error

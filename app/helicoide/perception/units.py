@@ -10,14 +10,15 @@ from helicoide.kinematics.chain import Array
 from helicoide.perception.broken import Broken
 from helicoide.text import Text
 
-Unit = Literal["m", "cm", "mm", "inch"]
+Unit = Literal["m", "cm", "mm", "inch", "ft"]
 UNITS: tuple[Unit, ...] = get_args(Unit)
-METRES: dict[Unit, float] = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "inch": 0.0254}
+METRES: dict[Unit, float] = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "inch": 0.0254, "ft": 0.3048}
 TITLES: dict[Unit, Text] = {
     "m": Text(en="metres", pt_BR="metros"),
     "cm": Text(en="centimetres", pt_BR="centímetros"),
     "mm": Text(en="millimetres", pt_BR="milímetros"),
     "inch": Text(en="inches", pt_BR="polegadas"),
+    "ft": Text(en="feet", pt_BR="pés"),
 }
 # What an arm sees is not as wide in metres, nor as narrow in millimetres; between the two nobody can tell.
 WIDEST_M, NARROWEST_MM = 10.0, 400.0
@@ -26,7 +27,10 @@ ROOM = 20.0
 ENOUGH = 200_000
 SAYS = Text(en="In {unit}, as the file says", pt_BR="Em {unit}, como diz o arquivo")
 CHOSEN = Text(en="In {unit}, as chosen", pt_BR="Em {unit}, como foi escolhido")
-LOOKS = Text(en="In {unit}, as it looks", pt_BR="Em {unit}, ao que parece")
+LOOKS = Text(
+    en="In {unit}, as it looks (if not so, choose the unit)",
+    pt_BR="Em {unit}, ao que parece (se não, escolha a unidade)",
+)
 
 
 def unit_of(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, Text]:
@@ -58,9 +62,9 @@ def _looks(rows: Array) -> Unit:
     raise Broken(
         Text(
             en="its numbers spread over {x:.0f} × {y:.0f} × {z:.0f}, and whether these are centimetres, inches, "
-            "millimetres or metres it does not say; choose the unit, then give the file again",
+            "feet, millimetres or metres it does not say; choose the unit, then give the file again",
             pt_BR="os números se espalham por {x:.0f} × {y:.0f} × {z:.0f}, e ele não diz se são centímetros, "
-            "polegadas, milímetros ou metros; escolha a unidade e envie o arquivo de novo",
+            "polegadas, pés, milímetros ou metros; escolha a unidade e envie o arquivo de novo",
         ).format(**fields)
     )
 

@@ -85,6 +85,7 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
     """The robot, with all that is needed to draw and to drive it."""
     robot = load(robot_name, None, lengths)
     shapes.load(robot)
+    _ = robot.all_remarks  # its panel shows them, and does not wait for files
     rehearse(robot)
     return robot
 

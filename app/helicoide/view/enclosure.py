@@ -47,7 +47,7 @@ NUMBERS = Text(en="Give {n} numbers with blanks between them.", pt_BR="Dê {n} n
 
 def plane_rows(robot: Robot) -> Folder:
     """Everything about the planes of an arm."""
-    restore = Text(en="Planes back to the measured ones", pt_BR="Planos de volta aos medidos")
+    restore = Text(en="Back to the measured planes", pt_BR="Planos de volta aos medidos")
     rows: list[Row] = [
         Button(lambda _: restore, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _free, _has(robot.panes)),
         *(_tours() if readings(robot) else []),

@@ -14,8 +14,8 @@ from helicoide import gate
 from helicoide.kinematics.cells import Counts
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import KINDS, Kind, Map, normal_of
-from helicoide.text import Text
+from helicoide.kinematics.workspace import KINDS, Kind, Map, normal_of, stays
+from helicoide.text import Text, same
 from helicoide.view import html
 from helicoide.view.rows import Bar, Button, Choice, CountMap, Folder, ForArm, ForSeat, Row, Slider, View, Words
 
@@ -170,13 +170,13 @@ def _found(view: View) -> Markup:
     found, language = view.state.workspace.map, view.seat.language
     if found is None:
         return Markup("")
-    words = FOUND.format(
-        title=TITLES[found.kind],
-        measure=measure(found),
-        samples=f"{found.samples:,}".replace(",", "\u202f"),
-        size=1000 * found.cells.size,
-    )
-    said = scale_of(view.state.robot, found)
+    robot, title = view.state.robot, TITLES[found.kind]
+    if robot.turns_only:
+        words = same("{stays}.").format(stays=stays(robot, title))
+    else:
+        samples = f"{found.samples:,}".replace(",", "\u202f")
+        words = FOUND.format(title=title, measure=measure(found), samples=samples, size=1000 * found.cells.size)
+    said = scale_of(robot, found)
     stops = ", ".join(f"rgb({r} {g} {b})" for r, g, b in ANCHORS.astype(int))
     return Markup(
         "<div class='helicoide-note'>{}<div class='helicoide-scale'>{}"

@@ -21,6 +21,7 @@ from viser._messages import ShareUrlRequest
 from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
+from helicoide.files.system import NO_HOST, why
 from helicoide.text import HelicoideError, Text
 from helicoide.view.limits import slowed
 from helicoide.view.news import tell_once
@@ -42,9 +43,15 @@ NO_PORT = Text(
     en="There is no port {port}: choose one from 1024 to 65535 with --port.",
     pt_BR="A porta {port} não existe: escolha uma de 1024 a 65535 com --port.",
 )
+RESERVED = Text(
+    en="Port {port} of {host} is reserved for administrators: choose one from 1024 to 65535 with --port.",
+    pt_BR="A porta {port} de {host} é reservada a administradores: escolha uma de 1024 a 65535 com --port.",
+)
 CLOSED = Text(
-    en="Cannot serve on {host}, port {port} ({reason}): choose another with --port, or this machine's 127.0.0.1.",
-    pt_BR="Não dá para servir em {host}, porta {port} ({reason}): escolha outra com --port, ou o 127.0.0.1 da máquina.",
+    en="Cannot serve on {host}, port {port}: {reason}. Choose an address of this machine with --host, such as "
+    "127.0.0.1, and a free port with --port.",
+    pt_BR="Não dá para servir em {host}, porta {port}: {reason}. Escolha um endereço desta máquina com --host, como "
+    "127.0.0.1, e uma porta livre com --port.",
 )
 NO_ORIGIN = Text(
     en="{address} is no origin: give scheme, host and port, such as --origin https://lab.example.org:8443.",
@@ -107,8 +114,10 @@ def _listen(host: str, port: int) -> socket.socket:
     try:
         listener = socket.create_server((host, port))
     except OSError as error:
-        text = TAKEN if error.errno == errno.EADDRINUSE else CLOSED
-        raise HelicoideError(text.format(host=host, port=port, reason=error.strerror)) from error
+        text = {errno.EADDRINUSE: TAKEN, errno.EACCES: RESERVED}.get(error.errno or 0, CLOSED)
+        raise HelicoideError(text.format(host=host, port=port, reason=why(error))) from error
+    except UnicodeError as error:  # a name that no host can have
+        raise HelicoideError(CLOSED.format(host=host, port=port, reason=NO_HOST)) from error
     # asyncio does this only for sockets that name their protocol; small messages would wait for acknowledgements
     listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return listener
@@ -116,7 +125,10 @@ def _listen(host: str, port: int) -> socket.socket:
 
 def _origin(address: str) -> str:
     """The origin of an address, such as https://lab.example.org."""
-    parts = urlsplit(address)
+    try:
+        parts = urlsplit(address)
+    except ValueError as error:  # brackets that hold no IPv6 address
+        raise HelicoideError(NO_ORIGIN.format(address=address)) from error
     if parts.scheme not in ("http", "https") or not parts.netloc or parts.path.strip("/") or parts.query:
         raise HelicoideError(NO_ORIGIN.format(address=address))
     return f"{parts.scheme}://{parts.netloc}"

@@ -95,6 +95,7 @@ class Uploads:
         """Once the file is there, its button lets go of it as soon as the callbacks had their turn."""
         if begun.transfer_uuid not in self._gui._current_file_upload_states:
             self._end()
+            self._hide(begun)
             self._gui._event_loop.call_soon(self._empty, begun.source_component_uuid)
 
     def _empty(self, uuid: str) -> None:
@@ -132,8 +133,12 @@ class Uploads:
         """Say why a file is not taken; to the page it is over, or its button would stay locked and its bar on view."""
         of = {"source_component_uuid": message.source_component_uuid, "transfer_uuid": message.transfer_uuid}
         self._connection.queue_message(FileTransferPartAck(**of, transferred_bytes=1, total_bytes=1))
-        self._connection.queue_message(RemoveNotificationMessage(f"upload-{message.transfer_uuid}"))
+        self._hide(message)
         self._refuse(why)
+
+    def _hide(self, message: FileTransferStartUpload) -> None:
+        """Take viser's own words about a file away, which are English; what becomes of it is said in ours."""
+        self._connection.queue_message(RemoveNotificationMessage(f"upload-{message.transfer_uuid}"))
 
 
 def _why_not(message: FileTransferStartUpload) -> Text | None:

@@ -49,6 +49,23 @@ def test_random_arms_there_and_back_again(family: str, right_wrist: bool) -> Non
     assert not right_wrist or counts <= {2, 4, 6, 8}
 
 
+@pytest.mark.parametrize("sine", [5e-5, 1e-6])
+def test_axes_that_are_nearly_parallel_have_all_postures(sine: float) -> None:
+    """A PUMA of a package whose third axis leans a little, as where a file rounds its angles."""
+    robot, draw = packaged_arm("puma560"), np.random.default_rng(4)
+    leaning = robot.joints[2].direction + sine * robot.joints[0].direction
+    joints = (
+        *robot.joints[:2],
+        replace(robot.joints[2], direction=frozen(leaning / np.linalg.norm(leaning))),
+        *robot.joints[3:],
+    )
+    arm = replace(robot, joints=joints)
+    missed, apart, counts = there_and_back([arm], draw, poses=20)
+    assert missed < 1e-9
+    assert apart < 1e-6
+    assert counts <= {4, 8}
+
+
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_wrist_may_be_first(family: str) -> None:
     draw = np.random.default_rng(2)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 from tests.kinematics.arms import arm, postures
 
 from helicoide.ik import closed, methods
 from helicoide.ik.postures.branch import Answer, between, tool_at, wrap
-from helicoide.ik.postures.solve import EXACT, solve, solve_by, status, ways
+from helicoide.ik.postures.solve import EXACT, NUMERIC, solve, solve_by, status, ways
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -147,6 +150,18 @@ def test_a_goal_that_only_postures_beyond_the_limits_reach() -> None:
     assert status(one).en.startswith(("not reached", "out of reach"))
 
 
+@pytest.mark.parametrize("with_orientation", [True, False])
+@pytest.mark.parametrize("name", ["puma560", "planar3r", "scara", "panda", "polar_rp"])
+def test_the_ways_of_an_arm_are_those_that_answer(name: str, with_orientation: bool) -> None:
+    robot = load(name)
+    q = robot.poses["ready"]
+    known = ways(robot, with_orientation)
+    for way in (*closed.found(), NUMERIC, *methods.names()):
+        refused = nullcontext() if way in known else pytest.raises(HelicoideError, match=re.escape(", ".join(known)))
+        with refused:
+            solve_by(way, robot, tool_at(robot, q), q, with_orientation=with_orientation)
+
+
 def test_names_that_do_not_apply_list_those_that_do() -> None:
     robot = load("panda")
     T, q = tool_at(robot, robot.poses["ready"]), robot.poses["ready"]
@@ -155,6 +170,7 @@ def test_names_that_do_not_apply_list_those_that_do() -> None:
             solve_by(name, robot, T, q)
         assert all(way in caught.value.text.pt_BR for way in ways(robot))
         assert "\n" not in caught.value.text.en
+    assert "inverse" not in ways(robot)
     assert "puma560" in ways(arm("puma560"))
     assert "puma560" not in ways(robot)
     with pytest.raises(HelicoideError, match="orientation"):

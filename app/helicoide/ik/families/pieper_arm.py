@@ -86,7 +86,10 @@ def arm_of(robot: Robot) -> Arm | Text:
 
 
 def _rows(robot: Robot, backwards: bool) -> Arm:
-    """The modified rows: of row i they take α and a of row i − 1 of the standard ones, which the axes give."""
+    """The modified rows: of row i they take α and a of row i − 1 of the standard ones, which the axes give.
+
+    β of axes that are nearly parallel is left out: what is found from the rows is a start that is polished.
+    """
     joints, T_0 = robot.joints, robot.T_world_tool_0
     if backwards:
         T_0 = np.asarray(np.linalg.inv(T_0), dtype=np.float64)

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike
 
 from helicoide.confinement import Obstacles, planes_of
 from helicoide.ik import Limits, Problem, closed, methods
-from helicoide.ik.clik import asked, to_pose
+from helicoide.ik.clik import Aiming, asked, to_pose
 from helicoide.ik.converge import Tolerance, by_method, converged
-from helicoide.ik.method import Method
+from helicoide.ik.method import Method, Task
 from helicoide.ik.postures import numeric, subspace
 from helicoide.ik.postures.branch import Answer, Form, branch_of, check_pose, sentences
 from helicoide.ik.postures.choice import Ranked, ranked, touching
@@ -50,7 +50,7 @@ def solve(
     one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
     """
     T, q = check_pose(T_world_tool), robot.check_joints(q)
-    forms = {name: form for name, form in closed.of(robot).items() if with_orientation or name in closed.OF_POINTS}
+    forms = _forms(robot, with_orientation)
     if not forms:
         return _searched(robot, T, q, every, with_orientation)
     return _by_form(robot, next(iter(forms.values())), T, q, every, with_orientation)
@@ -69,25 +69,36 @@ def solve_by(
     if name in methods.names():
         return _iterated(robot, methods.named(name), T, q, with_orientation)
     if name not in closed.found():
-        raise _refused(robot, Text(en=f"There is no way {name!r}.", pt_BR=f"Não existe o modo {name!r}."))
+        why = Text(en=f"There is no way {name!r}.", pt_BR=f"Não existe o modo {name!r}.")
+        raise _refused(robot, why, with_orientation)
     form = closed.found()[name]
     reason = form.applies(robot) if with_orientation or name in closed.OF_POINTS else _WHOLE
     if reason is not None:
-        raise _refused(robot, sentences(Text(en=f"{name} does not apply.", pt_BR=f"{name} não se aplica."), reason))
+        why = sentences(Text(en=f"{name} does not apply.", pt_BR=f"{name} não se aplica."), reason)
+        raise _refused(robot, why, with_orientation)
     return _by_form(robot, form, T, q, every, with_orientation)
 
 
 _WHOLE = Text(en="A closed form needs an orientation.", pt_BR="Uma forma fechada precisa de orientação.")
 
 
-def ways(robot: Robot) -> tuple[str, ...]:
-    """The names that `solve_by` takes for a robot."""
-    return (*closed.of(robot), NUMERIC, *methods.names())
+def ways(robot: Robot, with_orientation: bool = True) -> tuple[str, ...]:
+    """The names that `solve_by` takes for a robot, for a pose or for a position alone."""
+    _, aiming = _aiming(robot, robot.T_world_tool_0, with_orientation)
+    task = _task(aiming, robot.poses["ready"])
+    iterating = (name for name in methods.names() if methods.named(name).applies(task) is None)
+    return (*_forms(robot, with_orientation), NUMERIC, *iterating)
 
 
-def _refused(robot: Robot, why: Text) -> HelicoideError:
+def _forms(robot: Robot, with_orientation: bool) -> dict[str, Form]:
+    """The closed forms of an arm by name, for a pose or for a position alone."""
+    return {name: form for name, form in closed.of(robot).items() if with_orientation or name in closed.OF_POINTS}
+
+
+def _refused(robot: Robot, why: Text, with_orientation: bool) -> HelicoideError:
     valid = Text(en="For {robot} there is: {ways}.", pt_BR="Para {robot} há: {ways}.")
-    return HelicoideError(sentences(why, valid.format(robot=robot.name, ways=", ".join(ways(robot)))))
+    known = ", ".join(ways(robot, with_orientation))
+    return HelicoideError(sentences(why, valid.format(robot=robot.name, ways=known)))
 
 
 def _measured(robot: Robot, answer: Answer, T: Array, with_orientation: bool = True) -> Answer:
@@ -153,11 +164,10 @@ def _ordered(robot: Robot, answer: Answer, q: Array) -> Answer:
 def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation: bool) -> Answer:
     """Where a method comes to from q, with its default settings; limits and planes are not guarded."""
     goal = subspace.project(robot, T, q) if with_orientation else subspace.Projection(T, 0.0, 0.0)
-    problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
-    aiming = to_pose(problem, goal.T_world_goal, with_orientation)
-    why = method.applies(asked(aiming(q, 0.0), FACTOR / PERIOD, q, PERIOD))
+    problem, aiming = _aiming(robot, goal.T_world_goal, with_orientation)
+    why = method.applies(_task(aiming, q))
     if why is not None:
-        raise _refused(robot, why)
+        raise _refused(robot, why, with_orientation)
     run = by_method(problem, method, method.Options(), FACTOR, dt=PERIOD)
     report = converged(problem, run, aiming, q, EXACT, STEPS)
     branch = branch_of(robot, method.TITLE, report.q, T, with_orientation)
@@ -179,6 +189,17 @@ def chosen(
         return not EXACT.holds(*left(robot, row.branch.q, answer.T_world_goal, with_orientation))
 
     return tuple(sorted(rows, key=lambda row: (row.dropped is not None, misses(row))))
+
+
+def _aiming(robot: Robot, T_world_goal: Array, with_orientation: bool) -> tuple[Problem, Aiming]:
+    """How a method aims at a pose (4, 4), m."""
+    problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
+    return problem, to_pose(problem, T_world_goal, with_orientation)
+
+
+def _task(aiming: Aiming, q: Array) -> Task:
+    """What a method is asked first, from q (n,)."""
+    return asked(aiming(q, 0.0), FACTOR / PERIOD, q, PERIOD)
 
 
 def _is_met(answer: Answer) -> bool:

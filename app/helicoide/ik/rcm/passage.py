@@ -123,7 +123,7 @@ def refusal(robot: Robot, passage: Passage) -> Text | None:
     Source: Coutinho 2015, §1.4, §5.1.
     """
     n, i, r = len(robot.variables), passage.link, passage.r
-    if len(robot.joints) != n:
+    if any(joint.mimic for joint in robot.joints):
         return Text(
             en="{robot} has joints that follow others; the entry point needs joints that move alone.",
             pt_BR="{robot} tem juntas que seguem outras; o ponto de entrada requer juntas que se movem sozinhas.",

@@ -15,6 +15,7 @@ _UNITS: dict[str, Unit] = {
     **dict.fromkeys(("cm", "centimetres", "centimeters", "centímetros"), "cm"),
     **dict.fromkeys(("mm", "millimetres", "millimeters", "milímetros", "milimetros"), "mm"),
     **dict.fromkeys(("in", "inch", "inches", "pol", "polegadas"), "inch"),
+    **dict.fromkeys(("ft", "foot", "feet", "pé", "pés"), "ft"),
 }
 # What may stand beside the letter of a coordinate; normals, velocities and the like are none.
 _BESIDE = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate
@@ -15,11 +16,25 @@ from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State
 from helicoide.text import Text, same
-from helicoide.view import layers
+from helicoide.view import html, layers
 from helicoide.view.enclosure import plane_rows
 from helicoide.view.followed import path_rows
 from helicoide.view.mapping import workspace_rows
-from helicoide.view.rows import Button, Choice, Folder, ForArm, ForLab, ForSeat, Row, Slider, Tick, Triple, View, Wish
+from helicoide.view.rows import (
+    Button,
+    Choice,
+    Folder,
+    ForArm,
+    ForLab,
+    ForSeat,
+    Row,
+    Slider,
+    Tick,
+    Triple,
+    View,
+    Wish,
+    Words,
+)
 from helicoide.view.surroundings import entry_rows, obstacle_rows
 from helicoide.view.teaching import ball_rows, teaching_rows
 
@@ -35,6 +50,7 @@ def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
         _choice(robot),
+        Words(_remarks),
         Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT),
         *([Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING)] if robot.panes else []),
         _poses(robot),
@@ -60,6 +76,12 @@ def _choice(robot: Robot) -> Choice:
         value=lambda view: view.state.robot.name,
         wish=ForLab,
     )
+
+
+def _remarks(view: View) -> Markup:
+    """How the robot's file was read where it leaves something open, and what of it is not drawn."""
+    robot, language = view.state.robot, view.seat.language
+    return Markup("").join(html.note(remark[language]) for remark in robot.all_remarks)
 
 
 def _driving(view: View) -> bool:

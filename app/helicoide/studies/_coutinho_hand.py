@@ -1,4 +1,4 @@
-"""A hand on the device: where it holds the tool by time, what the controller sees of it, and what the arm makes of it."""
+"""A hand on the device: where it holds the tool by time, what the controller sees of it, what the arm makes of it."""
 
 from __future__ import annotations
 
@@ -29,28 +29,29 @@ from helicoide.studies.study import Progress
 
 # Of the device, and of the controller, s: it tells its pose a thousand times a second, and is asked every 2 ms.
 SAMPLE, STEP = 0.001, 0.002
-# What the hand does: how far, m, how long, s, how far round, rad, and its tremor, m and Hz.
-SIZE, PERIOD, TURN = 0.03, 60.0, pi / 8
+# What the hand does: how long, s, and its tremor, m and Hz.
+PERIOD = 60.0
 TREMOR = ((5e-5, 9.0), (5e-5, 11.0))
 # Where the entry point moves it does as in E1: 10 mm/s at 8 · 2π/7000 for each sample of 9 ms.
 ENTRY_SPEED, ENTRY_RATE = 0.01, 8 * 2 * pi / 7000 / 0.009
-# Kp and Ko of the experiments, 1/s.
-GAINS = (270.0, 1500.0)
+# Kp and Ko, 1/s: of table 4.2 and of table 4.3.
+GAINS = {"simulations": (5.0, 10.0), "experiments": (270.0, 1500.0)}
 
 Hand = Callable[[float], tuple[Array, float]]
 
 
-def steering(size: float = SIZE, period: float = PERIOD, turn: float = TURN) -> Hand:
+def steering(size: float, aside: float, turn: float, period: float = PERIOD) -> Hand:
     """Where a hand holds the tool by time: d (3,), m, in its axes at the start, and its turn about its x, rad.
 
-    It leads in and back and turns as S3, and goes sideways too, with a tremor. Args: size, m; period, s; turn, rad.
+    It leads in and back, sideways and round, with a tremor. Args: size: half the way in, m; aside, m; turn, rad;
+    period, s.
     """
     w = 2 * pi / period
 
     def at(t: float) -> tuple[Array, float]:
         tremor = sum(amplitude * sin(2 * pi * rate * t) for amplitude, rate in TREMOR)
-        way = size * np.array([0.5 * sin(w * t), 0.9 * (1 - cos(w * t)), 0.4 * sin(2 * w * t)])
-        return way + np.array([tremor, 0.0, tremor]), -turn * sin(w * t)
+        way = np.array([aside * sin(w * t), size * (1 - cos(w * t)), aside * sin(2 * w * t)])
+        return way + np.array([tremor, 0.0, tremor]), -turn / 2 * (1 - cos(w * t))
 
     return at
 
@@ -94,7 +95,8 @@ def led(hand: Hand, entry_speed: float, of_tool: Inverse, feedback: float, secon
     robot = dia10()
     problem, passage = problem_of(robot), through(robot, LINK)
     entry, device = entry_on(robot, START, DEPTH), Device(hand, tool_at(robot, START), entry_speed)
-    gained = control(feedback, of_tool, position=GAINS[0], orientation=GAINS[1])
+    position, orientation = GAINS["experiments"]
+    gained = control(feedback, of_tool, position=position, orientation=orientation)
     memory = first_memory(problem, passage, gained, START, entry)
     steps = followed(problem, passage, gained, device.wished, START, entry, STEP, memory)
     got = measured(steps, round(seconds / STEP) + 1, STEP, progress)

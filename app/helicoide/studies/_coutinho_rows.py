@@ -21,10 +21,10 @@ STEP = Text(en="sample time", pt_BR="período de amostragem")
 FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
 # Joints at the start that hold all that is printed of S1 to S4; found by tests/studies/fits/coutinho.py.
 STARTED = (
-    Fitted(same("θ₂(0)"), -0.25, -0.3, -0.2, "rad"),
-    Fitted(same("θ₄(0)"), -1.65, -1.815, -1.485, "rad"),
-    Fitted(same("θ₆(0)"), 1.1, 0.99, 1.21, "rad"),
-    Fitted(same("θ₇(0)"), -0.2, -0.24, -0.16, "rad"),
+    Fitted(same("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
+    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.2375, "rad"),
+    Fitted(same("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
+    Fitted(same("θ₇(0)"), -0.225, -0.28125, -0.2025, "rad"),
     Fitted(same("θ₈(0)"), 1.57, 1.4915, 1.6485, "rad"),
 )
 
@@ -40,11 +40,13 @@ class Options:
 OF = same("{what}, {which}")
 BY_STEP = Text(en="{what} at {step:g} ms", pt_BR="{what} a {step:g} ms")
 NO_FEEDBACK = same("Kr = 0")
-SHAFT = Text(
-    en="largest velocity across the shaft at the entry point",
-    pt_BR="maior velocidade transversal da haste no ponto de entrada",
-)
 SLIP = Text(en="largest forbidden velocity at the entry point", pt_BR="maior velocidade proibida no ponto de entrada")
+TIMES = Text(en="how often θ₇ changes its sign", pt_BR="quantas vezes θ₇ muda de sinal")
+ENTRY = Text(
+    en="largest velocity of the shaft at the entry point, along x",
+    pt_BR="maior velocidade da haste no ponto de entrada, ao longo de x",
+)
+SHARE = Text(en="largest share of a joint's speed", pt_BR="maior fração da velocidade de uma junta")
 RATE = Text(en="largest joint velocity", pt_BR="maior velocidade de junta")
 TIP = Text(en="largest error of the tip", pt_BR="maior erro da ponta")
 LATERAL = Text(

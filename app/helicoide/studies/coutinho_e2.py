@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from helicoide.ik.method import OneOf, Quantity
-from helicoide.studies._coutinho_hand import PERIOD, SIZE, led, steering
-from helicoide.studies._coutinho_rows import FEEDBACK, charts_of, motions_of, rows_of, stays
-from helicoide.studies._coutinho_runs import INVERSES, ROBOT, crossings
+from helicoide.studies._coutinho_hand import PERIOD, STEP, led, steering
+from helicoide.studies._coutinho_rows import FEEDBACK, TIMES, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, crossings
 from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, unstated
 from helicoide.text import Text
 
@@ -18,20 +18,19 @@ ABOUT = Text(
     en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point stands still; the "
     "filtered inverse answers every 2 ms, with the gains of the experiments. No singularity is met, and the shaft "
     "slides and turns in its entry point without pushing it.",
-    pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, com o ponto de entrada parado; a inversa "
-    "filtrada responde a cada 2 ms, com os ganhos dos experimentos. Nenhuma singularidade aparece, e a haste desliza e "
-    "gira no ponto de entrada sem empurrá-lo.",
+    pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, com o ponto de entrada parado; a "
+    "inversa filtrada responde a cada 2 ms, com os ganhos dos experimentos. Nenhuma singularidade aparece, e a haste "
+    "desliza e gira no ponto de entrada sem empurrá-lo.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 SHORT = 6.0
 INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
-HAND = (
-    Fitted(Text(en="size of the hand's motion", pt_BR="tamanho do movimento da mão"), 1e3 * SIZE, 27.0, 33.0, "mm"),
-    Fitted(Text(en="its period", pt_BR="o período dele"), PERIOD, 54.0, 66.0, "s"),
-)
+# What the hand does, mm and s; by tests/studies/fits/coutinho_hand.py.
+SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 27.0, 24.3, 29.7, "mm")
+ASIDE = Fitted(Text(en="its way aside", pt_BR="o percurso dela para o lado"), 15.0, 13.5, 16.5, "mm")
+LASTS = Fitted(Text(en="its period", pt_BR="o período dela"), PERIOD, 54.0, 66.0, "s")
 NONE_MET = Text(en="no singularity is met", pt_BR="nenhuma singularidade é encontrada")
-CROSSED = Text(en="how often θ₇ changes its sign", pt_BR="quantas vezes θ₇ muda de sinal")
 STILL = Text(
     en="velocities of the entry point about 0, up to the robot's noise",
     pt_BR="velocidades do ponto de entrada praticamente nulas, a menos do ruído do robô",
@@ -51,15 +50,17 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The hand's motion at 2 ms; short: its first 6 s."""
     title, of_tool = INVERSES[options.inverse]
-    got = led(steering(turn=0.0), 0.0, of_tool, options.feedback, SHORT if short else PERIOD, progress)
-    rows = (
-        stays(got, "§4.2.2", STILL),
-        Row(CROSSED, crossings(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), HAND),
-        Row(Text(en="smallest w_r on the way", pt_BR="menor w_r no caminho"), float(got["w"].min())),
-        *rows_of(got, title, 0.002, FIGURES),
-    )
+    hand = steering(1e-3 * SIZE.value, 1e-3 * ASIDE.value, 0.0)
+    got = led(hand, 0.0, of_tool, options.feedback, SHORT if short else PERIOD, progress)
+    rows = (*stated(got), *rows_of(got, title, STEP, FIGURES))
     return Result(
         rows=rows if options.inverse == "filtered" else unstated(rows),
         charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
         motions=motions_of({title: got}),
     )
+
+
+def stated(got: Run) -> list[Row]:
+    """What the source says of E2."""
+    met = Row(TIMES, crossings(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), (SIZE, ASIDE, LASTS))
+    return [stays(got, "§4.2.2", STILL), met]

@@ -16,8 +16,8 @@ from helicoide.text import Text
 TITLE = Text(en="Four inverses at a singularity", pt_BR="Quatro inversas numa singularidade")
 SOURCE = "Coutinho 2015, §3.6, eqs. 3.43–3.50; §4.1.2, eqs. 4.3, 4.4"
 ABOUT = Text(
-    en="The path of S3 through θ₇ = 0 by the plain inverse, two kinds of damping and the filtered inverse: compare what "
-    "each costs the tip, and what it saves the joints. The source runs it with constant damping only, so that the "
+    en="The path of S3 through θ₇ = 0 by the plain inverse, two kinds of damping and the filtered inverse: compare "
+    "what each costs the tip, and what it saves the joints. The source runs it with constant damping only, so that the "
     "comparison is ours; the entry point is kept by all four.",
     pt_BR="A trajetória de S3 por θ₇ = 0 com a inversa simples, dois tipos de amortecimento e a inversa filtrada: "
     "compare quanto cada uma custa à ponta e quanto poupa às juntas. A fonte só a executa com amortecimento constante, "

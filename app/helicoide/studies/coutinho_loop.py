@@ -38,8 +38,8 @@ ABOUT = Text(
     "those of the body: a body that is turned by 180° never arrives with it, and does with the error as the body sees "
     "it.",
     pt_BR="Atrás de um trocarte, o efetuador parte a 20 mm e 30° de um alvo parado e chega a ele como diz o teorema. O "
-    "erro de orientação das eqs. 2.62–2.63 está nos eixos da base, enquanto o comando é uma velocidade nos do corpo: um "
-    "corpo girado de 180° nunca chega com ele, e chega com o erro como o corpo o vê.",
+    "erro de orientação das eqs. 2.62–2.63 está nos eixos da base, enquanto o comando é uma velocidade nos do corpo: "
+    "um corpo girado de 180° nunca chega com ele, e chega com o erro como o corpo o vê.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

@@ -26,11 +26,11 @@ TITLE = Text(en="A circle through an entry point", pt_BR="Um círculo através d
 SOURCE = "Coutinho 2015, cf. §3.4, §5.1"
 ABOUT = Text(
     en="An example of ours, which the source does not have: most arms have no wrist beyond the entry point, only a "
-    "straight rod, whose tip can be led anywhere, but not turned. The tip goes once around a circle of 30 mm radius; afterwards the joints are not quite where they were, "
-    "since two of the seven are free to drift.",
+    "straight rod, whose tip can be led anywhere, but not turned. The tip goes once around a circle of 30 mm radius; "
+    "afterwards the joints are not quite where they were, since two of the seven are free to drift.",
     pt_BR="Um exemplo nosso, que a fonte não tem: a maioria dos braços não tem punho além do ponto de entrada, só uma "
-    "haste reta, cuja ponta pode ser levada a qualquer lugar, mas não girada. A ponta dá uma volta num círculo de 30 mm de raio; depois as juntas não "
-    "voltam bem ao lugar, pois duas das sete ficam livres para derivar.",
+    "haste reta, cuja ponta pode ser levada a qualquer lugar, mas não girada. A ponta dá uma volta num círculo de "
+    "30 mm de raio; depois as juntas não voltam bem ao lugar, pois duas das sete ficam livres para derivar.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

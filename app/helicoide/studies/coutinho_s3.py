@@ -11,7 +11,7 @@ from helicoide.geometry import rotation
 from helicoide.ik.method import OneOf
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_rows import OF, SLIP, STARTED, STEP, STEPS, charts_of, motions_of, rows_of
+from helicoide.studies._coutinho_rows import OF, SLIP, STARTED, STEP, STEPS, TIMES, charts_of, motions_of, rows_of
 from helicoide.studies._coutinho_runs import DLS, ROBOT, Run, control, crossings, dia10
 from helicoide.studies._coutinho_runs import run as run_along
 from helicoide.studies._coutinho_simulation import SHORT, charted, part
@@ -42,10 +42,9 @@ DISTURBED = Text(
 )
 SMALL = Text(en="the disturbance is small", pt_BR="a perturbação é pequena")
 NEAR = Text(en="near the singularity", pt_BR="perto da singularidade")
-TIMES = Text(en="how often θ₇ changes its sign", pt_BR="quantas vezes θ₇ muda de sinal")
 LEAST = Text(en="min l_a", pt_BR="mín l_a")
 TURNED = Text(en="largest turn of the tool", pt_BR="maior giro do efetuador")
-SHARE = Text(
+DURING = Text(
     en="share of the run with a forbidden velocity above 0.01 mm/s, {which}",
     pt_BR="parte da execução com velocidade proibida acima de 0,01 mm/s, {which}",
 )
@@ -99,7 +98,7 @@ def _crossed(got: Run, which: Text) -> list[Row]:
 
 def _disturbed(got: Run) -> list[Row]:
     slip = got["slip_mm_s"]
-    share, where = SHARE.format(which=OF_BOTH), WHERE.format(which=OF_BOTH)
+    share, where = DURING.format(which=OF_BOTH), WHERE.format(which=OF_BOTH)
     return [
         Row(share, float(np.mean(slip > SEEN)), "", Statement(DISTURBED, "fig. 4.17", 0.0, ">"), STARTED),
         Row(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.ik.rcm.runs import START
 
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
@@ -12,7 +13,7 @@ from helicoide.ik.rcm.passage import through
 from helicoide.kinematics import differential
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies._coutinho_runs import LINK, START, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
 
 BASES: tuple[Basis, ...] = ("source", "scaled")
 

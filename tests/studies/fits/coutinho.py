@@ -1,8 +1,8 @@
 """Joints at the start of S1 to S4 that hold all that is printed of them: `python -m tests.studies.fits.coutinho`.
 
 θ₂, θ₄, θ₆, θ₇ and θ₈ are free; θ₁, θ₃ and θ₅ follow from the place of the tool in table 4.2. With θ₈ near π/2 the turn
-of S3 goes through the axis of the shaft, and a small θ₇ lets S1 withdraw along it; the others are round numbers at which
-the arm is far from its own singularities. Takes some minutes.
+of S3 goes through the axis of the shaft, and a small θ₇ lets S1 withdraw along it; the others are round numbers at
+which the arm is far from its own singularities. Takes some minutes.
 """
 
 from __future__ import annotations
@@ -70,8 +70,8 @@ def holds_to(joint: int, factor: float) -> float:
 
 
 if __name__ == "__main__":
-    for q7 in (-0.1, -0.15, -0.2, -0.25, -0.3, -0.4):
+    for q7 in (-0.1, -0.15, -0.2, -0.225, -0.25, -0.3, -0.4):
         print(f"θ₇ = {q7}:", failing(with_free(ROUND, 6, q7)) or "all holds", flush=True)
-    print("START", np.round(with_free(ROUND, 6, -0.2), 6), flush=True)
+    print("START", np.round(with_free(ROUND, 6, -0.225), 6), flush=True)
     for name, joint in FREE.items():
         print(name, START[joint], holds_to(joint, -0.05), holds_to(joint, 0.05), flush=True)

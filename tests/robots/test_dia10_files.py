@@ -63,7 +63,7 @@ def test_the_restricted_link_is_330_mm_with_150_mm_outside(dia10: Robot) -> None
 
 
 def test_effector_at_the_start_of_the_simulations(dia10: Robot, road: Road) -> None:
-    """Tab. 4.2: p_0e(0) = (19.4, 101.9, 95.8) cm, with its rotation in the re-run."""
+    """Tab. 4.2: p_0e(0) = (19.4, 101.9, 95.8) cm, with its rotation recomputed."""
     T = road(dia10, START)
     np.testing.assert_allclose(T[:3, 3], [0.194001, 1.019, 0.958], atol=6e-7)
     np.testing.assert_allclose(
@@ -77,7 +77,7 @@ def test_effector_at_the_start_of_the_simulations(dia10: Robot, road: Road) -> N
 
 
 def test_entry_point_at_the_start_of_the_simulations(dia10: Robot) -> None:
-    """Tab. 4.2 (l_a(0) = 0.15 m), re-run from the same joint angles."""
+    """Tab. 4.2 (l_a(0) = 0.15 m), recomputed from the same joint angles."""
     np.testing.assert_allclose(frame(dia10, "rcm", START)[:3, 3], [-0.054064, 0.757776, 1.04972], atol=6e-7)
 
 

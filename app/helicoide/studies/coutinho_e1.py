@@ -41,9 +41,9 @@ CHOICES = {name: same(f"Kp = {Kp:g}, Ko = {Ko:g}") for name, (Kp, Ko) in GAINS.i
 SAMPLES = 5000
 # By tests/studies/fits/coutinho_e1.py.
 STARTED = (
-    Fitted(same("l_a(0)"), E1_DEPTH, 0.0826, 0.0914, "m"),
+    Fitted(same("l_a(0)"), E1_DEPTH, 0.074, 0.0957, "m"),
     Fitted(same("θ₇(0)"), 0.142, 0.1349, 0.1491, "rad"),
-    Fitted(same("θ₈(0)"), -2.65, -2.7825, -2.5175, "rad"),
+    Fitted(same("θ₈(0)"), -2.65, -2.7825, -2.385, "rad"),
 )
 LAGS = Text(
     en="Θ follows the inverse with Γ = 5 more slowly than κ = 0.01 lets the damped one give way",

@@ -43,7 +43,7 @@ def difference(a: Array, b: Array) -> float:
 
 @pytest.mark.parametrize("basis", BASES)
 def test_the_stacked_jacobian_gives_the_same_rates(basis: Basis) -> None:
-    """The 8 × 8 stack; §9 asks for 1e-10."""
+    """The 8 × 8 stack."""
     worst = max(difference(by_constrained_jacobian(*scene), extended(*scene)) for scene in scenes(basis, 100))
     assert worst < 1e-12
 

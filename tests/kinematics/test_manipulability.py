@@ -162,7 +162,7 @@ def test_the_zebra_zero_near_its_shoulder_singularity() -> None:
     assert three_joints("ill_conditioned").w == pytest.approx(306, abs=0.5)
 
 
-# Coutinho 2015, section 6.1: q0 of the simulations.
+# A start of the arm of Coutinho 2015, with the tool where its table 4.2 has it.
 Q0 = [0.731912, -0.229593, -1.110216, -1.636104, 0.676517, 1.117805, -0.616407, 1.5708]
 
 

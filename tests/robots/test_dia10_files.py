@@ -13,9 +13,10 @@ from helicoide.kinematics import dh, forward
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._coutinho_runs import START as SIMULATED
 
 ROBOT = Path(__file__).parents[2] / "robots" / "dia10"
-# The source gives no joint angles for its start; these bring the effector to its p_0e(0).
+# The source gives no joint angles for its start; these bring the effector to its p_0e(0), as those of the file do.
 START = np.array([0.731912, -0.229593, -1.110216, -1.636104, 0.676517, 1.117805, -0.616407, 1.5708])
 Road = Callable[[Robot, Array], Array]
 
@@ -62,7 +63,7 @@ def test_the_restricted_link_is_330_mm_with_150_mm_outside(dia10: Robot) -> None
 
 
 def test_effector_at_the_start_of_the_simulations(dia10: Robot, road: Road) -> None:
-    """Tab. 4.2: p_0e(0) = (19.4, 101.9, 95.8) cm, with its rotation in the re-run."""
+    """Tab. 4.2: p_0e(0) = (19.4, 101.9, 95.8) cm, with its rotation recomputed."""
     T = road(dia10, START)
     np.testing.assert_allclose(T[:3, 3], [0.194001, 1.019, 0.958], atol=6e-7)
     np.testing.assert_allclose(
@@ -76,12 +77,14 @@ def test_effector_at_the_start_of_the_simulations(dia10: Robot, road: Road) -> N
 
 
 def test_entry_point_at_the_start_of_the_simulations(dia10: Robot) -> None:
-    """Tab. 4.2 (l_a(0) = 0.15 m), re-run from the same joint angles."""
+    """Tab. 4.2 (l_a(0) = 0.15 m), recomputed from the same joint angles."""
     np.testing.assert_allclose(frame(dia10, "rcm", START)[:3, 3], [-0.054064, 0.757776, 1.04972], atol=6e-7)
 
 
-def test_the_named_start_is_the_start(dia10: Robot) -> None:
-    np.testing.assert_allclose(dia10.poses["start"], START, atol=1e-8)
+def test_the_named_start_is_that_of_the_simulations(dia10: Robot) -> None:
+    """Tab. 4.2, to its last digit."""
+    np.testing.assert_allclose(dia10.poses["start"], SIMULATED, atol=1e-8)
+    np.testing.assert_allclose(forward.tool_by_screws(dia10, SIMULATED)[:3, 3], [0.194, 1.019, 0.958], atol=1e-6)
 
 
 def test_rows_and_axes_give_the_same_effector(dia10: Robot) -> None:

@@ -1,157 +1,204 @@
-"""The studies of Coutinho's runs: every number of the digest, at 20 ms each day and at 2 ms in the soak."""
+"""Coutinho's studies: their law changed turns them red, and their numbers are those of his formulas."""
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.ik.rcm.runs import START
+from tests.studies.coutinho_numbers import CIRCLED, FOUND, SAMPLED, at, digits
 
 from helicoide import studies
 from helicoide.geometry import rotation
 from helicoide.ik.method import settings
-from helicoide.kinematics.library import load
-from helicoide.studies import _coutinho_rows as rows
-from helicoide.studies import coutinho_hand
-from helicoide.studies._coutinho_circle import rod_arm
+from helicoide.ik.rcm import constrained, follow, older
+from helicoide.studies import (
+    _coutinho_rows,
+    coutinho_e3,
+    coutinho_loop,
+    coutinho_older,
+    coutinho_s1,
+    coutinho_s2,
+    coutinho_s3,
+    coutinho_s4,
+)
+from helicoide.studies._coutinho_circle import rod_arm, turn
 from helicoide.studies._coutinho_hand import PERIOD, SAMPLE, Device, dragging, steering
-from helicoide.studies.study import Result, Verdict
+from helicoide.studies._coutinho_runs import DLS, INVERSES, PSEUDOINVERSE, Run, control, run
+from helicoide.studies.study import Row, Statement, Verdict
 from helicoide.text import LANGUAGES
 
 NAMES = tuple(name for name in studies.names() if name.startswith("coutinho_"))
+COARSE = 0.1  # s
+STATED: dict[str, Callable[[Run], Sequence[Row]]] = {
+    "S1": coutinho_s1.stated,
+    "S2": coutinho_s2.stated,
+    "S4": coutinho_s4.stated,
+}
 
 
-@cache
-def ran(name: str, short: bool, **options: Any) -> Result:
-    """A study's result; it has told its progress to the end, and every row agrees."""
-    study = studies.named(name)
-    shares: list[float] = []
-    result = study.run(study.Options(**options), short, shares.append)
-    assert shares == sorted(shares)
-    assert shares[-1] == 1.0
-    others = [(row.quantity.en, row.ours, row.digest) for row in result.rows if row.verdict is not Verdict.AGREES]
-    assert others == []
-    return result
-
-
-def held(result: Result) -> int:
-    """How many rows stand beside a number of the digest."""
-    return sum(row.digest is not None for row in result.rows)
-
-
-def value(result: Result, quantity: str) -> float:
-    (found,) = [row.ours for row in result.rows if row.quantity.en == quantity]
-    return found
+def red(rows: Sequence[Row]) -> list[str]:
+    """What is not as printed."""
+    return [row.quantity.en for row in rows if isinstance(row.source, Statement) and not row.source.holds(row.ours)]
 
 
 def test_all_are_there() -> None:
-    names = ("e1", "hand", "inverses", "older", "rod", "s1", "s2", "s3", "s4")
+    names = ("e1", "e2", "e3", "inverses", "loop", "older", "rod", "s1", "s2", "s3", "s4", "wrists")
     assert tuple(f"coutinho_{name}" for name in names) == NAMES
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_short_forms_agree(name: str) -> None:
-    result = ran(name, short=True)
-    assert held(result) > 0
-    assert result.charts
-    assert result.motion is not None
-    assert result.motion.q.shape == (len(result.motion.times), len(load(result.motion.robot).variables))
-    assert (np.diff(result.motion.times) > 0).all()
-    assert all(np.isfinite(line.y).all() and len(line.x) == len(line.y) > 1 for c in result.charts for line in c.lines)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_words_and_settings(name: str) -> None:
     study = studies.named(name)
-    assert study.SOURCE.startswith(("Coutinho 2015", "cf. Coutinho 2015"))
-    assert load(study.ROBOT).name == study.ROBOT
+    assert study.SOURCE.startswith("Coutinho 2015, ")
     assert 1 <= len(settings(study.Options)) <= 2
     for language in LANGUAGES:
-        assert 2 <= study.ABOUT[language].count(". ") + 1 <= 3
+        assert 2 <= study.ABOUT[language].count(". ") + 1 <= 4
 
 
-@pytest.mark.parametrize(
-    ("name", "options", "least"),
-    [
-        ("coutinho_s1", {}, 19),
-        ("coutinho_s2", {}, 36),
-        ("coutinho_s3", {"inverse": "plain"}, 4),
-        ("coutinho_s3", {"inverse": "damped"}, 32),
-        ("coutinho_rod", {}, 20),
-    ],
-    ids=str,
-)
-def test_whole_forms_at_20_ms(name: str, options: dict[str, str], least: int) -> None:
-    """Each row of the digest at 20 ms; the rows at 2 ms are in the soak."""
-    assert held(ran(name, short=False, step="20", **options)) >= least
+@pytest.mark.parametrize("path", STATED)
+def test_what_is_printed_of_a_simulation_holds(path: str) -> None:
+    assert red(STATED[path](run(path, control(), COARSE))) == []
 
 
-def test_the_singularity_is_where_the_hand_s_errors_are_made() -> None:
-    """§4.2.3 and the digest's §9: calm joints while w_r → 0; without a bound they are faster and the tip truer."""
-    calm, plain = (ran("coutinho_hand", short=True, inverse=inverse) for inverse in ("filtered", "plain"))
-    near, far = coutinho_hand.TIP_NEAR.en, coutinho_hand.TIP_FAR.en
-    assert value(calm, near) > value(calm, far)
-    assert value(calm, coutinho_hand.NEAREST.en) < 1e-3
-    assert value(plain, "largest joint rate") > 5 * value(calm, "largest joint rate")
-    assert value(plain, near) < value(calm, near)
+def test_a_wrong_lever_moves_the_entry_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Λ# with twice l_a: the shaft no longer keeps its entry point."""
+    right = constrained.null_basis
+    monkeypatch.setattr(constrained, "null_basis", lambda place, basis: right(_deeper(place), basis))
+    assert "forbidden velocity" in red(coutinho_s2.stated(run("S2", control(), COARSE, seconds=20.0)))[0]
 
 
-def test_damping_costs_the_tip_and_spares_the_joints() -> None:
-    result = ran("coutinho_inverses", short=True)
-    rate = {which: value(result, f"largest joint rate, {which}") for which in ("plain inverse", "damped, κ = 0.05")}
-    assert rate["plain inverse"] > 1e4 * rate["damped, κ = 0.05"]
+def _deeper(place: constrained.Insertion) -> constrained.Insertion:
+    return constrained.Insertion(2 * place.outside, place.inside, place.forbidden, place.lateral)
+
+
+def test_without_the_velocity_of_the_target_the_tool_lags(monkeypatch: pytest.MonkeyPatch) -> None:
+    """ν without v_d: S1 misses its path near l_b = 0."""
+    right = follow.command
+    monkeypatch.setattr(follow, "command", lambda R, ahead, *others: right(R, 0 * ahead, *others))
+    assert any("error of the tip" in quantity for quantity in red(coutinho_s1.stated(run("S1", control(), COARSE))))
+
+
+def test_without_its_term_the_entry_point_is_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """V_i = Λ# v without Λ† v_rd: the shaft stays where S4 moves its entry point."""
+    push = property(lambda self: np.zeros((6, 2)))
+    monkeypatch.setattr(constrained.Constrained, "push", push)
+    assert len(red(coutinho_s4.stated(run("S4", control(), COARSE, seconds=20.0)))) == 3
+
+
+def test_only_with_the_arm_damped_is_the_entry_point_disturbed() -> None:
+    """The reading of fig. 4.17 by table 4.1: without it nothing is disturbed."""
+    wrist, both = (run("S3", control(of_tool=DLS, of_arm=arm), COARSE) for arm in (PSEUDOINVERSE, DLS))
+    assert red(coutinho_s3.stated(wrist, both)) == []
+    assert "share" in red(coutinho_s3.stated(wrist, wrist))[0]
+
+
+def test_a_second_task_that_does_not_yield_is_no_stack(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Eq. 1.1 without I − J_e† J_e."""
+
+    def unyielding(first, rate, second, second_rate, share=1.0):
+        return np.linalg.pinv(first) @ rate + share * np.linalg.pinv(second) @ second_rate
+
+    monkeypatch.setattr(older, "by_priority", unyielding)
+    rows = coutinho_older.run(coutinho_older.Options(), True, lambda share: None).rows
+    assert red(rows) == [rows[0].quantity.en]
+
+
+def test_the_printed_error_of_orientation_does_not_arrive() -> None:
+    """Eqs. 2.62–2.63; with a gain of half the size the arm falls too slowly."""
+    assert coutinho_loop.body(coutinho_loop.printed_error)[-1] == pytest.approx(179.9, abs=0.1)
+    rows = coutinho_loop.run(coutinho_loop.Options(position=2.5), True, lambda share: None).rows
+    assert {row.verdict for row in rows} == {Verdict.OURS}
+    assert rows[0].ours == pytest.approx(-2.5, abs=0.02)
+
+
+@pytest.mark.parametrize(("path", "of"), [("S1", 0.0), ("S1", 5.0), ("S2", 0.0), ("S2", 5.0), ("S3", "damped")])
+def test_numbers_at_20_ms(path: str, of: float | str) -> None:
+    """Those at 2 ms are in the soak."""
+    found = compare(path, 20, of)
+    if (path, of) in (("S2", 5.0), ("S3", "damped")):
+        for t, expected in SAMPLED[path].items():
+            np.testing.assert_allclose(at(found, t, 0.02), expected, atol=5.5e-5, rtol=1e-5)
+
+
+def compare(path: str, step: int, of: float | str) -> Run:
+    """A run from the start of the numbers, which it meets; of: a gain Kr, 1/s, or an inverse."""
+    chosen = control(of_tool=INVERSES[of][1]) if isinstance(of, str) else control(of)
+    found = run(path, chosen, step / 1000, START)
+    for name, written in FOUND.get((path, step, of), {}).items():
+        assert _coutinho_rows.MEASURES[name].of(found) == digits(written), name
+    assert found["slip_mm_s"].max() < 1e-6
+    return found
+
+
+@pytest.mark.parametrize(("of_arm", "gain", "drift"), [(DLS, 0.0, 16.9), (DLS, 5.0, 0.15)])
+def test_a_damped_arm_lets_the_shaft_drift(of_arm: follow.Inverse, gain: float, drift: float) -> None:
+    """κ = 0.05 on J_i too, at 20 ms, mm."""
+    found = run("S3", control(gain, of_tool=DLS, of_arm=of_arm), 0.02, START)
+    assert found["lateral_mm"].max() == pytest.approx(drift, rel=0.05)
+
+
+@pytest.mark.parametrize("gain", [0.0, 5.0])
+def test_the_rod_at_20_ms(gain: float) -> None:
+    circled(20, gain)
+
+
+def circled(step: int, gain: float) -> None:
+    """One turn of the rod meets its numbers."""
+    got = turn(gain, step / 1000)
+    tip, lateral = got["tip_mm"], got["lateral_mm"]
+    found = (tip.max(), np.sqrt(np.mean(tip**2)), lateral.max(), lateral[-1])
+    np.testing.assert_allclose(found, CIRCLED[step, gain], rtol=0.05)
+    assert got["rate"].max() == pytest.approx(0.287, abs=5.5e-4)
+    assert got["closure"][-1] == pytest.approx(0.22, abs=5.5e-3)
+    assert (got["depth"].min(), got["depth"].max()) == (digits("0.1500"), digits("0.1616"))
 
 
 @given(t=st.floats(0, PERIOD))
 def test_the_device_tells_the_newest_sample_and_differences(t: float) -> None:
     """§4.2: velocity (p_k − p_{k−1}) / T_s, of the hand's turn too."""
-    T = np.eye(4)
+    T, hand = np.eye(4), steering(0.027, 0.015, 0.4)
     T[:3, :3] = rotation.exponential([0.3, -1.1, 0.6])
-    wish = Device(steering, T).wished(t)
+    wish = Device(hand, T, 0.01).wished(t)
     number = np.floor(t / SAMPLE + 1e-6)
-    d, turn = steering(number * SAMPLE)
+    d, angle = hand(number * SAMPLE)
     np.testing.assert_allclose(wish.T_world_target[:3, 3], T[:3, :3] @ d, atol=1e-15)
-    before, turn_before = steering(max(number - 1, 0) * SAMPLE)
+    before, angle_before = hand(max(number - 1, 0) * SAMPLE)
     np.testing.assert_allclose(wish.ahead[:3], T[:3, :3] @ (d - before) / SAMPLE, atol=1e-9)
-    np.testing.assert_allclose(wish.ahead[3:], T[:3, 0] * (turn - turn_before) / SAMPLE, atol=1e-9)
+    np.testing.assert_allclose(wish.ahead[3:], T[:3, 0] * (angle - angle_before) / SAMPLE, atol=1e-9)
+    assert Device(hand, T).wished(t).entry_rate.tolist() == [0.0, 0.0]
+    assert abs(wish.entry_rate[0]) <= 0.01
 
 
 def test_the_hand_starts_where_the_tool_is() -> None:
-    d, turn = steering(0.0)
+    d, angle = steering(0.027, 0.015, 0.4)(0.0)
     assert not d.any()
-    assert turn == 0
+    assert angle == 0
     np.testing.assert_array_equal(dragging(np.array([1.0, 2, 3]))(2.0)[0], [2, 4, 6])
 
 
-@pytest.mark.parametrize(
-    ("printed", "inside", "outside"),
-    [
-        ("0.191", (0.1905, 0.1915), (0.1904, 0.1916)),
-        ("≤1e-12", (0.0, 1e-12), (1.1e-12, 1.0)),
-        ("≥1000", (1000.0, 2104.0), (999.0, -5.0)),
-        ("0.0351 ± 0.0002", (0.0349, 0.0353), (0.0348, 0.0354)),
-        ("-1.430", (-1.4305, -1.4295), (-1.431, 1.43)),
-    ],
-)
-def test_what_is_printed_bounds_what_agrees(
-    printed: str, inside: tuple[float, ...], outside: tuple[float, ...]
-) -> None:
-    title = rows.FIGURES["tip"][0]
-    assert all(rows.row(title, ours, printed).agrees for ours in inside)
-    assert not any(rows.row(title, ours, printed).agrees for ours in outside)
+def test_coming_near_counts_once_until_it_is_left() -> None:
+    assert coutinho_e3.approaches(np.array([0.5, 0.09, 0.12, 0.05, 0.3, 0.02, 0.4])) == 2
+    assert coutinho_e3.approaches(np.array([0.5, 0.11])) == 0
 
 
 def test_peaks_of_a_curve_stay() -> None:
     x = np.linspace(0, 1, 20_001)
     y = np.zeros_like(x)
     y[12_345] = -7.0
-    fewer = rows.thinned(x, y)
-    assert len(fewer[0]) == rows.POINTS
+    fewer = _coutinho_rows.thinned(x, y)
+    assert len(fewer[0]) == _coutinho_rows.POINTS
     assert fewer[1].min() == -7.0
     assert fewer[0][np.argmin(fewer[1])] == x[12_345]
+
+
+def test_motions_have_a_few_hundred_poses() -> None:
+    long = {"t_w": np.arange(1000.0), "q": np.zeros((1000, 8))}
+    (motion,) = _coutinho_rows.motions_of({_coutinho_rows.NO_FEEDBACK: long})
+    assert len(motion.times) == len(motion.q) <= _coutinho_rows.POSES
 
 
 def test_the_rod_s_arm_has_seven_joints() -> None:

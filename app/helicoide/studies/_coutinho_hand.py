@@ -1,4 +1,4 @@
-"""A hand on the device: where it holds the tool by time, and what the controller sees of it."""
+"""A hand on the device: where it holds the tool by time, what the controller sees of it, what the arm makes of it."""
 
 from __future__ import annotations
 
@@ -9,28 +9,51 @@ from math import cos, pi, sin
 import numpy as np
 
 from helicoide.geometry import rotation
-from helicoide.ik.rcm.follow import Wish
+from helicoide.ik.postures.branch import tool_at
+from helicoide.ik.rcm.follow import Inverse, Wish, followed
+from helicoide.ik.rcm.passage import through
 from helicoide.kinematics.chain import Array
+from helicoide.studies._coutinho_runs import (
+    DEPTH,
+    LINK,
+    START,
+    Run,
+    control,
+    dia10,
+    entry_on,
+    first_memory,
+    measured,
+    problem_of,
+)
+from helicoide.studies.study import Progress
 
-# Of the device, s: it tells its pose a thousand times a second.
-SAMPLE = 0.001
-# What the hand does: period, s, how far, m, how far round, rad, and its tremor, m and Hz.
-PERIOD, REACH, TURN = 60.0, (0.015, 0.027, 0.012), pi / 8
+# Of the device, and of the controller, s: it tells its pose a thousand times a second, and is asked every 2 ms.
+SAMPLE, STEP = 0.001, 0.002
+# What the hand does: how long, s, and its tremor, m and Hz.
+PERIOD = 60.0
 TREMOR = ((5e-5, 9.0), (5e-5, 11.0))
-# The entry point moves as in E1: 10 mm/s at 8 · 2π/7000 for each sample of 9 ms.
+# Where the entry point moves it does as in E1: 10 mm/s at 8 · 2π/7000 for each sample of 9 ms.
 ENTRY_SPEED, ENTRY_RATE = 0.01, 8 * 2 * pi / 7000 / 0.009
+# Kp and Ko, 1/s: of table 4.2 and of table 4.3.
+GAINS = {"simulations": (5.0, 10.0), "experiments": (270.0, 1500.0)}
 
 Hand = Callable[[float], tuple[Array, float]]
 
 
-def steering(t: float) -> tuple[Array, float]:
-    """Where the hand holds the tool, d (3,), m, in its axes at the start, and its turn about its x, rad.
+def steering(size: float, aside: float, turn: float, period: float = PERIOD) -> Hand:
+    """Where a hand holds the tool by time: d (3,), m, in its axes at the start, and its turn about its x, rad.
 
-    As S3, so that the wrist comes through θ₇ = 0, but three times as fast, sideways too, and with a tremor.
+    It leads in and back, sideways and round, with a tremor. Args: size: half the way in, m; aside, m; turn, rad;
+    period, s.
     """
-    w, (x, y, z) = 2 * pi / PERIOD, REACH
-    tremor = sum(size * sin(2 * pi * rate * t) for size, rate in TREMOR)
-    return np.array([x * sin(w * t) + tremor, y * (1 - cos(w * t)), z * sin(2 * w * t) + tremor]), -TURN * sin(w * t)
+    w = 2 * pi / period
+
+    def at(t: float) -> tuple[Array, float]:
+        tremor = sum(amplitude * sin(2 * pi * rate * t) for amplitude, rate in TREMOR)
+        way = np.array([aside * sin(w * t), size * (1 - cos(w * t)), aside * sin(2 * w * t)])
+        return way + np.array([tremor, 0.0, tremor]), -turn / 2 * (1 - cos(w * t))
+
+    return at
 
 
 def dragging(velocity: Array) -> Hand:
@@ -42,11 +65,13 @@ def dragging(velocity: Array) -> Hand:
 class Device:
     """What the controller is told of a hand that starts at the pose T_0 (4, 4), m: the newest sample, and differences.
 
-    ẋ_d = (p_k − p_{k−1}) / T_s, and ω_d = log(R_k R_{k−1}ᵀ) / T_s. Source: Coutinho 2015, §4.2.
+    ẋ_d = (p_k − p_{k−1}) / T_s, and ω_d = log(R_k R_{k−1}ᵀ) / T_s. entry_speed: how fast the entry point swings along x
+    of the shaft, m/s. Source: Coutinho 2015, §4.2.
     """
 
     hand: Hand
     T_world_start: Array
+    entry_speed: float = 0.0
 
     def pose(self, number: int) -> Array:
         """The pose (4, 4), m, of a sample; before the first the hand is at its start."""
@@ -57,9 +82,22 @@ class Device:
         return T
 
     def wished(self, t: float) -> Wish:
-        """What is asked at the time t, s, the entry point moving along x of the shaft as in E1."""
+        """What is asked at the time t, s."""
         number = int(np.floor(t / SAMPLE + 1e-6))
         now, before = self.pose(number), self.pose(number - 1)
         turn = rotation.logarithm(now[:3, :3] @ before[:3, :3].T)
         ahead = np.concatenate([now[:3, 3] - before[:3, 3], turn]) / SAMPLE
-        return Wish(now, ahead, np.array([ENTRY_SPEED * sin(ENTRY_RATE * t), 0.0]))
+        return Wish(now, ahead, np.array([self.entry_speed * sin(ENTRY_RATE * t), 0.0]))
+
+
+def led(hand: Hand, entry_speed: float, of_tool: Inverse, feedback: float, seconds: float, progress: Progress) -> Run:
+    """What the steps of so many seconds measured, by the gains of the experiments; w: w_r at each, by its formula."""
+    robot = dia10()
+    problem, passage = problem_of(robot), through(robot, LINK)
+    entry, device = entry_on(robot, START, DEPTH), Device(hand, tool_at(robot, START), entry_speed)
+    position, orientation = GAINS["experiments"]
+    gained = control(feedback, of_tool, position=position, orientation=orientation)
+    memory = first_memory(problem, passage, gained, START, entry)
+    steps = followed(problem, passage, gained, device.wished, START, entry, STEP, memory)
+    got = measured(steps, round(seconds / STEP) + 1, STEP, progress)
+    return {**got, "w": (got["inside"] / got["outside"]) ** 2 * np.abs(np.sin(got["q7"]))}

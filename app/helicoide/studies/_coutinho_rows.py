@@ -1,27 +1,31 @@
-"""What the studies of Coutinho's runs show of them: rows beside those of the digest, curves, the arm's motion."""
+"""What the studies of Coutinho's runs show of them: rows beside what he prints, curves, the arm's motions."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated
 
 import numpy as np
 
 from helicoide.ik.method import OneOf, Quantity
 from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies.study import FIGURE_ONLY, Chart, Line, Motion, Row
+from helicoide.studies.study import Chart, Figure, Fitted, Line, Motion, Row, Statement
 from helicoide.text import Text, same
 
-POINTS = 500  # of a curve
+POINTS, POSES = 500, 300  # of a curve, of a motion
 
 STEPS = {"2": same("2 ms"), "20": same("20 ms")}
 STEP = Text(en="sample time", pt_BR="período de amostragem")
 FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
-SHAFT_START = Text(
-    en="the joints at the start and the sample time are ours: the source gives neither",
-    pt_BR="as juntas no início e o período de amostragem são nossos: a fonte não informa",
+# Joints at the start that hold all that is printed of S1 to S4; found by tests/studies/fits/coutinho.py.
+STARTED = (
+    Fitted(same("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
+    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.2375, "rad"),
+    Fitted(same("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
+    Fitted(same("θ₇(0)"), -0.225, -0.28125, -0.2025, "rad"),
+    Fitted(same("θ₈(0)"), 1.57, 1.4915, 1.6485, "rad"),
 )
 
 
@@ -29,134 +33,149 @@ SHAFT_START = Text(
 class Options:
     """The sample time, ms, and the gain of the second run, 1/s: the first has none, as the source."""
 
-    step: Annotated[str, OneOf(STEP, STEPS)] = "2"
+    step: Annotated[str, OneOf(STEP, STEPS)] = "20"
     feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 5.0
 
 
-Figure = tuple[Text, str, Callable[[Run], float]]
-FIGURES: Mapping[str, Figure] = {
-    "tip": (Text(en="largest error of the tip", pt_BR="maior erro da ponta"), "mm", lambda run: run["tip_mm"].max()),
-    "angle": (
+OF = same("{what}, {which}")
+BY_STEP = Text(en="{what} at {step:g} ms", pt_BR="{what} a {step:g} ms")
+NO_FEEDBACK = same("Kr = 0")
+SLIP = Text(en="largest forbidden velocity at the entry point", pt_BR="maior velocidade proibida no ponto de entrada")
+TIMES = Text(en="how often θ₇ changes its sign", pt_BR="quantas vezes θ₇ muda de sinal")
+ENTRY = Text(
+    en="largest velocity of the shaft at the entry point, along x",
+    pt_BR="maior velocidade da haste no ponto de entrada, ao longo de x",
+)
+SHARE = Text(en="largest share of a joint's speed", pt_BR="maior fração da velocidade de uma junta")
+RATE = Text(en="largest joint velocity", pt_BR="maior velocidade de junta")
+TIP = Text(en="largest error of the tip", pt_BR="maior erro da ponta")
+LATERAL = Text(
+    en="largest distance of the shaft from the entry point", pt_BR="maior distância da haste ao ponto de entrada"
+)
+
+
+@dataclass(frozen=True)
+class Measure:
+    """What is read off a run: its unit, and whether it goes with the sample time."""
+
+    title: Text
+    unit: str
+    of: Callable[[Run], float]
+    by_step: bool = False
+
+
+MEASURES: Mapping[str, Measure] = {
+    "tip": Measure(TIP, "mm", lambda run: run["tip_mm"].max(), True),
+    "angle": Measure(
         Text(en="largest error of orientation", pt_BR="maior erro de orientação"),
         "°",
         lambda run: run["angle_deg"].max(),
+        True,
     ),
-    "lateral": (
-        Text(
-            en="largest distance of the shaft from the entry point",
-            pt_BR="maior distância da haste ao ponto de entrada",
-        ),
-        "mm",
-        lambda run: run["lateral_mm"].max(),
-    ),
-    "slip": (
-        Text(en="largest forbidden velocity at the entry point", pt_BR="maior velocidade proibida no ponto de entrada"),
-        "mm/s",
-        lambda run: run["slip_mm_s"].max(),
-    ),
-    "q7_min": (Text(en="smallest θ₇", pt_BR="menor θ₇"), "rad", lambda run: run["q7"].min()),
-    "q7_max": (Text(en="largest θ₇", pt_BR="maior θ₇"), "rad", lambda run: run["q7"].max()),
-    "outside_min": (Text(en="smallest l_a", pt_BR="menor l_a"), "m", lambda run: run["outside"].min()),
-    "outside_max": (Text(en="largest l_a", pt_BR="maior l_a"), "m", lambda run: run["outside"].max()),
-    "w_r": (Text(en="smallest w_r", pt_BR="menor w_r"), "", lambda run: run["w_r"].min()),
-    "rate": (Text(en="largest joint rate", pt_BR="maior velocidade de junta"), "rad/s", lambda run: run["rate"].max()),
+    "lateral": Measure(LATERAL, "mm", lambda run: run["lateral_mm"].max(), True),
+    "q7_min": Measure(Text(en="smallest θ₇", pt_BR="menor θ₇"), "rad", lambda run: run["q7"].min()),
+    "q7_max": Measure(Text(en="largest θ₇", pt_BR="maior θ₇"), "rad", lambda run: run["q7"].max()),
+    "outside_min": Measure(Text(en="smallest l_a", pt_BR="menor l_a"), "m", lambda run: run["outside"].min()),
+    "outside_max": Measure(Text(en="largest l_a", pt_BR="maior l_a"), "m", lambda run: run["outside"].max()),
+    "w_r": Measure(Text(en="smallest w_r", pt_BR="menor w_r"), "", lambda run: run["w_r"].min()),
+    "rate": Measure(RATE, "rad/s", lambda run: run["rate"].max()),
 }
-OF = Text(en="{what}, {which}", pt_BR="{what}, {which}")
-AT = Text(en="{what} at {t} s", pt_BR="{what} em {t} s")
-SAMPLED = {"outside": (same("l_a"), "m"), "q7": (same("θ₇"), "rad"), "w_r": (same("w_r"), ""), "w_i": (same("w_i"), "")}
-NO_FEEDBACK = same("Kr = 0")
 
 
 def with_feedback(gain: float) -> Text:
     """The name of a run by its gain Kr, 1/s."""
-    return same(f"Kr = {gain:g}")
+    return Text(en=f"Kr = {gain:g}", pt_BR=f"Kr = {gain:g}".replace(".", ","))
 
 
-def row(
-    quantity: Text, ours: float, printed: str | None, unit: str = "", last: float = 0.55, assumed: Text = SHAFT_START
-) -> Row:
-    """A row beside what the digest prints: to within `last` units of its last digit, or "≤" or "≥" and a bound.
-
-    A number without exponent is meant to its last digit; None: the digest has none. The source shows curves only.
-    """
-    if printed is None:
-        return Row(quantity, float(ours), unit=unit, source=FIGURE_ONLY, assumed=assumed)
-    relation: Literal["=", "≥", "≤"] = "="
-    if printed[0] in "≤≥":
-        relation, printed, last = ("≤" if printed[0] == "≤" else "≥"), printed[1:], 0.0
-    value, near = printed.split(" ± ") if " ± " in printed else (printed, None)
-    tolerance = float(near) if near else last * 10.0 ** -len(value.partition(".")[2])
-    return Row(quantity, float(ours), float(value), tolerance, unit, FIGURE_ONLY, relation=relation, assumed=assumed)
-
-
-def rows_of(run: Run, which: Text, printed: Mapping[str, str], last: float = 0.55) -> tuple[Row, ...]:
-    """All figures of a run beside those of the digest, by the names of `FIGURES`; which: the name of the run."""
-    return tuple(
-        row(OF.format(what=title, which=which), figure(run), printed.get(name), unit, last)
-        for name, (title, unit, figure) in FIGURES.items()
-    )
-
-
-def samples_of(run: Run, dt: float, printed: Mapping[int, tuple[str, str, str, str]]) -> tuple[Row, ...]:
-    """l_a, θ₇, w_r and w_i at seconds that the run has come to, beside those of the digest. dt, s."""
+def rows_of(run: Run, which: Text, dt: float, place: str = "", names: tuple[str, ...] = tuple(MEASURES)) -> list[Row]:
+    """What nobody printed of a run; place: the figures in which the source shows it. dt, s."""
     found = []
-    for t, values in printed.items():
-        if t > run["t"][-1] + dt / 2:
-            continue
-        for (name, (title, unit)), value in zip(SAMPLED.items(), values, strict=True):
-            at = 2 * t if name.startswith("w") else round(t / dt)
-            found.append(row(AT.format(what=title, t=t), run[name][at], value, unit))
-    return tuple(found)
+    for measure in (MEASURES[name] for name in names):
+        title = BY_STEP.format(what=measure.title, step=1e3 * dt) if measure.by_step else measure.title
+        shown = Figure(place) if place else None
+        found.append(Row(OF.format(what=title, which=which), float(measure.of(run)), measure.unit, shown))
+    return found
 
 
-def formula_row(run: Run, dt: float, formula: Callable[[float, float, float], float], equation: str) -> Row:
-    """How far w_r is from its closed form in l_a, l_b and θ₇, at every half second, as a part of it."""
-    stride = round(0.5 / dt)
-    places = zip(*(run[key][::stride] for key in ("outside", "inside", "q7")), strict=True)
-    expected = np.array([formula(*place) for place in places])
-    apart = float((np.abs(run["w_r"] - expected) / expected).max())
-    title = Text(
-        en="largest relative difference of w_r from eq. {equation}",
-        pt_BR="maior diferença relativa entre w_r e a eq. {equation}",
-    )
-    return row(title.format(equation=equation), apart, "≤1e-9")
+def stays(run: Run, place: str, words: Text, which: Text | None = None) -> Row:
+    """The forbidden velocity at the entry point beside what the source says of it, to 0.01 mm/s."""
+    title = SLIP if which is None else OF.format(what=SLIP, which=which)
+    return Row(title, float(run["slip_mm_s"].max()), "mm/s", Statement(words, place, 0.0, "=", 0.01))
 
 
 TIME = Text(en="time, s", pt_BR="tempo, s")
-CURVES: Mapping[str, tuple[Text, Text]] = {
-    "tip_mm": (Text(en="Error of the tip", pt_BR="Erro da ponta"), same("|e_p|, mm")),
-    "lateral_mm": (
+VELOCITY = Text(en="velocity, mm/s", pt_BR="velocidade, mm/s")
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Columns of a run over time, each with its name where there are several."""
+
+    title: Text
+    up: Text
+    columns: Mapping[str, str]
+    log: bool = False
+
+
+CURVES: Mapping[str, Curve] = {
+    "tip": Curve(Text(en="Error of the tip", pt_BR="Erro da ponta"), same("|e_p|, mm"), {"tip_mm": ""}),
+    "entry": Curve(
+        Text(en="Velocity of the shaft at the entry point", pt_BR="Velocidade da haste no ponto de entrada"),
+        VELOCITY,
+        {"v_x": "v_x", "v_z": "v_z"},
+    ),
+    "command": Curve(
+        Text(en="Cartesian command", pt_BR="Comando cartesiano"),
+        VELOCITY,
+        {"nu_x": "ν_x", "nu_y": "ν_y", "nu_z": "ν_z"},
+    ),
+    "lateral": Curve(
         Text(en="Distance of the shaft from the entry point", pt_BR="Distância da haste ao ponto de entrada"),
         same("|e_r|, mm"),
+        {"lateral_mm": ""},
+        log=True,
     ),
-    "rate": (Text(en="Largest joint rate", pt_BR="Maior velocidade de junta"), same("max |θ̇|, rad/s")),
-    "outside": (
+    "rate": Curve(
+        Text(en="Largest joint velocity", pt_BR="Maior velocidade de junta"), same("max |θ̇|, rad/s"), {"rate": ""}
+    ),
+    "outside": Curve(
         Text(en="From joint 6 to the entry point", pt_BR="Da junta 6 ao ponto de entrada"),
         same("l_a, m"),
+        {"outside": ""},
     ),
-    "q7": (Text(en="Bend of the wrist beyond it", pt_BR="Flexão do punho além dele"), same("θ₇, rad")),
-    "w_r": (
-        Text(en="Manipulability beyond the entry point", pt_BR="Manipulabilidade além do ponto de entrada"),
-        same("w_r"),
+    "q7": Curve(Text(en="Bend of the wrist beyond it", pt_BR="Flexão do punho além dele"), same("θ₇, rad"), {"q7": ""}),
+    "w": Curve(
+        Text(en="Manipulability of arm and wrist", pt_BR="Manipulabilidade do braço e do punho"),
+        same("w"),
+        {"w_r": "w_r", "w_i": "w_i"},
+        log=True,
     ),
-    "w_i": (Text(en="Manipulability of the arm", pt_BR="Manipulabilidade do braço"), same("w_i")),
 }
 
 
-def charts_of(runs: Mapping[Text, Run], names: tuple[str, ...] = tuple(CURVES)) -> tuple[Chart, ...]:
-    """The curves of several runs side by side over time."""
+def charts_of(runs: Mapping[Text, Run], figures: Mapping[str, str], log: tuple[str, ...] = ()) -> tuple[Chart, ...]:
+    """The curves of several runs side by side over time.
+
+    figures: the names of the curves, in their order, with the figure of the source beside which each stands; log: those
+    that differ by powers of ten from run to run.
+    """
     return tuple(
-        Chart(
-            CURVES[name][0],
-            TIME,
-            CURVES[name][1],
-            tuple(
-                Line(which, *thinned(run["t_w" if name.startswith("w_") else "t"], run[name]))
-                for which, run in runs.items()
-            ),
-        )
-        for name in names
+        Chart(curve.title, TIME, curve.up, _lines(runs, curve), figure, curve.log or name in log)
+        for name, figure in figures.items()
+        for curve in (CURVES[name],)
     )
+
+
+def _lines(runs: Mapping[Text, Run], curve: Curve) -> tuple[Line, ...]:
+    return tuple(
+        Line(OF.format(what=label, which=which) if label else which, *thinned(_times(run, column), run[column]))
+        for which, run in runs.items()
+        for column, label in curve.columns.items()
+    )
+
+
+def _times(run: Run, column: str) -> Array:
+    return run["t"] if len(run[column]) == len(run["t"]) else run["t_w"]
 
 
 def thinned(x: Array, y: Array) -> tuple[Array, Array]:
@@ -166,6 +185,11 @@ def thinned(x: Array, y: Array) -> tuple[Array, Array]:
     return x[kept], y[kept]
 
 
-def motion_of(run: Run, robot: str = ROBOT) -> Motion:
-    """What the arm did in a run."""
-    return Motion(robot, run["t_w"], run["q"])
+def motions_of(runs: Mapping[Text, Run], robot: str = ROBOT) -> tuple[Motion, ...]:
+    """What the arm did in each run."""
+    return tuple(_motion(which, run, robot) for which, run in runs.items())
+
+
+def _motion(which: Text, run: Run, robot: str) -> Motion:
+    stride = -(-len(run["t_w"]) // POSES)
+    return Motion(robot, run["t_w"][::stride], run["q"][::stride], title=which)

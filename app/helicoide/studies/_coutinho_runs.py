@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import cache
 from itertools import islice
 
@@ -21,18 +22,26 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies.study import Progress
+from helicoide.text import Text
 
 ROBOT = "dia10"
 LINK, DEPTH = 6, 0.15
-# Chosen, since the source gives none: with them the tool stands where table 4.2 has it.
-START = frozen([0.731912, -0.229593, -1.110216, -1.636104, 0.676517, 1.117805, -0.616407, 1.5708])
-E1_START = frozen([*START[:6], np.pi / 4, -np.pi / 2])
+# Chosen, since the source gives none: θ₁, θ₃ and θ₅ follow from the place of the tool in table 4.2.
+START = frozen([0.793942, -0.25, -1.25775, -1.65, 0.621815, 1.1, -0.225, 1.57])
+# Of the experiment, with the arm as above: the wrist comes through its singularity twice.
+E1_START, E1_DEPTH = frozen([*START[:6], 0.142, -2.65]), 0.087
 STRIDE = 0.5  # of the figures that are taken less often, s
 
 DLS = inverse("damped", damping=0.05)
 FILTERED = inverse("filtered_modified", gain=5.0)
 # κ = 0.05 (1 − w/0.1)² of eq. 3.44, squared in eq. 3.43
 VARIABLE = inverse("damped_by_manipulability", damping=0.05**2, threshold=0.1, exponent="4")
+INVERSES: Mapping[str, tuple[Text, Inverse]] = {
+    "plain": (Text(en="plain inverse", pt_BR="inversa simples"), PSEUDOINVERSE),
+    "damped": (Text(en="damped, κ = 0.05", pt_BR="amortecida, κ = 0,05"), DLS),
+    "variable": (Text(en="variably damped", pt_BR="com amortecimento variável"), VARIABLE),
+    "filtered": (Text(en="filtered inverse, Γ = 5", pt_BR="inversa filtrada, Γ = 5"), FILTERED),
+}
 
 Run = Mapping[str, Array]
 
@@ -46,6 +55,21 @@ def problem_of(robot: Robot, scale: float = 1.0) -> Problem:
 def dia10() -> Robot:
     """The source's arm: the torso and the right arm of the Motoman DIA10."""
     return load(ROBOT)
+
+
+@cache
+def zx_wrist() -> Robot:
+    """The same arm with joint 8 about x. Source: Coutinho 2015, §3.3, eq. 3.29."""
+    joints = dia10().joints
+    return replace(dia10(), joints=(*joints[:7], replace(joints[7], direction=frozen([1, 0, 0]))))
+
+
+@cache
+def seven_joints() -> Robot:
+    """The same arm without its last joint: too few for a trocar. Source: Coutinho 2015, §5.1."""
+    robot = dia10()
+    frames = {"tool": replace(robot.frames["tool"], link=7)}
+    return replace(robot, joints=robot.joints[:7], frames=frames)
 
 
 def entry_on(robot: Robot, q: Array, outside: float, link: int = LINK) -> Array:
@@ -70,23 +94,36 @@ def control(
     return Control(of_tool, of_arm, position, orientation, entry, "source")
 
 
+def crossings(values: Array) -> int:
+    """How often the sign of a curve (k,) changes."""
+    return int(np.count_nonzero(np.diff(np.sign(values))))
+
+
 def _figures(moment: Moment) -> dict[str, float]:
-    place = moment.at.place
+    at, place = moment.at, moment.at.place
+    V = at.J_arm @ moment.rates[: at.J_arm.shape[1]]
     return {
         "t": moment.t,
         "tip_mm": 1e3 * float(np.linalg.norm(moment.error[:3])),
         "angle_deg": angle_deg(moment.error),
         "lateral_mm": 1e3 * float(np.linalg.norm(place.lateral)),
         "slip_mm_s": 1e3 * float(np.abs(moment.entry_slip).max()),
+        "v_x": 1e3 * float(V[0] - place.outside * V[5]),
+        "v_z": 1e3 * float(V[2] + place.outside * V[3]),
+        **{f"nu_{axis}": 1e3 * float(value) for axis, value in zip("xyz", moment.command[:3], strict=True)},
         "q7": float(moment.q[6]),
         "outside": place.outside,
         "inside": place.inside,
         "rate": float(np.abs(moment.rates).max()),
+        "of_speed": float(np.abs(moment.rates / at.problem.limits.speed).max()),
     }
 
 
 def measured(moments: Iterator[Moment], steps: int, dt: float, progress: Progress) -> Run:
-    """The figures of so many steps, a column each; q (k, n), w_r and w_i every half second, at the times t_w, s."""
+    """The figures of so many steps, a column each; q (k, n), w_r and w_i every half second, at the times t_w, s.
+
+    v_x, v_z: velocity of the shaft's point at the entry across the shaft, mm/s; nu: that which the tool is asked, mm/s.
+    """
     rows, seldom, stride = [], [], round(STRIDE / dt)
     for step, moment in enumerate(islice(moments, steps)):
         rows.append(_figures(moment))
@@ -98,11 +135,11 @@ def measured(moments: Iterator[Moment], steps: int, dt: float, progress: Progres
     return {**columns, "t_w": t_w, "q": q, "w_r": w_r, "w_i": w_i}
 
 
-def moments(name: str, control: Control, dt: float, start: Array = START) -> Iterator[Moment]:
-    """The steps along a path of the source, from l_a = 0.15 m. dt, s."""
+def moments(name: str, control: Control, dt: float, start: Array = START, depth: float = DEPTH) -> Iterator[Moment]:
+    """The steps along a path of the source, from l_a = depth, m. dt, s."""
     robot, path = dia10(), PATHS[name]
     problem, passage = problem_of(robot), through(robot, LINK, path.across)
-    entry = entry_on(robot, start, DEPTH)
+    entry = entry_on(robot, start, depth)
     memory = first_memory(problem, passage, control, start, entry)
     return followed(problem, passage, control, path.wished(tool_at(robot, start)), start, entry, dt, memory)
 
@@ -122,9 +159,10 @@ def run(
     control: Control,
     dt: float,
     start: Array = START,
+    depth: float = DEPTH,
     seconds: float | None = None,
     progress: Progress = lambda share: None,
 ) -> Run:
     """What the steps of a run along a path of the source measured: for so many seconds, or all of it."""
     steps = round((seconds or PATHS[name].duration) / dt) + 1
-    return measured(moments(name, control, dt, start), steps, dt, progress)
+    return measured(moments(name, control, dt, start, depth), steps, dt, progress)

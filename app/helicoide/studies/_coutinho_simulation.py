@@ -2,64 +2,63 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
 
-from helicoide.studies._coutinho_rows import (
-    NO_FEEDBACK,
-    Options,
-    charts_of,
-    formula_row,
-    motion_of,
-    rows_of,
-    samples_of,
-    with_feedback,
-)
-from helicoide.studies._coutinho_runs import control, run
-from helicoide.studies.study import Progress, Result
+import numpy as np
 
-# What the digest prints of a run, by sample time, ms, and gain Kr, 1/s.
-Table = Mapping[tuple[int, float], Mapping[str, str]]
-Samples = Mapping[int, tuple[str, str, str, str]]
-Formula = tuple[Callable[[float, float, float], float], str]
+from helicoide.ik.postures.branch import tool_at
+from helicoide.kinematics.chain import Array
+from helicoide.studies._coutinho_rows import NO_FEEDBACK, Options, charts_of, motions_of, rows_of, with_feedback
+from helicoide.studies._coutinho_runs import Run, control, dia10, run
+from helicoide.studies.study import Progress, Result, Row
 
-
-@dataclass(frozen=True)
-class Beginning:
-    """The short form of a simulation: its first seconds at 20 ms, and what holds of them."""
-
-    seconds: float
-    table: Table
+# The short form takes the whole path, at 100 ms.
+SHORT = 0.1
 
 
 def simulated(
     path: str,
     options: Options,
-    short: Beginning | None,
+    short: bool,
     progress: Progress,
-    table: Table,
-    formula: Formula,
-    samples: Samples | None = None,
+    stated: Callable[[Run], Sequence[Row]],
+    figures: str,
+    depth: str,
 ) -> Result:
-    """Both runs along a path: the whole period, or what `short` says. samples: of the run with feedback at 20 ms."""
-    seconds = None
-    if short is not None:
-        seconds, table, options = short.seconds, short.table, replace(options, step="20")
-    step = int(options.step)
-    dt = step / 1000
-    plain = run(path, control(), dt, seconds=seconds, progress=lambda share: progress(share / 2))
-    fed_back = run(
-        path, control(options.feedback), dt, seconds=seconds, progress=lambda share: progress((1 + share) / 2)
-    )
-    name = with_feedback(options.feedback)
-    known = (samples or {}) if (step, options.feedback) == (20, 5.0) else {}
+    """Both runs along a path; what the source states is about the first.
+
+    stated: its rows; figures: those in which the source shows the run; depth: that of l_a.
+    """
+    dt = SHORT if short else int(options.step) / 1000
+    gains = {0.0: NO_FEEDBACK, options.feedback: with_feedback(options.feedback)}
+    runs = {
+        which: run(path, control(gain), dt, progress=part(progress, done, len(gains)))
+        for done, (gain, which) in enumerate(gains.items())
+    }
+    plain, *others = runs.items()
     return Result(
         rows=(
-            *rows_of(plain, NO_FEEDBACK, table.get((step, 0.0), {})),
-            *rows_of(fed_back, name, table.get((step, options.feedback), {})),
-            *samples_of(fed_back, dt, known),
-            formula_row(plain, dt, *formula),
+            *stated(plain[1]),
+            *rows_of(plain[1], plain[0], dt, figures),
+            *(one for which, got in others for one in rows_of(got, which, dt, names=("tip", "lateral"))),
         ),
-        charts=charts_of({NO_FEEDBACK: plain, name: fed_back}),
-        motion=motion_of(fed_back),
+        charts=charts_of(runs, charted(figures, depth)),
+        motions=motions_of(runs),
     )
+
+
+def part(progress: Progress, done: int, parts: int) -> Progress:
+    """The progress of one of several runs, as a part of the whole."""
+    return lambda share: progress((done + share) / parts)
+
+
+def charted(figures: str, depth: str) -> dict[str, str]:
+    """The curves of a simulation with the figures of the source beside which they stand."""
+    names = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
+    return {name: {"outside": depth, "lateral": ""}.get(name, figures) for name in names}
+
+
+def displaced_mm(got: Run) -> Array:
+    """Where the tool of a run is at its times t_w from its start, along its axes there, (k, 3), mm."""
+    poses = np.array([tool_at(dia10(), q) for q in got["q"]])
+    return np.asarray(1e3 * (poses[:, :3, 3] - poses[0, :3, 3]) @ poses[0, :3, :3])

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from helicoide.ik.rcm import wrists
-from helicoide.studies._coutinho_rows import Options
-from helicoide.studies._coutinho_runs import ROBOT
-from helicoide.studies._coutinho_simulation import Beginning, simulated
-from helicoide.studies.study import Progress, Result
-from helicoide.text import Text
+import numpy as np
+
+from helicoide.ik.postures.branch import tool_at
+from helicoide.studies._coutinho_rows import STARTED, Options, stays
+from helicoide.studies._coutinho_runs import ROBOT, Run, dia10
+from helicoide.studies._coutinho_simulation import displaced_mm, simulated
+from helicoide.studies.study import Progress, Result, Row, Statement, printed
+from helicoide.text import Text, same
 
 TITLE = Text(en="S1: a slit for the instrument", pt_BR="S1: uma fenda para o instrumento")
 SOURCE = "Coutinho 2015, §4.1.1, eq. 4.1"
@@ -20,29 +22,38 @@ ABOUT = Text(
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-_ALIKE = {"outside_min": "0.147", "outside_max": "0.240", "w_r": "0.539"}
-TABLE = {
-    (20, 0.0): {
-        "tip": "0.0028", "angle": "0.0003", "lateral": "0.191", "slip": "≤1e-12", "q7_min": "-1.430",
-        "q7_max": "-0.571", "rate": "0.0462", **_ALIKE,
-    },
-    (20, 5.0): {
-        "tip": "0.0028", "angle": "0.0003", "lateral": "0.0009", "slip": "≤1e-12", "rate": "0.0463", **_ALIKE,
-    },
-    (2, 0.0): {
-        "tip": "0.0003", "angle": "0.0000", "lateral": "0.023", "slip": "≤1e-11", "rate": "0.0463", **_ALIKE,
-    },
-}  # fmt: skip
-# Of the first seconds at 20 ms: what the whole period does not exceed.
-SHORT = Beginning(
-    25.0,
-    {
-        (20, 0.0): {"tip": "≤0.0028", "angle": "≤0.0003", "lateral": "≤0.191", "slip": "≤1e-12", "rate": "≤0.0463"},
-        (20, 5.0): {"tip": "≤0.0028", "angle": "≤0.0003", "lateral": "≤0.001", "slip": "≤1e-12", "rate": "≤0.0463"},
-    },
-)
+# l_b, mm, below which the entry point is near joint 7: a third of that at the start; and a hundredth of A, mm.
+NEAR, FOLLOWED = 60.0, 0.3
+PASSES = Text(en="passes near l_b = 0", pt_BR="passa perto de l_b = 0")
+FOLLOWS = Text(en="follows its path near l_b = 0 too", pt_BR="segue a trajetória também perto de l_b = 0")
+PLACED = Text(en="tool at the start, {axis}", pt_BR="efetuador no início, {axis}")
+WITHDRAWN = Text(en="largest withdrawal of the tool", pt_BR="maior recuo do efetuador")
+WAY = Text(en="2.2A cos 2ωt − 2.2A, A = 3 cm", pt_BR="2,2A cos 2ωt − 2,2A, A = 3 cm")
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Both runs; short: 25 s of them at 20 ms."""
-    return simulated("S1", options, SHORT if short else None, progress, TABLE, (wrists.w_zy_slit, "3.40"))
+    """Both runs; short: at 100 ms."""
+    return simulated("S1", options, short, progress, stated, "figs. 4.3–4.8", "fig. 4.6b")
+
+
+def stated(got: Run) -> list[Row]:
+    """What the source prints of the start and of S1."""
+    start = 100 * tool_at(dia10(), got["q"][0])[:3, 3]
+    inside = 1e3 * got["inside"]
+    error = got["tip_mm"][inside < NEAR].max(initial=0.0) if inside.min() < NEAR else np.inf
+    return [
+        *(
+            Row(PLACED.format(axis=axis), float(value), "cm", printed(words, "tab. 4.2"), STARTED)
+            for axis, value, words in zip("xyz", start, ("19,4", "101,9", "95,8"), strict=True)
+        ),
+        Row(WITHDRAWN, float(-displaced_mm(got)[:, 1].min()), "mm", Statement(WAY, "eq. 4.1", 132.0, "=", 1.0)),
+        Row(same("min l_b"), float(inside.min()), "mm", Statement(PASSES, "§4.1.1", NEAR, "≤"), STARTED),
+        Row(
+            Text(en="largest error of the tip while l_b < 60 mm", pt_BR="maior erro da ponta enquanto l_b < 60 mm"),
+            float(error),
+            "mm",
+            Statement(FOLLOWS, "§4.1.1", FOLLOWED, "≤"),
+            STARTED,
+        ),
+        stays(got, "eqs. 3.1, 3.22", same("H V_r = 0")),
+    ]

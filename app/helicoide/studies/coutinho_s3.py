@@ -1,91 +1,118 @@
-"""S3: through a singularity of the wrist beyond the entry point, by one inverse of the constrained Jacobian."""
+"""S3: through a singularity of the wrist beyond the entry point, with damping."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
+import numpy as np
+
+from helicoide.geometry import rotation
 from helicoide.ik.method import OneOf
-from helicoide.ik.rcm.follow import PSEUDOINVERSE, Inverse
-from helicoide.studies._coutinho_rows import STEP, STEPS, charts_of, motion_of, rows_of, samples_of
-from helicoide.studies._coutinho_runs import DLS, FILTERED, ROBOT, VARIABLE, control
+from helicoide.ik.postures.branch import tool_at
+from helicoide.kinematics.chain import Array
+from helicoide.studies._coutinho_rows import OF, SLIP, STARTED, STEP, STEPS, TIMES, charts_of, motions_of, rows_of
+from helicoide.studies._coutinho_runs import DLS, ROBOT, Run, control, crossings, dia10
 from helicoide.studies._coutinho_runs import run as run_along
-from helicoide.studies.study import Progress, Result
+from helicoide.studies._coutinho_simulation import SHORT, charted, part
+from helicoide.studies.study import Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="S3: through a singularity", pt_BR="S3: através de uma singularidade")
-SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.3, 4.4; §3.6"
+SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.3, 4.4; tabs. 4.1, 4.2"
 ABOUT = Text(
     en="The tool is turned so that the two axes around the bend beyond the trocar come into line, θ₇ = 0, where one "
-    "motion of the tool is lost. The plain inverse makes the joints race; damping or the filtered inverse keep them "
-    "calm at the cost of some hundredths of a millimetre at the tip, and the entry point notices nothing.",
+    "motion of the tool is lost; damping keeps the joints calm. If only J^r is damped, as eq. 3.46 has it, the entry "
+    "point notices nothing. If J_i is damped too, as table 4.1 has it, its velocity is disturbed a little, most of all "
+    "near the singularity, which is what the source reports.",
     pt_BR="A ponta gira até que os dois eixos em torno da flexão além do trocarte se alinhem, θ₇ = 0, onde se perde um "
-    "movimento. A inversa simples faz as juntas dispararem; o amortecimento ou a inversa filtrada as mantêm calmas ao "
-    "custo de alguns centésimos de milímetro na ponta, e o ponto de entrada nada sente.",
+    "movimento; o amortecimento mantém as juntas calmas. Se só J^r é amortecido, como na eq. 3.46, o ponto de entrada "
+    "nada sente. Se J_i também é, como na tabela 4.1, a velocidade dele é perturbada um pouco, sobretudo perto da "
+    "singularidade, e é isso que a fonte relata.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-INVERSES: Mapping[str, tuple[Text, Inverse]] = {
-    "plain": (Text(en="plain inverse", pt_BR="inversa simples"), PSEUDOINVERSE),
-    "damped": (Text(en="damped, κ = 0.05", pt_BR="amortecida, κ = 0,05"), DLS),
-    "variable": (Text(en="variably damped", pt_BR="com amortecimento variável"), VARIABLE),
-    "filtered": (Text(en="filtered inverse, Γ = 5", pt_BR="inversa filtrada, Γ = 5"), FILTERED),
-}
-# The digest's filtered rows are of another integration of Θ: so many units of the last digit.
-FILTERED_LAST = 3.0
-
-_ALIKE = {
-    "lateral": "0.0042", "slip": "≤1e-12", "q7_min": "-1.169", "q7_max": "0.269", "outside_min": "0.063",
-    "outside_max": "0.163", "rate": "0.0351 ± 0.0002",
-}  # fmt: skip
-# By sample time, ms, and inverse.
-TABLE: Mapping[tuple[int, str], Mapping[str, str]] = {
-    (20, "plain"): {"q7_max": "1.17 ± 0.01", "lateral": "0.042", "slip": "≤1e-7", "rate": "≥1000"},
-    (20, "damped"): {**_ALIKE, "rate": "0.0351 ± 0.0001", "tip": "≤0.08", "lateral": "0.042"},
-    (2, "plain"): {"tip": "0.0135", "angle": "0.0037", "lateral": "0.0042", "slip": "≤1e-8", "rate": "≥1000"},
-    (2, "damped"): {"tip": "0.0784", "angle": "0.0016", **_ALIKE},
-    (2, "variable"): {"tip": "0.0541", "angle": "0.0012", **_ALIKE},
-    (2, "filtered"): {"tip": "0.0503", "angle": "0.0010", **_ALIKE},
-}
-SAMPLES = {
-    0: ("0.1500", "-0.6164", "0.8325", "0.02828"),
-    25: ("0.1607", "-0.0009", "0.0010", "0.02483"),
-    50: ("0.1387", "0.2685", "0.5051", "0.02334"),
-    100: ("0.1038", "-0.4778", "2.1849", "0.02028"),
-    150: ("0.0653", "-1.1636", "15.0794", "0.01793"),
-    200: ("0.1500", "-0.6170", "0.8332", "0.02829"),
-}
-# Over the first crossing at 20 ms.
-_CROSSED = {"q7_min": "≤0", "q7_max": "≥0", "slip": "≤1e-12"}
-SECONDS = 30.0
-SHORT: Mapping[str, Mapping[str, str]] = {
-    "plain": {"rate": "≥1000", "slip": "≤1e-7"},
-    "damped": {**_CROSSED, "rate": "≤0.0352", "tip": "≤0.08"},
-    "variable": {**_CROSSED, "rate": "≤0.038", "tip": "≤0.06"},
-    "filtered": {**_CROSSED, "rate": "≤0.038", "tip": "≤0.06"},
-}
-INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
+OF_WRIST = Text(en="J^r damped", pt_BR="J^r amortecido")
+OF_BOTH = Text(en="J^r and J_i damped", pt_BR="J^r e J_i amortecidos")
+CROSSES = Statement(Text(en="made to cross θ₇ = 0", pt_BR="feita para cruzar θ₇ = 0"), "§4.1.2", 1.0, "≥")
+COMES = Statement(Text(en="comes to small l_a", pt_BR="chega a l_a pequeno"), "§4.1.2", 100.0, "≤")
+TURN = Statement(Text(en="φ = −π/8 sin ωt", pt_BR="φ = −π/8 sen ωt"), "eq. 4.4", 22.5, "=", 0.5)
+DISTURBED = Text(
+    en="the velocity of the entry point is disturbed", pt_BR="a velocidade do ponto de entrada é perturbada"
+)
+SMALL = Text(en="the disturbance is small", pt_BR="a perturbação é pequena")
+NEAR = Text(en="near the singularity", pt_BR="perto da singularidade")
+LEAST = Text(en="min l_a", pt_BR="mín l_a")
+TURNED = Text(en="largest turn of the tool", pt_BR="maior giro do efetuador")
+DURING = Text(
+    en="share of the run with a forbidden velocity above 0.01 mm/s, {which}",
+    pt_BR="parte da execução com velocidade proibida acima de 0,01 mm/s, {which}",
+)
+WHERE = Text(
+    en="|θ₇| where the forbidden velocity is largest, {which}",
+    pt_BR="|θ₇| onde a velocidade proibida é maior, {which}",
+)
+# Of a forbidden velocity, mm/s.
+SEEN = 0.01
+FIGURES = "figs. 4.15–4.19"
 
 
 @dataclass(frozen=True)
 class Options:
-    """The sample time, ms, and how J^r is inverted."""
+    """The sample time, ms."""
 
-    step: Annotated[str, OneOf(STEP, STEPS)] = "2"
-    inverse: Annotated[str, OneOf(INVERSE, {name: title for name, (title, _) in INVERSES.items()})] = "damped"
+    step: Annotated[str, OneOf(STEP, STEPS)] = "20"
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """One run; short: 30 s of it at 20 ms."""
-    name, step = options.inverse, 20 if short else int(options.step)
-    title, of_tool = INVERSES[name]
-    printed = SHORT[name] if short else TABLE.get((step, name), {})
-    got = run_along("S3", control(of_tool=of_tool), step / 1000, seconds=SECONDS if short else None, progress=progress)
-    samples = SAMPLES if (step, name) == (20, "damped") else {}
-    last = FILTERED_LAST if name == "filtered" else 0.55
+    """With J^r damped, and with J_i damped too; short: at 100 ms."""
+    dt = SHORT if short else int(options.step) / 1000
+    wrist = run_along("S3", control(of_tool=DLS), dt, progress=part(progress, 0, 2))
+    both = run_along("S3", control(of_tool=DLS, of_arm=DLS), dt, progress=part(progress, 1, 2))
+    runs = {OF_WRIST: wrist, OF_BOTH: both}
     return Result(
-        rows=(*rows_of(got, title, printed, last), *samples_of(got, step / 1000, samples)),
-        charts=charts_of({title: got}),
-        motion=motion_of(got),
+        rows=(
+            *stated(wrist, both),
+            Row(OF.format(what=SLIP, which=OF_WRIST), float(wrist["slip_mm_s"].max()), "mm/s"),
+            *(one for which, got in runs.items() for one in rows_of(got, which, dt, FIGURES)),
+        ),
+        charts=charts_of(runs, {**charted(FIGURES, "fig. 4.16b"), "entry": "fig. 4.17"}, ("tip",)),
+        motions=motions_of(runs),
     )
+
+
+def stated(wrist: Run, both: Run) -> list[Row]:
+    """What the source prints of S3, of the runs without and with J_i damped."""
+    return [*_crossed(wrist, OF_WRIST), *_crossed(both, OF_BOTH), *_disturbed(both)]
+
+
+def _crossed(got: Run, which: Text) -> list[Row]:
+    least, turned = 1e3 * float(got["outside"].min()), _turned_deg(got["q"])
+    times = Row(OF.format(what=TIMES, which=which), crossings(got["q7"]), "", CROSSES, STARTED)
+    return [
+        times,
+        Row(OF.format(what=LEAST, which=which), least, "mm", COMES, STARTED),
+        Row(OF.format(what=TURNED, which=which), turned, "°", TURN),
+    ]
+
+
+def _disturbed(got: Run) -> list[Row]:
+    slip = got["slip_mm_s"]
+    share, where = DURING.format(which=OF_BOTH), WHERE.format(which=OF_BOTH)
+    return [
+        Row(share, float(np.mean(slip > SEEN)), "", Statement(DISTURBED, "fig. 4.17", 0.0, ">"), STARTED),
+        Row(
+            OF.format(what=SLIP, which=OF_BOTH),
+            float(slip.max()),
+            "mm/s",
+            Statement(SMALL, "fig. 4.17", 1.0, "≤"),
+            STARTED,
+        ),
+        Row(where, float(abs(got["q7"][slip.argmax()])), "rad", Statement(NEAR, "fig. 4.17", 0.1, "≤"), STARTED),
+    ]
+
+
+def _turned_deg(q: Array) -> float:
+    """The largest angle of the tool against its start, degrees."""
+    R = tool_at(dia10(), q[0])[:3, :3]
+    return float(np.degrees(max(np.linalg.norm(rotation.logarithm(R.T @ tool_at(dia10(), one)[:3, :3])) for one in q)))

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from helicoide.ik.rcm import wrists
-from helicoide.studies._coutinho_rows import Options
-from helicoide.studies._coutinho_runs import ROBOT
-from helicoide.studies._coutinho_simulation import Beginning, simulated
-from helicoide.studies.study import Progress, Result
+from helicoide.studies._coutinho_rows import Options, stays
+from helicoide.studies._coutinho_runs import ROBOT, Run
+from helicoide.studies._coutinho_simulation import simulated
+from helicoide.studies.study import Progress, Result, Row, printed
 from helicoide.text import Text
 
 TITLE = Text(en="S4: an entry point that moves", pt_BR="S4: um ponto de entrada que se move")
@@ -20,19 +19,25 @@ ABOUT = Text(
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-_ALIKE = {
-    "tip": "0.0014", "angle": "0.0001", "slip": "≤1e-11", "q7_min": "-2.075", "outside_min": "0.146",
-    "outside_max": "0.205", "w_r": "0.374", "rate": "0.115",
-}  # fmt: skip
-TABLE = {
-    (2, 0.0): {"lateral": "0.233", "q7_max": "-0.600", **_ALIKE},
-    (2, 5.0): {"lateral": "0.0005", "q7_max": "-0.601", **_ALIKE},
-    (20, 5.0): {"lateral": "≤0.01", "slip": "≤1e-11", "tip": "≤0.02"},
-}
-# Of the first seconds at 20 ms, in which the entry point moves by 53 mm.
-SHORT = Beginning(50.0, {(20, 5.0): TABLE[20, 5.0], (20, 0.0): {"slip": "≤1e-11", "tip": "≤0.02"}})
+FOLLOWS = Text(en="the velocity of the entry point follows v_rd", pt_BR="a velocidade do ponto de entrada segue v_rd")
+ALONG = Text(
+    en="largest velocity of the shaft at the entry point, along {axis}",
+    pt_BR="maior velocidade da haste no ponto de entrada, ao longo de {axis}",
+)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Both runs; short: 50 s of them at 20 ms."""
-    return simulated("S4", options, SHORT if short else None, progress, TABLE, (wrists.w_zy_trocar, "3.42"))
+    """Both runs; short: at 100 ms."""
+    return simulated("S4", options, short, progress, stated, "figs. 4.20–4.24", "fig. 4.22b")
+
+
+def stated(got: Run) -> list[Row]:
+    """What the source prints of S4."""
+    largest = {"x": got["v_x"].max(), "−z": (-got["v_z"]).max()}
+    return [
+        stays(got, "§4.1.2", FOLLOWS),
+        *(
+            Row(ALONG.format(axis=axis), float(value), "mm/s", printed("5", "eq. 4.6"))
+            for axis, value in largest.items()
+        ),
+    ]

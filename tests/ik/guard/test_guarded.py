@@ -184,7 +184,7 @@ def test_the_rod_passes_through_its_entry_point_while_the_tip_moves() -> None:
 
 
 def test_a_rod_beside_its_entry_point_comes_back() -> None:
-    """Fed back (Coutinho 2015): 5 mm beside, under a thousandth of it within a second."""
+    """Fed back (after Coutinho 2015, §3.4): 5 mm beside, under a thousandth of it within a second."""
     problem = with_rod()
     assert problem.entry is not None
     q = problem.robot.poses["ready"].copy()

@@ -1,25 +1,10 @@
-"""Kin of the source's arm, for the tests of what its geometry makes of the entry point."""
+"""Starts of the source's arm from which its formulas were recomputed independently, the tool as in table 4.2."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-from functools import cache
+import numpy as np
 
 from helicoide.kinematics.chain import frozen
-from helicoide.kinematics.robot import Robot
-from helicoide.studies._coutinho_runs import dia10
 
-
-@cache
-def zx_wrist() -> Robot:
-    """The same arm with joint 8 about x."""
-    joints = dia10().joints
-    return replace(dia10(), joints=(*joints[:7], replace(joints[7], direction=frozen([1, 0, 0]))))
-
-
-@cache
-def seven_joints() -> Robot:
-    """The same arm without its last joint."""
-    robot = dia10()
-    frames = {"tool": replace(robot.frames["tool"], link=7)}
-    return replace(robot, joints=robot.joints[:7], frames=frames)
+START = frozen([0.731912, -0.229593, -1.110216, -1.636104, 0.676517, 1.117805, -0.616407, 1.5708])
+E1_START = frozen([*START[:6], np.pi / 4, -np.pi / 2])

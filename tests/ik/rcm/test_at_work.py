@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.ik.rcm.runs import START
 from tests.kinematics.arms import derivative
 
 from helicoide.geometry import rotation
@@ -17,7 +18,7 @@ from helicoide.ik.rcm.follow import command, pose_error
 from helicoide.ik.rcm.passage import insertion
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies._coutinho_runs import LINK, START, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
 
 GAINS = (3.0, 3.0, 3.0, 5.0)
 STILL = np.zeros(3)

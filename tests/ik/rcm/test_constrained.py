@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tests.ik.rcm.runs import zx_wrist
+from tests.ik.rcm.runs import START
 from tests.kinematics.arms import derivative
 
 from helicoide.ik.rcm import wrists
@@ -21,7 +21,7 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._coutinho_runs import LINK, START, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of, zx_wrist
 
 LENGTH, L_8 = 0.33, 0.21
 BASES: tuple[Basis, ...] = ("source", "scaled")

@@ -7,6 +7,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
+from tests.ik.rcm.runs import START
 
 from helicoide.geometry import rotation
 from helicoide.ik import methods
@@ -17,7 +18,7 @@ from helicoide.ik.rcm.follow import Control, Inverse, Moment, Wish, command, fol
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
 from helicoide.kinematics import differential
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_runs import LINK, START, angle_deg, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, angle_deg, dia10, entry_on, problem_of
 from helicoide.text import HelicoideError
 
 STILL = np.zeros(6)

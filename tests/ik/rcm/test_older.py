@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.ik.rcm.runs import START
 
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
@@ -12,7 +13,7 @@ from helicoide.ik.rcm.passage import through
 from helicoide.kinematics import differential
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies._coutinho_runs import LINK, START, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
 
 BASES: tuple[Basis, ...] = ("source", "scaled")
 
@@ -42,7 +43,7 @@ def difference(a: Array, b: Array) -> float:
 
 @pytest.mark.parametrize("basis", BASES)
 def test_the_stacked_jacobian_gives_the_same_rates(basis: Basis) -> None:
-    """The 8 × 8 stack; §9 asks for 1e-10."""
+    """The 8 × 8 stack."""
     worst = max(difference(by_constrained_jacobian(*scene), extended(*scene)) for scene in scenes(basis, 100))
     assert worst < 1e-12
 

@@ -7,7 +7,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from tests.ik.rcm.runs import seven_joints
+from tests.ik.rcm.runs import START
 from tests.kinematics.arms import MIXED, NAMES, arm
 
 from helicoide.ik.postures.branch import tool_at
@@ -17,7 +17,7 @@ from helicoide.ik.rcm.passage import SLIT, TROCAR, in_plane, insertion, refusal,
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
-from helicoide.studies._coutinho_runs import LINK, START, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of, seven_joints
 from helicoide.text import HelicoideError
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from tests.ik.rcm.runs import E1_START, START
 from tests.kinematics.arms import twist_by_differences
 
 from helicoide.geometry import rotation
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_runs import E1_START, START, dia10
+from helicoide.studies._coutinho_runs import dia10
 from helicoide.trajectory import Path
 
 

@@ -78,8 +78,9 @@ class Control:
 class Moment:
     """One step: time, s; q (n,) and p_rcm (3,), m, before it; what is there, what was missed, what was answered.
 
-    error: (e_p, ε̃) (6,), body axes, m and sin(φ/2); asked: v_rd + Kr e_r (r,), m/s; tool and arm: the answers of the
-    two inverses; rates: θ̇ (n,), rad/s; memory: of both, after it.
+    error: (e_p, ε̃) (6,), body axes, m and sin(φ/2); asked: v_rd + Kr e_r (r,), m/s; command: ν (6,), body velocity of
+    the tool, m/s and rad/s; tool and arm: the answers of the two inverses; rates: θ̇ (n,), rad/s; memory: of both, after
+    it.
     """
 
     t: float
@@ -88,6 +89,7 @@ class Moment:
     at: Constrained
     error: Array
     asked: Array
+    command: Array
     tool: Solution
     arm: Solution
     rates: Array
@@ -123,14 +125,14 @@ def command(R_world_tool: Array, ahead: Array, error: Array, position: float, or
 
 def answered(
     at: Constrained, control: Control, wish: Wish, error: Array, dt: float, memory: tuple[Any, Any]
-) -> tuple[Array, Solution, Solution, Array, tuple[Any, Any]]:
-    """What the entry point is asked, u, the rates of the arm, θ̇ and the memories: one turn of fig. 3.3."""
+) -> tuple[Array, Array, Solution, Solution, Array, tuple[Any, Any]]:
+    """What the entry point is asked, ν, u, the rates of the arm, θ̇ and the memories: one turn of fig. 3.3."""
     asked = wish.entry_rate + control.entry * at.place.lateral
     nu = command(at.T_world_tool[:3, :3], wish.ahead, error, control.position, control.orientation)
     tool, of_tool = control.of_tool.answered(at.problem, at.task(nu, asked, dt), memory[0])
     velocity = at.shaft_velocity(tool.rates, asked)
     arm, of_arm = control.of_arm.answered(at.problem, at.arm_task(velocity, dt), memory[1])
-    return asked, tool, arm, at.rates(arm.rates, tool.rates), (of_tool, of_arm)
+    return asked, nu, tool, arm, at.rates(arm.rates, tool.rates), (of_tool, of_arm)
 
 
 def followed(
@@ -157,8 +159,8 @@ def followed(
         at = constrained(problem, passage, q, entry_world, control.basis)
         wish = wished(t)
         error = pose_error(wish.T_world_target, at.T_world_tool)
-        asked, tool, arm, rates, memory = answered(at, control, wish, error, dt, memory)
-        yield Moment(t, q, entry_world, at, error, asked, tool, arm, rates, memory)
+        asked, nu, tool, arm, rates, memory = answered(at, control, wish, error, dt, memory)
+        yield Moment(t, q, entry_world, at, error, asked, nu, tool, arm, rates, memory)
         q = q + rates * dt
         entry_world = entry_world + at.R_world_shaft @ (at.place.forbidden.T @ wish.entry_rate) * dt
         t += dt

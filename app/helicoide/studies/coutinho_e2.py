@@ -1,0 +1,66 @@
+"""E2: an operator's hand leads the tool through an entry point that stands still."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from helicoide.ik.method import OneOf, Quantity
+from helicoide.studies._coutinho_hand import PERIOD, STEP, led, steering
+from helicoide.studies._coutinho_rows import FEEDBACK, TIMES, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, crossings
+from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, unstated
+from helicoide.text import Text
+
+TITLE = Text(en="E2: a hand leads the tool", pt_BR="E2: a mão conduz a ponta")
+SOURCE = "Coutinho 2015, §4.2, §4.2.2, figs. 4.31–4.37, tab. 4.3"
+ABOUT = Text(
+    en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point stands still; the "
+    "filtered inverse answers every 2 ms, with the gains of the experiments. No singularity is met, and the shaft "
+    "slides and turns in its entry point without pushing it.",
+    pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, com o ponto de entrada parado; a "
+    "inversa filtrada responde a cada 2 ms, com os ganhos dos experimentos. Nenhuma singularidade aparece, e a haste "
+    "desliza e gira no ponto de entrada sem empurrá-lo.",
+)
+__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
+
+SHORT = 6.0
+INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
+# What the hand does, mm and s; by tests/studies/fits/coutinho_hand.py.
+SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 27.0, 24.3, 29.7, "mm")
+ASIDE = Fitted(Text(en="its way aside", pt_BR="o percurso dela para o lado"), 15.0, 13.5, 16.5, "mm")
+LASTS = Fitted(Text(en="its period", pt_BR="o período dela"), PERIOD, 54.0, 66.0, "s")
+NONE_MET = Text(en="no singularity is met", pt_BR="nenhuma singularidade é encontrada")
+STILL = Text(
+    en="velocities of the entry point about 0, up to the robot's noise",
+    pt_BR="velocidades do ponto de entrada praticamente nulas, a menos do ruído do robô",
+)
+FIGURES = "figs. 4.31–4.37"
+CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w")
+
+
+@dataclass(frozen=True)
+class Options:
+    """How J^r is inverted, and the gain Kr, 1/s."""
+
+    inverse: Annotated[str, OneOf(INVERSE, {name: title for name, (title, _) in INVERSES.items()})] = "filtered"
+    feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 0.0
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """The hand's motion at 2 ms; short: its first 6 s."""
+    title, of_tool = INVERSES[options.inverse]
+    hand = steering(1e-3 * SIZE.value, 1e-3 * ASIDE.value, 0.0)
+    got = led(hand, 0.0, of_tool, options.feedback, SHORT if short else PERIOD, progress)
+    rows = (*stated(got), *rows_of(got, title, STEP, FIGURES))
+    return Result(
+        rows=rows if options.inverse == "filtered" else unstated(rows),
+        charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
+        motions=motions_of({title: got}),
+    )
+
+
+def stated(got: Run) -> list[Row]:
+    """What the source says of E2."""
+    met = Row(TIMES, crossings(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), (SIZE, ASIDE, LASTS))
+    return [stays(got, "§4.2.2", STILL), met]

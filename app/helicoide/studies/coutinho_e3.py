@@ -1,0 +1,114 @@
+"""E3: an operator's hand leads the tool near a singularity, while the entry point moves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from helicoide.geometry import rotation
+from helicoide.ik.method import OneOf, Quantity
+from helicoide.kinematics.chain import Array
+from helicoide.studies._coutinho_hand import ENTRY_SPEED, PERIOD, SAMPLE, STEP, Device, dragging, led, steering
+from helicoide.studies._coutinho_rows import ENTRY, FEEDBACK, SHARE, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run
+from helicoide.studies.coutinho_e2 import INVERSE, LASTS
+from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, printed, unstated
+from helicoide.text import Text, same
+
+TITLE = Text(en="E3: a hand near a singularity", pt_BR="E3: a mão perto de uma singularidade")
+SOURCE = "Coutinho 2015, §4.2, §4.2.3, figs. 4.38–4.43, tab. 4.3"
+ABOUT = Text(
+    en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point swings; the path "
+    "comes through θ₇ = 0, as the operator was asked to steer. With the filtered inverse the joints stay calm, while "
+    "the tip gives way at the singularity and comes back behind it.",
+    pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, enquanto o ponto de entrada oscila; a "
+    "trajetória passa por θ₇ = 0, como se pediu ao operador. Com a inversa filtrada as juntas ficam calmas, e a ponta "
+    "cede na singularidade e se recupera depois dela.",
+)
+__all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
+
+SHORT = 16.0
+# w_r below which the wrist counts as near the singularity, and above which it has left it.
+NEAR, LEFT = 0.1, 0.2
+# What the hand does, mm and rad; by tests/studies/fits/coutinho_hand.py.
+SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 9.0, 8.1, 9.9, "mm")
+TURN = Fitted(Text(en="its turn", pt_BR="o giro dela"), 0.26, 0.234, 0.286, "rad")
+HAND = (SIZE, TURN, LASTS)
+TWO = Text(en="two points near the singularity", pt_BR="dois pontos próximos da singularidade")
+LARGER = Text(en="errors larger near the singular points", pt_BR="erros maiores perto dos pontos singulares")
+LOW = Text(en="low errors", pt_BR="erros baixos")
+CALM = Text(en="the norm of the joint velocities stays low", pt_BR="a norma das velocidades das juntas continua baixa")
+FIGURES = "figs. 4.38–4.43"
+CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
+
+
+@dataclass(frozen=True)
+class Options:
+    """How J^r is inverted, and the gain Kr, 1/s."""
+
+    inverse: Annotated[str, OneOf(INVERSE, {name: title for name, (title, _) in INVERSES.items()})] = "filtered"
+    feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 0.0
+
+
+def run(options: Options, short: bool, progress: Progress) -> Result:
+    """The hand's motion at 2 ms; short: its first 16 s, in which the wrist has come through the singularity once."""
+    title, of_tool = INVERSES[options.inverse]
+    hand = steering(1e-3 * SIZE.value, 0.0, TURN.value)
+    got = led(hand, ENTRY_SPEED, of_tool, options.feedback, SHORT if short else PERIOD, progress)
+    counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), HAND),)
+    rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES))
+    return Result(
+        rows=rows if options.inverse == "filtered" else unstated(rows),
+        charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
+        motions=motions_of({title: got}),
+    )
+
+
+def approaches(w: Array) -> int:
+    """How often w_r (k,) falls near to the singularity, after it has been far from it."""
+    times, is_near = 0, False
+    for value in w:
+        if value < NEAR and not is_near:
+            times, is_near = times + 1, True
+        elif value > LEFT:
+            is_near = False
+    return times
+
+
+def stated(got: Run) -> list[Row]:
+    """What the source says of E3, but for the number of its singular points."""
+    near = got["w"] < NEAR
+    error_near, error_far = got["tip_mm"][near].max(initial=0.0), got["tip_mm"][~near].max(initial=0.0)
+    return [
+        Row(RATIO, float(error_near / error_far), "", Statement(LARGER, "§4.2.3", 1.0, ">"), HAND),
+        Row(SHARE, float(got["of_speed"].max()), "", Statement(CALM, "§4.2.3", 1.0, "<"), HAND),
+        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed("1", "§4.2.1, §4.2.3")),
+        stays(got, "eq. 3.30", same("H V_r = v_rd")),
+        Row(TIP_FAR, float(error_far), "mm", Statement(LOW, "§4.2.3", 1.0, "≤"), HAND),
+        Row(TIP_NEAR, float(error_near), "mm"),
+    ]
+
+
+def _unsteady() -> float:
+    """By how much the velocity that is read of a steady drag differs from it, m/s, over a second."""
+    velocity = np.array([0.01, -0.02, 0.015])
+    T = np.eye(4)
+    T[:3, :3] = rotation.exponential([0.3, -1.1, 0.6])
+    device = Device(dragging(velocity), T)
+    read = np.array([device.wished(number * SAMPLE).ahead[:3] for number in range(1, 1001)])
+    return float(np.abs(read - T[:3, :3] @ velocity).max())
+
+
+TIMES = Text(en="how often w_r falls below 0.1", pt_BR="quantas vezes w_r cai abaixo de 0,1")
+RATIO = Text(
+    en="largest error of the tip where w_r < 0.1, over that elsewhere",
+    pt_BR="maior erro da ponta onde w_r < 0,1, sobre o do resto do caminho",
+)
+TIP_NEAR = Text(en="largest error of the tip where w_r < 0.1", pt_BR="maior erro da ponta onde w_r < 0,1")
+TIP_FAR = Text(en="largest error of the tip elsewhere", pt_BR="maior erro da ponta no resto do caminho")
+STEADY = Text(
+    en="a steady drag: how far its read velocity is from steady",
+    pt_BR="arrasto constante: quanto a velocidade lida difere da constante",
+)

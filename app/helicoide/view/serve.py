@@ -112,7 +112,7 @@ def _listen(host: str, port: int) -> socket.socket:
     if port not in range(65536):
         raise HelicoideError(NO_PORT.format(port=port))
     try:
-        listener = socket.create_server((host, port))
+        listener = socket.create_server((socket.gethostbyname(host), port))  # it would hide what is wrong with a name
     except OSError as error:
         text = {errno.EADDRINUSE: TAKEN, errno.EACCES: RESERVED}.get(error.errno or 0, CLOSED)
         raise HelicoideError(text.format(host=host, port=port, reason=why(error))) from error

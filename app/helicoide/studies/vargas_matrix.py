@@ -42,6 +42,10 @@ UNEQUAL: Parts = (2.0, 0.5)
 MATRIX = np.array([[2.0, 0.5, 0.0], [0.5, 1.0, 0.3], [0.0, 0.3, 0.5]])
 
 
+# how many of the steps show the first 3 % of the time
+EARLY = 190
+
+
 @dataclass(frozen=True)
 class Options:
     """gain: γ."""
@@ -68,13 +72,12 @@ class Path:
 
 
 def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float) -> Path:
-    """From a random Θ(0), in exact steps."""
-    steps = 600
-    Theta, dt = np.random.default_rng(1).normal(size=K.T.shape), seconds / steps
-    found = [Theta]
-    for _ in range(steps):
-        found.append(filtered_inverse.exact(K, found[-1], gain, dt, update))
-    return Path(K, dt * np.arange(steps + 1.0), np.array(found))
+    """From a random Θ(0), in exact steps that are short at first."""
+    t: Array = seconds * np.linspace(0, 1, 601) ** 3
+    found = [np.random.default_rng(1).normal(size=K.T.shape)]
+    for dt in np.diff(t):
+        found.append(filtered_inverse.exact(K, found[-1], gain, float(dt), update))
+    return Path(K, t, np.array(found))
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
@@ -101,7 +104,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     charts = (
         _modes_chart(spare["composite"], gain),
         _residuals_chart(spare, gain),
-        _over_time("V_c", {NAMES[key]: (one.t, _errors(one)) for key, one in spare.items()}, log=False),
+        _over_time("V_c", {NAMES[key]: (one.t[:EARLY], _errors(one)[:EARLY]) for key, one in spare.items()}, log=False),
         _over_time("‖Θ − K†‖, 2 × 3", {NAMES[key]: (one.t, one.off) for key, one in spare.items()}),
         _over_time("‖Θ − K†‖, 3 × 2", {NAMES[key]: (one.t, one.off) for key, one in many.items()}),
         _over_time("‖Θ − K†‖, Γ", {name: (one.t, one.off) for name, one in gains.items()}),
@@ -201,9 +204,8 @@ def _modes_chart(path: Path, gain: float) -> Chart:
     d = np.array([one.d for one in path.seen(gain)]).T
     sigma = path.seen(gain)[0].sigma
     title = Text(en="diagonal, on its way to 1/σᵢ", pt_BR="diagonal, a caminho de 1/σᵢ")
-    early = path.t <= path.t[-1] / 30
     lines = [
-        Line(valued(f"d{i}, σ{i}", round(s, 3)), path.t[early], of[early])
+        Line(valued(f"d{i}, σ{i}", round(s, 3)), path.t[:EARLY], of[:EARLY])
         for i, (s, of) in enumerate(zip(sigma, d, strict=True), 1)
     ]
     return Chart(title, SECONDS, same("dᵢ"), tuple(lines), "§4.4")

@@ -61,7 +61,7 @@ def test_the_list_has_every_study_and_its_options(study: Callable[..., Said]) ->
 
 def test_a_study_prints_a_table_and_a_bar_on_the_error_output(study: Callable[..., Said]) -> None:
     said, bar = study(NAME)
-    assert said.splitlines()[1].startswith("quantity")
+    assert any(line.startswith("quantity") for line in said.splitlines())
     assert [word for word in ("the source prints", "ours", "verdict", "What differs") if word not in said] == []
     assert "%" in bar
     assert "%" not in said
@@ -83,7 +83,7 @@ def test_json_has_rows_curves_and_motion(study: Callable[..., Said]) -> None:
     assert first["verdict"] == "ours"
     assert found["charts"][0]["lines"][0]["x"][:2] == [0, 1]
     motion = found["motions"][0]
-    assert len(motion["times"]) == len(motion["q"]) == 4
+    assert len(motion["times"]) == len(motion["q"]) > 2
 
 
 def test_a_difference_ends_with_one(
@@ -184,7 +184,7 @@ WRONG = [
     Wrong((NAME, "--set", "factor=fast"), r"0\.1 … 1.*'fast'"),
     Wrong((NAME, "--set", "factor=7"), r"0\.1 … 1.*7"),
     Wrong((NAME, "--set", "factor=nan"), r"0\.1 … 1"),
-    Wrong(("cerbaro_confined_line", "--set", "case=4"), r"1, 2, 3.*'4'"),
+    Wrong(("cerbaro_confined_line", "--set", "former=none"), r"wanted, adapted.*'none'"),
     Wrong(("--all", "--set", "factor=1"), r"--all"),
     Wrong((NAME, "--all"), r"--all"),
     Wrong((NAME, "--workers", "0"), r"1 … 64"),

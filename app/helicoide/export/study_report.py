@@ -22,8 +22,8 @@ COUNTED = Text(
     pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
 )
 OF_SOURCE = Text(
-    en="{source}: {stated} statements beside ours, {fitted} fitted values",
-    pt_BR="{source}: {stated} afirmações ao lado das nossas, {fitted} valores ajustados",
+    en="{source}: statements that it prints: {stated}; values fitted for them: {fitted}",
+    pt_BR="{source}: afirmações que imprime: {stated}; valores ajustados para elas: {fitted}",
 )
 DIFFERS = Text(en="What differs", pt_BR="O que difere")
 DIFFERENCE = Text(

@@ -7,7 +7,8 @@ import viser
 from markupsafe import Markup
 from viser import uplot
 
-from helicoide.export.svg import caption, figure, span
+from helicoide.export.study_table import short
+from helicoide.export.svg import caption, figure, powers, span
 from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text
@@ -15,7 +16,7 @@ from helicoide.view import html
 from helicoide.view.rows import Plot, View
 
 POINTS, HEIGHT = 400, 170
-AXES, PADDING = (uplot.Axis(size=30), uplot.Axis(size=52)), (10, 16, 0, 0)
+ACROSS, UP, PADDING = 30, 52, (10, 16, 0, 0)
 SIZE = (320, 230)
 CHART, CAPTION = Markup("<div class='helicoide-chart'>{}</div>"), Markup("<figure>{}</figure>")
 COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8c564b", "#7f7f7f")
@@ -92,14 +93,8 @@ class Plotted:
         for line, colour in zip(chart.lines, COLOURS * len(chart.lines), strict=False):
             series.append(uplot.Series(label=line.title[language], stroke=colour, width=1.5))
         self.reach = heights(chart)
-        return self.gui.add_uplot(
-            common(chart),
-            tuple(series),
-            axes=AXES,
-            scales=scales(self.reach, chart.log),
-            height=HEIGHT,
-            padding=PADDING,
-        )
+        up, reach = axes(self.reach, chart.log), scales(self.reach, chart.log)
+        return self.gui.add_uplot(common(chart), tuple(series), axes=up, scales=reach, height=HEIGHT, padding=PADDING)
 
     def _reach(self, chart: Chart) -> None:
         """Make room for other numbers; a chart that grows towards what stood there keeps its room."""
@@ -110,11 +105,21 @@ class Plotted:
             return
         if (lower, upper) != self.reach:
             self.reach = (lower, upper)
+            self.handle.axes = axes(self.reach, chart.log)
             self.handle.scales = scales(self.reach, chart.log)
 
     def remove(self) -> None:
         """Take it out of the window."""
         self.place.remove()
+
+
+def axes(reach: tuple[float, float], log: bool) -> tuple[uplot.Axis, ...]:
+    """The axis across and the one up, marked by powers of ten if wanted: uPlot would write the small ones as 0."""
+    across = uplot.Axis(size=ACROSS)
+    if not log:
+        return across, uplot.Axis(size=UP)
+    marks = [float(mark) for mark in powers(*reach)]
+    return across, uplot.Axis(size=UP, splits=tuple(marks), values=tuple(short(mark, 2) for mark in marks))
 
 
 def scales(reach: tuple[float, float], log: bool) -> dict[str, uplot.Scale]:

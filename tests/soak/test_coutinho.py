@@ -51,5 +51,5 @@ def test_what_stands_without_its_step_has_converged(path: str) -> None:
     chosen = control(of_tool=INVERSES["damped" if path == "S3" else "plain"][1])
     first, second = (run(path, chosen, dt) for dt in (0.02, 0.01))
     for name, measure in _coutinho_rows.MEASURES.items():
-        if not measure.by_step and not (path == "S3" and name == "w_r"):
+        if name not in ("tip", "angle", "lateral") and not (path == "S3" and name == "w_r"):
             assert measure.of(second) == pytest.approx(measure.of(first), rel=0.01), name

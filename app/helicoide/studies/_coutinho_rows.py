@@ -56,23 +56,21 @@ LATERAL = Text(
 
 @dataclass(frozen=True)
 class Measure:
-    """What is read off a run: its unit, and whether it goes with the sample time."""
+    """What is read off a run, and its unit."""
 
     title: Text
     unit: str
     of: Callable[[Run], float]
-    by_step: bool = False
 
 
 MEASURES: Mapping[str, Measure] = {
-    "tip": Measure(TIP, "mm", lambda run: run["tip_mm"].max(), True),
+    "tip": Measure(TIP, "mm", lambda run: run["tip_mm"].max()),
     "angle": Measure(
         Text(en="largest error of orientation", pt_BR="maior erro de orientação"),
         "°",
         lambda run: run["angle_deg"].max(),
-        True,
     ),
-    "lateral": Measure(LATERAL, "mm", lambda run: run["lateral_mm"].max(), True),
+    "lateral": Measure(LATERAL, "mm", lambda run: run["lateral_mm"].max()),
     "q7_min": Measure(Text(en="smallest θ₇", pt_BR="menor θ₇"), "rad", lambda run: run["q7"].min()),
     "q7_max": Measure(Text(en="largest θ₇", pt_BR="maior θ₇"), "rad", lambda run: run["q7"].max()),
     "outside_min": Measure(Text(en="smallest l_a", pt_BR="menor l_a"), "m", lambda run: run["outside"].min()),
@@ -87,12 +85,22 @@ def with_feedback(gain: float) -> Text:
     return Text(en=f"Kr = {gain:g}", pt_BR=f"Kr = {gain:g}".replace(".", ","))
 
 
-def rows_of(run: Run, which: Text, dt: float, place: str = "", names: tuple[str, ...] = tuple(MEASURES)) -> list[Row]:
-    """What nobody printed of a run; place: the figures in which the source shows it. dt, s."""
-    found = []
-    for measure in (MEASURES[name] for name in names):
-        title = BY_STEP.format(what=measure.title, step=1e3 * dt) if measure.by_step else measure.title
-        shown = Figure(place) if place else None
+def rows_of(
+    run: Run,
+    which: Text,
+    dt: float,
+    place: str = "",
+    names: tuple[str, ...] = tuple(MEASURES),
+    by_step: tuple[str, ...] = ("tip", "angle", "lateral"),
+) -> list[Row]:
+    """What nobody printed of a run; place: the figures in which the source shows it.
+
+    dt: the sample time, s, named where a number goes with it.
+    """
+    shown, found = Figure(place) if place else None, []
+    for name in names:
+        measure = MEASURES[name]
+        title = BY_STEP.format(what=measure.title, step=1e3 * dt) if name in by_step else measure.title
         found.append(Row(OF.format(what=title, which=which), float(measure.of(run)), measure.unit, shown))
     return found
 

@@ -10,7 +10,18 @@ from typing import Annotated
 from helicoide.ik.method import OneOf
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, Inverse, inverse
 from helicoide.studies._coutinho_hand import GAINS, STEP
-from helicoide.studies._coutinho_rows import ENTRY, MEASURES, OF, SHARE, TIMES, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_rows import (
+    BY_STEP,
+    ENTRY,
+    MEASURES,
+    OF,
+    SHARE,
+    TIMES,
+    charts_of,
+    motions_of,
+    rows_of,
+    stays,
+)
 from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Run, control, crossings
 from helicoide.studies._coutinho_runs import run as run_along
 from helicoide.studies._coutinho_simulation import part
@@ -55,6 +66,7 @@ NOT_VIABLE = Text(en="not viable near the singularity", pt_BR="inviável perto d
 GOOD = Text(en="good results", pt_BR="bons resultados")
 BETTER = Text(en="the filtered inverse slightly better", pt_BR="a inversa filtrada um pouco melhor")
 FOLLOWS = same("H V_r = v_rd")
+FASTEST = BY_STEP.format(what=SHARE, step=1e3 * STEP)
 LASTED = Text(en="duration of 5000 samples of 2 ms", pt_BR="duração de 5000 amostras de 2 ms")
 RATIO = Text(
     en="largest error of the tip, filtered inverse over damped",
@@ -62,7 +74,7 @@ RATIO = Text(
 )
 FIGURES = "figs. 4.27–4.30"
 CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
-MEASURED = ("tip", "angle", "lateral", "outside_max", "w_r", "rate")
+MEASURED = ("tip", "angle", "lateral", "outside_max", "rate")
 
 
 @dataclass(frozen=True)
@@ -84,7 +96,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows = (
         *_always(titled),
         *(() if short else _crossed(runs)),
-        *(one for which, got in titled.items() for one in rows_of(got, which, STEP, FIGURES, MEASURED)),
+        *(one for which, got in titled.items() for one in rows_of(got, which, STEP, FIGURES, MEASURED, MEASURED)),
     )
     return Result(
         rows=rows if options == Options() else unstated(rows),
@@ -112,7 +124,7 @@ def _crossed(runs: Mapping[str, Run]) -> list[Row]:
             (TIMES, crossings(got["q7"]), "", Statement(TWO, "§4.2.1", 2.0)),
             (MEASURES["q7_min"].title, float(got["q7"].min()), "rad", Statement(WITHIN, "§4.2.1", -pi / 36, "≥")),
             (MEASURES["q7_max"].title, float(got["q7"].max()), "rad", Statement(WITHIN, "§4.2.1", pi / 4, "≤", 1e-3)),
-            (SHARE, float(got["of_speed"].max()), "", Statement(GOOD, "§4.2.1", 1.0, "≤")),
+            (FASTEST, float(got["of_speed"].max()), "", Statement(GOOD, "§4.2.1", 1.0, "≤")),
         )
         rows += [Row(OF.format(what=what, which=which), ours, unit, said, STARTED) for what, ours, unit, said in stated]
     plain, which = runs["plain"], INVERSES["plain"][0]
@@ -120,6 +132,6 @@ def _crossed(runs: Mapping[str, Run]) -> list[Row]:
     ratio = float(runs["filtered"]["tip_mm"].max() / runs["damped"]["tip_mm"].max())
     return [
         *rows,
-        Row(OF.format(what=SHARE, which=which), float(plain["of_speed"].max()), "", raced, STARTED),
+        Row(OF.format(what=FASTEST, which=which), float(plain["of_speed"].max()), "", raced, STARTED),
         Row(RATIO, ratio, "", Statement(BETTER, "§4.2.1", 1.0, "<"), why=LAGS),
     ]

@@ -41,6 +41,7 @@ LARGER = Text(en="errors larger near the singular points", pt_BR="erros maiores 
 LOW = Text(en="low errors", pt_BR="erros baixos")
 CALM = Text(en="the norm of the joint velocities stays low", pt_BR="a norma das velocidades das juntas continua baixa")
 FIGURES = "figs. 4.38–4.43"
+MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "outside_min", "outside_max", "rate")
 CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
 
 
@@ -58,7 +59,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     hand = steering(1e-3 * SIZE.value, 0.0, TURN.value)
     got = led(hand, ENTRY_SPEED, of_tool, options.feedback, SHORT if short else PERIOD, progress)
     counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), HAND),)
-    rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES))
+    rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES, MEASURED))
     return Result(
         rows=rows if options.inverse == "filtered" else unstated(rows),
         charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),

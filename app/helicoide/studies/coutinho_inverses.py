@@ -25,7 +25,7 @@ ABOUT = Text(
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "w_r", "rate")
+MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "rate")
 CHARTS = ("tip", "rate", "q7", "w", "lateral")
 
 
@@ -44,7 +44,9 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         for done, (title, of_tool) in enumerate(INVERSES.values())
     }
     return Result(
-        rows=tuple(one for which, got in runs.items() for one in rows_of(got, which, dt, names=MEASURED)),
+        rows=tuple(
+            one for which, got in runs.items() for one in rows_of(got, which, dt, names=MEASURED, by_step=MEASURED)
+        ),
         charts=charts_of(runs, dict.fromkeys(CHARTS, ""), ("tip", "rate")),
         motions=motions_of(runs),
     )

@@ -170,7 +170,7 @@ def _falling(angle: float) -> float:
 
 
 def _charts(t: Array, position: Array, angle: Array, turns: dict[Text, Array]) -> tuple[Chart, ...]:
-    own = BODY_STEP * np.arange(round(BODY_SECONDS / BODY_STEP) + 1)
+    own = np.linspace(0.0, BODY_SECONDS, round(BODY_SECONDS / BODY_STEP) + 1)
     of_body = tuple(Line(which, own[::10], left[::10]) for which, left in turns.items())
     return (
         Chart(TIP, TIME, same("|e_p|, mm"), (Line(TIP, t[::10], 1e3 * position[::10]),), log=True),

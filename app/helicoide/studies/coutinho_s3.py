@@ -42,7 +42,7 @@ DISTURBED = Text(
 )
 SMALL = Text(en="the disturbance is small", pt_BR="a perturbação é pequena")
 NEAR = Text(en="near the singularity", pt_BR="perto da singularidade")
-LEAST = Text(en="min l_a", pt_BR="mín l_a")
+LEAST = Text(en="smallest l_a", pt_BR="menor l_a")
 TURNED = Text(en="largest turn of the tool", pt_BR="maior giro do efetuador")
 DURING = Text(
     en="share of the run with a forbidden velocity above 0.01 mm/s, {which}",
@@ -52,6 +52,7 @@ WHERE = Text(
     en="|θ₇| where the forbidden velocity is largest, {which}",
     pt_BR="|θ₇| onde a velocidade proibida é maior, {which}",
 )
+MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "rate")
 # Of a forbidden velocity, mm/s.
 SEEN = 0.01
 FIGURES = "figs. 4.15–4.19"
@@ -74,7 +75,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rows=(
             *stated(wrist, both),
             Row(OF.format(what=SLIP, which=OF_WRIST), float(wrist["slip_mm_s"].max()), "mm/s"),
-            *(one for which, got in runs.items() for one in rows_of(got, which, dt, FIGURES)),
+            *(one for which, got in runs.items() for one in rows_of(got, which, dt, FIGURES, MEASURED)),
         ),
         charts=charts_of(runs, {**charted(FIGURES, "fig. 4.16b"), "entry": "fig. 4.17"}, ("tip",)),
         motions=motions_of(runs),

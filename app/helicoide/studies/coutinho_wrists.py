@@ -171,11 +171,12 @@ def _wrong(l_a: float) -> list[Row]:
 def _ranks() -> list[Row]:
     """How many ways the tool moves with eight and with seven joints: the rank of J^r behind a trocar."""
     rows = []
-    for arm, words, relation in ((dia10, ENOUGH, "="), (seven_joints, TOO_FEW, "<")):
+    stated = {dia10: Statement(ENOUGH, "§1.4, §5.1", 6.0), seven_joints: Statement(TOO_FEW, "§1.4, §5.1", 6.0, "<")}
+    for arm, statement in stated.items():
         robot = arm()
         n = len(robot.variables)
         at = constrained(problem_of(robot), through(robot, LINK), BENT[:n], entry_on(robot, BENT[:n], 0.15), "source")
-        rows.append(Row(RANK.format(n=n), at.of_tool.rank, "", Statement(words, "§1.4, §5.1", 6.0, relation)))
+        rows.append(Row(RANK.format(n=n), at.of_tool.rank, "", statement))
     return rows
 
 

@@ -101,6 +101,16 @@ def test_refusals_of_one_kind_are_one_reason(tmp_path: Path) -> None:
     assert refusal(one) == refusal(two) == "the limits of joint … are # to #; lower must be below upper"
 
 
+def test_an_arm_that_its_limits_hold_is_rightly_refused(tmp_path: Path) -> None:
+    path = write(tmp_path)
+    text = path.read_text("utf-8").replace('upper="1.5"', 'upper="-1.5"').replace('upper="2"', 'upper="-1"')
+    path.write_text(text, "utf-8")
+    found = look(path, patience=AMPLE)
+    assert is_right(found.refusal)
+    path.write_text(text.replace("revolute", "continuous"), "utf-8")
+    assert look(path, patience=AMPLE).arms == ["tool"]
+
+
 def test_an_object_is_rightly_refused(tmp_path: Path) -> None:
     (path := tmp_path / "cup.urdf").write_text('<robot name="cup"><link name="cup"/></robot>', "utf-8")
     found = look(path, patience=AMPLE)

@@ -41,7 +41,7 @@ class Joint:
     @property
     def free(self) -> bool:
         """Whether something decides where it stands: whoever moves the arm, or the joint that it follows."""
-        return self.moves and (self.lower < self.upper or self.follows is not None)
+        return self.moves and (self.kind == "continuous" or self.lower < self.upper or self.follows is not None)
 
     def transform(self, values: Mapping[str, float]) -> Array:
         """From the child to the parent, (4, 4), m, when every joint stands at a value by name, rad or m."""
@@ -83,7 +83,7 @@ class Tree:
         """The links at the ends that a free joint moves."""
         parents = {joint.parent for joint in self.above.values()}
         ends = [link for link in self.links if link not in parents]
-        return [end for end in ends if any(joint.moves and not joint.follows for joint in self.way(end))]
+        return [end for end in ends if any(joint.free and not joint.follows for joint in self.way(end))]
 
     def pose(self, tip: str, values: Mapping[str, float]) -> Array:
         """T_world_tip (4, 4), m, when the free joints stand at values by name, rad or m."""

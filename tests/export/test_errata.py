@@ -14,6 +14,7 @@ from helicoide.kinematics.library import names as robots
 from helicoide.text import LANGUAGES, Language
 
 ROOT = Path(__file__).parents[2]
+SEARCH = re.compile(r"`python -m (tests\.studies\.fits\.\w+)[^`]*`")
 COMMAND, TEST = re.compile(r"`helicoide ([^`]+)`"), re.compile(r"`(tests/[\w/]+\.py)(?:::\w+)?`")
 
 
@@ -42,7 +43,7 @@ def test_the_page_has_an_anchor_for_each_entry_and_source(language: Language) ->
 @pytest.mark.parametrize("name", entries("en"))
 def test_an_entry_names_a_command_a_study_or_a_test_that_is_there(name: str) -> None:
     entry = entries("en")[name]
-    tests = TEST.findall(entry)
+    tests = [*TEST.findall(entry), *(f"{name.replace('.', '/')}.py" for name in SEARCH.findall(entry))]
     commands = [shlex.split(command) for command in COMMAND.findall(entry)]
     shown = [study for study in studies.names() if f"`{study}`" in entry]
     assert tests or commands or shown

@@ -198,7 +198,9 @@ MUTATIONS = [
 ]
 
 
-@pytest.mark.parametrize(("name", "module", "law", "wrong", "row"), MUTATIONS, ids=lambda value: str(value)[:30])
+@pytest.mark.parametrize(
+    ("name", "module", "law", "wrong", "row"), MUTATIONS, ids=[f"{name}-{law}" for name, _, law, *_ in MUTATIONS]
+)
 def test_a_wrong_law_turns_a_row_red(
     monkeypatch: pytest.MonkeyPatch, name: str, module: Any, law: str, wrong: Any, row: str
 ) -> None:

@@ -29,7 +29,7 @@ LINK, DEPTH = 6, 0.15
 # Chosen, since the source gives none: θ₁, θ₃ and θ₅ follow from the place of the tool in table 4.2.
 START = frozen([0.793942, -0.25, -1.25775, -1.65, 0.621815, 1.1, -0.225, 1.57])
 # Of the experiment, with the arm as above: the wrist comes through its singularity twice.
-E1_START, E1_DEPTH = frozen([*START[:6], 0.142, -2.65]), 0.087
+E1_START, E1_DEPTH = frozen([*START[:6], 0.142, -2.58]), 0.087
 STRIDE = 0.5  # of the figures that are taken less often, s
 
 DLS = inverse("damped", damping=0.05)

@@ -2,7 +2,7 @@
 
 What happens at the wrist does not depend on the arm: shaft, tool and entry point alone are moved, by the Jacobian of
 eq. 3.28, which is a run of its own kind beside `ik.rcm`. l_a(0), θ₇(0) and θ₈(0) are drawn at random for so many
-seconds (about one start in some hundreds holds), then how far those chosen may change is shown.
+seconds (two of the first 1551 hold), then how far those that were chosen beside the first may change is shown.
 """
 
 from __future__ import annotations

@@ -151,7 +151,7 @@ def circled(step: int, gain: float) -> None:
     got = turn(gain, step / 1000)
     tip, lateral = got["tip_mm"], got["lateral_mm"]
     found = (tip.max(), np.sqrt(np.mean(tip**2)), lateral.max(), lateral[-1])
-    np.testing.assert_allclose(found, CIRCLED[step, gain], rtol=0.05)
+    assert list(found) == [digits(written) for written in CIRCLED[step, gain]]
     assert got["rate"].max() == pytest.approx(0.287, abs=5.5e-4)
     assert got["closure"][-1] == pytest.approx(0.22, abs=5.5e-3)
     assert (got["depth"].min(), got["depth"].max()) == (digits("0.1500"), digits("0.1616"))

@@ -52,6 +52,7 @@ def test_each_verdict_has_its_sign_and_what_is_compared_its_words(language: Lang
         compared = isinstance(row.source, Statement)
         assert any(line[0].startswith(verdict.value[language]) for line in said) == compared
     assert "&lt;b&gt;" in table
+    assert ("(holds from 4 to 6)" in table, "(vale de 4 a 6)" in table) == (language == "en", language == "pt_BR")
     assert f"<a href='pages/{language}/sources#vargas-2'" in table
 
 

@@ -20,7 +20,7 @@ from tqdm import tqdm
 from helicoide import studies
 from helicoide.commands import NOT_REACHED, language
 from helicoide.export.study_report import DIFFERS, FAILED, Record, by_source, chosen, counted, differences, page
-from helicoide.export.study_table import HEADINGS, cells, in_order
+from helicoide.export.study_table import HEADINGS, cells, fitted, in_order
 from helicoide.files.system import why
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
 from helicoide.jobs.several import Outcome, Progress, in_processes, timed
@@ -287,6 +287,8 @@ def _print(records: list[Record], seconds: float, language: Language) -> None:
             continue
         for line in _table(record.result, language):
             print(line)
+        if chosen_for_it := fitted(record.result):
+            print(chosen_for_it[language])
         print()
     print(counted(records, seconds)[language])
     for said in (*by_source(records), DIFFERS, *differences(records)):

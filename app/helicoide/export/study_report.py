@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from helicoide.export import errata
 from helicoide.export.readable import readable
-from helicoide.export.study_table import HEADINGS, cells, in_order, ours, source
+from helicoide.export.study_table import HEADINGS, cells, fitted, in_order, ours, source
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
 from helicoide.studies.study import Result, Row, Statement, Study, Verdict
@@ -49,6 +49,7 @@ body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
 h2 { margin-top: 3rem; border-top: 1px solid #ccd2da; padding-top: 1rem; }
 .source, .took, figure ul { color: #55606e; font-size: 0.9rem; }
 .wide { overflow-x: auto; }
+code { overflow-wrap: anywhere; }
 table { border-collapse: collapse; width: 100%; font-size: 0.9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: 0.25rem 0.6rem; border-bottom: 1px solid #e3e7ec; vertical-align: top; }
 td:nth-child(3) { white-space: nowrap; }
@@ -99,7 +100,7 @@ TABLE = Markup("""\
 <div class="wide"><table><thead><tr>{heads}</tr></thead><tbody>
 {rows}
 </tbody></table></div>
-{charts}""")
+{fitted}{charts}""")
 
 
 @dataclass(frozen=True, eq=False)
@@ -224,7 +225,9 @@ def _body(record: Record, language: Language) -> Markup:
     if record.result is None:
         why = record.failure[language] if record.failure else ""
         return Markup('<p class="verdict differs">{}</p>').format(FAILED.format(why=why)[language])
+    chosen = fitted(record.result)
     return TABLE.format(
+        fitted=Markup('<p class="source">{}</p>\n').format(chosen[language]) if chosen else "",
         heads=_joined(Markup("<th>{}</th>").format(head[language]) for head in HEADINGS),
         rows=Markup("\n").join(_row(row, language) for row in in_order(record.result.rows)),
         charts=Markup("\n").join(figure(readable(chart), language) for chart in record.result.charts),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import floor, isfinite, log10
 
-from helicoide.studies.study import Fitted, Row, Statement, Verdict
+from helicoide.studies.study import Fitted, Result, Row, Statement, Verdict
 from helicoide.text import Text, joined, same
 
 HEADINGS = (
@@ -16,6 +16,7 @@ HEADINGS = (
 )
 NOTHING = "–"
 PLACED, BECAUSE = same("{words} ({place})"), same("{said}: {why}")
+FITTED = Text(en="Fitted values: {values}.", pt_BR="Valores ajustados: {values}.")
 HOLDS = Text(en="{name} = {value} (holds from {least} to {most})", pt_BR="{name} = {value} (vale de {least} a {most})")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FINEST, DIGITS = 1e-6, 6
@@ -67,11 +68,11 @@ def ours(row: Row, digits: int = DIGITS) -> Text:
 
 
 def verdict(row: Row) -> Text:
-    """The verdict, with the values that were fitted, the erratum, or why it differs."""
+    """The verdict, with the names of the values that were fitted, the erratum, or why it differs."""
     said = row.verdict.value
     match row.verdict:
         case Verdict.FITTED:
-            return BECAUSE.format(said=said, why=joined([fitted(value) for value in row.fitted]))
+            return BECAUSE.format(said=said, why=joined([value.name for value in row.fitted], ", "))
         case Verdict.ERRATUM:
             return BECAUSE.format(said=said, why=row.erratum)
         case Verdict.DIFFERS if row.why is not None:
@@ -79,8 +80,12 @@ def verdict(row: Row) -> Text:
     return said
 
 
-def fitted(chosen: Fitted) -> Text:
-    """A value that was chosen, and how far the statements hold."""
+def fitted(result: Result) -> Text | None:
+    """The values that were chosen for a study, and how far each lets the statements hold; None without any."""
+    return FITTED.format(values=joined([_holds(chosen) for chosen in result.fitted])) if result.fitted else None
+
+
+def _holds(chosen: Fitted) -> Text:
     ends = {"least": written(chosen.least, digits=3), "most": written(chosen.most, digits=3)}
     return HOLDS.format(name=chosen.name, value=written(chosen.value, chosen.unit), **ends)
 

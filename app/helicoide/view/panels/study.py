@@ -13,7 +13,7 @@ from viser import Icon
 from helicoide import studies
 from helicoide.command import Replay
 from helicoide.export.readable import readable
-from helicoide.export.study_table import HEADINGS, NOTHING, in_order, ours, source, verdict
+from helicoide.export.study_table import HEADINGS, NOTHING, fitted, in_order, ours, source, verdict
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
 from helicoide.studies import desk as desks
@@ -148,7 +148,8 @@ def _written(runs: tuple[Run, ...], language: Language) -> Markup:
     body = Markup("").join(_lines(row, [other.get(row.quantity) for other in others], language) for row in rows)
     named = Markup("").join(Markup("<th>{}</th>").format(head) for head in heads)
     table = Markup("<table class='helicoide-study'><tr>{}</tr>{}</table>").format(named, body)
-    return _counted(rows, language) + table
+    chosen = fitted(runs[0].result)
+    return _counted(rows, language) + table + (html.note(chosen[language]) if chosen else Markup(""))
 
 
 def _counted(rows: Sequence[Quantity], language: Language) -> Markup:

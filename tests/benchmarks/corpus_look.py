@@ -16,8 +16,10 @@ from tests.benchmarks.corpus_findings import Findings, words_of
 from tests.benchmarks.corpus_tree import Tree, apart
 
 from helicoide.commands.ik import described
+from helicoide.confinement import Obstacles
 from helicoide.ik.postures.branch import Answer
-from helicoide.ik.postures.solve import reached, solve, status
+from helicoide.ik.postures.choice import alike
+from helicoide.ik.postures.solve import chosen, reached, solve, status
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
@@ -152,8 +154,10 @@ def _picture(robot: Robot, found: Findings) -> None:
 def _there_and_back(robot: Robot, tree: Tree | None, found: Findings, solving: Solve) -> None:
     for q in _drawn(robot, POSES):
         T, _ = _pose(robot, tree, q)
-        answer = solving(robot, T, robot.poses["ready"])
-        json.dumps(described(robot, answer, T, True), allow_nan=False)
+        ready = robot.poses["ready"]
+        answer = solving(robot, T, ready)
+        shown = chosen(robot, answer, ready, alike(robot), Obstacles(), True)
+        json.dumps(described(robot, answer, status(answer), shown, T, True), allow_nan=False)
         found.asked += 1
         said = f"{robot.tool_link}: {status(answer).en}; q = {[round(float(x), 6) for x in q]}"
         if not reached(answer):

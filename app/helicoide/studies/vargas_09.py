@@ -101,15 +101,15 @@ def _charts(loops: dict[tuple[float, str], Loop]) -> tuple[Chart, ...]:
         return Chart(title, same("k") if over_k else SECONDS, same(up), lines, PLACE if law == "filtered" else "")
 
     of = Text(en="{what}, {law}", pt_BR="{what}, {law}")
-    error, control = Text(en="error", pt_BR="erro"), Text(en="control", pt_BR="controle")
+    missed, control = Text(en="error", pt_BR="erro"), Text(en="control", pt_BR="controle")
     plain_one, modified = NAMES["filtered"], NAMES["modified"]
     return (
-        chart(of.format(what=error, law=plain_one), "e", lambda loop: loop.e),
+        chart(of.format(what=missed, law=plain_one), "e", lambda loop: loop.e),
         chart(Text(en="output", pt_BR="saída"), "y", lambda loop: loop.y),
         chart(Text(en="filtered inverse", pt_BR="inversa filtrada"), "θ", lambda loop: loop.theta),
         chart(Text(en="inversion error", pt_BR="erro de inversão"), "S = kθ − 1", lambda loop: loop.k * loop.theta - 1),
         chart(of.format(what=control, law=plain_one), "u", lambda loop: loop.u),
         chart(of.format(what=control, law=modified), "u", lambda loop: loop.u, "modified"),
-        chart(of.format(what=error, law=modified), "e", lambda loop: loop.e, "modified"),
+        chart(of.format(what=missed, law=modified), "e", lambda loop: loop.e, "modified"),
         chart(Text(en="θ over k", pt_BR="θ em função de k"), "θ", lambda loop: loop.theta, over_k=True),
     )

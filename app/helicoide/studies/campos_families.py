@@ -25,7 +25,7 @@ from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, 
 from helicoide.text import Text, same
 
 TITLE = Text(en="The families of methods, side by side", pt_BR="As famílias de métodos, lado a lado")
-SOURCE = "Campos 1998, s.20, s.23–24, s.37; Paden 1986; Murray, Li and Sastry 1994"
+SOURCE = "Campos 1998, s.20, s.23–24, s.37; Paden 1986; Murray, Li, Sastry 1994"
 ABOUT = Text(
     en="A slide names the families: inverse transforms, screws, dual matrices and quaternions, geometry, iteration. "
     "Here each solves the same goals of the PUMA and of the Movemaster. The closed ones give every posture, and the "

@@ -33,10 +33,12 @@ SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, tab. 4.3"
 ABOUT = Text(
     en="The experiment on the robot: tool and entry point swing to and fro, and on the way the wrist passes θ₇ = 0. "
     "There the plain inverse makes the joints race; damping and the filtered inverse trade accuracy of the tip for "
-    "calm joints, and which of them is better depends on κ, Γ and the path. The entry point is kept by all.",
+    "calm joints, and which of them is better depends on κ, Γ and the path. At every instant all hold the entry "
+    "point still; over steps of 2 ms the racing joints of the plain inverse nevertheless carry the shaft away from it.",
     pt_BR="O experimento no robô: ponta e ponto de entrada oscilam, e no caminho o punho passa por θ₇ = 0. Ali a "
     "inversa simples faz as juntas dispararem; o amortecimento e a inversa filtrada trocam precisão da ponta por "
-    "juntas calmas, e qual é melhor depende de κ, Γ e da trajetória. Todos mantêm o ponto de entrada.",
+    "juntas calmas, e qual é melhor depende de κ, Γ e da trajetória. A cada instante todos mantêm parado o ponto de "
+    "entrada; mas, a passos de 2 ms, as juntas disparadas da inversa simples afastam dele a haste.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

@@ -31,7 +31,7 @@ from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, 
 from helicoide.text import Text, same
 
 TITLE = Text(en="The loop closes, in the right axes", pt_BR="A malha fecha, nos eixos certos")
-SOURCE = "Coutinho 2015, §2.4, theorem 2.4.1, §3.1, eqs. 2.16, 2.59–2.69, 3.19"
+SOURCE = "Coutinho 2015, §2.4, §3.1, eqs. 2.16, 2.59–2.69, 3.19"
 ABOUT = Text(
     en="Behind a trocar the tool starts 20 mm and 30° from a target that stands still, and comes to it as the theorem "
     "says. The error of orientation of eqs. 2.62–2.63 is in the axes of the base, while the command is a velocity in "

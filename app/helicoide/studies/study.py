@@ -35,7 +35,7 @@ class Statement:
     """What a source prints about a quantity.
 
     words: as printed, in either language; place: such as "fig. 3.11" or "§4.2.1"; value: the number that
-    they ask for, in the unit of the row; relation: "=" to `within`, "~" to a factor of √10, or a bound.
+    they ask for, in the unit of the row; relation: "=" to `within`, "~" within its power of ten, or a bound.
     """
 
     words: Text
@@ -50,7 +50,7 @@ class Statement:
             case "=":
                 return abs(ours - self.value) <= self.within
             case "~":
-                return self.value / 10**0.5 <= ours <= self.value * 10**0.5
+                return self.value <= ours < 10 * self.value
             case "<":
                 return ours < self.value
             case "≤":

@@ -13,7 +13,7 @@ from helicoide.studies.vargas.table import row
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 5: past a singular posture", pt_BR="Simulação 5: rente a uma postura singular")
-SOURCE = "Vargas 2013, §3.5, sim. 5, figs. 3.10–3.11; §3.1, fig. 3.1 (ellipses)"
+SOURCE = "Vargas 2013, §3.5, sim. 5, figs. 3.10–3.11; §3.1, fig. 3.1"
 ABOUT = Text(
     en="""The path passes the axis of the shoulder at 0.07 of its length, after about 26 s. Look at the joint \
 velocities there: the pseudoinverse stays on the path and is the fastest, all others give up some accuracy for slower \

@@ -17,7 +17,7 @@ from helicoide.studies.vargas.table import SECONDS, finished, row, stated, thinn
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 9: k crosses zero", pt_BR="Simulação 9: k cruza o zero")
-SOURCE = "Vargas 2013, §4.2, sim. 9, figs. 4.4–4.5; eq. 4.64 (modified)"
+SOURCE = "Vargas 2013, §4.2, sim. 9, figs. 4.4–4.5; eq. 4.64"
 ABOUT = Text(
     en="""Every 2.5 seconds k is zero and nothing can be steered. Look at θ there: it does not run away as 1/k would, \
 and grows only with the cube root of β. A larger β follows better. The modified law θ²k has the right sign at once, \

@@ -17,7 +17,7 @@ from helicoide.studies.vargas_08 import Beta
 from helicoide.text import Text, same
 
 TITLE = Text(en="How large θ can become", pt_BR="Até onde θ pode crescer")
-SOURCE = "Vargas 2013, §4.1, eqs. 4.6, 4.11–4.15, figs. 4.1–4.2; eq. 4.64, fig. 4.28 (modified)"
+SOURCE = "Vargas 2013, §4.1, eqs. 4.6, 4.11–4.15, figs. 4.1–4.2; eq. 4.64, fig. 4.28"
 ABOUT = Text(
     en="""Two ways to make θ large. If k fades just slowly enough, the error S stays at −½ and θ grows for ever, but \
 only with the root of the time. If k crosses zero at a constant speed, θ is 0.94 (β/|k̇|)^⅓ at the crossing, no more: \

@@ -29,7 +29,7 @@ from helicoide.studies.vargas.table import (
 from helicoide.text import Text
 
 TITLE = Text(en="A slab that the tool does not leave", pt_BR="Uma faixa de onde o efetuador não sai")
-SOURCE = "Vargas 2013, §4.7, eq. 4.73, carried over to a slab"
+SOURCE = "Vargas 2013, §4.7, eq. 4.73"
 ABOUT = Text(
     en="""The path swings between y = −0.5 and 0.5, and a barrier asks the tool to stay within |y| < 0.3. Look at y: \
 the steeper the barrier the nearer to its face the tool goes, but it never touches it, and x is followed all the \

@@ -22,8 +22,8 @@ COUNTED = Text(
     pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
 )
 OF_SOURCE = Text(
-    en="{source}: statements that it prints: {stated}; values fitted for them: {fitted}",
-    pt_BR="{source}: afirmações que imprime: {stated}; valores ajustados para elas: {fitted}",
+    en="{source}: rows beside what it prints: {stated}; values fitted for them: {fitted}",
+    pt_BR="{source}: linhas ao lado do que ela imprime: {stated}; valores ajustados para elas: {fitted}",
 )
 DIFFERS = Text(en="What differs", pt_BR="O que difere")
 DIFFERENCE = Text(

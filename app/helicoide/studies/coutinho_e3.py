@@ -22,10 +22,10 @@ SOURCE = "Coutinho 2015, §4.2, §4.2.3, figs. 4.38–4.43, tab. 4.3"
 ABOUT = Text(
     en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point swings; the path "
     "comes through θ₇ = 0, as the operator was asked to steer. With the filtered inverse the joints stay calm, while "
-    "the tip gives way at the singularity and comes back behind it.",
+    "the error of the tip is a fifth larger near the singularity than away from it.",
     pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, enquanto o ponto de entrada oscila; a "
-    "trajetória passa por θ₇ = 0, como se pediu ao operador. Com a inversa filtrada as juntas ficam calmas, e a ponta "
-    "cede na singularidade e se recupera depois dela.",
+    "trajetória passa por θ₇ = 0, como se pediu ao operador. Com a inversa filtrada as juntas ficam calmas, e o erro "
+    "da ponta é um quinto maior perto da singularidade do que longe dela.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

@@ -12,10 +12,11 @@ TITLE = Text(en="S4: an entry point that moves", pt_BR="S4: um ponto de entrada 
 SOURCE = "Coutinho 2015, §4.1.2, eqs. 4.5, 4.6"
 ABOUT = Text(
     en="The path of S2 again, while the entry point itself moves by up to 106 mm along both forbidden directions, as "
-    "breathing might move it. The shaft takes up its velocity exactly, and the tip does not notice.",
+    "breathing might move it. The shaft takes up its velocity, and the tip does not notice; "
+    "as it is held in velocity alone, it drifts by some millimetres, which the feedback Kr brings back.",
     pt_BR="De novo a trajetória de S2, enquanto o próprio ponto de entrada se move até 106 mm ao longo das duas "
-    "direções proibidas, como a respiração poderia movê-lo. A haste assume exatamente essa velocidade, e a ponta não "
-    "percebe.",
+    "direções proibidas, como a respiração poderia movê-lo. A haste assume essa velocidade, e a ponta não percebe; "
+    "como só a velocidade é mantida, há uma deriva de alguns milímetros, que a realimentação Kr corrige.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

@@ -39,11 +39,12 @@ SOURCE = "Vargas 2013, §3.3, sim. 3, figs. 3.4–3.5"
 ABOUT = Text(
     en="""The wrist passes close to the axis of the waist while the hand keeps its orientation. Look at the wrist's \
 joints at that moment: the inverse turns them at 14 rad/s, and at 35 rad/s when the path is run faster. All others \
-let the orientation go for a while and find it again; the modified filtered inverse keeps the position best.""",
+let the orientation go for a while and find it again; the modified filtered inverse with γ = 10 keeps \
+the position best.""",
     pt_BR="""O punho passa rente ao eixo da cintura enquanto a mão mantém a orientação. Observe as juntas do punho \
 nesse instante: a inversa as gira a 14 rad/s, e a 35 rad/s quando o caminho é percorrido mais depressa. Todos os \
-outros largam a orientação por um momento e a recuperam; a inversa filtrada modificada é a que melhor mantém a \
-posição.""",
+outros largam a orientação por um momento e a recuperam; a inversa filtrada modificada com γ = 10 é a \
+que melhor mantém a posição.""",
 )
 ROBOT = "zebra_zero"
 WRIST = Text(en="fastest joint of the wrist after 3 s", pt_BR="junta mais rápida do punho após 3 s")

@@ -32,10 +32,10 @@ SOURCE = "Vargas 2013, §3.5, sim. 7, figs. 3.14–3.15"
 ABOUT = Text(
     en="""The path leads through the axis of the shoulder, where no joint moves the tool along it; the arm gets there \
 after 32 s. The pseudoinverse asks for hundreds of radians a second. Compare the filtered inverses: the larger γ is, \
-the smaller the error, for little more speed of the joints.""",
+the smaller the error, and the faster the joints, though never beyond 3 rad/s.""",
     pt_BR="""O caminho passa pelo eixo do ombro, onde nenhuma junta move o efetuador ao longo dele; o braço chega lá \
 em 32 s. A pseudoinversa pede centenas de radianos por segundo. Compare as inversas filtradas: quanto maior γ, menor \
-o erro, por um pouco mais de velocidade nas juntas.""",
+o erro, e mais rápidas as juntas, embora nunca além de 3 rad/s.""",
 )
 ROBOT = "planar3r"
 PATH, START, PLACE = path_4, (pi / 2, 0.1, 0.1), "sim. 7, figs. 3.14–3.15"

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.soak
 PATHS = {"ellipse": ELLIPSE, "line": LINE, "circle": CIRCLE}
 DIFFERS = {
     "ellipse": set(),
-    "line": {"mean deviation of case 1 less the larger of cases 2 and 3"},
+    "line": {"eq. 37 with the former point of the path: mean deviation of case 1 less the larger of cases 2 and 3"},
     "circle": {"case 1: largest position error"},
 }
 # By path and case: least distance to +z trimmed only; to +z and +y where the ceiling alone is watched.

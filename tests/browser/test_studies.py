@@ -42,9 +42,11 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
     until(page, lambda: page.locator(".uplot").count() >= 1)
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).before is not None, 300)
-    page.get_by_label("beside the run before").click()
+    page.get_by_label("compare with the previous run").click()
     until(page, lambda: "before" in page.locator(".helicoide-study").inner_text())
-    page.get_by_role("button", name="Play it on the arm").click()
+    last = desk(lab).last
+    assert last is not None
+    page.get_by_role("button", name=last.result.motions[0].title.en).click()
     until(page, lambda: lab.state.robot.name == studies.named(NAME).ROBOT)
     until(page, lambda: isinstance(lab.state.request.command, Replay) and lab.state.request.command.s > 0.3)
     until(page, lambda: "Playing the study" in status(page))

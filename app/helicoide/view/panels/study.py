@@ -28,7 +28,7 @@ from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 TITLE = Text(en="Study", pt_BR="Estudo")
 ORDER = 4
 ICON = Icon.FLASK
-MOST_CHARTS, DIGITS = 8, 5
+MOST_CHARTS, DIGITS = 14, 5
 
 RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End the run", pt_BR="Encerrar a execução")
 BEFORE = Text(en="before", pt_BR="antes")

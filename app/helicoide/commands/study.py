@@ -9,8 +9,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, fields
-from math import isfinite
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -19,12 +18,13 @@ from tqdm import tqdm
 
 from helicoide import studies
 from helicoide.commands import NOT_REACHED, language
+from helicoide.export.study_json import described
 from helicoide.export.study_report import DIFFERS, FAILED, Record, by_source, chosen, counted, differences, page
 from helicoide.export.study_table import HEADINGS, cells, fitted, in_order
 from helicoide.files.system import why
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
 from helicoide.jobs.several import Outcome, Progress, in_processes, timed
-from helicoide.studies.study import Chart, Figure, Motion, Result, Row, Statement
+from helicoide.studies.study import Result
 from helicoide.text import HelicoideError, Language, Text, same
 
 log = logging.getLogger("helicoide")
@@ -90,70 +90,6 @@ def run(
         sys.exit(NOT_REACHED)
     if any(record.unexplained for record in records):
         sys.exit(1)
-
-
-def described(record: Record) -> dict[str, Any]:
-    """A record as JSON: words in both languages; what is no number is null."""
-    result = record.result
-    return {
-        "name": record.name,
-        "title": _words(record.study.TITLE),
-        "source": record.study.SOURCE,
-        "robot": record.study.ROBOT,
-        "short": record.short,
-        "seconds": record.seconds,
-        "options": {field.name: getattr(record.options, field.name) for field in fields(record.options)},
-        "failure": None if record.failure is None else _words(record.failure),
-        "rows": [] if result is None else [_row(row) for row in result.rows],
-        "charts": [] if result is None else [_chart(chart) for chart in result.charts],
-        "motions": [] if result is None else [_motion(motion) for motion in result.motions],
-    }
-
-
-def _row(row: Row) -> dict[str, Any]:
-    return {
-        "quantity": _words(row.quantity),
-        "unit": row.unit,
-        "source": _source(row.source),
-        "ours": row.ours if isfinite(row.ours) else None,
-        "verdict": row.verdict.name.lower(),
-        "fitted": [{**vars(value), "name": _words(value.name)} for value in row.fitted],
-        "erratum": row.erratum or None,
-        "why": None if row.why is None else _words(row.why),
-    }
-
-
-def _source(source: Statement | Figure | None) -> dict[str, Any] | None:
-    match source:
-        case Statement():
-            return {**vars(source), "words": _words(source.words)}
-        case Figure(place):
-            return {"figure": place}
-    return None
-
-
-def _chart(chart: Chart) -> dict[str, Any]:
-    return {
-        "title": _words(chart.title),
-        "figure": chart.figure,
-        "across": _words(chart.across),
-        "up": _words(chart.up),
-        "lines": [{"title": _words(e.title), "x": e.x.tolist(), "y": e.y.tolist()} for e in chart.lines],
-    }
-
-
-def _motion(motion: Motion) -> dict[str, Any]:
-    return {
-        "title": _words(motion.title),
-        "robot": motion.robot,
-        "parameters": [*motion.parameters],
-        "times": motion.times.tolist(),
-        "q": motion.q.tolist(),
-    }
-
-
-def _words(text: Text) -> dict[str, str]:
-    return {"en": text.en, "pt_BR": text.pt_BR}
 
 
 def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tuple[Asked, ...]:

@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import cos, pi, sin
+from typing import Annotated
 
 import numpy as np
 
 from helicoide.geometry import rotation
+from helicoide.ik.method import OneOf, Quantity
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.follow import Inverse, Wish, followed
 from helicoide.ik.rcm.passage import through
 from helicoide.kinematics.chain import Array
+from helicoide.studies._coutinho_rows import FEEDBACK
 from helicoide.studies._coutinho_runs import (
     DEPTH,
+    INVERSES,
     LINK,
     START,
     Run,
@@ -26,6 +30,9 @@ from helicoide.studies._coutinho_runs import (
     problem_of,
 )
 from helicoide.studies.study import Progress
+from helicoide.text import Text
+
+INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
 
 # Of the device, and of the controller, s: it tells its pose a thousand times a second, and is asked every 2 ms.
 SAMPLE, STEP = 0.001, 0.002
@@ -101,3 +108,11 @@ def led(hand: Hand, entry_speed: float, of_tool: Inverse, feedback: float, secon
     steps = followed(problem, passage, gained, device.wished, START, entry, STEP, memory)
     got = measured(steps, round(seconds / STEP) + 1, STEP, progress)
     return {**got, "w": (got["inside"] / got["outside"]) ** 2 * np.abs(np.sin(got["q7"]))}
+
+
+@dataclass(frozen=True)
+class Options:
+    """How J^r is inverted, and the gain Kr, 1/s."""
+
+    inverse: Annotated[str, OneOf(INVERSE, {name: title for name, (title, _) in INVERSES.items()})] = "filtered"
+    feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 0.0

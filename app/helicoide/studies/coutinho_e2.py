@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Annotated
-
-from helicoide.ik.method import OneOf, Quantity
-from helicoide.studies._coutinho_hand import PERIOD, STEP, led, steering
-from helicoide.studies._coutinho_rows import FEEDBACK, TIMES, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_hand import PERIOD, STEP, Options, led, steering
+from helicoide.studies._coutinho_rows import TIMES, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, crossings
 from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, unstated
 from helicoide.text import Text
@@ -25,7 +21,6 @@ ABOUT = Text(
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 SHORT = 6.0
-INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
 # What the hand does, mm and s; by tests/studies/fits/coutinho_hand.py.
 SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 27.0, 24.3, 29.7, "mm")
 ASIDE = Fitted(Text(en="its way aside", pt_BR="o percurso dela para o lado"), 15.0, 13.5, 16.5, "mm")
@@ -37,14 +32,6 @@ STILL = Text(
 )
 FIGURES = "figs. 4.31–4.37"
 CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w")
-
-
-@dataclass(frozen=True)
-class Options:
-    """How J^r is inverted, and the gain Kr, 1/s."""
-
-    inverse: Annotated[str, OneOf(INVERSE, {name: title for name, (title, _) in INVERSES.items()})] = "filtered"
-    feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 0.0
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Annotated
-
 import numpy as np
 
 from helicoide.geometry import rotation
-from helicoide.ik.method import OneOf, Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_hand import ENTRY_SPEED, PERIOD, SAMPLE, STEP, Device, dragging, led, steering
-from helicoide.studies._coutinho_rows import ENTRY, FEEDBACK, SHARE, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_hand import ENTRY_SPEED, PERIOD, SAMPLE, STEP, Device, Options, dragging, led, steering
+from helicoide.studies._coutinho_rows import ENTRY, SHARE, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run
-from helicoide.studies.coutinho_e2 import INVERSE, LASTS
+from helicoide.studies.coutinho_e2 import LASTS
 from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, printed, unstated
 from helicoide.text import Text, same
 
@@ -43,14 +39,6 @@ CALM = Text(en="the norm of the joint velocities stays low", pt_BR="a norma das 
 FIGURES = "figs. 4.38–4.43"
 MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "outside_min", "outside_max", "rate")
 CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
-
-
-@dataclass(frozen=True)
-class Options:
-    """How J^r is inverted, and the gain Kr, 1/s."""
-
-    inverse: Annotated[str, OneOf(INVERSE, {name: title for name, (title, _) in INVERSES.items()})] = "filtered"
-    feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 0.0
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:

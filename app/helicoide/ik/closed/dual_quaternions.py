@@ -14,14 +14,15 @@ import numpy as np
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.incidence import point_line_distance
-from helicoide.ik.families.elbow_wrist import OR_FIVE, ElbowWrist, elbow_wrist
-from helicoide.ik.families.listed import Found, answer, theta
-from helicoide.ik.families.turret import Turret, turret
+from helicoide.ik.families.elbow_wrist import ElbowWrist
+from helicoide.ik.families.listed import Found, theta
+from helicoide.ik.families.six_or_five import refusal, solved
+from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.branch import Answer
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import joint_motor
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text
+from helicoide.text import Text
 
 TITLE = Text(en="dual quaternions: half angles", pt_BR="quatérnios duais: meios-ângulos")
 SOURCE = "Campos 1998, s.37 (names the family); Cerbaro 2022, §5.1 (motors of the joints); the steps are ours"
@@ -41,7 +42,7 @@ NONE, ROUNDING, FREE = 1e-20, 1e-12, 1e-10
 
 def applies(robot: Robot) -> Text | None:
     """Why the form does not apply to a robot; None where it does."""
-    return OR_FIVE if elbow_wrist(robot) is None and turret(robot) is None else None
+    return refusal(robot)
 
 
 def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
@@ -49,11 +50,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
 
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
-    if (six := elbow_wrist(robot)) is not None:
-        return answer(robot, T_world_tool, q, lambda T, now: _six(robot, six, T, now))
-    if (five := turret(robot)) is not None:
-        return answer(robot, T_world_tool, q, lambda T, now: _five(robot, five, T, now))
-    raise HelicoideError(OR_FIVE)
+    return solved(robot, T_world_tool, q, _six, _five)
 
 
 def halves(L: Array, measure: Callable[[Array], float], kept: float) -> list[float]:

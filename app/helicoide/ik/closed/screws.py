@@ -10,15 +10,16 @@ from collections.abc import Iterator
 import numpy as np
 
 from helicoide.geometry import rotation
-from helicoide.ik.families.elbow_wrist import OR_FIVE, ElbowWrist, elbow_wrist
-from helicoide.ik.families.listed import Found, answer, theta
+from helicoide.ik.families.elbow_wrist import ElbowWrist
+from helicoide.ik.families.listed import Found, theta
 from helicoide.ik.families.paden_kahan import Axis, axis_of, turn_to, turns_to, turns_to_distance
-from helicoide.ik.families.turret import Turret, turret
+from helicoide.ik.families.six_or_five import refusal, solved
+from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.branch import Answer
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import screw_transform
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text
+from helicoide.text import Text
 
 TITLE = Text(en="screws: Paden–Kahan subproblems", pt_BR="helicoides: subproblemas de Paden–Kahan")
 SOURCE = "Campos 1998, s.37 (names the family); Paden 1986; Kahan 1983; Murray, Li and Sastry 1994, ch. 3"
@@ -38,7 +39,7 @@ EQUATIONS = (
 
 def applies(robot: Robot) -> Text | None:
     """Why the form does not apply to a robot; None where it does."""
-    return OR_FIVE if elbow_wrist(robot) is None and turret(robot) is None else None
+    return refusal(robot)
 
 
 def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
@@ -46,11 +47,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
 
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
-    if (six := elbow_wrist(robot)) is not None:
-        return answer(robot, T_world_tool, q, lambda T, now: _six(robot, six, T, now))
-    if (five := turret(robot)) is not None:
-        return answer(robot, T_world_tool, q, lambda T, now: _five(robot, five, T, now))
-    raise HelicoideError(OR_FIVE)
+    return solved(robot, T_world_tool, q, _six, _five)
 
 
 def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Found]:

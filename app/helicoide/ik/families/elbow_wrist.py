@@ -55,11 +55,3 @@ ELSE = Text(
     pt_BR="Esta forma vale para seis juntas de revolução como no PUMA: ombro perpendicular à cintura, que ele cruza, "
     "cotovelo paralelo a ele, e três eixos em ângulo reto que se cruzam no punho.",
 )
-OR_FIVE = Text(
-    en="This form is for arms as the PUMA (six turning joints: shoulder square to the waist that it crosses, elbow "
-    "alongside it, a spherical wrist with right angles) or as the Movemaster (five: shoulder, elbow and bend alongside "
-    "each other, a roll that carries the tool).",
-    pt_BR="Esta forma vale para braços como o PUMA (seis juntas de revolução: ombro perpendicular à cintura, que ele "
-    "cruza, cotovelo paralelo a ele, punho esférico com ângulos retos) ou como o Movemaster (cinco: ombro, cotovelo e "
-    "flexão paralelos, e um rolamento que leva o efetuador).",
-)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from functools import cache
 
@@ -11,6 +12,8 @@ from tests.studies.record import numbers, recorded
 
 from helicoide import studies
 from helicoide.export import errata
+from helicoide.export.study_json import described
+from helicoide.export.study_report import Record
 from helicoide.ik.method import OneOf, Quantity, changed, settings
 from helicoide.kinematics.library import load
 from helicoide.studies.study import Result, Statement, Verdict
@@ -130,6 +133,13 @@ def test_its_motions_are_of_a_robot_and_have_names_of_their_own(name: str) -> No
         assert motion.q.shape == (len(motion.times), len(robot.variables))
         assert np.isfinite(motion.q).all()
         assert (np.diff(motion.times) > 0).all()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_it_can_be_written_as_json(name: str) -> None:
+    study = studies.named(name)
+    record = Record(name, study, study.Options(), True, short(name)[0], None, 1.0)
+    assert json.loads(json.dumps(described(record), allow_nan=False))["rows"]
 
 
 @pytest.mark.parametrize("name", NAMES)

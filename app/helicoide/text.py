@@ -4,10 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from string import Formatter
 from typing import Literal, get_args
 
 Language = Literal["en", "pt_BR"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
+
+
+class _Comma(Formatter):
+    """Formats as `str.format` does, with a decimal comma in numbers."""
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        shown: str = super().format_field(value, format_spec)
+        return shown.replace(".", ",") if isinstance(value, float) else shown
+
+
+_WITH_COMMA = _Comma()
 
 
 @dataclass(frozen=True)
@@ -21,10 +33,12 @@ class Text:
         return self.pt_BR if language == "pt_BR" else self.en
 
     def format(self, **fields: object) -> Text:
-        """Fill the fields of both sentences; a field that is a Text is filled in its own language."""
+        """Fill the fields of both; a Text is filled in its own language, a number gets its decimal comma."""
         return Text(
             en=self.en.format(**{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
-            pt_BR=self.pt_BR.format(**{k: v["pt_BR"] if isinstance(v, Text) else v for k, v in fields.items()}),
+            pt_BR=_WITH_COMMA.format(
+                self.pt_BR, **{k: v["pt_BR"] if isinstance(v, Text) else v for k, v in fields.items()}
+            ),
         )
 
 

@@ -164,7 +164,7 @@ def test_millimetres_become_metres(name: str) -> None:
     ending, writer = WRITERS[name]
     cloud = cloud_file.read(f"c{ending}", writer(1000 * SOME), "mm")
     np.testing.assert_allclose(cloud.points, SOME, rtol=1e-15)
-    assert "2.92" in cloud_file.read("c.npy", npy(SOME[:2] * 0 + [[0, 0, 0], [2.92, 1, 1]])).words.pt_BR
+    assert "2,92" in cloud_file.read("c.npy", npy(SOME[:2] * 0 + [[0, 0, 0], [2.92, 1, 1]])).words.pt_BR
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "binary"])

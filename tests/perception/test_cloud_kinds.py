@@ -260,7 +260,7 @@ def test_the_unit_and_the_extent_are_said_with_the_plane() -> None:
     )
     assert "Rows passed over: 1 of 402; line 401, column 2 holds “zero”; valid is a number" in seen.words.en
     assert seen.words.en.endswith("Left out for want of coordinates within 1000 m: 1.")
-    assert "Em metros, ao que parece (se não, escolha a unidade): x de 0.20 a 0.90" in seen.words.pt_BR
+    assert "Em metros, ao que parece (se não, escolha a unidade): x de 0,20 a 0,90" in seen.words.pt_BR
     none, pane = found_in(cloud, READINGS[1], INSIDE)
     assert pane is None
     assert "In metres, as it looks" in none.words.en

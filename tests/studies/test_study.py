@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.studies.study import Figure, Fitted, Relation, Result, Row, Statement, Verdict, printed, unstated
+from helicoide.studies.study import PUT_IN, Figure, Fitted, Relation, Result, Row, Statement, Verdict, printed, unstated
 from helicoide.text import same
 
 SAID = Statement(same("2"), "§1", 2.0, "=", 0.1)
@@ -80,6 +80,11 @@ def test_the_verdict_is_about_the_statement_alone(ours: float, fitted: bool, err
         assert row.verdict is (Verdict.ERRATUM if erratum else Verdict.DIFFERS)
     assert replace(row, source=None).verdict is Verdict.OURS
     assert replace(row, source=Figure("fig. 1")).verdict is Verdict.FIGURE
+
+
+@pytest.mark.parametrize("ours", [2.0, 5.0])
+def test_what_was_put_in_has_no_verdict(ours: float) -> None:
+    assert Row(same("q"), ours, "", SAID, given=PUT_IN).verdict is Verdict.OURS
 
 
 @pytest.mark.parametrize("source", [None, SAID, Figure("fig. 1")])

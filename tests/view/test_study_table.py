@@ -6,8 +6,9 @@ import re
 
 import pytest
 
+from helicoide.export import study_table
 from helicoide.studies.desk import Run
-from helicoide.studies.study import Figure, Fitted, Result, Row, Statement, Verdict, printed
+from helicoide.studies.study import PUT_IN, Figure, Fitted, Reading, Result, Row, Statement, Verdict, printed
 from helicoide.text import Language, Text, same
 from helicoide.view.panels.study import SIGNS, _written
 
@@ -27,6 +28,10 @@ ROWS = (
     Row(Text(en="drawn", pt_BR="desenhado"), 3.0, "", Figure("fig. 5")),
     Row(Text(en="alone", pt_BR="sozinho"), 3.0),
 )
+
+
+NEAR = Text(en="near zero", pt_BR="perto de zero")
+TAKEN = Reading(Text(en="the instant", pt_BR="o instante"), Text(en="3.1", pt_BR="3,1"))
 
 
 def run(*rows: Row) -> Run:
@@ -58,9 +63,9 @@ def test_each_verdict_has_its_sign_and_what_is_compared_its_words(language: Lang
 
 def test_numbers_stand_under_their_heads_in_the_language_of_the_page() -> None:
     heads, quantity, numbers, *_ = lines(_written((run(*ROWS),), "en"))
-    assert heads == ["the source prints", "ours"]
+    assert heads == ["the source says", "ours"]
     assert quantity == ["✓ right"]
-    assert numbers == ["≤ 1 × 10⁻¹² (fig. 1)", "6.0526×10⁻¹⁴ mm/s"]
+    assert numbers == ["≤ 1 × 10⁻¹² mm/s (fig. 1)", "6.0526×10⁻¹⁴ mm/s"]
     assert ["1,0 (§3)", "−2,00"] in lines(_written((run(*ROWS),), "pt_BR"))
 
 
@@ -75,3 +80,32 @@ def test_the_run_before_stands_in_the_place_of_the_source() -> None:
     assert heads == ["ours", "before"]
     assert numbers == ["6.0526×10⁻¹⁴ mm/s", "7×10⁻¹⁴"]
     assert others == ["2", "–"]
+
+
+@pytest.mark.parametrize(
+    ("row", "said", "verdict"),
+    [
+        (
+            Row(NEAR, 55.9, "mm", Statement(NEAR, "fig. 2", 60.0, "≤")),
+            "near zero (fig. 2), read as ≤ 60 mm",
+            "as printed",
+        ),
+        (Row(NEAR, 4.0, "", Statement(NEAR, "§1", 4.2, "=", 0.5)), "near zero (§1), read as 4.2 ± 0.5", "as printed"),
+        (Row(NEAR, 5e-3, "", Statement(NEAR, "§1", 1e-3, "~")), "near zero (§1), read as 0.001 to 0.01", "as printed"),
+        (Row(NEAR, 2.0, "cm/s", printed("2,0", "§4"), given=PUT_IN), "2.0 cm/s (§4)", "ours: it was put in"),
+        (
+            Row(NEAR, 2.0, "", printed("2,0", "§4"), (TAKEN,)),
+            "2.0 (§4)",
+            "as printed, with a fitted value or reading: the instant",
+        ),
+    ],
+)
+def test_how_words_are_read_and_what_was_chosen_is_said(row: Row, said: str, verdict: str) -> None:
+    assert study_table.source(row).en == said
+    assert study_table.verdict(row).en == verdict
+
+
+def test_a_reading_is_told_with_what_comes_out_otherwise() -> None:
+    chosen = study_table.fitted(Result((Row(NEAR, 2.0, "", printed("2,0", "§4"), (TAKEN,)),)))
+    assert chosen is not None
+    assert chosen.en == "Chosen: the instant (otherwise 3.1)."

@@ -7,7 +7,7 @@ from math import isfinite
 from typing import Any
 
 from helicoide.export.study_report import Record
-from helicoide.studies.study import Chart, Figure, Motion, Row, Statement
+from helicoide.studies.study import Chart, Figure, Fitted, Motion, Reading, Row, Statement
 from helicoide.text import Text
 
 
@@ -36,10 +36,15 @@ def _row(row: Row) -> dict[str, Any]:
         "source": _source(row.source),
         "ours": row.ours if isfinite(row.ours) else None,
         "verdict": row.verdict.name.lower(),
-        "fitted": [{**vars(value), "name": _words(value.name)} for value in row.fitted],
+        "fitted": [_chosen(choice) for choice in row.fitted],
         "erratum": row.erratum or None,
         "why": None if row.why is None else _words(row.why),
+        "given": None if row.given is None else _words(row.given),
     }
+
+
+def _chosen(choice: Fitted | Reading) -> dict[str, Any]:
+    return {key: _words(value) if isinstance(value, Text) else value for key, value in vars(choice).items()}
 
 
 def _source(source: Statement | Figure | None) -> dict[str, Any] | None:

@@ -13,7 +13,7 @@ from helicoide.export.readable import readable
 from helicoide.export.study_table import HEADINGS, cells, fitted, in_order, ours, source
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
-from helicoide.studies.study import Result, Row, Statement, Study, Verdict
+from helicoide.studies.study import Reading, Result, Row, Statement, Study, Verdict
 from helicoide.text import Language, Text, same
 
 TITLE = Text(en="Studies of Helicoide", pt_BR="Estudos do Helicoide")
@@ -22,24 +22,33 @@ COUNTED = Text(
     pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
 )
 OF_SOURCE = Text(
-    en="{source}: rows beside what it prints: {stated}; values fitted for them: {fitted}",
-    pt_BR="{source}: linhas ao lado do que ela imprime: {stated}; valores ajustados para elas: {fitted}",
+    en="{source}: rows beside what it says: {stated}; its statements in them: {said}; values fitted for them: "
+    "{fitted}; readings chosen: {read}",
+    pt_BR="{source}: linhas ao lado do que ela diz: {stated}; afirmações dela nessas linhas: {said}; valores ajustados "
+    "para elas: {fitted}; leituras escolhidas: {read}",
 )
 DIFFERS = Text(en="What differs", pt_BR="O que difere")
 DIFFERENCE = Text(
     en="{name}, {quantity}: printed {printed}; ours {ours}{why}",
     pt_BR="{name}, {quantity}: impresso {printed}; nosso {ours}{why}",
 )
-AND_WHY = same(". {why}")
+AND_WHY = same("; {why}")
 NONE_DIFFERS = Text(en="Nothing.", pt_BR="Nada.")
 ABOUT_VERDICTS = Text(
-    en="First comes what a source prints, with its place, and the verdict is about that. Values that the source does "
-    "not give may have been fitted so that its statements hold: they are named, with the range in which they do. What "
-    "a source shows in a figure only, and what nobody printed, stands apart.",
-    pt_BR="Primeiro vem o que a fonte imprime, com o lugar, e é disso que trata o veredito. Valores que a fonte não "
-    "informa podem ter sido ajustados para que suas afirmações valham: são nomeados, com a faixa em que valem. O que "
-    "a fonte só mostra em figura, e o que ninguém imprimiu, fica à parte.",
+    en="First comes what a source says, with its place: a number as it is printed, anything else in our words. The "
+    "verdict is about that. A printed number is met to half a unit of its last digit, one that is printed as about to "
+    "a whole unit; words are met as the row reads them. Values that the source does not give may have been fitted so "
+    "that its statements hold: they are named, with the range in which they do. Where it allows two readings, or "
+    "leaves the instant open, the one that was taken is named, with what comes out otherwise. What a source shows in "
+    "a figure only, what was put in, what holds by construction, and what nobody printed, stands apart.",
+    pt_BR="Primeiro vem o que a fonte diz, com o lugar: um número como está impresso, o resto em palavras nossas. É "
+    "disso que trata o veredito. Um número impresso confere até meia unidade do último algarismo; se vem com “cerca "
+    "de”, até uma unidade inteira; palavras conferem como a linha as lê. Valores que a fonte não informa podem ter "
+    "sido ajustados para que suas afirmações valham: são nomeados, com a faixa em que valem. Onde ela admite duas "
+    "leituras, ou deixa o instante em aberto, a que foi tomada é nomeada, com o que resulta da outra. O que a fonte só "
+    "mostra em figura, o que é dado de entrada, o que vale por construção e o que ninguém imprimiu ficam à parte.",
 )
+JUDGED = (Verdict.PRINTED, Verdict.FITTED, Verdict.DIFFERS, Verdict.ERRATUM)
 SHORT = Text(en="short form", pt_BR="forma curta")
 FAILED = Text(en="did not run to its end: {why}", pt_BR="não chegou ao fim: {why}")
 TOOK = Text(en="{robot} · took {seconds:.1f} s", pt_BR="{robot} · levou {seconds:.1f} s")
@@ -163,14 +172,18 @@ def counted(records: Sequence[Record], seconds: float) -> Text:
 
 
 def by_source(records: Sequence[Record]) -> list[Text]:
-    """How many rows of each source have a printed statement, and how many values were fitted for them."""
+    """How many rows of each source stand beside its statements, of how many, and what was chosen for them."""
     results = [(record.study.SOURCE.partition(",")[0], record.result) for record in records if record.result]
     lines = []
     for name in dict.fromkeys(name for name, _ in results):
         of_it = [result for other, result in results if other == name]
-        stated = sum(isinstance(row.source, Statement) for result in of_it for row in result.rows)
-        chosen = {value for result in of_it for value in result.fitted}
-        lines.append(OF_SOURCE.format(source=name, stated=stated, fitted=len(chosen)))
+        rows = [row for result in of_it for row in result.rows if row.verdict in JUDGED]
+        chosen = {choice for result in of_it for choice in result.fitted}
+        read = sum(isinstance(choice, Reading) for choice in chosen)
+        said = {(row.source.words, row.source.place) for row in rows if isinstance(row.source, Statement)}
+        lines.append(
+            OF_SOURCE.format(source=name, stated=len(rows), said=len(said), fitted=len(chosen) - read, read=read)
+        )
     return lines
 
 
@@ -201,7 +214,7 @@ def chosen(record: Record, language: Language) -> str:
 def _value(setting: object, value: Any, language: Language) -> str:
     match setting:
         case Quantity(_, _, _, unit):
-            return f"{value:g} {unit}".strip()
+            return same("{value:g} {unit}").format(value=value, unit=unit)[language].strip()
         case OneOf(_, choices):
             return choices[value][language]
     return str({True: Text(en="yes", pt_BR="sim"), False: Text(en="no", pt_BR="não")}[value][language])

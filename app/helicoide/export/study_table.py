@@ -5,19 +5,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import floor, isfinite, log10
 
-from helicoide.studies.study import Fitted, Result, Row, Statement, Verdict
+from helicoide.studies.study import Fitted, Reading, Result, Row, Statement, Verdict
 from helicoide.text import Text, joined, same
 
 HEADINGS = (
     Text(en="quantity", pt_BR="grandeza"),
-    Text(en="the source prints", pt_BR="a fonte imprime"),
+    Text(en="the source says", pt_BR="a fonte diz"),
     Text(en="ours", pt_BR="nosso"),
     Text(en="verdict", pt_BR="veredito"),
 )
 NOTHING = "–"
 PLACED, BECAUSE = same("{words} ({place})"), same("{said}: {why}")
-FITTED = Text(en="Fitted values: {values}.", pt_BR="Valores ajustados: {values}.")
+READ_AS = Text(en="{words} ({place}), read as {asked}", pt_BR="{words} ({place}), lido como {asked}")
+FITTED = Text(en="Chosen: {values}.", pt_BR="Escolhidos: {values}.")
+TAKEN = Text(en="{name} (otherwise {otherwise})", pt_BR="{name} (senão, {otherwise})")
 HOLDS = Text(en="{name} = {value} (holds from {least} to {most})", pt_BR="{name} = {value} (vale de {least} a {most})")
+BOUND, BETWEEN = same("{relation} {value}"), same("{value} ± {within}")
+DECADE = Text(en="{value} to {end}", pt_BR="{value} a {end}")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 FINEST, DIGITS = 1e-6, 6
 
@@ -26,6 +30,11 @@ def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = D
     """Decimals as far as the tolerance lets them count, else some digits; a degree sign stands close, a unit apart."""
     decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 1 else 0
     shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else short(value, digits)
+    return attached(shown, unit)
+
+
+def attached(shown: str, unit: str) -> str:
+    """A number with its unit; a degree sign stands close."""
     return f"{shown}{unit}" if unit in ("", "°") else f"{shown} {unit}"
 
 
@@ -57,9 +66,25 @@ def source(row: Row) -> Text:
     match row.source:
         case None:
             return same(NOTHING)
-        case Statement(words, place):
-            return PLACED.format(words=words, place=place)
+        case Statement(words, place) as statement if statement.is_number:
+            return PLACED.format(words=_with(words, row.unit), place=place)
+        case Statement(words, place) as statement:
+            return READ_AS.format(words=words, place=place, asked=_asked(statement, row.unit))
     return same(row.source.place)
+
+
+def _with(words: Text, unit: str) -> Text:
+    return Text(en=attached(words.en, unit), pt_BR=attached(words.pt_BR, unit))
+
+
+def _asked(statement: Statement, unit: str) -> Text:
+    value = written(statement.value, unit, digits=4)
+    match statement.relation:
+        case "=" if statement.within:
+            return BETWEEN.format(value=value, within=written(statement.within, unit, digits=2))
+        case "~":
+            return DECADE.format(value=value, end=written(10 * statement.value, unit, digits=4))
+    return BOUND.format(relation=statement.relation, value=value)
 
 
 def ours(row: Row, digits: int = DIGITS) -> Text:
@@ -68,24 +93,28 @@ def ours(row: Row, digits: int = DIGITS) -> Text:
 
 
 def verdict(row: Row) -> Text:
-    """The verdict, with the names of the values that were fitted, the erratum, or why it differs."""
+    """The verdict, with the names of what was chosen, the erratum, why it differs, or why it is no result."""
     said = row.verdict.value
     match row.verdict:
         case Verdict.FITTED:
             return BECAUSE.format(said=said, why=joined([value.name for value in row.fitted], ", "))
         case Verdict.ERRATUM:
             return BECAUSE.format(said=said, why=row.erratum)
+        case Verdict.OURS if row.given is not None:
+            return BECAUSE.format(said=said, why=row.given)
         case Verdict.DIFFERS if row.why is not None:
             return BECAUSE.format(said=said, why=row.why)
     return said
 
 
 def fitted(result: Result) -> Text | None:
-    """The values that were chosen for a study, and how far each lets the statements hold; None without any."""
+    """What was chosen for a study: values with how far each lets the statements hold, readings; None without any."""
     return FITTED.format(values=joined([_holds(chosen) for chosen in result.fitted])) if result.fitted else None
 
 
-def _holds(chosen: Fitted) -> Text:
+def _holds(chosen: Fitted | Reading) -> Text:
+    if isinstance(chosen, Reading):
+        return TAKEN.format(name=chosen.name, otherwise=chosen.otherwise)
     ends = {"least": written(chosen.least, digits=3), "most": written(chosen.most, digits=3)}
     return HOLDS.format(name=chosen.name, value=written(chosen.value, chosen.unit), **ends)
 

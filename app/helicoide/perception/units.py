@@ -83,7 +83,7 @@ def _check_near(rows: Array, unit: Unit) -> None:
             en="its points lie far from the arm's base, around ({x:.1f}, {y:.1f}, {z:.1f}) in {unit}, as the "
             "coordinates of a map do; valid are coordinates from the base, with points within {room:.0f} m of it: "
             "subtract the origin before, or choose another unit",
-            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}, {y:.1f}, {z:.1f}) em {unit}, como "
+            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}; {y:.1f}; {z:.1f}) em {unit}, como "
             "coordenadas de um mapa; valem coordenadas a partir da base, com pontos a até {room:.0f} m dela: subtraia "
             "antes a origem ou escolha outra unidade",
         ).format(unit=TITLES[unit], room=ROOM, **middle)

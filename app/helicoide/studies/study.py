@@ -13,6 +13,8 @@ from helicoide.text import Text
 
 Progress = Callable[[float], None]
 THE_RUN = Text(en="the run", pt_BR="a execução")
+PUT_IN = Text(en="it was put in", pt_BR="é dado de entrada")
+CONSTRUCTED = Text(en="it holds by construction", pt_BR="vale por construção")
 Relation = Literal["=", "~", "<", "≤", ">", "≥"]
 
 _NUMBER = re.compile(r"([~≈<≤>≥=])?\s*([-−]?\d+(?:[.,]\d+)?)(?:\s*[×·]\s*10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
@@ -23,7 +25,9 @@ class Verdict(Enum):
     """How ours stands to what the source prints."""
 
     PRINTED = Text(en="as printed", pt_BR="como impresso")
-    FITTED = Text(en="as printed, with a fitted value", pt_BR="como impresso, com valor ajustado")
+    FITTED = Text(
+        en="as printed, with a fitted value or reading", pt_BR="como impresso, com valor ou leitura escolhidos"
+    )
     DIFFERS = Text(en="differs", pt_BR="difere")
     ERRATUM = Text(en="erratum of the source", pt_BR="errata da fonte")
     FIGURE = Text(en="only in a figure", pt_BR="só em figura")
@@ -34,7 +38,7 @@ class Verdict(Enum):
 class Statement:
     """What a source prints about a quantity.
 
-    words: as printed, in either language; place: such as "fig. 3.11" or "§4.2.1"; value: the number that
+    words: what it says, in either language; place: such as "fig. 3.11" or "§4.2.1"; value: the number that
     they ask for, in the unit of the row; relation: "=" to `within`, "~" within its power of ten, or a bound.
     """
 
@@ -43,6 +47,11 @@ class Statement:
     value: float
     relation: Relation = "="
     within: float = 0.0
+
+    @property
+    def is_number(self) -> bool:
+        """Whether the words are a number; else they were read as one."""
+        return _NUMBER.fullmatch(self.words.en) is not None
 
     def holds(self, ours: float) -> bool:
         """Whether a number is as it is stated; what is no number never is."""
@@ -96,26 +105,41 @@ class Fitted:
 
 
 @dataclass(frozen=True)
+class Reading:
+    """What was taken where the source allows more than one reading, such as the instant at which an error is read.
+
+    otherwise: what comes out by another one.
+    """
+
+    name: Text
+    otherwise: Text
+
+
+@dataclass(frozen=True)
 class Row:
     """A quantity: what the source has of it, None where it has nothing, and ours.
 
-    fitted: the chosen values by which the statement holds; erratum: the number of the error of the source because of
-    which it does not, such as "vargas-2"; why: why ours differs, where that is known.
+    fitted: the chosen values and readings by which the statement holds; erratum: the number of the error of the source
+    because of which it does not, such as "vargas-2"; why: why ours differs, where that is known; given: why ours is no
+    result, such as `PUT_IN`, so that no verdict is due.
     """
 
     quantity: Text
     ours: float
     unit: str = ""
     source: Statement | Figure | None = None
-    fitted: tuple[Fitted, ...] = ()
+    fitted: tuple[Fitted | Reading, ...] = ()
     erratum: str = ""
     why: Text | None = None
+    given: Text | None = None
 
     @property
     def verdict(self) -> Verdict:
         """How ours stands to what the source prints; what is no number differs from everything."""
         if self.ours != self.ours:
             return Verdict.DIFFERS
+        if self.given is not None:
+            return Verdict.OURS
         match self.source:
             case None:
                 return Verdict.OURS
@@ -128,7 +152,7 @@ class Row:
 
 def unstated(rows: tuple[Row, ...]) -> tuple[Row, ...]:
     """The rows of a study with settings that are not those of its source: every number stands alone."""
-    return tuple(replace(row, source=None, fitted=(), erratum="", why=None) for row in rows)
+    return tuple(replace(row, source=None, fitted=(), erratum="", why=None, given=None) for row in rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,8 +202,8 @@ class Result:
     motions: tuple[Motion, ...] = ()
 
     @property
-    def fitted(self) -> tuple[Fitted, ...]:
-        """All values that were chosen so that printed statements hold."""
+    def fitted(self) -> tuple[Fitted | Reading, ...]:
+        """All values and readings that were chosen so that printed statements hold."""
         return tuple(dict.fromkeys(value for row in self.rows for value in row.fitted))
 
 

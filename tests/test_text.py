@@ -1,0 +1,22 @@
+"""Sentences in both languages."""
+
+from __future__ import annotations
+
+import pytest
+
+from helicoide.text import Text, same
+
+FOUND = Text(en="{a:.2f} m, {n} of {b}", pt_BR="{a:.2f} m, {n} de {b}")
+
+
+@pytest.mark.parametrize(
+    ("value", "en", "pt_BR"), [(0.5, "0.50", "0,50"), (-1234.5, "-1234.50", "-1234,50"), (float("nan"), "nan", "nan")]
+)
+def test_numbers_have_the_comma_of_their_language(value: float, en: str, pt_BR: str) -> None:
+    text = FOUND.format(a=value, n=3, b="v1.2")
+    assert text == Text(en=f"{en} m, 3 of v1.2", pt_BR=f"{pt_BR} m, 3 de v1.2")
+
+
+def test_a_field_that_is_a_text_is_filled_in_its_own_language() -> None:
+    said = same("({of})").format(of=FOUND.format(a=1.0, n=1, b=2))
+    assert said == Text(en="(1.00 m, 1 of 2)", pt_BR="(1,00 m, 1 de 2)")

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.confinement import Zone, Zones, gradual_weight, sharp_weight
+from helicoide.confinement import Zone, Zones
 from helicoide.confinement.zones import SHELL
 from helicoide.text import HelicoideError
 
@@ -48,28 +47,3 @@ def test_bounds_of_zones_are_said_in_words(critical: float, warning: float) -> N
 def test_bounds_themselves_are_allowed() -> None:
     assert Zones().adjusted(0.075, 0.085) == Zones(0.075, 0.085)
     assert Zones().adjusted(0.15, 0.25) == Zones(0.15, 0.25)
-
-
-def test_sharp_damping_begins_where_the_warning_does() -> None:
-    weights = sharp_weight(Zones(), [-0.1, 0.08, 0.1099999, 0.11, 0.5])
-    np.testing.assert_array_equal(weights, [1, 1, 1, 0, 0])
-
-
-@given(distance=distances)
-def test_gradual_damping_agrees_with_sharp_outside_the_warning_zone(distance: float) -> None:
-    zones = Zones()
-    weight = gradual_weight(zones, distance)
-    assert 0 <= weight <= 1
-    if not zones.critical < distance < zones.warning:
-        assert weight == sharp_weight(zones, distance)
-
-
-def test_gradual_damping_has_no_step_and_no_corner() -> None:
-    zones = Zones()
-    at = np.linspace(0.07, 0.12, 50_001)
-    weights = gradual_weight(zones, at)
-    slope = np.gradient(weights, at)
-    assert (np.diff(weights) <= 0).all()
-    assert np.abs(slope).max() == pytest.approx(1.5 / 0.03, rel=1e-3)
-    assert np.abs(np.diff(slope)).max() < 0.05
-    assert gradual_weight(zones, 0.095) == pytest.approx(0.5)

@@ -18,6 +18,7 @@ from helicoide.kinematics.library import load, titles
 from helicoide.readout import plane_distances
 from helicoide.session.replaying import along_fastest
 from helicoide.state import State, Update, initial
+from helicoide.text import same
 from helicoide.trajectory.joints import tool_at
 
 PRESETS = [(name, key) for name in titles() for key in gate.presets(load(name))]
@@ -112,7 +113,7 @@ def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(
     played = along_fastest(state)(gate.hold_orientation(False)(state))
     assert isinstance(played.request.command, Replay)
     said = float(re.search(r"([\d.]+) mm", played.request.command.title.en)[1]) / 1000  # type: ignore[index]
-    assert f"{1000 * said:.1f} mm" in played.request.command.title.pt_BR
+    assert same("{said:.1f} mm").format(said=1000 * said).pt_BR in played.request.command.title.pt_BR
     curve = np.array([gate.presets(state.robot)["eq33"].path.pose(s)[:3, 3] for s in np.linspace(0, 30, 3001)])
     beside = 0.0
     for _ in range(6000):

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import NAMES, arm, postures
 
+from helicoide.geometry import rotation
 from helicoide.kinematics import differential
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
@@ -123,7 +124,8 @@ def test_lost_velocities_are_those_that_no_joint_gives() -> None:
     here = singularity(robot, q)
     assert here.lost.shape == (6, 1)
     outwards = differential.frame_pose(robot, q, robot.frames["wrist"])[:3, 3]
-    to_wrist = differential.at_point(np.eye(6), outwards - differential.frame_pose(robot, q)[:3, 3])
+    way, to_wrist = outwards - differential.frame_pose(robot, q)[:3, 3], np.eye(6)
+    to_wrist[:3, 3:] = -rotation.skew(way)  # v of the wrist = v + ω × way
     force = np.linalg.solve(to_wrist.T, here.lost[:, 0])  # yᵀ V_tool = fᵀ V_wrist
     np.testing.assert_allclose(np.cross(force[:3], outwards), 0, atol=1e-9)
     np.testing.assert_allclose(force[3:], 0, atol=1e-9)
@@ -173,7 +175,7 @@ def test_words_name_the_kind_in_both_languages() -> None:
     robot = arm("zebra_zero")
     stretched = singularity(robot, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]).words(0.05)
     assert stretched.en == "elbow: the arm is stretched or folded (factor at 0.0 % of its largest)"
-    assert stretched.pt_BR == "cotovelo: o braço está esticado ou dobrado (fator a 0.0 % do máximo)"
+    assert stretched.pt_BR == "cotovelo: o braço está esticado ou dobrado (fator a 0,0 % do máximo)"
     assert singularity(robot, robot.poses["ready"]).words(0.05).en == "not singular"
     planar = singularity(arm("planar3r"), np.zeros(3)).words(0.05)
     assert planar.en == "singular: the tool moves in 2 independent directions instead of 3"

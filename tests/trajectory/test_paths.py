@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from tests.geometry.motions import axes, poses, rodrigues, vectors
-from tests.kinematics.arms import NAMES, arm, postures, twist_by_differences
+from tests.kinematics.arms import twist_by_differences
 
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.forward import tool_by_screws
 from helicoide.text import HelicoideError
 from helicoide.trajectory.cerbaro import EQ_33
-from helicoide.trajectory.chained import chain, joint_chain, polyline
-from helicoide.trajectory.joints import Carried, JointMove
+from helicoide.trajectory.chained import chain, joint_chain
+from helicoide.trajectory.joints import JointMove
 from helicoide.trajectory.loop import Loop, circle
 from helicoide.trajectory.path import Path, length, placed
 from helicoide.trajectory.straight import Line, Screw
@@ -164,38 +162,6 @@ def test_the_parameter_goes_round_or_stays_at_the_ends() -> None:
 # Polylines and chains.
 
 
-@given(corners=st.lists(poses, min_size=2, max_size=5), kind=st.sampled_from([Line, Screw]), s=st.floats(0.0, 1.0))
-def test_a_polyline_passes_through_its_poses(corners: list[Array], kind: type[Line] | type[Screw], s: float) -> None:
-    assume(all(np.linalg.norm(a[:3, 3] - b[:3, 3]) > 1e-3 for a, b in pairwise(corners)))
-    path = polyline(corners, 0.2, 0.7, kind)
-    for start, corner in zip(path.starts, corners, strict=True):
-        np.testing.assert_allclose(path.pose(float(start)), corner, rtol=0, atol=1e-12)
-    twist = path.twist(s * path.duration)
-    assert np.linalg.norm(twist[3:]) <= 0.7 + 1e-9
-    if kind is Line:
-        assert np.linalg.norm(twist[:3]) <= 0.2 + 1e-9
-
-
-def test_a_polyline_moves_at_the_speed_that_limits_it() -> None:
-    """A piece of 0.3 m at 0.1 m/s takes 3 s; a turn of 1 rad on the spot at 0.5 rad/s takes 2 s."""
-    there, turned = np.eye(4), np.eye(4)
-    there[0, 3] = turned[0, 3] = 0.3
-    turned[:3, :3] = rodrigues(np.array([0.0, 1.0, 0.0]), 1.0)
-    path = polyline([np.eye(4), np.eye(4), there, turned], 0.1, 0.5)
-    np.testing.assert_allclose(path.starts, [0.0, 3.0, 5.0], atol=1e-12)
-    assert not path.is_closed
-    assert length(path, 100) == pytest.approx(0.3, rel=1e-12)
-    np.testing.assert_allclose(path.twist(3.0), [0, 0, 0, 0, 0.5, 0], atol=1e-12)
-    assert polyline([np.eye(4), there, np.eye(4)], 0.1, 0.5).is_closed
-
-
-def test_a_polyline_needs_two_poses_and_speeds() -> None:
-    with pytest.raises(HelicoideError, match="two different poses"):
-        polyline([np.eye(4), np.eye(4)], 0.1, 0.5)
-    with pytest.raises(HelicoideError, match="are positive"):
-        polyline([np.eye(4), np.eye(4)], 0.0, 0.5)
-
-
 def test_a_chain_is_of_paths_that_meet() -> None:
     there = np.eye(4)
     there[0, 3] = 1.0
@@ -221,23 +187,6 @@ def test_joint_moves_that_meet_make_a_chain() -> None:
     np.testing.assert_allclose(path.rates(2.0), a - b)
     with pytest.raises(HelicoideError, match="Path 2 must begin"):
         joint_chain([JointMove(a, b, 2.0), JointMove(a, b, 2.0)])
-
-
-# The tool as the joints carry it.
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_the_tool_is_carried_by_the_joints(name: str) -> None:
-    robot = arm(name)
-    start, end = postures(robot, 2, 7)
-    path = Carried(robot, JointMove(start, end, 3.0))
-    np.testing.assert_allclose(path.pose(0.0), tool_by_screws(robot, start), atol=1e-12)
-    np.testing.assert_allclose(path.pose(3.0), tool_by_screws(robot, end), atol=1e-12)
-    assert not path.is_closed
-    scale = max(1.0, robot.reach)
-    for s in (0.3, 1.4, 2.9):
-        expected = twist_by_differences(lambda at: path.pose(float(at[0])), np.array([s]))[:, 0]
-        np.testing.assert_allclose(path.twist(s), expected, rtol=0, atol=1e-8 * scale)
 
 
 @given(start=postures_of_3, end=postures_of_3, duration=durations)

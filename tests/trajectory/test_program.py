@@ -14,7 +14,7 @@ from helicoide.ik.joints_along import joints_along
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.fastest import Shape, overload
-from helicoide.trajectory.joints import Carried, tool_at
+from helicoide.trajectory.joints import tool_at
 from helicoide.trajectory.path import Path
 from helicoide.trajectory.program import Leg, grips, legs, whole
 from helicoide.trajectory.straight import Screw
@@ -67,8 +67,6 @@ def test_every_taught_posture_is_passed_exactly(name: str, shape: Shape) -> None
         assert overload(leg.joints, robot.speed, 3 * robot.speed) <= 1
     assert path.duration == pytest.approx(t)
     np.testing.assert_array_equal(path.q(path.duration), here.waypoints[-1].q)
-    carried = Carried(robot, path)
-    np.testing.assert_array_equal(carried.pose(path.duration), tool_at(robot, here.waypoints[-1].q))
 
 
 @pytest.mark.parametrize("way", ["line", "screw"])

@@ -11,9 +11,8 @@ from helicoide.confinement.planes import (
     planes_of,
     standing,
     stopped_at_arm,
-    watched_by_source,
 )
-from helicoide.confinement.zones import Zone, Zones, gradual_weight, sharp_weight
+from helicoide.confinement.zones import Zone, Zones
 
 __all__ = [
     "BOX",
@@ -26,14 +25,11 @@ __all__ = [
     "distances",
     "from_coefficients",
     "from_pieces",
-    "gradual_weight",
     "last_clear",
     "pane_axes",
     "pane_on",
     "planes_of",
-    "sharp_weight",
     "standing",
     "stopped_at_arm",
     "through_points",
-    "watched_by_source",
 ]

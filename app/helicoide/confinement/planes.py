@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen
@@ -134,14 +133,3 @@ def distances(normals: Array, offsets: Array, points: Array) -> Array:
                 normals[k, 0] * points[j, 0] + normals[k, 1] * points[j, 1] + normals[k, 2] * points[j, 2] - offsets[k]
             )
     return table
-
-
-def watched_by_source(normals: Array, points: int) -> NDArray[np.bool_]:
-    """What the source looks at to save work: every point against the ceiling, against other planes the tool alone.
-
-    Its reason, that only the tool can come near a wall, fails where the arm folds back, so nothing here is guarded by
-    it: it is there to be compared with `distances`, which knows every point and every plane.
-    Args: normals (k, 3); points: how many, the tool last. Returns (points, k). Source: Cerbaro 2022, §6.1.
-    """
-    is_tool = np.arange(points) == points - 1
-    return np.asarray((normals[:, 2] < DOWN) | is_tool[:, None])

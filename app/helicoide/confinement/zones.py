@@ -5,10 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from helicoide.kinematics.chain import Array
 from helicoide.text import HelicoideError, Text
 
 # The shell of the arm extends this far from the screw axes (Cerbaro 2022, fig. 43): the planes watch points, so no
@@ -63,22 +59,3 @@ class Zones:
                 )
             )
         return replace(self, critical=float(critical), warning=float(warning))
-
-
-def sharp_weight(zones: Zones, distances: ArrayLike) -> Array:
-    """How much of an approach is damped, as in the source: all of it from the warning distance on, w = 1 if l < l_w.
-
-    Args: distances l (...), m. Returns (...), 0 to 1. Source: Cerbaro 2022, eq. 37.
-    """
-    return np.where(np.asarray(distances, dtype=np.float64) < zones.warning, 1.0, 0.0)
-
-
-def gradual_weight(zones: Zones, distances: ArrayLike) -> Array:
-    """The same without the step: w = 1 − s² (3 − 2s), s = (l − l_c)/(l_w − l_c) held within [0, 1].
-
-    It is 1 up to the critical distance l_c, 0 from the warning distance l_w on, and its slope is 0 at both.
-    Args: distances l (...), m. Returns (...), 0 to 1. Source: the transitions that Cerbaro 2022, §7, leaves to do.
-    """
-    beyond = np.asarray(distances, dtype=np.float64) - zones.critical
-    s = np.clip(beyond / (zones.warning - zones.critical), 0.0, 1.0)
-    return np.asarray(1.0 - s * s * (3.0 - 2.0 * s))

@@ -46,11 +46,6 @@ def sandwiches(algebra: Algebra, a: Array, b: Array) -> Array:
     return products(algebra, products(algebra, a, b), algebra.conjugate(a))
 
 
-def sandwich_rows(algebra: Algebra, a: Array, b: Array) -> Array:
-    """The same with a multivector a column. a, b: (2ⁿ, N); returns (2ⁿ, N)."""
-    return product_rows(algebra, product_rows(algebra, a, b), algebra.conjugate(a.T).T)
-
-
 def move_points(algebra: Algebra, motors: Array, points: Array) -> Array:
     """Move each point by its motor, M X M*, in Cl(0,3,1) or Cl(3,0,1).
 

@@ -62,11 +62,6 @@ def augmented(problem: Problem, chosen: Chosen, aiming: Aiming, others: Others =
     return with_row
 
 
-def augmented_gains(gains: Array | float) -> Array | float:
-    """Λ for an augmented aim: one number for all rows stays, (r,) becomes (r + 1,)."""
-    return np.append(gains, 1.0) if isinstance(gains, np.ndarray) else gains
-
-
 _NOT_A_ROW = Text(
     en="“{title}” cannot be a row of the task, since it does not come to rest at zero; use it in the null space.",
     pt_BR="“{title}” não pode ser uma linha da tarefa, pois não repousa em zero; use-o no espaço nulo.",

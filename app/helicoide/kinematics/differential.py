@@ -9,7 +9,6 @@ from helicoide.geometry import rotation
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.representation import representation_jacobian
 from helicoide.kinematics.robot import Frame, Robot
 
 
@@ -54,34 +53,6 @@ def body(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
     return turned(R_frame_world, geometric(robot, q, frame))
 
 
-def analytic(robot: Robot, q: ArrayLike, representation: str, frame: Frame | None = None) -> Array:
-    """Derivative of position and orientation coordinates: [ṗ; φ̇] = J q̇, J = diag(I, J_R(φ)) J_G.
-
-    Args: q (n,), rad or m; representation: one of `representation.REPRESENTATIONS`. Returns (6, n), or (7, n) for a
-    quaternion, with rows of NaN where Euler angles are singular. Raises HelicoideError for a wrong q or an unknown
-    representation. Source: Vargas 2013, eqs. 2.22–2.27; Cerbaro 2022, eq. 68.
-    """
-    J, R = geometric(robot, q, frame), frame_pose(robot, q, frame)[:3, :3]
-    return np.vstack([J[:3], representation_jacobian(R, representation) @ J[3:]])
-
-
-def line_jacobian(
-    robot: Robot, q: ArrayLike, direction_link: ArrayLike, through_link: ArrayLike, link: int
-) -> tuple[Array, Array]:
-    """A line that a link carries and how its coordinates change: v̇ = ω × v, u̇ = ṙ × v + r × v̇ for ℓ = (v, u = r × v).
-
-    These are the coefficients of the line as a dual quaternion and in Cl(0,3,1), in the order of `rigid.line`.
-    Args: q (n,), rad or m; direction_link (3,), unit, and through_link (3,), m, in the frame of the link.
-    Returns (v, u) in the world (6,) and its Jacobian (6, n). Raises HelicoideError for a wrong q.
-    Source: derivative of Cerbaro 2022, eq. 17.
-    """
-    J = point_jacobian(robot, q, through_link, link)
-    T = link_poses(robot.chain, robot.check_joints(q))[link]
-    v, r = T[:3, :3] @ np.asarray(direction_link), T[:3, :3] @ np.asarray(through_link) + T[:3, 3]
-    rate = -rotation.skew(v) @ J[3:]
-    return np.hstack([v, np.cross(r, v)]), np.vstack([rate, rotation.skew(r) @ rate - rotation.skew(v) @ J[:3]])
-
-
 def adjoint(T_a_b: Array) -> Array:
     """Adjoint of a pose: V_a = Ad V_b, Ad = [[R, [p]ₓ R], [0, R]], V at the origin of its frame, along its axes.
 
@@ -97,12 +68,3 @@ def turned(R_a_b: Array, J: Array) -> Array:
     Args: R_a_b (3, 3); J (6, ...). Returns (6, ...). Source: Coutinho 2015, eq. 2.43 with p = 0.
     """
     return np.concatenate([R_a_b @ J[:3], R_a_b @ J[3:]])
-
-
-def at_point(J: Array, way: ArrayLike) -> Array:
-    """A Jacobian, or a twist, of another point of the same body: v' = v + ω × r, ω' = ω.
-
-    Args: J (6, ...); way: r (3,), m, from the old point to the new one, along the axes of J. Returns (6, ...).
-    Source: Coutinho 2015, eq. 2.43 with R = I and p = −r.
-    """
-    return np.concatenate([J[:3] - rotation.skew(way) @ J[3:], J[3:]])

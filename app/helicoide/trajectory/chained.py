@@ -1,4 +1,4 @@
-"""Paths one after another, and the polyline through taught poses."""
+"""Paths one after another."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import JointPath, Path
-from helicoide.trajectory.straight import Line, Screw
 
 Piece = TypeVar("Piece", Path, JointPath)
 # Where one path ends and the next begins may differ by this much, m, rad, or an entry of a pose.
@@ -110,34 +108,3 @@ def _check(ends: list[tuple[Array, Array]]) -> None:
                     "outra.",
                 ).format(n=i + 2, before=i + 1, gap=gap)
             )
-
-
-def polyline(poses: Sequence[Array], speed: float, turn_speed: float, kind: type[Line] | type[Screw] = Line) -> Chain:
-    """The way through poses, straight or screw by screw: each piece as fast as the speeds of the tool allow.
-
-    Args: poses T_world_target (4, 4), m, at least two; speed, m/s, of the target's point from pose to pose as the crow
-    flies; turn_speed, rad/s. Poses that repeat the one before add nothing. Raises HelicoideError for fewer than two
-    different poses, or speeds that are not positive.
-    """
-    if not (speed > 0 and turn_speed > 0):
-        raise HelicoideError(
-            Text(
-                en="The speeds of a polyline are positive, not {v:g} m/s and {w:g} rad/s.",
-                pt_BR="As velocidades de uma poligonal são positivas, não {v:g} m/s e {w:g} rad/s.",
-            ).format(v=speed, w=turn_speed)
-        )
-    durations = [max(_apart(a, b) / speed, _turned(a, b) / turn_speed) for a, b in pairwise(poses)]
-    pieces = [kind(a, b, d) for (a, b), d in zip(pairwise(poses), durations, strict=True) if d > 0]
-    if not pieces:
-        raise HelicoideError(
-            Text(en="A polyline needs two different poses.", pt_BR="Uma poligonal precisa de duas poses diferentes.")
-        )
-    return Chain(tuple(pieces))
-
-
-def _apart(a: Array, b: Array) -> float:
-    return float(np.linalg.norm(b[:3, 3] - a[:3, 3]))
-
-
-def _turned(a: Array, b: Array) -> float:
-    return float(np.linalg.norm(rotation.logarithm(a[:3, :3].T @ b[:3, :3])))

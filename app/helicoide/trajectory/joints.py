@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics import jacobian
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.trajectory.path import JointPath, lasting
+from helicoide.trajectory.path import lasting
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,36 +50,6 @@ class JointMove:
     def accelerations(self, s: ArrayLike) -> Array:
         """d²q/ds² (..., n), rad/s² or m/s²: none."""
         return np.zeros((*np.shape(s), len(self.start)))
-
-
-@dataclass(frozen=True, eq=False)
-class Carried:
-    """The path of the tool while the joints go theirs: T = FK(q(s)), (v, ω) = J(q) dq/ds."""
-
-    robot: Robot
-    joints: JointPath
-
-    @property
-    def duration(self) -> float:
-        """That of the joints' path, s."""
-        return self.joints.duration
-
-    @cached_property
-    def is_closed(self) -> bool:
-        """Whether the joints end where they begin."""
-        return self.joints.is_closed
-
-    def pose(self, s: float) -> Array:
-        """T_world_tool (4, 4), m."""
-        return tool_at(self.robot, self.joints.q(s))
-
-    def twist(self, s: float) -> Array:
-        """(v, ω) of the tool's point (6,), m/s and rad/s, world axes."""
-        chain = self.robot.chain
-        poses = link_poses(chain, frozen(self.joints.q(s)))
-        point = (poses[-1] @ self.robot.T_link_tool)[:3, 3].copy()
-        J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), point, len(chain))
-        return np.asarray(J @ self.joints.rates(s))
 
 
 def tool_at(robot: Robot, q: Array) -> Array:

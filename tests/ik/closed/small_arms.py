@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import cos, sin
 
 import numpy as np
 
+from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.postures.branch import Answer, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
@@ -40,3 +42,9 @@ def moved(robot: Robot, T: Array) -> Robot:
 def recovered(answer: Answer, q: Array) -> float:
     """How far the nearest branch lies from q, the largest joint, rad."""
     return float(min(np.abs(wrap(branch.q - q)).max() for branch in answer.branches))
+
+
+def end_of(theta1: float, theta2: float, links: Annulus) -> tuple[float, float]:
+    """Where the second link ends: x = l₁c₁ + l₂c₁₂, y = l₁s₁ + l₂s₁₂, m. Source: Campos 1998, s.43."""
+    l1, l2, both = links.l1, links.l2, theta1 + theta2
+    return l1 * cos(theta1) + l2 * cos(both), l1 * sin(theta1) + l2 * sin(both)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from tests.ik.closed.small_arms import moved, recovered, reversed_axes
+from tests.ik.closed.small_arms import end_of, moved, recovered, reversed_axes
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import planar2r
@@ -18,7 +18,7 @@ from helicoide.ik.postures.branch import between, tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.studies._campos_arms import limited, planar, upright
-from helicoide.text import LANGUAGES, HelicoideError
+from helicoide.text import LANGUAGES, HelicoideError, same
 
 ROBOT = load("planar2r")
 LENGTHS = [(1.0, 0.7), (0.7, 1.0), (1.0, 1.0), (2.0, 0.3)]
@@ -48,13 +48,13 @@ def test_out_of_reach_is_said_with_the_distance_to_the_edge(r: float, short: flo
     assert answer.short == pytest.approx(short, rel=1e-12)
     assert abs(answer.values[0]["c₂"]) > 1
     for language in LANGUAGES:
-        assert f"{1000 * short:.3g} mm" in answer.words[language]
+        assert same("{short:.3g} mm").format(short=1000 * short)[language] in answer.words[language]
 
 
 @given(l1=lengths, l2=lengths, theta=st.tuples(angles, angles))
 def test_both_roads_lead_to_the_same_angles(l1: float, l2: float, theta: tuple[float, float]) -> None:
     links = elbow.Annulus(l1, l2)
-    x, y = elbow.end_of(*theta, links)
+    x, y = end_of(*theta, links)
     assume(not links.on_edge(hypot(x, y)) and links.beyond(hypot(x, y)) == 0)
     found = elbow.postures(x, y, links, kept=0.0)
     assert len(found) == 2
@@ -65,7 +65,7 @@ def test_both_roads_lead_to_the_same_angles(l1: float, l2: float, theta: tuple[f
         one, two = posture.algebraic, posture.geometric
         np.testing.assert_allclose([two.theta2, np.cos(two.theta1 - one.theta1)], [one.theta2, 1], atol=of_angles)
         assert abs(np.sin(two.theta1 - one.theta1)) < of_angles
-        end = elbow.end_of(one.theta1, one.theta2, links)
+        end = end_of(one.theta1, one.theta2, links)
         np.testing.assert_allclose(end, (x, y), atol=1e-14 * links.outer * (1 + nearness))
         sign = 1 if two.theta2 < 0 else -1
         assert np.exp(1j * (two.beta + sign * two.psi)) == pytest.approx(np.exp(1j * one.theta1), abs=of_angles)
@@ -76,7 +76,7 @@ def test_both_roads_lead_to_the_same_angles(l1: float, l2: float, theta: tuple[f
 def test_both_roads_on_the_edges(l1: float, l2: float, theta1: float, theta2: float) -> None:
     links = elbow.Annulus(l1, l2)
     assume(links.inner > 1e-3)
-    x, y = elbow.end_of(theta1, theta2, links)
+    x, y = end_of(theta1, theta2, links)
     (posture,) = elbow.postures(x, y, links, kept=0.0)
     one, two = posture.algebraic, posture.geometric
     assert (one.theta2, two.theta2) == (theta2, theta2)
@@ -105,7 +105,7 @@ def test_the_two_orientations_are_those_of_the_postures() -> None:
     for branch, steps in zip(answer.branches, answer.values, strict=True):
         assert between(tool_at(ROBOT, branch.q), upright(1, 0.8, steps["φ"])) == pytest.approx((0, 0), abs=1e-12)
         for language in LANGUAGES:
-            assert f"{np.degrees(steps['φ']):.1f}°" in answer.words[language]
+            assert same("{phi:.1f}°").format(phi=float(np.degrees(steps["φ"])))[language] in answer.words[language]
     np.testing.assert_allclose(np.degrees(answer.branches[0].q), [5.740205, 83.849360], atol=1e-6)
     assert [branch.name.en for branch in answer.branches] == ["elbow down", "elbow up"]
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.ik.closed.rows import worst
-from tests.ik.closed.small_arms import moved, recovered, reversed_axes, with_points
+from tests.ik.closed.small_arms import end_of, moved, recovered, reversed_axes, with_points
 
 from helicoide.geometry import euler
 from helicoide.ik.closed import planar3r
@@ -63,7 +63,7 @@ def test_each_step_follows_from_those_before(x: float, y: float, phi: float) -> 
         one, two, three = steps["θ₁"], steps["θ₂"], steps["θ₃"]
         # on an edge θ₂ is exactly 0 or π, and near one it keeps half of its digits
         near = 1e-12 / max(abs(np.sin(two)), 1e-6)
-        assert elbow.end_of(one, two, elbow.Annulus(1, 0.7)) == pytest.approx((x, y), abs=1e-11)
+        assert end_of(one, two, elbow.Annulus(1, 0.7)) == pytest.approx((x, y), abs=1e-11)
         assert np.exp(1j * (one + two + three)) == pytest.approx(np.exp(1j * phi), abs=1e-12)
         psi = steps["ψ"] if two < 0 else -steps["ψ"]
         assert np.exp(1j * (steps["β"] + psi)) == pytest.approx(np.exp(1j * one), abs=near)

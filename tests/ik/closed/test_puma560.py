@@ -17,7 +17,7 @@ from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, puma_rows, wrist
 from helicoide.studies.campos_puma import EXAMPLE, there_and_back
-from helicoide.text import HelicoideError
+from helicoide.text import HelicoideError, same
 
 HERE = np.zeros(6)
 
@@ -234,7 +234,9 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
         answer, by_search = puma560.solve(robot, T, HERE), pieper.solve(robot, T, HERE)
         assert (len(answer.branches) == 0) == (answer.short > 0) == ("Out of reach" in answer.words.en)
         assert answer.short == pytest.approx(by_search.short, abs=1e-8)
-        assert (f"{1000 * answer.short:.3g} mm" in answer.words.pt_BR) == (answer.short > 0)
+        assert (same("{short:.3g} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
+            answer.short > 0
+        )
 
 
 def test_the_range_of_the_source() -> None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from helicoide.kinematics.clearance import point_plane
 from tests.ik.walks import ARMS, left, scene, walked
 from tests.kinematics.arms import arm
 
@@ -29,7 +30,6 @@ from helicoide.ik.method import Task as MethodTask
 from helicoide.ik.methods import guarded as method
 from helicoide.ik.task import joint_task, pose_task, rotation_vector
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.clearance import point_plane
 from helicoide.kinematics.forward import link_poses
 from helicoide.text import HelicoideError
 

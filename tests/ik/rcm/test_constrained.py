@@ -15,7 +15,7 @@ from helicoide.ik.rcm import wrists
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis, constraint, null_basis
 from helicoide.ik.rcm.older import entry_jacobian, tool_jacobian
-from helicoide.ik.rcm.passage import SLIT, TROCAR, Insertion, Passage, in_plane, insertion, through
+from helicoide.ik.rcm.passage import SLIT, TROCAR, Insertion, Passage, insertion, through
 from helicoide.kinematics import differential
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
@@ -162,11 +162,10 @@ def test_the_constraint_is_that_of_the_source() -> None:
 
 
 def passages(robot: Robot) -> list[Passage]:
-    """Every link that has a length, as a trocar, a slit and in a plane."""
+    """Every link that has a length, as a trocar and as a slit."""
     ends = [*robot.points, robot.T_world_tool_0[:3, 3]]
     links = [i for i in range(1, len(robot.joints) + 1) if np.linalg.norm(ends[i] - ends[i - 1]) > 0]
-    normal = np.array([0.3, -0.5, 0.8])
-    return [one for i in links for one in (through(robot, i), through(robot, i, SLIT), in_plane(robot, i, normal))]
+    return [one for i in links for one in (through(robot, i), through(robot, i, SLIT))]
 
 
 def sliding_torso() -> Robot:
@@ -247,21 +246,3 @@ def test_depth_and_lateral_error_change_as_the_constraint_says(across: Array) ->
     at = standing(robot, START, 0.15, across)
     expected = np.vstack([-at.J_arm[1], -at.constraint @ at.J_arm])
     np.testing.assert_allclose(derivative(place, START)[:, :LINK], expected, atol=1e-10)
-
-
-def test_a_plane_in_space_holds_the_shaft_along_its_normal() -> None:
-    """H = [nᵀ R_0r 0]: the point of the shaft at the entry does not move along n, whatever the tool does."""
-    robot, normal = dia10(), np.array([1.0, -2.0, 0.5])
-    passage = in_plane(robot, LINK, normal)
-    rng = np.random.default_rng(4)
-    for q in postures(robot, 20):
-        entry = entry_on(robot, q, 0.2)
-        at = constrained(problem_of(robot), passage, q, entry)
-        command = rng.normal(size=6)
-        u = np.linalg.pinv(at.J) @ command
-        rates = at.rates(np.linalg.pinv(at.J_arm) @ at.shaft_velocity(u, np.zeros(1)), u)
-        point_link = link_poses(robot.chain, q)[LINK, :3, :3].T @ (entry - link_poses(robot.chain, q)[LINK, :3, 3])
-        velocity = differential.point_jacobian(robot, q, point_link, LINK)[:3] @ rates
-        assert normal @ velocity == pytest.approx(0.0, abs=1e-9 * np.linalg.norm(rates))
-        assert np.linalg.norm(velocity) > 1e-3
-        np.testing.assert_allclose(tool_jacobian(at) @ rates, command, atol=1e-9)

@@ -13,7 +13,7 @@ from tests.kinematics.arms import MIXED, NAMES, arm
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import Control, followed
-from helicoide.ik.rcm.passage import SLIT, TROCAR, in_plane, insertion, refusal, through
+from helicoide.ik.rcm.passage import SLIT, TROCAR, insertion, refusal, through
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
@@ -60,20 +60,12 @@ def test_an_entry_point_beside_the_shaft() -> None:
     entry = entry_on(robot, START, 0.15) + T[:3, :3] @ [0.003, 0.0, -0.004]
     np.testing.assert_allclose(insertion(through(robot, LINK), T, entry).lateral, [0.003, -0.004], atol=1e-12)
     np.testing.assert_allclose(insertion(through(robot, LINK, SLIT), T, entry).lateral, [0.003], atol=1e-12)
-    normal = np.array([0.0, 0.0, 2.0])
-    beside = insertion(in_plane(robot, LINK, normal), T, entry).lateral
-    np.testing.assert_allclose(beside, [(T[:3, :3] @ [0.003, 0.0, -0.004])[2]], atol=1e-12)
 
 
 @pytest.mark.parametrize("link", [0, 9])
 def test_a_link_that_is_not_there(link: int) -> None:
     with pytest.raises(HelicoideError, match="1 to 8"):
         through(dia10(), link)
-
-
-def test_a_plane_needs_a_normal() -> None:
-    with pytest.raises(HelicoideError, match="direction"):
-        in_plane(dia10(), LINK, np.zeros(3))
 
 
 @pytest.mark.parametrize(

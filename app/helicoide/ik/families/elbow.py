@@ -6,7 +6,7 @@ Both roads of the source: algebraic, by x² + y² and a change to polar coordina
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, sin, sqrt
+from math import atan2, hypot, pi, sqrt
 
 import numpy as np
 
@@ -144,12 +144,6 @@ def geometric(x: float, y: float, links: Annulus, sign: int, kept: float) -> Geo
         cos_psi = float(np.sign(cos_psi))
     psi = float(np.arccos(cos_psi))
     return Geometric(c2, theta2, beta, cos_psi, psi, float(wrap(beta + psi if theta2 < 0 else beta - psi)))
-
-
-def end_of(theta1: float, theta2: float, links: Annulus) -> tuple[float, float]:
-    """Where the second link ends: x = l₁c₁ + l₂c₁₂, y = l₁s₁ + l₂s₁₂, m. Source: Campos 1998, s.43."""
-    l1, l2, both = links.l1, links.l2, theta1 + theta2
-    return l1 * cos(theta1) + l2 * cos(both), l1 * sin(theta1) + l2 * sin(both)
 
 
 @dataclass(frozen=True)

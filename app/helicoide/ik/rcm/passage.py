@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -21,7 +20,7 @@ class Passage:
     """A link whose shaft passes an entry point of r constraints.
 
     link: i, the link's number; T_link_shaft (4, 4), m: its frame F_i, y along the shaft, from where l_a is measured;
-    length: l_a + l_b, m; across (r, 3): the forbidden directions, unit, in F_i or, where fixed in space, in the world.
+    length: l_a + l_b, m; across (r, 3): the forbidden directions, unit, in F_i.
     Source: Coutinho 2015, figs. 3.1, 3.2.
     """
 
@@ -29,16 +28,11 @@ class Passage:
     T_link_shaft: Array
     length: float
     across: Array
-    in_space: bool = False
 
     @property
     def r(self) -> int:
-        """The dimension of the constraint: 2 for a trocar, 1 for a slit or a plane."""
+        """The dimension of the constraint: 2 for a trocar, 1 for a slit."""
         return len(self.across)
-
-    def forbidden(self, R_world_shaft: Array) -> Array:
-        """N (r, 3): the forbidden directions along the axes of the shaft; for a plane in space N = nᵀ R_0i."""
-        return self.across @ R_world_shaft if self.in_space else self.across
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,18 +77,6 @@ def through(robot: Robot, link: int, across: Array = TROCAR) -> Passage:
     return Passage(link, frozen(T), length, across)
 
 
-def in_plane(robot: Robot, link: int, normal_world: Array) -> Passage:
-    """The passage of a link whose point at the entry must not leave a plane fixed in space: H = [nᵀ R_0r  0].
-
-    The normal is meant to stand across the shaft: there is no free motion to name where it runs along it, and with a
-    slant the shaft's point at the entry changes its distance by sliding, which only drift feedback makes good.
-    Args: normal_world (3,), of any length. Raises HelicoideError as `through`, and for a normal without direction.
-    Source: after Coutinho 2015, §3.2, whose forbidden direction turns with the link.
-    """
-    free = through(robot, link)
-    return Passage(link, free.T_link_shaft, free.length, frozen([rotation.unit(normal_world)]), in_space=True)
-
-
 def _along_y(axis: Array) -> Array:
     """A rotation whose y is the axis; that of a shaft along y is the identity."""
     x = np.eye(3)[np.argmin(np.abs(axis))]
@@ -112,7 +94,7 @@ def insertion(passage: Passage, T_world_shaft: Array, entry_world: Array) -> Ins
     R = T_world_shaft[:3, :3]
     c = R.T @ (entry_world - T_world_shaft[:3, 3])
     outside = float(c[1])
-    N = passage.forbidden(R)
+    N = passage.across
     return Insertion(outside, passage.length - outside, N, N @ [c[0], 0.0, c[2]])
 
 

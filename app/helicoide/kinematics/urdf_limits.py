@@ -58,6 +58,6 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
 def wrong_limits(name: str, lower: float, upper: float) -> Text:
     """That a joint cannot be anywhere."""
     return Text(
-        en=f"the limits of joint {name!r} are {lower:g} to {upper:g}; lower must be below upper",
-        pt_BR=f"os limites da junta {name!r} são {lower:g} a {upper:g}; lower deve ser menor que upper",
-    )
+        en="the limits of joint {name!r} are {lower:g} to {upper:g}; lower must be below upper",
+        pt_BR="os limites da junta {name!r} são {lower:g} a {upper:g}; lower deve ser menor que upper",
+    ).format(name=name, lower=lower, upper=upper)

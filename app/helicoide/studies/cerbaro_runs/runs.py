@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from helicoide.ik import Problem
 from helicoide.ik.clik import Moment
+from helicoide.ik.objective import posture
+from helicoide.ik.secondary import total
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.study import Chart, Line, Motion, Progress
@@ -75,6 +77,12 @@ def ran(moments: Iterable[Moment], seconds: float, progress: Progress = lambda s
 def few(values: Array) -> Array:
     """Some hundred of many samples, evenly, with the first and the last."""
     return np.asarray(values[np.unique(np.linspace(0, len(values) - 1, SHOWN).round().astype(int))])
+
+
+def mean_cost(problem: Problem, run: Run) -> float:
+    """The mean of −w along a run, 1/(2n) Σ (off the middle over the range)² (Cerbaro 2022, eq. 12)."""
+    chosen = arms.limit_distance()
+    return float(np.mean([total(problem, chosen, posture(problem, q)).value for q in few(run.q)]))
 
 
 TIME = Text(en="time (s)", pt_BR="tempo (s)")

@@ -37,7 +37,7 @@ def said(path: Ellipse, options: Options = USUAL) -> dict[str, Row]:
     return {row.quantity.en: row for row in sentences(runs(path, SHORT, options), path, options)}
 
 
-BORDER = "case 3: share of the turn with a point at 80 to 88 mm"
+BORDER = "case 3: share of the path with a point at 80 to 88 mm"
 MORE = "mean deviation of case 1 less the larger of cases 2 and 3"
 FARTHER = "least margin of case 3 less that of case 2"
 CEILING = "cases 2 and 3: least distance to the ceiling"

@@ -8,7 +8,7 @@ from helicoide.studies.cerbaro_runs.confined import LINE
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text, joined
 
-TITLE = Text(en="Confined: the line", pt_BR="Confinado: a linha")
+TITLE = Text(en="Confined: the line", pt_BR="Confinado: a reta")
 SOURCE = "Cerbaro 2022, §6.1–6.2.3, eqs. 31, 34 (500 → 50 mm), 36, 37, figs. 53–58"
 ROBOT = "movemaster"
 ABOUT = joined(

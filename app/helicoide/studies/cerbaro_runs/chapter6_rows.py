@@ -28,7 +28,7 @@ FARTHER = Statement(
 )
 # A degree: where a target gives way in one case only, the two lead the tool through slightly different points.
 NOT_J1 = Statement(Text(en="J1 never changes", pt_BR="J1 nunca muda"), SAID, 1.0, "<")
-# A tenth of the turn at least, that what is said of it can be seen.
+# A tenth of the path at least, that what is said of it can be seen.
 ON_BORDER = Statement(
     Text(en="parts stay on the border critical / warning", pt_BR="partes ficam na borda entre crítica e alerta"),
     "§6.2.2",
@@ -54,8 +54,8 @@ EQ_37 = Reading(
         en="eq. 37 with the former point of the wanted path", pt_BR="a eq. 37 com o ponto anterior do caminho desejado"
     ),
     Text(
-        en="with the former target as it ended 0.3 % of the turn",
-        pt_BR="com o alvo anterior já adaptado, 0,3 % da volta",
+        en="with the former target as it ended 0.3 % of the path",
+        pt_BR="com o alvo anterior já adaptado, 0,3 % do caminho",
     ),
 )
 BEYOND_REACH = Text(
@@ -150,8 +150,8 @@ _MARGIN = Text(
 _FARTHER_BY = Text(en="least margin of case 3 less that of case 2", pt_BR="menor folga do caso 3 menos a do caso 2")
 _J1 = Text(en="largest difference of J1 between cases 2 and 3", pt_BR="maior diferença de J1 entre os casos 2 e 3")
 _SHARE = Text(
-    en="{of}: share of the turn with a point at 80 to 88 mm",
-    pt_BR="{of}: fração da volta com um ponto entre 80 e 88 mm",
+    en="{of}: share of the path with a point at 80 to 88 mm",
+    pt_BR="{of}: fração do caminho com um ponto entre 80 e 88 mm",
 )
 _MORE = Text(
     en="mean deviation of case 1 less the larger of cases 2 and 3",

@@ -133,12 +133,12 @@ def pitch(q: Array) -> Array:
 
 
 def way_chart(figure: str, problem: Problem, axes: str, wanted: Array, *named: Named) -> Chart:
-    """The way of the tool in a plane, such as "xy". Args: wanted (k, 3), m: the path that is asked for."""
+    """The path of the tool in a plane, such as "xy". Args: wanted (k, 3), m: the path that is asked for."""
     i, j = ("xyz".index(axis) for axis in axes)
     ways = ((words, np.array([arms.tool(problem, q) for q in few(run.q)])) for words, run in named)
     asked = (Text(en="path asked for", pt_BR="trajetória pedida"), wanted)
     lines = tuple(Line(words, 1000 * way[:, i], 1000 * way[:, j]) for words, way in (asked, *ways))
-    title = Text(en="Way of the tool in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
+    title = Text(en="Path of the tool in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
     return Chart(title, same(f"{axes[0]} (mm)"), same(f"{axes[1]} (mm)"), lines, figure)
 
 

@@ -86,8 +86,8 @@ class Options:
         float,
         Quantity(
             Text(
-                en="J3 at the start, in degrees: inside its limit by",
-                pt_BR="J3 na partida, em graus: aquém do limite por",
+                en="with k₀ in degrees: J3 begins inside its limit by",
+                pt_BR="com k₀ em graus: J3 parte aquém do limite por",
             ),
             0.0,
             20.0,

@@ -29,8 +29,8 @@ PATH, START, PLACE = path_2, (pi / 6, pi / 6, pi / 6), "sim. 4, figs. 3.8–3.9"
 BEGUN = Reading(
     Text(en="start (π/6, π/6, π/6)", pt_BR="partida (π/6; π/6; π/6)"),
     Text(
-        en="16 of 20 random starts do as well, and 20 of 20 that are within 0.2 rad of it",
-        pt_BR="servem também 16 de 20 partidas aleatórias, e 20 de 20 a menos de 0,2 rad dela",
+        en="the sentences hold from 16 of 20 random starts, and from all of 20 within 0.2 rad of it",
+        pt_BR="as frases valem em 16 de 20 partidas aleatórias, e em todas as 20 a menos de 0,2 rad dela",
     ),
 )
 

@@ -29,8 +29,9 @@ PATH, START, PLACE = path_3, (0.5, 0.6, 0.6), "sim. 5, figs. 3.10–3.11"
 BEGUN = Reading(
     Text(en="start (0.5, 0.6, 0.6), near the path", pt_BR="partida (0,5; 0,6; 0,6), perto do caminho"),
     Text(
-        en="4 of 20 random starts do as well, the others begin with faster joints; 20 of 20 within 0.2 rad of it do",
-        pt_BR="servem também 4 de 20 partidas aleatórias, as outras começam com juntas mais rápidas; e 20 de 20 a "
+        en="it holds from 4 of 20 random starts, since the others begin with faster joints, and from all of 20 within "
+        "0.2 rad of it",
+        pt_BR="vale em 4 de 20 partidas aleatórias, pois as outras começam com juntas mais rápidas, e em todas as 20 a "
         "menos de 0,2 rad dela",
     ),
 )

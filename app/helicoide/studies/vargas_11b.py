@@ -68,7 +68,7 @@ def _statements(damped: Run) -> list[Row]:
     watched = damped.shown <= SEEN.value
     least = Text(en="least damping δ in 20 s", pt_BR="menor amortecimento δ em 20 s")
     error = Text(en="largest error from 5 to 20 s, damped", pt_BR="maior erro de 5 a 20 s, amortecida")
-    fails = stated("DLS fails to track", "a DLS não consegue rastrear", PLACE, TRACKED * REACH, ">")
+    fails = stated("the damped one fails to track", "a amortecida não consegue rastrear", PLACE, TRACKED * REACH, ">")
     on = stated("δ > 0 for all t", "δ > 0 para todo t", PLACE, 0.0, ">")
     return [
         row(error, None, largest(damped.size, first), "cm", fails, fitted=(SEEN,)),

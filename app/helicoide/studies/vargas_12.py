@@ -31,7 +31,7 @@ PLACE, TIMES = "sim. 12, figs. 4.20–4.27", (1, 5, 25)
 PRINTED = (1, 25)
 HALF_A_SECOND = Reading(
     Text(en="read 0.5 s after coming back", pt_BR="lido 0,5 s após a volta"),
-    Text(en="0.25 s after it 4.3, 1 s after it 63", pt_BR="0,25 s após, 4,3; 1 s após, 63"),
+    Text(en="4.3 at 0.25 s and 63 at 1 s", pt_BR="4,3 a 0,25 s e 63 a 1 s"),
 )
 DIP = Text(en="first dip behind the border", pt_BR="primeiro recuo atrás da fronteira")
 SWING = Text(en="swings of the elbow", pt_BR="oscilação do cotovelo")

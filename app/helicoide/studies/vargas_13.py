@@ -38,7 +38,7 @@ ROBOT = "zebra_zero"
 PLACE, TIMES = "sim. 13, figs. 4.29–4.33", (1, 25)
 HALF_A_SECOND = Reading(
     Text(en="read 0.5 s after coming back", pt_BR="lido 0,5 s após a volta"),
-    Text(en="0.25 s after it 1.0, 1 s after it 0.07", pt_BR="0,25 s após, 1,0; 1 s após, 0,07"),
+    Text(en="1.0 at 0.25 s and 0.07 at 1 s", pt_BR="1,0 a 0,25 s e 0,07 a 1 s"),
 )
 
 
@@ -88,8 +88,8 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
 
     dip = Text(en="dips behind the border, larger γ", pt_BR="recuos atrás da fronteira, γ maior")
     swings = stated("no oscillation", "sem oscilação", PLACE, 0.0)
-    similar = stated("γ = 1: similar to DLS", "γ = 1: semelhante à DLS", PLACE, 1.0, "=", SIMILAR)
-    smoother = stated("γ = 1: smoother than DLS", "γ = 1: mais suave que a DLS", PLACE, 1.0, "<")
+    similar = stated("γ = 1: similar to the damped one", "γ = 1: semelhante à amortecida", PLACE, 1.0, "=", SIMILAR)
+    smoother = stated("γ = 1: smoother than the damped one", "γ = 1: mais suave que a amortecida", PLACE, 1.0, "<")
     detour = stated("γ = 25: small detour", "γ = 25: pequeno desvio", PLACE, 1 / MUCH, "<")
     unchanged = stated(
         "amplitude of q̇ not significantly changed", "amplitude de q̇ sem mudança significativa", PLACE, 1.0, "=", SIMILAR

@@ -123,7 +123,7 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
         ("|e_z|", 1, "diag(10, 10, 100), 100", "10, 100", favours, ONE_AXIS),
     ]
     title = Text(
-        en="{e} at 7.854 s, gains {first} over {second}", pt_BR="{e} em 7,854 s, ganhos {first} sobre {second}"
+        en="{e} at 7.854 s, gains ({first}) over ({second})", pt_BR="{e} em 7,854 s, ganhos ({first}) sobre ({second})"
     )
     return [
         row(

@@ -21,8 +21,8 @@ SOURCE = "Vargas 2013, §4.5, sim. 11, figs. 4.12–4.17"
 ABOUT = Text(
     en="""The path crosses the axis of the waist every five seconds, where the shoulder is singular and the \
 pseudoinverse asks for ten thousand radians a second. Look at the error at those instants: damping leaves the path by \
-millimetres, the filtered inverse by a quarter of one, at the same joint rates. Compare δ with V_c, which tells how far \
-Θ is from an inverse: both rise where J is badly conditioned.""",
+millimetres, the filtered inverse by a quarter of one, at the same joint rates. Compare δ with V_c, which tells how \
+far Θ is from an inverse: both rise where J is badly conditioned.""",
     pt_BR="""O caminho cruza o eixo da cintura a cada cinco segundos, onde o ombro é singular e a pseudoinversa pede \
 dez mil radianos por segundo. Observe o erro nesses instantes: o amortecimento sai do caminho por milímetros, a \
 inversa filtrada por um quarto de milímetro, com as mesmas velocidades de junta. Compare δ com V_c, que mede quanto Θ \

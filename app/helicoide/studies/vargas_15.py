@@ -57,7 +57,7 @@ ROBOT = "planar3r"
 PLACE, MIDDLE = "sim. 15, figs. 4.39–4.40", -1.0
 # the elbow begins in the middle of its range, which the source does not say
 START = (pi / 6, MIDDLE, -pi / 6)
-ELBOW = Fitted(Text(en="q₂ at the start", pt_BR="q₂ na partida"), MIDDLE, -1.1, -0.9, "rad")
+ELBOW = Fitted(Text(en="q₂ at the start", pt_BR="q₂ na partida"), MIDDLE, -1.15, -0.85, "rad")
 ZETAS = (0.5, 0.2)
 
 

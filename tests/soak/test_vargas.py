@@ -30,7 +30,6 @@ RECOMPUTED: dict[str, list[tuple[str, float, float]]] = {
         ("error of position from 4 s on: modified filtered inverse, γ = 10", 0.045, 6e-4),
         ("error of orientation from 4 s on: damped by manipulability, δ₀ = 0.1", 11.4, 0.06),
         ("error of orientation from 4 s on: filtered inverse, γ = 1", 67.1, 0.06),
-        ("error of orientation from 4 s on: modified filtered inverse, γ = 10", 19.7, 0.06),
     ],
     "vargas_05": [("fastest joint: damped", 0.757, 6e-4)],
     "vargas_07": [("fastest joint: damped", 0.596, 6e-4)],

@@ -1,7 +1,7 @@
 """What a State says of itself: named multivectors, distances, and the status in words."""
 
 from helicoide.readout.distances import nearest, plane_distances, zones
-from helicoide.readout.instruments import Instrument, held_by, instruments
+from helicoide.readout.instruments import Instrument, held_by, instruments, near_singular
 from helicoide.readout.multivectors import Reading, chosen, distance_product, readings
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status
@@ -19,6 +19,7 @@ __all__ = [
     "held_by",
     "holding",
     "instruments",
+    "near_singular",
     "nearest",
     "plane_distances",
     "printed_planes",

@@ -17,6 +17,7 @@ from helicoide.ik.rcm.passage import refusal
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.manipulability import Manipulability, analysed
+from helicoide.kinematics.singularity import singularity
 from helicoide.state import State
 from helicoide.text import Text
 
@@ -72,6 +73,12 @@ def instruments(state: State) -> tuple[Instrument, ...]:
         *_entry(state),
         *_figures(state),
     )
+
+
+@lru_cache(maxsize=4)
+def near_singular(state: State) -> Text | None:
+    """What is singular where the arm stands, or nearly so, in words; None where nothing is."""
+    return singularity(state.robot, state.arm.q).told()
 
 
 def held_by(state: State) -> tuple[Reason, ...]:

@@ -25,6 +25,7 @@ from helicoide.jobs.apart import Apart, Failed, Killed
 from helicoide.kinematics import tool, workspace
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.singularity import usual_rank
 from helicoide.perception.columns import Column
 from helicoide.perception.lists import walked
 from helicoide.perception.lzf import unpacked
@@ -105,9 +106,10 @@ def compiled(report: Callable[[int], None]) -> None:
 
 
 def rehearse(robot: Robot) -> None:
-    """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
+    """Run what only some arms need, such as the search for the nearest pose of one with five joints, and keep ranks."""
     state = initial(robot)
     project(robot, state.T_world_tool, state.arm.q)
+    usual_rank(robot)
 
 
 def compiling(done: int, words: Text = COMPILING) -> Text:

@@ -30,6 +30,7 @@ from helicoide.perception.columns import Column
 from helicoide.perception.lists import walked
 from helicoide.perception.lzf import unpacked
 from helicoide.perception.planes import find
+from helicoide.session.postures import postures
 from helicoide.session.workcell import TICK
 from helicoide.state import State, commanded, initial
 from helicoide.text import Text
@@ -81,6 +82,7 @@ def _look(state: State) -> None:
     numeric.posture(robot, T, q)
     left(robot, q, T)
     nearest(robot, T, q, with_orientation=True)
+    postures(state)(state)
     tool.tool_pose(tool.packed(robot), q)
     tool.tool_jacobian(tool.packed(robot), q)
     puma560.postures(np.ones(4), T, np.zeros(6))

@@ -1,0 +1,55 @@
+"""Forward kinematics joint by joint, in the words and units of the sources."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import lru_cache
+
+from markupsafe import Markup
+
+from helicoide.export.stage_table import lines
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.stages import STAGES, Kind
+from helicoide.state import ArmState
+from helicoide.text import Language, Text
+from helicoide.view import html
+from helicoide.view.rows import Choice, Folder, ForSeat, View, Words
+from helicoide.view.settings import NONE
+
+TITLE = Text(en="Joint by joint", pt_BR="Junta por junta")
+SHOWN = Text(en="Show", pt_BR="Mostrar")
+TITLES: dict[Kind, Text] = {
+    "dh": Text(en="DH rows and frames", pt_BR="linhas DH e referenciais"),
+    "screws": Text(en="screws and displacements H", pt_BR="helicoides e deslocamentos H"),
+    "products": Text(en="products of dual quaternions h", pt_BR="produtos de quatérnios duais h"),
+}
+
+
+def stage_rows() -> Folder:
+    """A table that is worked out while it is chosen."""
+    return Folder(
+        TITLE,
+        [
+            Choice(
+                SHOWN,
+                [("", NONE), *TITLES.items()],
+                lambda view: view.seat.stages or "",
+                lambda key: ForSeat(lambda seat: replace(seat, stages=next((k for k in STAGES if k == key), None))),
+            ),
+            Words(_table, computed=True),
+        ],
+        open=False,
+    )
+
+
+def _table(view: View) -> Markup:
+    if view.seat.stages is None:
+        return Markup("")
+    return _written(view.state.robot, view.state.arm, view.seat.stages, view.seat.language)
+
+
+@lru_cache(maxsize=8)  # all windows ask the same of an arm that has not moved
+def _written(robot: Robot, arm: ArmState, kind: Kind, language: Language) -> Markup:
+    head, *rows, end = (line[language] for line in lines(robot, arm.q, kind, as_source=True))
+    table = Markup("<pre class='helicoide-listing'>{}</pre>").format("\n".join(rows))
+    return html.note(head) + table + html.note(end)

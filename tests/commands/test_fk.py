@@ -103,7 +103,7 @@ def test_the_kind_of_singularity_is_named(monkeypatch: pytest.MonkeyPatch, capsy
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *asked])
     __main__.main()
     said = capsys.readouterr().out
-    assert all(word in said for word in ("posture: shoulder: ", "; elbow: ", "; wrist: "))
+    assert all(word in said for word in ("singularity: shoulder: ", "; elbow: ", "; wrist: "))
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *asked, "--json"])
     __main__.main()
     told = json.loads(capsys.readouterr().out)["singularity"]

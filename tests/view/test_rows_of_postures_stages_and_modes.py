@@ -87,12 +87,14 @@ def test_the_arm_joint_by_joint_as_the_command_line_prints_it(name: str, kind: K
     assert not rows.open
     (choice,) = [row for row in inside(rows) if isinstance(row, Choice)]
     seat = Seat("", "pt_BR")
-    assert "<pre" not in written(rows, View(state, seat))
+    assert "<td" not in written(rows, View(state, seat))
     wish = choice.wish(kind)
     assert isinstance(wish, ForSeat)
     said = written(rows, View(state, wish.update(seat)))
-    head, *lines, end = (line.pt_BR for line in stage_table.lines(state.robot, state.arm.q, kind, as_source=True))
-    assert all(line in said for line in (head, "\n".join(lines), end))
+    table = stage_table.table(state.robot, state.arm.q, kind, as_source=True)
+    assert all(text.pt_BR in said for text in (table.head, table.end, *(named for named, _ in table.joints)))
+    cells = [cell.pt_BR.replace("-", "−") for _, matrix in table.joints for row in matrix for cell in row]
+    assert [part.split("<")[0] for part in said.split("<td>")[1:]] == cells
     hidden = choice.wish("")
     assert isinstance(hidden, ForSeat)
     assert hidden.update(wish.update(seat)).stages is None
@@ -107,7 +109,7 @@ def test_a_table_of_an_arm_that_has_not_moved_is_not_written_again(
     rows = folder(algebra.rows(puma.robot), "Joint by joint")
     view = View(puma, replace(Seat("", "en"), stages="screws"))
     once = written(rows, view)
-    monkeypatch.setattr("helicoide.view.stages.lines", None)
+    monkeypatch.setattr("helicoide.view.stages.table", None)
     assert written(rows, replace(view, state=replace(puma, t=1.0))) == once
 
 

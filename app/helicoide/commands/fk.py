@@ -34,7 +34,7 @@ NO_FRAMES = Text(
     en="--as source is for --frames dh, screws or products.",
     pt_BR="--as source vale com --frames dh, screws ou products.",
 )
-SINGULAR = Text(en="posture: {words}", pt_BR="postura: {words}")
+SINGULAR = Text(en="singularity: {words}", pt_BR="singularidade: {words}")
 MOTORS = Text(en="motors, pulses from a zero that is ours:", pt_BR="motores, pulsos a partir de um zero nosso:")
 DRIVEN = Text(
     en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses", pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos"

@@ -17,14 +17,14 @@ from helicoide.text import Text, joined
 
 NEAR = 0.05  # of the largest: below it people are told
 TRIED = 64  # postures in which the usual rank and the largest singular value are looked for
-NOT_SINGULAR = Text(en="not singular", pt_BR="não singular")
+NONE_NEAR = Text(en="none near", pt_BR="nenhuma por perto")
 SINGULAR = Text(
-    en="singular: {what} moves in {rank} of its {usual} independent directions",
-    pt_BR="singular: {what} se move em {rank} das suas {usual} direções independentes",
+    en="{what} moves in {rank} of its {usual} independent directions",
+    pt_BR="{what} se move em {rank} das suas {usual} direções independentes",
 )
 ALMOST = Text(
-    en="near a singularity: in its slowest direction {what} has {part:.1f} % of its best speed",
-    pt_BR="perto de uma singularidade: na direção mais lenta, {what} tem {part:.1f} % da sua melhor velocidade",
+    en="in its slowest direction {what} has {part:.1f} % of its best speed",
+    pt_BR="na direção mais lenta, {what} tem {part:.1f} % da sua melhor velocidade",
 )
 TOOL = Text(en="the tool", pt_BR="o efetuador")
 POINT = Text(en="the tool's point", pt_BR="o ponto do efetuador")
@@ -89,7 +89,7 @@ class Singularity:
 
     def words(self, within: float) -> Text:
         """What is singular, or nearer to it than `within`, in words."""
-        return self.told(within) or NOT_SINGULAR
+        return self.told(within) or NONE_NEAR
 
     def told(self, within: float = NEAR) -> Text | None:
         """The same; None where there is nothing to tell."""

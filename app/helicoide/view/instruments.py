@@ -10,7 +10,7 @@ from markupsafe import Markup
 from helicoide.ik.methods import named
 from helicoide.readout import Instrument, holding, instruments, near_singular
 from helicoide.state import State
-from helicoide.text import Text, same
+from helicoide.text import Text
 from helicoide.view import html
 from helicoide.view.formula import mathml
 from helicoide.view.rows import View
@@ -39,14 +39,18 @@ def instrument_table(view: View) -> Markup:
     )
 
 
+SINGULAR = Text(en="Singularity: {said}.", pt_BR="Singularidade: {said}.")
+OF_SEVERAL = Text(en="Singularity ({method}): {said}.", pt_BR="Singularidade ({method}): {said}.")
+
+
 def _singular(view: View) -> Iterator[Markup]:
     """What is singular, or nearly so, of each arm, with its method where there are two."""
     for state in (view.state, view.state.of_compared):
         said = None if state is None else near_singular(state)
         if state is not None and said is not None:
+            words = SINGULAR if view.state.compared is None else OF_SEVERAL
             title = named(state.request.drive.method).TITLE
-            words = said if view.state.compared is None else same("{title}: {said}").format(title=title, said=said)
-            yield html.note(words[view.seat.language])
+            yield html.note(words.format(method=title, said=said)[view.seat.language])
 
 
 def _cells(cell: Markup, words: Iterable[str]) -> Markup:

@@ -19,20 +19,20 @@ NONE = Text(
 )
 ABOUT = Text(
     en="In the axes of J (Vargas 2013, §4.4) Θ is a diagonal dᵢ on its way to 1/σᵢ, so that σᵢdᵢ comes to 1, and "
-    "residuals rᵢⱼ on their way to 0. A small σ learns slowly: τ is its time constant.",
+    "residuals rᵢⱼ on their way to 0. A small σ learns slowly: τ, in seconds, is its time constant.",
     pt_BR="Nos eixos de J (Vargas 2013, §4.4) Θ é uma diagonal dᵢ que vai para 1/σᵢ, de modo que σᵢdᵢ chega a 1, e "
-    "resíduos rᵢⱼ que vão para 0. Um σ pequeno aprende devagar: τ é a sua constante de tempo.",
+    "resíduos rᵢⱼ que vão para 0. Um σ pequeno aprende devagar: τ, em segundos, é a sua constante de tempo.",
 )
 LEFT = Text(
     en="Residuals ‖R‖ = {R:.3g}; V_c = {V:.3g}, at least {floor:.3g} with these joints.",
     pt_BR="Resíduos ‖R‖ = {R:.3g}; V_c = {V:.3g}, no mínimo {floor:.3g} com estas juntas.",
 )
-TABLE = Markup("<table class='helicoide-instruments'><tr>{}</tr>{}</table>")
+TABLE = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}</table>")
 NUMBER = same("{value:.3g}")
 HEAD = Markup("").join(
-    Markup("<th>{}</th>").format(mathml(symbol)) for symbol in (r"i", r"\sigma_i", r"d_i", r"\sigma_i d_i", r"\tau_i")
+    Markup("<th>{}</th>").format(mathml(symbol)) for symbol in (r"\sigma_i", r"d_i", r"\sigma_i d_i", r"\tau_i")
 )
-LINE = Markup("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} s</td></tr>")
+LINE = Markup("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>")
 
 
 def mode_table(view: View) -> Markup:

@@ -53,7 +53,7 @@ WHY_WEIGHTS = Text(
 
 
 LIST_OF = Markup("<ol class='helicoide-postures'>{}</ol>")
-ITEM = Markup("<li class='{}'><b>{}</b> {}</li>")
+ITEM = Markup("<li class='{}'><b>{}</b> {} <small>{}</small></li>")
 
 
 def posture_rows(robot: Robot) -> Folder:
@@ -120,9 +120,13 @@ def _written(listed: Listed, problem: Problem, here: int | None, language: Langu
     x, y, z = (1000 * float(value) for value in listed.T_world_goal[:3, 3])
     head = HEAD.format(x=x, y=y, z=z, status=status(listed.answer))[language]
     items = (
-        ITEM.format("here" if place == here else "", row.branch.name[language], said[language])
+        ITEM.format(
+            "here" if place == here else "",
+            row.branch.name[language],
+            joined([*_notes(row, problem, place == here)], " · ")[language],
+            _joints(problem.robot, row.q)[language],
+        )
         for place, row in enumerate(listed.rows)
-        for said in [joined([*_notes(row, problem, place == here), _joints(problem.robot, row.q)], " · ")]
     )
     words = html.note(listed.answer.words[language]) if listed.answer.words[language] else Markup("")
     return html.note(head) + words + LIST_OF.format(Markup("").join(items))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
 from markupsafe import Markup
 
-from helicoide.export.stage_table import lines
+from helicoide.export.stage_table import table
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.stages import STAGES, Kind
 from helicoide.state import ArmState
@@ -23,6 +24,7 @@ TITLES: dict[Kind, Text] = {
     "screws": Text(en="screws and displacements H", pt_BR="helicoides e deslocamentos H"),
     "products": Text(en="products of dual quaternions h", pt_BR="produtos de quatérnios duais h"),
 }
+Cells = tuple[Text, ...]
 
 
 def stage_rows() -> Folder:
@@ -50,6 +52,22 @@ def _table(view: View) -> Markup:
 
 @lru_cache(maxsize=8)  # all windows ask the same of an arm that has not moved
 def _written(robot: Robot, arm: ArmState, kind: Kind, language: Language) -> Markup:
-    head, *rows, end = (line[language] for line in lines(robot, arm.q, kind, as_source=True))
-    table = Markup("<pre class='helicoide-listing'>{}</pre>").format("\n".join(rows))
-    return html.note(head) + table + html.note(end)
+    found = table(robot, arm.q, kind, as_source=True)
+    joints = Markup("").join(
+        JOINT.format(named[language], Markup("").join(_row(row, language) for row in _in_fours(matrix)))
+        for named, matrix in found.joints
+    )
+    return html.note(found.head[language]) + joints + html.note(found.end[language])
+
+
+def _in_fours(matrix: Sequence[Cells]) -> Iterator[Cells]:
+    """The rows of a matrix; a dual quaternion with its dual part below."""
+    return (row[k : k + 4] for row in matrix for k in range(0, len(row), 4))
+
+
+def _row(cells: Cells, language: Language) -> Markup:
+    said = (Markup("<td>{}</td>").format(cell[language].replace("-", "−")) for cell in cells)
+    return Markup("<tr>{}</tr>").format(Markup("").join(said))
+
+
+JOINT = Markup("<div class='helicoide-stage'>{}<table>{}</table></div>")

@@ -81,7 +81,7 @@ class Options:
     ratio: Annotated[
         float,
         Quantity(
-            Text(en="left over right gain, Γ_ℓ/Γ_r", pt_BR="ganho esquerdo sobre direito, Γ_ℓ/Γ_r"),
+            Text(en="ratio of the gains Γₗ/Γᵣ", pt_BR="razão dos ganhos Γₗ/Γᵣ"),
             0.01,
             100.0,
             decades=True,

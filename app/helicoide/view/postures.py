@@ -41,6 +41,7 @@ MISSES = Text(en="misses by {mm:.1f} mm and {degrees:.1f}°", pt_BR="erra por {m
 JOINT = same("{value:.1f}{unit}")
 COST = Text(en="motion {cost:.2f}", pt_BR="movimento {cost:.2f}")
 WEIGHTS = Text(en="Weights of the choice", pt_BR="Pesos da escolha")
+WEIGHT = Text(en="weight {n} {title}", pt_BR="peso {n} {title}")
 WHY_WEIGHTS = Text(
     en="The list begins with the least motion: the sum of what each joint turns from where the arm stood, in radians, "
     "times its weight (a slide counts in reaches of the arm). Large weights near the base let the small links move. "
@@ -82,7 +83,7 @@ def posture_rows(robot: Robot) -> Folder:
 
 def _weight(robot: Robot, index: int) -> Slider:
     return Slider(
-        same("{n} {title}").format(n=index + 1, title=robot.variables[index].title),
+        WEIGHT.format(n=index + 1, title=robot.variables[index].title),
         0.0,
         gate.HEAVIEST_JOINT,
         0.1,

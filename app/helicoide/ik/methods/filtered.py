@@ -61,7 +61,7 @@ class Options:
 
     update, step, start: see their choices. ahead: add −Θ J̇ Θ, which holds the inverse while J moves but forbids the
     crossing of a singularity, and therefore acts only where the smallest singular value, in ℓ/rad, is above `above`.
-    ratio: Γ_ℓ over Γ_r, the gain of the left inversion error over that of the right one.
+    ratio: Γ_ℓ over Γ_r, the gain of the left inversion error over that of the right one (Coutinho 2015, tab. 4.3).
     """
 
     gain: Annotated[

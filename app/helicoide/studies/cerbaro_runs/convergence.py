@@ -12,7 +12,7 @@ from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Report, Run, by_method, converged
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.study import Chart, Fitted, Line, Motion, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Fitted, Line, Motion, Reading, Result, Row, Statement, unstated
 from helicoide.text import Text, same
 
 STEP_FACTOR = Text(en="step factor κ", pt_BR="fator de passo κ")
@@ -25,7 +25,7 @@ class Coming:
     problem: Problem
     aiming: Aiming
     statement: Statement
-    fitted: Fitted
+    fitted: Fitted | Reading
     others: tuple[float, ...]
     figure: str
 

@@ -26,7 +26,7 @@ FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
 # Joints at the start that hold all that is printed of S1 to S4; found by tests/studies/fits/coutinho.py.
 STARTED = (
     Fitted(same("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
-    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.2375, "rad"),
+    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.4025, "rad"),
     Fitted(same("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
     Fitted(same("θ₇(0)"), -0.225, -0.28125, -0.2025, "rad"),
     Fitted(same("θ₈(0)"), 1.57, 1.4915, 1.6485, "rad"),

@@ -98,7 +98,7 @@ def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
 
 
 def weighing(robot: Robot) -> tuple[float, float]:
-    """Of random choices: by how much less the largest link turns on average with falling weights than with equal ones, rad.
+    """How much less (rad) the largest link turns on average in random choices with falling weights than with equal ones.
 
     Then the share in which another posture is chosen.
     """

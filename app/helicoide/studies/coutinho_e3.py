@@ -32,7 +32,7 @@ NEAR, LEFT = 0.1, 0.2
 SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 9.0, 8.1, 9.9, "mm")
 TURN = Fitted(Text(en="its turn", pt_BR="o giro dela"), 0.26, 0.234, 0.286, "rad")
 HAND = (SIZE, TURN, LASTS)
-BOUND = Fitted(Text(en="bound of w_r", pt_BR="limiar de w_r"), NEAR, 0.05, 0.2)
+BOUND = Fitted(Text(en="bound of w_r", pt_BR="limiar de w_r"), NEAR, 0.03, 0.3)
 TWO = Text(en="two points near the singularity", pt_BR="dois pontos próximos da singularidade")
 LARGER = Text(en="errors larger near the singular points", pt_BR="erros maiores perto dos pontos singulares")
 SMALL = Text(en="low errors", pt_BR="erros baixos")

@@ -98,7 +98,7 @@ def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
 
 
 def weighing(robot: Robot) -> tuple[float, float]:
-    """How much less (rad) the largest link turns on average in random choices with falling weights than with equal ones.
+    """How much less the largest link turns by falling weights than by equal ones, on average of random choices, rad.
 
     Then the share in which another posture is chosen.
     """

@@ -54,7 +54,7 @@ def ran(name: str, short: bool, **options: Any) -> Result:
     """A study's result; it has told its progress to the end."""
     study = studies.named(name)
     shares: list[float] = []
-    result = study.run(study.Options(**options), short, shares.append)
+    result = studies.run(name, study.Options(**options), short, shares.append)
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
     return result

@@ -123,7 +123,7 @@ def test_a_second_task_that_does_not_yield_is_no_stack(monkeypatch: pytest.Monke
 def test_the_printed_error_of_orientation_does_not_arrive() -> None:
     """Eqs. 2.62–2.63; with a gain of half the size the arm falls too slowly."""
     assert coutinho_loop.body(coutinho_loop.printed_error)[-1] == pytest.approx(179.9, abs=0.1)
-    rows = coutinho_loop.run(coutinho_loop.Options(position=2.5), True, lambda share: None).rows
+    rows = studies.run("coutinho_loop", coutinho_loop.Options(position=2.5), True, lambda share: None).rows
     assert {row.verdict for row in rows} == {Verdict.OURS}
     assert rows[0].ours == pytest.approx(-2.5, abs=0.02)
 

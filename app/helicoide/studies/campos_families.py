@@ -104,7 +104,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             rows += _iterated(robot, starts, steps[INVERSE])
         charts += _charts(robot, tallies, starts, steps[INVERSE])
         motions += _motions(robot, starts, steps[INVERSE])
-    return finished(options, rows, charts, motions)
+    return finished(rows, charts, motions)
 
 
 def _part(progress: Progress, part: int) -> Progress:

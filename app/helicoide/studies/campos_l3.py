@@ -67,7 +67,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows += [Row(HELD, sum(_allowed(actuators, branch.q) for branch in branches)), *_screws(actuators, branches[0].q)]
     charts = [by_joint(TITLE, [(branch.name, branch.q) for branch in branches]), *_lengths(actuators, way)]
     motions = [posed(ROBOT, [branch.q for branch in branches], title=TITLE), way]
-    return finished(options, rows, charts, motions)
+    return finished(rows, charts, motions)
 
 
 def least_turn(M: Array, R: Array) -> float:

@@ -82,7 +82,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         posed(ROBOT, [q for _, q in named], LENGTHS, TITLE),
         posed(ROBOT, [NOW, near[0].q, NOW, weighed[0].q], LENGTHS, TITLE_CHOICE),
     ]
-    return finished(options, rows, charts, motions)
+    return finished(rows, charts, motions)
 
 
 Ranking = tuple[choice.Ranked, ...]

@@ -75,7 +75,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     ]
     progress(1.0)
     shown = [branches[0].q for branches in found[:SHOWN] if branches]
-    return finished(options, rows, _charts(angles), [posed(ROBOT, shown)])
+    return finished(rows, _charts(angles), [posed(ROBOT, shown)])
 
 
 def _goal(draw: Array) -> Array:

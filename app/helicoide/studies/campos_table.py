@@ -112,7 +112,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Text(en="share of random arms", pt_BR="fração dos braços aleatórios"),
         tuple(Line(name, values, np.array([np.mean(np.array(n) == v) for v in values])) for name, n in lines),
     )
-    return finished(options, rows, (chart,))
+    return finished(rows, (chart,))
 
 
 def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list[int]:

@@ -28,7 +28,7 @@ from helicoide.studies._coutinho_rows import (
 from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Run, control, crossings
 from helicoide.studies._coutinho_runs import run as run_along
 from helicoide.studies._coutinho_simulation import part
-from helicoide.studies.study import PUT_IN, Fitted, Progress, Reading, Result, Row, Statement, printed, unstated
+from helicoide.studies.study import PUT_IN, Fitted, Progress, Reading, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="E1: three methods beside each other", pt_BR="E1: três métodos lado a lado")
@@ -128,7 +128,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         *(one for name, got in runs.items() for one in _measured(name, got, short)),
     )
     return Result(
-        rows=rows if options == Options() else unstated(rows),
+        rows=rows,
         charts=charts_of(titled, dict.fromkeys(CHARTS, FIGURES), ("tip", "rate")),
         motions=motions_of(titled),
     )

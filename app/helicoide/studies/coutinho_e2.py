@@ -5,7 +5,7 @@ from __future__ import annotations
 from helicoide.studies._coutinho_hand import PERIOD, STEP, Options, led, steering
 from helicoide.studies._coutinho_rows import NULL, TIMES, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, crossings
-from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="E2: a hand leads the tool", pt_BR="E2: a mão conduz a ponta")
@@ -43,7 +43,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     got = led(hand, 0.0, of_tool, options.feedback, SHORT if short else PERIOD, progress)
     rows = (*stated(got), *rows_of(got, title, STEP, FIGURES))
     return Result(
-        rows=rows if options.inverse == "filtered" else unstated(rows),
+        rows=rows,
         charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
         motions=motions_of({title: got}),
     )

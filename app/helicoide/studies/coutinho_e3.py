@@ -10,7 +10,7 @@ from helicoide.studies._coutinho_hand import ENTRY_SPEED, PERIOD, SAMPLE, STEP, 
 from helicoide.studies._coutinho_rows import ENTRY, LOW, MISSED, SHARE, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run
 from helicoide.studies.coutinho_e2 import LASTS
-from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement, printed, unstated
+from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="E3: a hand near a singularity", pt_BR="E3: a mão perto de uma singularidade")
@@ -50,7 +50,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), (*HAND, BOUND)),)
     rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES, MEASURED))
     return Result(
-        rows=rows if options.inverse == "filtered" else unstated(rows),
+        rows=rows,
         charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
         motions=motions_of({title: got}),
     )

@@ -27,7 +27,7 @@ from helicoide.studies._coutinho_runs import (
     entry_on,
     problem_of,
 )
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement
 from helicoide.text import Text, same
 
 TITLE = Text(en="The loop closes, in the right axes", pt_BR="A malha fecha, nos eixos certos")
@@ -73,7 +73,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     turns = {SEEN: body(pose_error), PRINTED: body(printed_error)}
     rows = (*_arrived(t, position, angle), *_turned(turns), *_formulas())
     return Result(
-        rows=rows if options == Options() else unstated(rows),
+        rows=rows,
         charts=_charts(t, position, angle, turns),
         motions=(Motion(ROBOT, t[::20], q[::20]),),
     )

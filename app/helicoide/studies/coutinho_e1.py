@@ -74,8 +74,8 @@ STARTED = (
 CONTAINED = Reading(
     Text(en="θ₇ stays within the range", pt_BR="θ₇ fica dentro da faixa"),
     Text(
-        en="if it is to run through all of it, ours does not: −0.02 to 0.57 rad",
-        pt_BR="se deve percorrê-la toda, o nosso não a percorre: de −0,02 a 0,57 rad",
+        en="it would have to run through all of it, which ours does not: −0.02 to 0.57 rad",
+        pt_BR="teria de percorrê-la toda, o que o nosso não faz: de −0,02 a 0,57 rad",
     ),
 )
 LAGS = Text(

@@ -28,7 +28,7 @@ FINEST, DIGITS = 1e-6, 6
 
 def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> str:
     """Decimals as far as the tolerance lets them count, else some digits; a degree sign stands close, a unit apart."""
-    decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 1 else 0
+    decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 0.5 else 0
     shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else short(value, digits)
     return attached(shown, unit)
 

@@ -20,7 +20,7 @@ from helicoide.studies.cerbaro_runs.tracking import (
     start_of_ellipse,
     unfed,
 )
-from helicoide.studies.study import CONSTRUCTED, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import CONSTRUCTED, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Algorithm 1: gains that grow", pt_BR="Algoritmo 1: ganhos que crescem")
@@ -118,7 +118,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     charts = (*joint_charts("fig. 38", arms.movemaster(), (2, 3, 4), *named), error_chart("fig. 38", *named))
     found = rows(runs, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def made(options: Options, seconds: float, progress: Progress) -> Runs:

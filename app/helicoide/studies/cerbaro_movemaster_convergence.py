@@ -51,4 +51,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     movemaster = arms.movemaster()
     aiming = arms.with_pitch_and_roll(movemaster, arms.standing(*TARGET), PITCH)
     coming = Coming(movemaster, aiming, Statement(same("17"), "§4.4.4, fig. 34", 17), OPEN, (0.5, 0.56, 1.0), "fig. 34")
-    return result(coming, options.factor, options.damping, options == Options())
+    return result(coming, options.factor, options.damping)

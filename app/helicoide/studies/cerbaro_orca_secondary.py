@@ -20,7 +20,7 @@ from helicoide.studies.cerbaro_runs.runs import (
     pitch_chart,
 )
 from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_circle, in_degrees
-from helicoide.studies.study import Figure, Fitted, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Figure, Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="The ORCA keeps off its joint limits", pt_BR="O ORCA se afasta dos limites de junta")
@@ -73,7 +73,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     found = _rows(plain, pushed, in_deg, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def _rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:

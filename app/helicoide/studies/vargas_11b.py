@@ -59,7 +59,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         free = np.append(damped.t[damped.w >= DAMPED["threshold"]], seconds)[0]
         until = Text(en="damping goes off at", pt_BR="o amortecimento sai em")
         rows.append(row(until, None, float(free), "s"))
-    return result(options, rows, ways, runs, path_7, (1, 2), (PLACE, "fig. 4.18"), ("filtered", "damping"))
+    return result(rows, ways, runs, path_7, (1, 2), (PLACE, "fig. 4.18"), ("filtered", "damping"))
 
 
 def _statements(damped: Run) -> list[Row]:

@@ -43,8 +43,7 @@ def nothing(share: float) -> None:
 
 
 def short(name: str, **options: object) -> Result:
-    study = studies.named(name)
-    return study.run(study.Options(**options), True, nothing)
+    return studies.run(name, studies.named(name).Options(**options), True, nothing)
 
 
 def verdicts(rows: tuple[Row, ...]) -> list[Verdict]:

@@ -15,7 +15,7 @@ from helicoide.ik import clik, filtered_inverse, scalar_filter
 from helicoide.ik.method import Task
 from helicoide.ik.methods import damped_by_manipulability, feedback, filtered, filtered_modified
 from helicoide.ik.objectives import ellipsoid, joint_barrier, second_arm
-from helicoide.studies import named, names
+from helicoide.studies import named, names, run
 from helicoide.studies.study import Result, Row, Verdict
 
 STUDIES = [name for name in names() if name.startswith("vargas_")]
@@ -79,8 +79,7 @@ def test_the_whole_form(name: str) -> None:
 
 
 def test_other_settings_leave_nothing_to_compare_with() -> None:
-    study = named("vargas_08")
-    result = study.run(replace(study.Options(), beta=7.0), True, lambda share: None)
+    result = run("vargas_08", replace(named("vargas_08").Options(), beta=7.0), True, lambda share: None)
     assert {row.source for row in result.rows} == {None}
 
 

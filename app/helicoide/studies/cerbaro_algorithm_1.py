@@ -13,7 +13,7 @@ from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, motion, part
 from helicoide.studies.cerbaro_runs.tracking import DT, TURN, free_ellipse, start_inside, start_of_ellipse, unfed
-from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Algorithm 1: gains that grow", pt_BR="Algoritmo 1: ganhos que crescem")
@@ -107,7 +107,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     found = rows(runs, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in (*named, (outside, runs.grown_outside)))
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def made(options: Options, seconds: float, progress: Progress) -> Runs:

@@ -17,7 +17,7 @@ from helicoide.perception.camera import D435, Camera, SimulatedCamera, on_hand
 from helicoide.perception.planes import ANGLE, Found, find
 from helicoide.perception.tour import OUTLIERS, READINGS, Reading
 from helicoide.state import State, initial
-from helicoide.studies.study import Chart, Fitted, Line, Motion, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Fitted, Line, Motion, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Measuring the enclosure", pt_BR="A medição do recinto")
@@ -89,7 +89,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     here, bracket = read[:3], read[3:]
     rows = (*_stated(found), *_ours(here, bracket))
     charts = (_tilts(here), _by_angle(found), _places(here, bracket))
-    return Result(rows if options == Options() else unstated(rows), charts, (_tour(),))
+    return Result(rows, charts, (_tour(),))
 
 
 def at(pose: str) -> State:

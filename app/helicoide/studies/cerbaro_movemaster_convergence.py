@@ -48,4 +48,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     coming = Coming(
         movemaster, aiming, Statement(same("17"), "§4.4.4, fig. 34", 17), (0.295, 0.5, 1.0), "fig. 34", BAND
     )
-    return result(coming, options.factor, options.damping, options == Options())
+    return result(coming, options.factor, options.damping)

@@ -20,7 +20,7 @@ from helicoide.studies.cerbaro_runs.runs import (
     way_chart,
 )
 from helicoide.studies.cerbaro_runs.tracking import DT, ELLIPSE, TURN, ellipse, eq_32, round_once, unfed
-from helicoide.studies.study import Chart, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="The Movemaster round an ellipse", pt_BR="O Movemaster numa elipse")
@@ -73,7 +73,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     found = rows([one for _, one in named], short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def _first(chart: Chart) -> Chart:

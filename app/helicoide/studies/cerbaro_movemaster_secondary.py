@@ -11,7 +11,7 @@ from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, motion, part, pitch, pitch_chart
 from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_ellipse, start_of_ellipse
-from helicoide.studies.study import Figure, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Figure, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="One gain for all joints, and where it fails", pt_BR="Um só ganho para as juntas, e onde falha")
@@ -55,7 +55,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     found = rows(plain, pushed, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def rows(plain: Run, pushed: Run, short: bool) -> tuple[Row, ...]:

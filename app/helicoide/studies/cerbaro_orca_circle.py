@@ -21,7 +21,7 @@ from helicoide.studies.cerbaro_runs.runs import (
     way_chart,
 )
 from helicoide.studies.cerbaro_runs.tracking import CIRCLE, DT, DT_SHORT, circle, round_once
-from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row, Statement, printed, unstated
+from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="The ORCA round a circle", pt_BR="O ORCA num círculo")
@@ -60,7 +60,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     found = rows(closed, still_open, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def components_chart(run: Run) -> Chart:

@@ -36,4 +36,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     orca = arms.orca()
     aiming = arms.with_heading(orca, arms.standing(*TARGET))
     coming = Coming(orca, aiming, Statement(same("7"), "§4.4.3, fig. 30", 7), (0.3, 0.5, 1.0), "fig. 30")
-    return result(coming, options.factor, 0.0, options == Options())
+    return result(coming, options.factor, 0.0)

@@ -13,7 +13,7 @@ from helicoide.ik.secondary import total
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, few, joint_charts, motion, part, pitch, pitch_chart
 from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_circle
-from helicoide.studies.study import Figure, Fitted, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Figure, Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="The ORCA keeps off its joint limits", pt_BR="O ORCA se afasta dos limites de junta")
@@ -59,7 +59,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     found = _rows(plain, pushed, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
 def mean_cost(run: Run, limits: float = 1.0) -> float:

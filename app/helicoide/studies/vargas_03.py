@@ -114,7 +114,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             "y, cm",
         ),
     )
-    return finished(options, rows, charts, zebra_motions(names))
+    return finished(rows, charts, zebra_motions(names))
 
 
 OFF_PATH = Text(en="error of position", pt_BR="erro de posição")

@@ -46,4 +46,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 2."""
     dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
     runs = followers(PATH, START, ways, dt, progress, VALUES.rate)
-    return result(options, statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.8–3.9")
+    return result(statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.8–3.9")

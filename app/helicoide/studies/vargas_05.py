@@ -41,4 +41,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
     runs = followers(PATH, START, ways, dt, progress)
     more = (ellipses(PATH, runs["damping"], (2, 10, 18, 24, 26, 28)),)
-    return result(options, statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.10–3.11", more)
+    return result(statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.10–3.11", more)

@@ -94,4 +94,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows = statements(runs)
     rows += [row(LEAVES, ways[key].title, left_at(runs[key]), "s") for key in ("feedback", "ones")]
     rows += [row(STAYS, ways[key].title, _moved(runs[key]), "rad") for key in ("modified", "modified_ones")]
-    return result(options, rows, PATH, ways, runs, PLACE.partition(", ")[2])
+    return result(rows, PATH, ways, runs, PLACE.partition(", ")[2])

@@ -83,4 +83,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """Methods on trajectory 4, the filtered inverses with three gains."""
     dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
     runs = followers(PATH, START, ways, dt, progress)
-    return result(options, statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.14–3.15")
+    return result(statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.14–3.15")

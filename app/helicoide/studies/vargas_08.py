@@ -68,7 +68,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         _chart(Text(en="θ on its way to 1/k", pt_BR="θ a caminho de 1/k"), "θ", t, thetas),
         _chart(Text(en="inversion error", pt_BR="erro de inversão"), "S = kθ − 1", t, errors),
     )
-    return finished(options, rows, charts)
+    return finished(rows, charts)
 
 
 def _constant(name: str, k: float, t: Array, theta: Array, beta: float) -> Row:

@@ -64,7 +64,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         ]
         if shown:
             rows.append(row(Text(en="largest θ", pt_BR="maior θ"), of, largest(loop.theta, late), "", shown))
-    return finished(options, rows, _charts(loops))
+    return finished(rows, _charts(loops))
 
 
 def _statements(loops: list[Loop]) -> list[Row]:

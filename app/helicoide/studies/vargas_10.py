@@ -51,7 +51,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     dt, seconds = (max(options.dt, 5e-3), 8.0) if short else (options.dt, 20.0)
     runs = followers(path_6, FOLDED, ways, dt, seconds, progress)
     rows = [*_statements(ways, runs), *crossing_rows(ways, runs, PLACE)]
-    return result(options, rows, ways, runs, path_6, (0, 1), (PLACE, "fig. 4.9"), ("filtered", "damping"))
+    return result(rows, ways, runs, path_6, (0, 1), (PLACE, "fig. 4.9"), ("filtered", "damping"))
 
 
 def _statements(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:

@@ -66,7 +66,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         title = in_steps(FASTEST_LATER, dt)
         rows.append(row(title, PSEUDOINVERSE.title, largest(plain.rates, plain.t >= 5), "rad/s"))
     figures = (PLACE, "figs. 4.13–4.14")
-    return result(options, rows, ways, runs, path_7, (1, 2), figures, ("filtered", "damping"))
+    return result(rows, ways, runs, path_7, (1, 2), figures, ("filtered", "damping"))
 
 
 def _statements(runs: Mapping[str, Run]) -> list[Row]:

@@ -64,7 +64,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         until = Text(en="damping is on until, of 40 s", pt_BR="amortecimento ligado até, de 40 s")
         always = stated("δ > 0 for all t", "δ > 0 para todo t", PLACE, seconds, "≥")
         rows.append(row(until, None, float(free), "s", always, why=ESCAPES))
-    return result(options, rows, ways, runs, path_7, (1, 2), (PLACE, "fig. 4.18"), ("filtered", "damping"))
+    return result(rows, ways, runs, path_7, (1, 2), (PLACE, "fig. 4.18"), ("filtered", "damping"))
 
 
 def _statements(damped: Run, filtered: Run) -> list[Row]:

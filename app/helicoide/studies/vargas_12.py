@@ -64,7 +64,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         ]
     rows += reach_rows(DAMPING, runs["damping"], Figure(PLACE), dt)
     figures = (PLACE, "figs. 4.21–4.22, 4.26")
-    return result(options, rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
+    return result(rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
 
 
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:

@@ -60,7 +60,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     rows.append(row(off, ways["modified_25"].title, off_the_border(runs["modified_25"]), "cm"))
     figures = (PLACE, "figs. 4.29–4.30")
-    return result(options, rows, ways, runs, path_8, (0, 1), figures, ("modified_25", "modified_1"))
+    return result(rows, ways, runs, path_8, (0, 1), figures, ("modified_25", "modified_1"))
 
 
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:

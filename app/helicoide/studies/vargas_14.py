@@ -83,7 +83,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     if not short:
         for key, one in runs.items():
             rows += _back(NAMES[key], one)
-    return finished(options, rows, _charts(runs), zebra_motions({NAMES[key]: one for key, one in runs.items()}))
+    return finished(rows, _charts(runs), zebra_motions({NAMES[key]: one for key, one in runs.items()}))
 
 
 NAMES = {key: Text(en=f"Λₚ, λₒ = {key}", pt_BR=f"Λₚ, λₒ = {key}") for key in CASES}

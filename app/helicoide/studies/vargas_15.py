@@ -92,7 +92,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"),
         fastest_chart(names),
     )
-    return finished(options, rows, charts, planar_motions(names))
+    return finished(rows, charts, planar_motions(names))
 
 
 FREE = Text(en="no limit", pt_BR="sem limite")

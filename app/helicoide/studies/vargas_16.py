@@ -101,4 +101,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         joints_chart(names[highest], highest),
         fastest_chart(names),
     )
-    return finished(options, rows, charts, planar_motions(names))
+    return finished(rows, charts, planar_motions(names))

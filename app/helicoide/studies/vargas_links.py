@@ -87,7 +87,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rates_chart(runs[first], names[first], PLACE),
         fastest_chart(shown),
     )
-    return finished(options, rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
+    return finished(rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
 
 
 def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:

@@ -110,7 +110,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         _over_time("‖Θ − K†‖, Γ", {name: (one.t, one.off) for name, one in gains.items()}),
         _plane(crossings, gain),
     )
-    return finished(options, rows, charts)
+    return finished(rows, charts)
 
 
 MATRICES = Text(en="a matrix Γ", pt_BR="Γ matricial")

@@ -46,7 +46,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     progress(0.5)
     crossing_rows, crossing_charts = _crossing(options, 5e-3 if short else 5e-4)
     progress(1.0)
-    return finished(options, (*worst_rows, *crossing_rows), (worst_chart, *crossing_charts))
+    return finished((*worst_rows, *crossing_rows), (worst_chart, *crossing_charts))
 
 
 def _worst(beta: float, seconds: float) -> tuple[list[Row], Chart]:

@@ -84,4 +84,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rates_chart(kept, names[USUAL]),
         joints_chart(kept, names[USUAL]),
     )
-    return finished(options, rows, charts, planar_motions(titled))
+    return finished(rows, charts, planar_motions(titled))

@@ -141,4 +141,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         joints_chart(names[kept], kept),
         rates_chart(names[kept], kept),
     )
-    return finished(options, rows, charts, planar_motions(names))
+    return finished(rows, charts, planar_motions(names))

@@ -9,7 +9,7 @@ from helicoide.studies.cerbaro_runs.chapter6_charts import charts
 from helicoide.studies.cerbaro_runs.chapter6_rows import numbers, sentences
 from helicoide.studies.cerbaro_runs.chapter6_runs import GUARDED, Options, Runs, runs, title
 from helicoide.studies.cerbaro_runs.runs import few
-from helicoide.studies.study import Motion, Progress, Result, unstated
+from helicoide.studies.study import Motion, Progress, Result
 from helicoide.text import Text
 from helicoide.trajectory import Ellipse
 
@@ -23,7 +23,7 @@ def study(path: Ellipse, figures: tuple[int, int], options: Options, short: bool
     rows = sentences(found, options)
     if not short:
         rows += numbers(found)
-    return Result(rows if options.usual else unstated(rows), charts(found, path, figures), motions(found))
+    return Result(rows, charts(found, path, figures), motions(found))
 
 
 def motions(found: Runs) -> tuple[Motion, ...]:

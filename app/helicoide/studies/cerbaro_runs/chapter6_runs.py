@@ -54,11 +54,6 @@ class Options:
         """As the runs take them."""
         return Gains(self.gain, self.factor, self.tolerance * 1e-3)
 
-    @property
-    def usual(self) -> bool:
-        """Whether the source can be asked: the text allows either reading of eq. 37, the rest is as it was chosen."""
-        return replace(self, former="wanted") == Options()
-
 
 class Kind(Enum):
     """By which rule targets give way."""

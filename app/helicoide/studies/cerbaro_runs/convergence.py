@@ -12,7 +12,7 @@ from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Report, Run, by_method, converged
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.study import Chart, Fitted, Line, Motion, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Fitted, Line, Motion, Result, Row, Statement
 from helicoide.text import Text, same
 
 # One factor for both arms, which neither demonstration gives: tests/studies/fits/cerbaro_convergence.py.
@@ -31,7 +31,7 @@ class Coming:
     why: Text | None = None
 
 
-def result(coming: Coming, factor: float, damping: float, usual: bool) -> Result:
+def result(coming: Coming, factor: float, damping: float) -> Result:
     """The count of iterations with the chosen factor and with others, and the posture that is reached."""
     reports = {f: _came(coming, f, damping) for f in sorted({factor, *coming.others})}
     quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}")
@@ -40,7 +40,7 @@ def result(coming: Coming, factor: float, damping: float, usual: bool) -> Result
     others = [Row(quantity.format(f=f), reports[f].iterations) for f in coming.others if f != factor]
     rows = (stated, *others, *_margin(coming))
     ways = tuple(_motion(coming, f, damping, report) for f, report in reports.items())
-    return Result(rows if usual else unstated(rows), _charts(coming, reports, ways[[*reports].index(factor)]), ways)
+    return Result(rows, _charts(coming, reports, ways[[*reports].index(factor)]), ways)
 
 
 def _run(coming: Coming, factor: float, damping: float) -> Run:

@@ -42,7 +42,6 @@ def followers(
 
 
 def result(
-    options: Any,
     rows: Sequence[Row],
     ways: Mapping[str, Way],
     runs: Mapping[str, Run],
@@ -72,7 +71,7 @@ def result(
         joints_chart(runs[shown[0]], ways[shown[0]].title, place),
         fastest_chart(names),
     ]
-    return finished(options, rows, charts[:8], zebra_motions(names))
+    return finished(rows, charts[:8], zebra_motions(names))
 
 
 DAMPED_TITLE = Text(en="damping", pt_BR="amortecimento")

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -140,7 +139,6 @@ def ours(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
 
 
 def result(
-    options: Any,
     rows: Sequence[Row],
     path: Path,
     ways: Mapping[str, Way],
@@ -166,7 +164,7 @@ def result(
         way_chart({WISHED: wished, **{name: wished - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
         joints_chart(runs["damping"], damped),
     )
-    return finished(options, rows, charts[:8], planar_motions(names))
+    return finished(rows, charts[:8], planar_motions(names))
 
 
 def ellipses(path: Path, run: Run, instants: Sequence[float], size: float = 0.3) -> Chart:

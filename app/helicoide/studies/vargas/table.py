@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Figure, Line, Motion, Relation, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Figure, Line, Motion, Relation, Result, Row, Statement
 from helicoide.studies.vargas.arms import LENGTHS
 from helicoide.studies.vargas.runs import Run, Way, digits
 from helicoide.text import Text, same
@@ -52,10 +52,9 @@ def stated(en: str, pt_BR: str, place: str, value: float, relation: Relation = "
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
-def finished(options: Any, rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
-    """What a study came to; with other settings than its own every number stands alone."""
-    usual = options == type(options)()
-    return Result(tuple(rows) if usual else unstated(tuple(rows)), tuple(charts), tuple(motions))
+def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
+    """What a study came to."""
+    return Result(tuple(rows), tuple(charts), tuple(motions))
 
 
 def over_time(

@@ -165,7 +165,7 @@ def _wrong(l_a: float) -> list[Row]:
     without = Statement(same("(l_b/l_a)² ((l_a + l_b)² sin² θ₇ + 2)"), "eq. 3.40", float(square), "=", CLOSE)
     grown = standing(zy, BENT, CLOSE).of_tool.condition / standing(zy, BENT, l_a).of_tool.condition
     return [
-        Row(ENTRY, float(standing(zy, BENT, l_a).J[2, 3]), "m", entry, why=LETTER),
+        Row(ENTRY, float(standing(zy, BENT, l_a).J[2, 3]), "m", entry, erratum="coutinho-1"),
         Row(ROOT, standing(slit, BENT, l_a).of_tool.w, "", without, why=NO_ROOT),
         Row(GROWS, float(grown), "", Statement(ILL, "§3.5", 10.0, ">")),
     ]
@@ -206,10 +206,6 @@ AT = Text(en="w_r at θ₇ = {angle}, {which}", pt_BR="w_r em θ₇ = {angle}, {
 SINGULAR = Text(en="singular", pt_BR="singular")
 ENTRY = Text(en="entry (3, 4) of J^r, trocar, zy", pt_BR="elemento (3, 4) de J^r, trocarte, zy")
 ROOT = Text(en="w_r at θ₇ = 0.7, slit, zy", pt_BR="w_r em θ₇ = 0,7, fenda, zy")
-LETTER = Text(
-    en="so it stands in our copy, which may have an s read as a c (Coutinho 1)",
-    pt_BR="assim está na nossa cópia, em que um s pode ter sido lido como c (Coutinho 1)",
-)
 NO_ROOT = IN_OUR_COPY.format(number=3, what=Text(en="the root", pt_BR="a raiz"))
 GROWS = Text(
     en="condition number of J^r at l_a = 5 mm over that of the example",

@@ -115,7 +115,7 @@ def fitted(result: Result) -> Text | None:
 def _holds(chosen: Fitted | Reading) -> Text:
     if isinstance(chosen, Reading):
         return TAKEN.format(name=chosen.name, otherwise=chosen.otherwise)
-    ends = {"least": written(chosen.least, digits=3), "most": written(chosen.most, digits=3)}
+    ends = {"least": written(chosen.least, digits=4), "most": written(chosen.most, digits=4)}
     return HOLDS.format(name=chosen.name, value=written(chosen.value, chosen.unit), **ends)
 
 

@@ -17,9 +17,12 @@ HEADINGS = (
 NOTHING = "–"
 PLACED, BECAUSE = same("{words} ({place})"), same("{said}: {why}")
 READ_AS = Text(en="{words} ({place}), read as {asked}", pt_BR="{words} ({place}), lido como {asked}")
-FITTED = Text(en="Chosen: {values}.", pt_BR="Escolhidos: {values}.")
+FITTED = Text(en="Chosen, each varied alone: {values}.", pt_BR="Escolhidos, cada um variado sozinho: {values}.")
 TAKEN = Text(en="{name} (otherwise {otherwise})", pt_BR="{name} (senão, {otherwise})")
-HOLDS = Text(en="{name} = {value} (holds from {least} to {most})", pt_BR="{name} = {value} (vale de {least} a {most})")
+HOLDS = Text(
+    en="{name} = {value} (the row holds at least from {least} to {most})",
+    pt_BR="{name} = {value} (a linha vale ao menos de {least} a {most})",
+)
 BOUND, BETWEEN = same("{relation} {value}"), same("{value} ± {within}")
 DECADE = Text(en="{value} to {end}", pt_BR="{value} a {end}")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

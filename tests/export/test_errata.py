@@ -15,6 +15,7 @@ from helicoide.text import LANGUAGES, Language
 
 ROOT = Path(__file__).parents[2]
 SEARCH = re.compile(r"`python -m (tests\.studies\.fits\.\w+)[^`]*`")
+RIGHT_ASTERISK = re.compile(r"`[^`]*`|\\\*|\*\w[^*]*[\w)]\*")
 COMMAND, TEST = re.compile(r"`helicoide ([^`]+)`"), re.compile(r"`(tests/[\w/]+\.py)(?:::\w+)?`")
 
 
@@ -38,6 +39,14 @@ def test_the_page_has_an_anchor_for_each_entry_and_source(language: Language) ->
     page = errata.page(language)
     for anchor in (*entries(language), *{studies.named(name).SOURCE.partition(",")[0] for name in studies.names()}):
         assert f'id="{anchor.lower().replace(" ", "-")}"' in page
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_asterisk_of_a_formula_is_taken_for_emphasis(language: Language) -> None:
+    """One stands in code, has a backslash before it, or is one of the two around words."""
+    lost = {name: RIGHT_ASTERISK.sub("", entry).count("*") for name, entry in entries(language).items()}
+    assert not any(lost.values()), lost
+    assert "h p h*; " in errata.page(language)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

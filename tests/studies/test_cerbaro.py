@@ -27,12 +27,11 @@ FITTED = {
     "cerbaro_forward": 11,
     "cerbaro_redundancy": 1,
     "cerbaro_orca_convergence": 1,
-    "cerbaro_orca_circle": 1,
-    "cerbaro_orca_secondary": 1,
     "cerbaro_movemaster_convergence": 1,
-    "cerbaro_movemaster_ellipse": 2,
+    "cerbaro_movemaster_secondary": 2,
 }
-DIFFERS = {"cerbaro_movemaster_ellipse": 2, "cerbaro_movemaster_secondary": 1, "cerbaro_algorithm_1": 1}
+DIFFERS = {"cerbaro_forward": 1, "cerbaro_movemaster_ellipse": 2, "cerbaro_algorithm_1": 1}
+ERRATA = {"cerbaro_forward": 2}
 NAMES = (
     "cerbaro_forward",
     "cerbaro_redundancy",
@@ -173,8 +172,8 @@ def test_in_degrees_what_is_said_of_figs_37_and_38_comes_out() -> None:
     """
     found = {row.quantity.en: row.ours for row in as_it_is("cerbaro_algorithm_1")[0].rows}
     apart = "k₀ in degrees, start inside: "
-    assert found[apart + "one gain: J3 inside its limit by"] < -0.1
-    assert found[apart + "Algorithm 1: J2 to J4 inside by"] == pytest.approx(0, abs=1e-9)
+    assert found[apart + "one gain: least margin of J3"] < -0.1
+    assert found[apart + "Algorithm 1: least margin of J2 to J4 to their limits"] == pytest.approx(0, abs=1e-9)
     assert found[apart + "largest position error, over that by one gain"] == pytest.approx(1, abs=0.1)
 
 
@@ -183,6 +182,7 @@ def test_what_is_fitted_and_what_differs(name: str) -> None:
     found = verdicts(as_it_is(name)[0].rows)
     assert found.count(Verdict.DIFFERS) == DIFFERS.get(name, 0)
     assert found.count(Verdict.FITTED) == FITTED.get(name, 0)
+    assert found.count(Verdict.ERRATUM) == ERRATA.get(name, 0)
 
 
 @pytest.mark.parametrize(
@@ -207,7 +207,7 @@ def no_projector(*arguments: Any) -> Any:
     return solution if push is None else replace(solution, rates=solution.rates + push), memory
 
 
-def never_growing(q: Array, lower: Array, upper: Array, gains: Array) -> tuple[Array, Array]:
+def never_growing(q: Array, lower: Array, upper: Array, gains: Array, growth: float) -> tuple[Array, Array]:
     return q, gains
 
 
@@ -228,9 +228,9 @@ def test_without_stopping_at_the_limits_algorithm_1_keeps_nothing_inside(monkeyp
     assert algorithm_1.room(runs.grown_in_degrees, *algorithm_1.BENT) < -0.05
 
 
-def test_without_growth_the_error_is_no_longer_that_of_one_gain(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(limit_gains, "GROWTH", 1.0)
-    grown = tracking.free_ellipse(tracking.start_inside(0.1), 0.25, 1e-3, True, seconds=4.0, velocity=unfed)
+def test_without_growth_j3_stays_where_one_gain_leaves_it() -> None:
+    start = tracking.start_inside(0.1)
+    grown = tracking.free_ellipse(start, 0.25, 1e-3, True, seconds=4.0, velocity=unfed, growth=1.0)
     assert algorithm_1.growth_of_j3(grown) == 1
     one = tracking.free_ellipse(tracking.start_inside(0.1), 0.25, 1e-3, False, seconds=4.0, velocity=unfed)
     assert grown.q[:, 2].mean() < one.q[:, 2].mean() + np.radians(0.2)
@@ -238,7 +238,7 @@ def test_without_growth_the_error_is_no_longer_that_of_one_gain(monkeypatch: pyt
 
 def test_with_the_sign_of_the_objective_turned_the_orca_goes_to_its_limits(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tracking, "push", away(secondary.push))
-    assert broken(short("cerbaro_orca_secondary").rows) == {"mean of −w with k₀, as a share of that without"}
+    assert not any(row.source.holds(row.ours) for row in short("cerbaro_orca_secondary").rows if row.given)  # type: ignore[union-attr]
 
 
 def test_without_the_projector_the_tool_leaves_its_path(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -20,13 +20,13 @@ def rows() -> dict[str, Row]:
 
 
 def test_three_points_tilt_a_plane_and_a_fit_to_all_does_not() -> None:
-    """Recomputed by other code: median 1 to 3°, 95 % within 11 to 25°, at 2 mm; 8 % on the wall from the odometer."""
+    """Recomputed by other code: median 1 to 3°, 95 % within 11 to 25°, at 2 mm; 8 % on the wall from the T265."""
     found = rows()
     for wall in ("ceiling", "left wall", "right wall"):
         assert found[f"{wall}: fit to all points, median tilt"].ours < 0.3
         assert 1 < found[f"{wall}: three random points, median tilt"].ours < 3
         assert 11 < found[f"{wall}: three random points, 95 % below"].ours < 25
-    assert found["left wall: points on it, camera where the odometer is"].ours == pytest.approx(8, abs=0.5)
+    assert found["left wall: points on it, camera where the T265 is"].ours == pytest.approx(8, abs=0.5)
     assert found[WITHIN_4].ours == 1
 
 

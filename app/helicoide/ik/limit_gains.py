@@ -20,14 +20,14 @@ from helicoide.kinematics.chain import Array
 GROWTH = 1.01
 
 
-def clipped(q: Array, lower: Array, upper: Array, gains: Array) -> tuple[Array, Array]:
+def clipped(q: Array, lower: Array, upper: Array, gains: Array, growth: float = GROWTH) -> tuple[Array, Array]:
     """Joints outside their limits are put on them, and their gains grow: qᵢ ← limit, k₀ᵢ ← 1.01 k₀ᵢ.
 
-    Args: q, lower, upper (n,), rad or m; gains: k₀ (n,), the diagonal of K₀. Returns q and k₀.
+    Args: q, lower, upper (n,), rad or m; gains: k₀ (n,), the diagonal of K₀; growth: 1 leaves them. Returns q and k₀.
     Source: Cerbaro 2022, Algorithm 1; the gains only grow, as there.
     """
     outside = (q < lower) | (q > upper)
-    return np.clip(q, lower, upper), np.where(outside, GROWTH * gains, gains)
+    return np.clip(q, lower, upper), np.where(outside, growth * gains, gains)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,10 +49,12 @@ def followed(
     q: Array,
     dt: float,
     others: Others = nobody,
+    growth: float = GROWTH,
 ) -> Iterator[Moment]:
     """`clik.followed` with the objectives in the null space and Algorithm 1 after each step: q̇₀ = −diag(k₀) ∂f/∂q.
 
-    memory: what to begin with, and in each moment what there is after it; chosen and others as in `secondary.push`.
+    memory: what to begin with, and in each moment what there is after it; chosen and others as in `secondary.push`;
+    growth as in `clipped`.
     """
     t, k0, of_method = 0.0, memory.gains, memory.method
     while True:
@@ -63,7 +65,7 @@ def followed(
         pushed = push(problem, chosen, k0, others)(q, t)
         solution, of_method = answered(problem, method, task, of_method, options, pushed)
         moved = q + problem.joint_units * solution.rates * dt
-        moved, k0 = clipped(moved, problem.limits.lower, problem.limits.upper, k0)
+        moved, k0 = clipped(moved, problem.limits.lower, problem.limits.upper, k0, growth)
         yield Moment(t, q, aim, solution, Memory(k0, of_method))
         q = moved
         t += dt

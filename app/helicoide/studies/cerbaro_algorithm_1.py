@@ -10,7 +10,16 @@ from helicoide.ik.limit_gains import GROWTH, Memory
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.confined import margins
-from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, mean_cost, motion, part
+from helicoide.studies.cerbaro_runs.runs import (
+    FARTHER,
+    NEAREST,
+    Run,
+    error_chart,
+    joint_charts,
+    mean_cost,
+    motion,
+    part,
+)
 from helicoide.studies.cerbaro_runs.tracking import (
     DT,
     TURN,
@@ -28,17 +37,23 @@ SOURCE = "Cerbaro 2022, §4.5, alg. 1, fig. 38"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="After every step a joint beyond its limit is clipped, that is, put back on it, and its gain grows by a "
-    "hundredth. From the posture in which the demonstration before begins, J3 is already 9.9° out of range, and the "
-    "first clip throws the tool off for an instant. With k₀ = 500 counted in degrees instead of radians, and J3 just "
-    "inside its limit at the start, all that is said of figs. 37 and 38 comes out: with one gain J3 passes its limit, "
-    "with gains that grow it stays inside, and the tool notices nothing. These numbers stand apart, since 500 in "
-    "degrees does not fit the other demonstrations.",
-    pt_BR="Depois de cada passo, uma junta além do limite é cortada, isto é, volta para ele, e seu ganho cresce um "
-    "centésimo. Na postura em que começa a demonstração anterior, J3 já está 9,9° fora da faixa, e o primeiro corte "
-    "desvia o efetuador por um instante. Com k₀ = 500 contado em graus, e não em radianos, e J3 partindo logo antes do "
-    "limite, acontece tudo o que se diz das figs. 37 e 38: com um só ganho J3 ultrapassa o limite, com ganhos que "
-    "crescem fica dentro, e o efetuador nem percebe. Esses números ficam à parte, pois 500 em graus não combina com as "
-    "outras demonstrações.",
+    "hundredth. Where the ellipse begins, J3 is already 9.9° out of range, and the first clip throws the tool off for "
+    "an instant; it also brings the arm into another posture, in which J3 then stays farther from its limit, whether "
+    "the gains grow or not. With k₀ = 500 counted in degrees, with the 6 that eq. 14 prints, and with J3 just inside "
+    "its limit at the start, all that is said of figs. 37 and 38 of J3 and of the error comes out, "
+    "not what is said of J4: with one gain J3 passes its limit, with gains that grow it stays inside, and the tool "
+    "notices nothing. These numbers stand apart, since 500 in degrees does not fit the other demonstrations. Here no "
+    "velocity ẋ_d of the path is fed forward, as the errors that are stated for fig. 36 suggest. −w (eq. 12) measures "
+    "how far all joints are from the middle of their ranges.",
+    pt_BR="Depois de cada passo, uma junta além do limite é saturada, isto é, volta para ele, e seu ganho cresce um "
+    "centésimo. Na postura em que a elipse começa, J3 já está 9,9° fora da faixa, e a primeira saturação desvia o "
+    "efetuador por um instante; ela também leva o braço a outra postura, em que J3 fica depois mais longe do seu "
+    "limite, cresçam os ganhos ou não. Com k₀ = 500 contado em graus, com o 6 que a eq. 14 imprime, e com J3 "
+    "partindo logo antes do limite, acontece tudo o que se diz das figs. 37 e 38 de J3 e do erro, não o que se diz de "
+    "J4: com um só ganho J3 ultrapassa o limite, com ganhos que crescem fica dentro, e o efetuador nem percebe. Esses "
+    "números ficam à parte, pois 500 em graus não combina com as outras demonstrações. Aqui não se antecipa nenhuma "
+    "velocidade ẋ_d da trajetória, como sugerem os erros que se dizem da fig. 36. −w (eq. 12) mede quanto todas as "
+    "juntas se afastam do meio das suas faixas.",
 )
 SHORT, SETTLED = 4.0, 0.1
 BENT = (1, 2, 3)  # J2 to J4
@@ -57,23 +72,9 @@ UNCHANGED = Statement(
     "=",
     0.1,
 )
-FARTHER = Statement(
-    Text(
-        en="the joints tend to stay farther from their limits than with one gain",
-        pt_BR="as juntas tendem a ficar mais longe dos limites do que com um só ganho",
-    ),
-    "fig. 38, §6.3",
-    1.0,
-    "<",
-)
 OUTSIDE = Text(
     en="J3 begins 9.9° beyond its limit; to put it there at once moves the tool by 75 mm",
     pt_BR="J3 parte 9,9° além do limite; levá-la até ele de uma vez desloca o efetuador 75 mm",
-)
-
-ALIKE = Text(
-    en="Algorithm 1 clips in the first 5 ms only, and then the two runs are nearly one",
-    pt_BR="o Algoritmo 1 só corta nos primeiros 5 ms, e depois as duas execuções são quase uma só",
 )
 
 
@@ -98,10 +99,11 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """A turn by one gain and by growing ones: from the printed start, and from inside with k₀ in degrees."""
+    """A turn by one gain, by growing ones and by clips alone: from the printed start, and from inside in degrees."""
 
     one: Run
     grown: Run
+    clipped: Run
     one_in_degrees: Run
     grown_in_degrees: Run
 
@@ -112,6 +114,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     named = (
         (Text(en="one gain", pt_BR="um só ganho"), runs.one),
         (Text(en="Algorithm 1", pt_BR="Algoritmo 1"), runs.grown),
+        (Text(en="gains that do not grow", pt_BR="ganhos que não crescem"), runs.clipped),
         (Text(en="one gain, k₀ in degrees", pt_BR="um só ganho, k₀ em graus"), runs.one_in_degrees),
         (Text(en="Algorithm 1, k₀ in degrees", pt_BR="Algoritmo 1, k₀ em graus"), runs.grown_in_degrees),
     )
@@ -122,14 +125,20 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def made(options: Options, seconds: float, progress: Progress) -> Runs:
-    """The four runs."""
+    """The five runs."""
     printed, inside = start_of_ellipse(), start_inside(options.inside)
     in_radians, in_deg = options.gain, in_degrees(options.gain, len(inside))
-    asked = ((printed, in_radians, False), (printed, in_radians, True), (inside, in_deg, False), (inside, in_deg, True))
+    asked = (
+        (printed, in_radians, False, GROWTH),
+        (printed, in_radians, True, GROWTH),
+        (printed, in_radians, True, 1.0),
+        (inside, in_deg, False, GROWTH),
+        (inside, in_deg, True, GROWTH),
+    )
     return Runs(
         *(
-            free_ellipse(q, k0, DT, grows, part(progress, i, len(asked)), seconds, unfed)
-            for i, (q, k0, grows) in enumerate(asked)
+            free_ellipse(q, k0, DT, grows, part(progress, i, len(asked)), seconds, unfed, growth)
+            for i, (q, k0, grows, growth) in enumerate(asked)
         )
     )
 
@@ -142,8 +151,13 @@ def growth_of_j3(run: Run) -> float:
 
 
 def room(run: Run, *joints: int) -> float:
-    """How far joints, the first is 0, stay inside their limits after the first step, degrees."""
+    """The least margin of joints, the first is 0, to their limits after the first step, degrees."""
     return float(margins(arms.movemaster(), run.since(DT).q)[[*joints]].min())
+
+
+def settled_room(run: Run) -> float:
+    """The least margin of any joint to its limits once the first clips are over, degrees."""
+    return float(margins(arms.movemaster(), run.since(SETTLED).q).min())
 
 
 def worse(grown: Run, one: Run) -> float:
@@ -153,30 +167,45 @@ def worse(grown: Run, one: Run) -> float:
 
 def rows(runs: Runs, short: bool) -> tuple[Row, ...]:
     """What the source says of fig. 38, then the other unit; the short form does not see the whole turn."""
-    staying = Text(en="Algorithm 1: J2 to J4 inside by", pt_BR="Algoritmo 1: J2 a J4 dentro por")
+    staying = Text(
+        en="Algorithm 1: least margin of J2 to J4 to their limits",
+        pt_BR="Algoritmo 1: menor folga de J2 a J4 até os limites",
+    )
     share = Text(
         en="largest position error, over that by one gain", pt_BR="maior erro de posição, sobre o de um só ganho"
     )
     farther = Text(
-        en="mean of −w by Algorithm 1, as a share of that by one gain",
-        pt_BR="média de −w com o Algoritmo 1, fração da de um só ganho",
+        en="least margin by Algorithm 1 after {t:g} s, less that by one gain",
+        pt_BR="menor folga com o Algoritmo 1 após {t:g} s, menos a de um só ganho",
+    ).format(t=SETTLED)
+    steady = Text(
+        en="least margin by clips alone, gains not growing, after {t:g} s, less that by one gain",
+        pt_BR="menor folga só com a saturação, sem crescerem os ganhos, após {t:g} s, menos a de um só ganho",
+    ).format(t=SETTLED)
+    mean = Text(
+        en="mean of −w by Algorithm 1, over that by one gain",
+        pt_BR="média de −w com o Algoritmo 1, sobre a de um só ganho",
     )
-    thrown = Text(en="position error after the first clip", pt_BR="erro de posição após o primeiro corte")
+    thrown = Text(en="position error after the first clip", pt_BR="erro de posição após a primeira saturação")
     stated = [
         Row(staying, room(runs.grown, *BENT), "°", KEPT, given=CONSTRUCTED),
         Row(share, worse(runs.grown, runs.one), "", UNCHANGED, why=OUTSIDE),
     ]
     if not short:
-        movemaster = arms.movemaster()
-        less = mean_cost(movemaster, runs.grown) / mean_cost(movemaster, runs.one)
-        stated.append(Row(farther, less, "", FARTHER, why=ALIKE))
+        one_gain, movemaster = settled_room(runs.one), arms.movemaster()
+        less = mean_cost(movemaster, runs.grown.q) / mean_cost(movemaster, runs.one.q)
+        stated += [
+            Row(farther, settled_room(runs.grown) - one_gain, "°", FARTHER, (NEAREST,)),
+            Row(steady, settled_room(runs.clipped) - one_gain, "°"),
+            Row(mean, less),
+        ]
     one, grown, growth = runs.one_in_degrees, runs.grown_in_degrees, growth_of_j3(runs.grown_in_degrees)
     apart = Text(en="k₀ in degrees, start inside: {what}", pt_BR="k₀ em graus, partida dentro: {what}")
     other = (
-        (Text(en="one gain: J3 inside its limit by", pt_BR="um só ganho: J3 dentro do limite por"), room(one, 2), "°"),
+        (Text(en="one gain: least margin of J3", pt_BR="um só ganho: menor folga de J3"), room(one, 2), "°"),
         (staying, room(grown, *BENT), "°"),
         (share, worse(grown.since(SETTLED), one.since(SETTLED)), ""),
-        (Text(en="clips of J3", pt_BR="cortes de J3"), log(growth) / log(GROWTH), ""),
+        (Text(en="clips of J3", pt_BR="saturações de J3"), log(growth) / log(GROWTH), ""),
         (Text(en="gain of J3 at the end, over k₀", pt_BR="ganho de J3 no fim, sobre k₀"), growth, ""),
     )
     return (

@@ -14,12 +14,12 @@ ROBOT = "movemaster"
 ABOUT = joined(
     (
         Text(
-            en="The tool is to run along a straight line that begins and ends inside the warning zones of both side "
-            "walls. With its orientation held the arm stays below the ceiling but bends the wrist beyond its limit; "
-            "left free, the elbow rises, and the target has to give way.",
-            pt_BR="O efetuador deve percorrer uma reta cujos extremos ficam nas zonas de alerta das duas paredes "
-            "laterais. Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho além do limite; com "
-            "ela livre, o cotovelo sobe, e o alvo tem de ceder.",
+            en="The tool is to run along a straight line, from its middle to both ends, which lie nearer to the side "
+            "walls than the critical 80 mm. With its orientation held the arm stays below the ceiling but bends the "
+            "wrist beyond its limit; left free, the elbow rises, and the target has to give way.",
+            pt_BR="O efetuador deve percorrer uma reta, do meio até os dois extremos, que ficam a menos dos 80 mm "
+            "críticos das paredes laterais. Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho "
+            "além do limite; com ela livre, o cotovelo sobe, e o alvo tem de ceder.",
         ),
         chapter6.CASES_TOLD,
     ),

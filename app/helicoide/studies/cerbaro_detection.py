@@ -27,13 +27,15 @@ ABOUT = Text(
     en="From three postures a depth camera on the hand reads ceiling and walls. A plane is sought whose normal is "
     "within 4° of a reference, and the source then takes the plane through three random points of those near it. Here "
     "the scene holds the planes that it prints, and a simulated camera reads them, so that most of what is counted is "
-    "ours. Where its camera sat the source does not say: two places are compared.",
+    "ours. Where its camera sat the source does not say: two places are compared, ours and "
+    "that of its other camera, the T265, which tells how far it has moved itself (odometry).",
     pt_BR="De três posturas, uma câmera de profundidade na mão lê teto e paredes. Procura-se um plano cuja normal "
     "fique a até 4° de uma de referência, e a fonte o faz passar depois por três pontos aleatórios dos que estão perto "
     "dele. Aqui a cena tem os planos que ela imprime, lidos por uma câmera simulada, e por isso quase tudo o que se "
-    "conta é nosso. Onde ficava a câmera a fonte não diz: comparam-se dois lugares.",
+    "conta é nosso. Onde ficava a câmera a fonte não diz: comparam-se dois lugares, o nosso e o "
+    "da outra câmera da fonte, a T265, que mede o próprio movimento (odometria).",
 )
-# The camera where the source has the odometer: 37.5 mm behind the tool, 62.5 mm above it.
+# The camera where the source has the T265, which tells how far it moved: 37.5 mm behind the tool, 62.5 mm above it.
 ON_BRACKET = replace(D435, T_tool_camera=on_hand(behind=0.0375, above=0.0625))
 CLOUDS, CLOUDS_SHORT, TRIPLES = 15, 3, 2000
 # Angles to the reference normal, °, within which planes are sought; the chart of them shows how far 10° holds.
@@ -47,7 +49,7 @@ ITS_PLANE = Statement(
     "§5.2.6, eqs. 27–30",
     0.0,
     "=",
-    5.1e-5,
+    5e-5,
 )
 
 
@@ -179,7 +181,7 @@ def _ours(here: list[Read], bracket: list[Read]) -> list[Row]:
         for what, share, which in kinds
         for reading, read in zip(READINGS, here, strict=True)
     ]
-    for read, place in ((here, BEHIND), (bracket, AT_ODOMETER)):
+    for read, place in ((here, BEHIND), (bracket, AT_T265)):
         left = READINGS[1].title
         share = Text(en="points on it, {place}", pt_BR="pontos nela, {place}").format(place=place)
         turned = Text(en="median tilt, {place}", pt_BR="inclinação mediana, {place}").format(place=place)
@@ -190,7 +192,7 @@ def _ours(here: list[Read], bracket: list[Read]) -> list[Row]:
 
 OF_WALL = Text(en="{wall}: {what}", pt_BR="{wall}: {what}")
 BEHIND = Text(en="camera 200 mm behind the tool", pt_BR="câmera 200 mm atrás do efetuador")
-AT_ODOMETER = Text(en="camera where the odometer is", pt_BR="câmera no lugar do odômetro")
+AT_T265 = Text(en="camera where the T265 is", pt_BR="câmera no lugar da T265")
 SHARE_OF_DRAWS = Text(en="share of the draws (%)", pt_BR="fração dos sorteios (%)")
 TILTED = Text(en="tilt from the wall (°)", pt_BR="inclinação em relação à parede (°)")
 
@@ -219,7 +221,7 @@ def _by_angle(found: Array) -> Chart:
 
 
 def _places(here: list[Read], bracket: list[Read]) -> Chart:
-    lines = (_spread(BEHIND, here[1].tilts), _spread(AT_ODOMETER, bracket[1].tilts))
+    lines = (_spread(BEHIND, here[1].tilts), _spread(AT_T265, bracket[1].tilts))
     title = Text(en="The left wall from two places of the camera", pt_BR="A parede esquerda de dois lugares da câmera")
     return Chart(title, SHARE_OF_DRAWS, TILTED, lines)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from helicoide.geometry import euler
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.dh import DhRow
 from helicoide.kinematics.forward import dh_frames, disagreement, screw_displacements, tool_by_screws
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -21,15 +23,16 @@ ABOUT = Text(
     en="Where the tools of the ORCA and the Movemaster are in one posture each: by DH rows, whose matrix ends in the "
     "last DH frame, and by successive screws, whose matrix is what the point of the tool at q = 0 is moved by. Two "
     "people measured both on the arms, ten times. Where a table or an equation was put right for this, the row says "
-    "so.",
+    "so; what tables 5 and 6 give as they are printed has rows of its own.",
     pt_BR="Onde ficam os efetuadores do ORCA e do Movemaster numa postura de cada um: pelas linhas DH, cuja matriz "
     "termina no último referencial DH, e por helicoides sucessivos, cuja matriz é o que move o ponto do efetuador em "
     "q = 0. Duas pessoas mediram ambos nos braços, dez vezes. Onde uma tabela ou equação foi corrigida para isso, a "
-    "linha o diz.",
+    "linha o diz; o que as tabelas 5 e 6 dão como impressas tem linhas próprias.",
 )
-# Eqs. 4 and 8, entries of R; the lengths of eqs. 4, 5 and 8 are cut after three decimals, not rounded.
+# Eqs. 4 and 8, entries of R.
 R_DH = np.array([[0.5, -0.75, 0.433], [-0.866, -0.433, 0.25], [0, -0.5, -0.866]])
 R_SCREWS = np.array([[0.433, 0.75, 0.5], [0.25, 0.433, -0.866], [-0.866, 0.5, 0]])
+TABLE_5 = (0.235, 0.245, 0.065)  # a, m
 MEASURED = {"orca": np.array([335.0, 330.0, 0.0]), "movemaster": np.array([477.0, 275.0, 293.0])}
 FIGURES = {"orca": "fig. 25", "movemaster": "fig. 26"}
 SAMPLES, SECONDS = 200, 5.0
@@ -42,9 +45,13 @@ SINES = Reading(
     Text(en="eq. 61 with the signs of Rodrigues’ formula", pt_BR="a eq. 61 com os sinais da fórmula de Rodrigues"),
     Text(en="no rotation comes out", pt_BR="não resulta uma rotação"),
 )
-SQUARED = Reading(
-    Text(en="squared distances are compared", pt_BR="comparam-se distâncias ao quadrado"),
-    Text(en="0.51 %", pt_BR="0,51 %"),
+CUT = Reading(
+    Text(en="digits cut after three decimals", pt_BR="dígitos cortados na terceira casa"),
+    Text(en="rounded, 271.603, 413.013 and 1010.141 mm", pt_BR="arredondados, 271,603; 413,013 e 1010,141 mm"),
+)
+SQUARED = Text(
+    en="1.02 % comes out of the squared distances; the rule that gives the 5.98 % of the ORCA gives 0.51 %",
+    pt_BR="1,02 % sai das distâncias ao quadrado; a regra que dá os 5,98 % do ORCA dá 0,51 %",
 )
 
 
@@ -66,16 +73,28 @@ def example(robot: Robot) -> Array:
     return robot.poses["example"]
 
 
-def cut(words: str, place: str) -> Statement:
-    """A number whose digits after the last one were cut, not rounded: met to a whole unit of that."""
-    statement = printed(words, place)
-    return replace(statement, within=2 * statement.within)
+def cut(row: Row) -> Row:
+    """The row of a number that was cut, not rounded: it misses by less than a unit of the last digit."""
+    assert isinstance(row.source, Statement)
+    source = replace(row.source, within=2 * row.source.within * (1 - 1e-6))
+    return replace(row, source=source, fitted=(*row.fitted, CUT))
+
+
+def by_table(row: Row, table: int, robot: Robot, rows: Iterable[DhRow], axis: int) -> Row:
+    """The same coordinate with the DH rows of a table as it is printed, and the erratum about that."""
+    as_printed = replace(robot, dh=replace(robot.dh, rows=tuple(rows)))
+    quantity = Text(en="{row}, table {table} as printed", pt_BR="{row}, com a tabela {table} como impressa")
+    ours = 1000 * float(dh_frames(as_printed, example(robot))[-1][axis, 3])
+    erratum = {5: "cerbaro-1", 6: "cerbaro-2"}[table]
+    return replace(row, quantity=quantity.format(row=row.quantity, table=table), ours=ours, fitted=(), erratum=erratum)
 
 
 def _of_orca(orca: Robot) -> tuple[Row, ...]:
     by_dh, by_screws = dh_frames(orca, example(orca))[-1], screw_displacements(orca, example(orca))[-1]
+    x, y = _places("ORCA, DH", by_dh[:2, 3], ("318,140", "309,321"), "eqs. 1–3", (LENGTHS,))
+    lengths = (replace(row, a=a) for row, a in zip(orca.dh.rows, TABLE_5, strict=True))
     return (
-        *_places("ORCA, DH", by_dh[:2, 3], ("318,140", "309,321"), "eqs. 1–3", (LENGTHS,)),
+        *(x, y, by_table(x, 5, orca, lengths, 0)),
         _entries("ORCA, DH", by_dh, np.eye(3), "eqs. 1–3"),
         *_places("ORCA, H", by_screws[:2, 3], ("−336,860", "309,321"), "eq. 7", (SINES,)),
         _entries("ORCA, H", by_screws, np.eye(3), "eq. 7", (SINES,)),
@@ -87,11 +106,14 @@ def _of_movemaster(movemaster: Robot) -> tuple[Row, ...]:
     by_screws = screw_displacements(movemaster, example(movemaster))[-1]
     turns = euler.angles(by_dh[:3, :3], euler.ROLL_PITCH_YAW).values
     x, y, z = _places("Movemaster, DH", by_dh[:3, 3], ("470,429", "271,602", "300,000"), "eqs. 4–5")
+    u, v, w = _places("Movemaster, H", by_screws[:3, 3], ("−84,641", "413,012", "1010,140"), "eq. 8", (SINES,))
+    first, *others = movemaster.dh.rows
     return (
-        *(x, y, replace(z, fitted=(FIRST_OFFSET,))),
+        *(x, cut(y), replace(z, fitted=(FIRST_OFFSET,))),
+        by_table(z, 6, movemaster, (replace(first, d=0.0), *others), 2),
         _entries("Movemaster, DH", by_dh, R_DH, "eq. 4"),
         *_turns("Movemaster, DH", turns, ("−1,047", "0,000", "−2,618"), "eq. 6"),
-        *_places("Movemaster, H", by_screws[:3, 3], ("−84,641", "413,012", "1010,140"), "eq. 8", (SINES,)),
+        *(u, cut(v), cut(w)),
         _entries("Movemaster, H", by_screws, R_SCREWS, "eq. 8", (SINES,)),
     )
 
@@ -100,13 +122,15 @@ def _places(
     name: str, place: Array, words: tuple[str, ...], where: str, taken: tuple[Reading, ...] = ()
 ) -> tuple[Row, ...]:
     told = zip("xyz", 1000 * place, words, strict=False)
-    return tuple(Row(same(f"{name}: {axis}"), float(ours), "mm", cut(said, where), taken) for axis, ours, said in told)
+    return tuple(
+        Row(same(f"{name}: {axis}"), float(ours), "mm", printed(said, where), taken) for axis, ours, said in told
+    )
 
 
 def _entries(name: str, H: Array, R: Array, where: str, taken: tuple[Reading, ...] = ()) -> Row:
     said = Text(en="its R, to three decimals", pt_BR="o seu R, com três decimais")
     quantity = Text(en="{name}: largest difference of R", pt_BR="{name}: maior diferença em R").format(name=name)
-    return Row(quantity, float(np.abs(H[:3, :3] - R).max()), "", Statement(said, where, 0.0, "=", 5.1e-4), taken)
+    return Row(quantity, float(np.abs(H[:3, :3] - R).max()), "", Statement(said, where, 0.0, "=", 5e-4), taken)
 
 
 def _turns(name: str, turns: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
@@ -132,14 +156,8 @@ def _measured(orca: Robot, movemaster: Robot) -> tuple[Row, ...]:
     ]
     return (
         Row(farther.format(name=orca.title), 100 * (ratios[0] - 1), "%", printed("5,98", "fig. 25")),
-        Row(
-            squared.format(name=movemaster.title),
-            100 * (ratios[1] ** 2 - 1),
-            "%",
-            printed("1,02", "fig. 26"),
-            (SQUARED,),
-        ),
-        Row(farther.format(name=movemaster.title), 100 * (ratios[1] - 1), "%"),
+        Row(farther.format(name=movemaster.title), 100 * (ratios[1] - 1), "%", printed("1,02", "fig. 26"), why=SQUARED),
+        Row(squared.format(name=movemaster.title), 100 * (ratios[1] ** 2 - 1), "%"),
         *(Row(off.format(name=robot.title), mm, "mm") for robot, mm in zip((orca, movemaster), apart, strict=True)),
     )
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.convergence import STEP_FACTOR, Coming, result
+from helicoide.studies.cerbaro_runs.convergence import INFERRED, OTHER_FACTOR, STEP_FACTOR, Coming, result
 from helicoide.studies.study import Progress, Reading, Result, Statement
 from helicoide.text import Text, same
 
@@ -18,23 +18,21 @@ SOURCE = "Cerbaro 2022, §4.4.4, dem. 1, fig. 34"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="From home the tool is to come to (440, 0, 200) mm, pointing 60° below level. Five joints have five tasks, and "
-    "no freedom is left. How many steps it takes is a matter of the share κ of the error that each goes, which the "
-    "source leaves open: with 0.3 it takes the 17 that are printed, with the 0.56 that suits the ORCA 8. The posture "
-    "that is reached lies outside the limit of J3.",
+    "no freedom is left. How many steps it takes depends on the share κ of the error that each step removes, which the "
+    "source leaves open: with 0.3 it takes the 17 that are printed; with 0.56, which suits the ORCA, it takes 8. The "
+    "posture that is reached lies outside the limit of J3. The λ that is printed has no unit: we suppose that of J, "
+    "mm/rad.",
     pt_BR="Da posição de origem (home) o efetuador deve chegar a (440, 0, 200) mm, apontando 60° abaixo da horizontal. "
     "Cinco juntas têm cinco tarefas, e não sobra liberdade. Quantos passos são precisos depende da fração κ do erro "
     "que cada um percorre, e a fonte a deixa em aberto: com 0,3 são os 17 impressos, com o 0,56 que serve ao ORCA, 8. "
-    "A postura alcançada fica fora do limite de J3.",
+    "A postura alcançada fica fora do limite de J3. O λ impresso não tem unidade: supomos a de J, mm/rad.",
 )
 TARGET, PITCH = (0.44, 0.0, 0.2), -np.pi / 3
 # Found by tests/studies/fits/cerbaro_convergence.py.
 FACTOR = 0.3
 OPEN = Reading(
-    Text(
-        en="step factor κ = 0.3 (17 steps from 0.288 to 0.302)",
-        pt_BR="fator de passo κ = 0,3 (17 passos de 0,288 a 0,302)",
-    ),
-    Text(en="8 steps with the 0.56 of the ORCA", pt_BR="8 passos com o 0,56 do ORCA"),
+    INFERRED.format(factor=FACTOR, count=17, least=0.288, most=0.302),
+    OTHER_FACTOR.format(count=8, factor=0.56, other="ORCA"),
 )
 
 

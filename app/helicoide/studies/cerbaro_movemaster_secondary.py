@@ -12,7 +12,7 @@ from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.confined import margins
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, motion, part, pitch, pitch_chart
 from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_ellipse, in_degrees, start_of_ellipse
-from helicoide.studies.study import Figure, Progress, Result, Row, Statement
+from helicoide.studies.study import Figure, Progress, Reading, Result, Row, Statement
 from helicoide.text import Text, same
 
 TITLE = Text(en="One gain for all joints, and where it fails", pt_BR="Um só ganho para as juntas, e onde falha")
@@ -21,12 +21,14 @@ ROBOT = "movemaster"
 ABOUT = Text(
     en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all pulls "
     "J3, which begins beyond its limit, back at once, and pays for it with J4, which ends nearer to its own than "
-    "without any pull. J3 then stays inside. Were k₀ counted in degrees instead of radians, it would be two thousand "
-    "times weaker: J3 would stay outside longer, but J4 would end farther from its limit.",
+    "without any pull. J3 then stays inside. The loop has the velocity ẋ_d of the path. Were k₀ counted in degrees, "
+    "and with the 6 that eq. 14 prints, it would be two thousand times weaker: J3 would stay outside longer, but J4 "
+    "would end farther from its limit.",
     pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz "
     "J3, que parte além do limite, logo de volta, à custa de J4, que acaba mais perto do seu do que sem atração "
-    "nenhuma. Depois disso J3 fica dentro. Se k₀ fosse contado em graus, e não em radianos, valeria duas mil vezes "
-    "menos: J3 ficaria mais tempo fora, mas J4 acabaria mais longe do seu limite.",
+    "nenhuma. Depois disso J3 fica dentro. A malha leva a velocidade ẋ_d da trajetória. Com k₀ contado em graus, e com "
+    "o 6 que a eq. 14 imprime, ele valeria duas mil vezes menos: J3 ficaria mais tempo fora, mas J4 acabaria mais "
+    "longe do seu limite.",
 )
 NEARER = Statement(
     Text(en="J4 ends nearer its limit than with k₀ = 0", pt_BR="J4 acaba mais perto do limite do que com k₀ = 0"),
@@ -38,11 +40,19 @@ OTHERS = Statement(
     Text(en="only J2, J3 and J4 change", pt_BR="só J2, J3 e J4 mudam"), "§4.4.4, fig. 37", 0.0, "=", 0.01
 )
 PASSES = Statement(Text(en="J3 passes its limit", pt_BR="J3 ultrapassa o limite"), "§4.4.4, fig. 37", 0.0, "<")
-BACK = Text(
-    en="it begins 9.9° beyond it and is back within 0.03 s; with k₀ counted in degrees it passes, but then J4 does not "
-    "end nearer its limit",
-    pt_BR="parte 9,9° além dele e volta em 0,03 s; com k₀ contado em graus ultrapassa, mas então J4 não acaba mais "
-    "perto do limite",
+FROM_THE_START = Reading(
+    Text(en="the start counts", pt_BR="o início conta"),
+    Text(
+        en="inside after 0.03 s, with a margin of 21° from 0.1 s on",
+        pt_BR="dentro depois de 0,03 s, com folga de 21° a partir de 0,1 s",
+    ),
+)
+IN_RADIANS = Reading(
+    Text(en="k₀ counted in radians", pt_BR="k₀ contado em radianos"),
+    Text(
+        en="in degrees J4 ends 6.6° farther from its limit than with k₀ = 0",
+        pt_BR="em graus J4 acaba 6,6° mais longe do limite do que com k₀ = 0",
+    ),
 )
 SETTLED = 0.1
 
@@ -78,13 +88,14 @@ def rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
     """What the source says of fig. 37; error and first speed for steps of 1 ms only."""
     movemaster = arms.movemaster()
     j4 = [float(margins(movemaster, one.q)[3]) for one in (plain, pushed, in_deg)]
-    j3 = [float(margins(movemaster, one.since(SETTLED).q)[2]) for one in (pushed, in_deg)]
+    j3 = [float(margins(movemaster, one.q)[2]) for one in (pushed, pushed.since(SETTLED), in_deg.since(SETTLED))]
     nearer = Text(en="J4 to its limit {which}, less that without", pt_BR="J4 até o limite {which}, menos a sem k₀")
-    inside = Text(en="J3 inside its limit after {t:g} s, {which}", pt_BR="J3 dentro do limite após {t:g} s, {which}")
+    room = Text(en="least margin of J3 to its limits, {which}", pt_BR="menor folga de J3 até os limites, {which}")
+    later = Text(en="{which}, after {t:g} s", pt_BR="{which}, após {t:g} s")
     with_k0, degrees = Text(en="with k₀", pt_BR="com k₀"), Text(en="with k₀ in degrees", pt_BR="com k₀ em graus")
     found = [
-        Row(nearer.format(which=with_k0), j4[1] - j4[0], "°", NEARER),
-        Row(inside.format(which=with_k0, t=SETTLED), j3[0], "°", PASSES, why=BACK),
+        Row(nearer.format(which=with_k0), j4[1] - j4[0], "°", NEARER, (IN_RADIANS,)),
+        Row(room.format(which=with_k0), j3[0], "°", PASSES, (FROM_THE_START,)),
         Row(
             Text(en="J1 and J5 moved by the objective", pt_BR="J1 e J5 movidas pelo objetivo"),
             float(np.degrees(np.abs(pushed.q - plain.q)[:, [0, 4]].max())),
@@ -101,7 +112,10 @@ def rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
             for which, one in ((same("k₀ = 0"), plain), (with_k0, pushed))
         ),
         Row(nearer.format(which=degrees), j4[2] - j4[0], "°"),
-        Row(inside.format(which=degrees, t=SETTLED), j3[1], "°"),
+        *(
+            Row(room.format(which=later.format(which=which, t=SETTLED)), margin, "°")
+            for which, margin in zip((with_k0, degrees), j3[1:], strict=True)
+        ),
     ]
     if not short:
         error = Text(en="largest position error", pt_BR="maior erro de posição")

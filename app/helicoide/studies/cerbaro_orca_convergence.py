@@ -7,8 +7,8 @@ from typing import Annotated
 
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.convergence import STEP_FACTOR, Coming, result
-from helicoide.studies.study import Fitted, Progress, Result, Statement
+from helicoide.studies.cerbaro_runs.convergence import INFERRED, OTHER_FACTOR, STEP_FACTOR, Coming, result
+from helicoide.studies.study import Progress, Reading, Result, Statement
 from helicoide.text import Text, same
 
 TITLE = Text(en="Convergence of the ORCA", pt_BR="Convergência do ORCA")
@@ -23,19 +23,23 @@ ABOUT = Text(
 )
 TARGET = (0.26, 0.18)
 # Found by tests/studies/fits/cerbaro_convergence.py.
-FACTOR = Fitted(STEP_FACTOR, 0.56, 0.532, 0.59)
+FACTOR = 0.56
+OPEN = Reading(
+    INFERRED.format(factor=FACTOR, count=7, least=0.532, most=0.59),
+    OTHER_FACTOR.format(count=15, factor=0.3, other="Movemaster"),
+)
 
 
 @dataclass(frozen=True)
 class Options:
     """factor: κ, which the source does not give."""
 
-    factor: Annotated[float, Quantity(STEP_FACTOR, 0.1, 1.0)] = FACTOR.value
+    factor: Annotated[float, Quantity(STEP_FACTOR, 0.1, 1.0)] = FACTOR
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Newton's steps (λ = 0) to 1 mm and 0.01 rad; the short form is the whole."""
     orca = arms.orca()
     aiming = arms.with_heading(orca, arms.standing(*TARGET))
-    coming = Coming(orca, aiming, Statement(same("7"), "§4.4.3, fig. 30", 7), FACTOR, (0.3, 0.5, 1.0), "fig. 30")
+    coming = Coming(orca, aiming, Statement(same("7"), "§4.4.3, fig. 30", 7), OPEN, (0.3, 0.5, 1.0), "fig. 30")
     return result(coming, options.factor, 0.0)

@@ -9,6 +9,7 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs.confined import margins
 from helicoide.studies.cerbaro_runs.runs import (
     Run,
     error_chart,
@@ -20,7 +21,7 @@ from helicoide.studies.cerbaro_runs.runs import (
     pitch_chart,
 )
 from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_circle, in_degrees
-from helicoide.studies.study import Figure, Fitted, Progress, Result, Row, Statement
+from helicoide.studies.study import Figure, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="The ORCA keeps off its joint limits", pt_BR="O ORCA se afasta dos limites de junta")
@@ -29,27 +30,23 @@ ROBOT = "orca"
 ABOUT = Text(
     en="The circle once more, but only the position counts: one freedom is left, and the gradient of w, which measures "
     "the distance from the joint limits (eq. 12), moves the arm in it. The limits of the arm are in a figure only; "
-    "ours stand in for them. Angles are counted in radians: in degrees k₀ would do next to nothing.",
+    "ours, ±120°, ±150° and ±140°, stand in for them, so that no verdict is due. Angles are counted in radians: in "
+    "degrees k₀ would do next to nothing.",
     pt_BR="De novo o círculo, mas só a posição conta: sobra uma liberdade, e nela o gradiente de w, que mede a "
     "distância aos limites de junta (eq. 12), move o braço. Os limites do braço só estão numa figura; aqui valem os "
-    "nossos. Os ângulos são contados em radianos: em graus, k₀ não faria quase nada.",
+    "nossos, ±120°, ±150° e ±140°, e por isso não cabe veredito. Os ângulos são contados em radianos: em graus, k₀ não "
+    "faria quase nada.",
 )
 
-# Found by tests/studies/fits/cerbaro_orca_secondary.py: from where the start is inside them up to half a turn.
-LIMITS = Fitted(
-    Text(en="factor on the limits ±120°, ±150°, ±140°", pt_BR="fator sobre os limites ±120°, ±150°, ±140°"),
-    1.0,
-    0.94,
-    1.2,
-)
+LIMITS = Text(en="the limits were put in", pt_BR="os limites são dados de entrada")
 FARTHER = Statement(
     Text(
         en="the joints stay farther from their limits than with k₀ = 0",
         pt_BR="as juntas ficam mais longe dos limites do que com k₀ = 0",
     ),
     "§4.4.3, fig. 33",
-    1.0,
-    "<",
+    0.0,
+    ">",
 )
 
 
@@ -77,6 +74,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def _rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
+    farther = Text(
+        en="least margin of a joint to its limits with k₀, less that without",
+        pt_BR="menor folga de uma junta até os limites com k₀, menos a sem k₀",
+    )
     better = Text(en="mean of −w with k₀, as a share of that without", pt_BR="média de −w com k₀, fração da sem k₀")
     weaker = Text(
         en="mean of −w with k₀ in degrees, as a share of that without",
@@ -85,9 +86,11 @@ def _rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
     turned = Text(en="range of φ, left free, {which}", pt_BR="variação de φ, deixado livre, {which}")
     off = Text(en="largest position error, {which}", pt_BR="maior erro de posição, {which}")
     named, orca = (("k₀ = 0", plain), ("k₀", pushed)), arms.orca()
-    least, most = (mean_cost(orca, run) / mean_cost(orca, plain) for run in (pushed, in_deg))
+    least, most = (mean_cost(orca, run.q) / mean_cost(orca, plain.q) for run in (pushed, in_deg))
+    more = float(margins(orca, pushed.q).min() - margins(orca, plain.q).min())
     found = [
-        Row(better, least, "", FARTHER, (LIMITS,)),
+        Row(farther, more, "°", FARTHER, given=LIMITS),
+        Row(better, least),
         Row(weaker, most),
         *(
             Row(turned.format(which=which), float(np.degrees(np.ptp(pitch(one.q)))), "°", Figure("fig. 33d"))

@@ -35,10 +35,11 @@ ROWS = Statement(
     Text(en="only rows 2, 3 and 4 are not zero", pt_BR="só as linhas 2, 3 e 4 não são nulas"), "§4.4.1", 0.0, "=", 1e-9
 )
 NO_ROLL = Reading(
-    Text(en="q₅ = 0", pt_BR="q₅ = 0"),
+    Text(en="said of the motion at q₅ = 0", pt_BR="dito do movimento com q₅ = 0"),
     Text(
-        en="at q₅ = 90° J5 turns too, at 0.96 of the fastest",
-        pt_BR="com q₅ = 90° J5 também gira, a 0,96 da mais rápida",
+        en="row 5 of the matrix I − J† J is not zero at any q₅, and at q₅ = 90° J5 turns too, at 0.96 of the fastest",
+        pt_BR="a linha 5 da matriz I − J† J não é nula com nenhum q₅, e com q₅ = 90° J5 também gira, a 0,96 da mais "
+        "rápida",
     ),
 )
 EMPTY = Statement(

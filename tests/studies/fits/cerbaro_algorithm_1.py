@@ -20,7 +20,7 @@ def comes_out(gain: float, inside: float, short: bool) -> bool:
     runs, movemaster = made(Options(gain, inside), SHORT if short else TURN, nothing), arms.movemaster()
     one, grown = runs.one_in_degrees, runs.grown_in_degrees
     unchanged = abs(worse(grown.since(SETTLED), one.since(SETTLED)) - 1) <= 0.1
-    farther = short or mean_cost(movemaster, grown) < mean_cost(movemaster, one)
+    farther = short or mean_cost(movemaster, grown.q) < mean_cost(movemaster, one.q)
     return room(one, 2) < 0 and room(grown, *BENT) >= -1e-9 and unchanged and farther
 
 

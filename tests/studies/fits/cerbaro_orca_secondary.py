@@ -19,5 +19,5 @@ if __name__ == "__main__":
     for limits in np.round(np.geomspace(0.6, 3.0, 17), 3):
         pushed = free_circle(Options().gain, DT_SHORT, limits=limits)
         orca = arms.orca(limits)
-        share = mean_cost(orca, pushed) / mean_cost(orca, plain)
+        share = mean_cost(orca, pushed.q) / mean_cost(orca, plain.q)
         print(f"limits × {limits:g}: {share:.3f}", "holds" if share < 1 else "does not hold", flush=True)

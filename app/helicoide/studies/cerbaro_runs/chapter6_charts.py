@@ -105,7 +105,7 @@ def _joints(runs: Runs, joints: tuple[int, ...], figure: str) -> Chart:
 
 def _distances(runs: Runs, of: Text, course: Course, figure: str = "") -> Chart:
     near, x = 1000 * few(course.near), _share(runs, course)
-    lines = [Line(same(name), x, near[:, i]) for i, name in enumerate(PLANES)]
+    lines = [Line(name, x, near[:, i]) for i, name in enumerate(PLANES)]
     lines.append(_level(Text(en="critical", pt_BR="crítica"), CRITICAL))
     lines.append(_level(Text(en="warning", pt_BR="alerta"), WARNING))
     title = Text(en="Distances to the planes, {of}", pt_BR="Distâncias aos planos, {of}").format(of=of)

@@ -7,7 +7,8 @@ import numpy as np
 from helicoide.ik.adaptation import CAP, MARGIN
 from helicoide.ik.limit_gains import GROWTH
 from helicoide.studies.cerbaro_runs.chapter6_runs import CRITICAL, GUARDED, Kind, Options, Runs, title
-from helicoide.studies.cerbaro_runs.confined import CEILING, ELLIPSE, Course, confined, margins
+from helicoide.studies.cerbaro_runs.confined import CEILING, ELLIPSE, WALLS_AND_BENCH, Course, confined, margins
+from helicoide.studies.cerbaro_runs.runs import FARTHER, NEAREST, mean_cost
 from helicoide.studies.study import CONSTRUCTED, Fitted, Reading, Row, Statement, printed
 from helicoide.text import Text, same
 from helicoide.trajectory import Ellipse
@@ -20,12 +21,6 @@ INSIDE = Statement(
     Text(en="without crossing the physical limits", pt_BR="sem cruzar os limites físicos"), "§6.3", 0.0, "≥", 1e-3
 )
 OUTSIDE = Statement(Text(en="case 1 leaves the joint limits", pt_BR="o caso 1 sai dos limites"), SAID, 0.0, "<")
-FARTHER = Statement(
-    Text(en="Algorithm 1 keeps joints farther from limits", pt_BR="o Algoritmo 1 mantém as juntas mais longe"),
-    "§6.3",
-    0.0,
-    ">",
-)
 # A degree: where a target gives way in one case only, the two lead the tool through slightly different points.
 NOT_J1 = Statement(Text(en="J1 never changes", pt_BR="J1 nunca muda"), SAID, 1.0, "<")
 # A tenth of the path at least, that what is said of it can be seen.
@@ -42,33 +37,39 @@ CASE_1_MORE = Statement(
     ">",
 )
 GAIN = Fitted(same("k₀"), Options().gain, 1300.0, 3000.0, "1/s")
-EQ_36 = Reading(
-    Text(en="eq. 36 with the tenth on the critical distance", pt_BR="a eq. 36 com o décimo na distância crítica"),
+SAMPLED = Reading(
+    Text(en="301 points to 1 mm", pt_BR="301 pontos a 1 mm"),
     Text(
-        en="as printed the arm comes to rest 72.7 mm from the ceiling",
-        pt_BR="como impressa, o braço para a 72,7 mm do teto",
+        en="with 30 000 points to 10 mm, as in the source, case 2 passes a limit by 0.4° on the circle, and the other "
+        "sentences come out alike",
+        pt_BR="com 30 000 pontos a 10 mm, como na fonte, o caso 2 passa 0,4° de um limite no círculo, e as outras "
+        "frases saem iguais",
+    ),
+)
+EQ_36 = Reading(
+    Text(en="eq. 36 put right", pt_BR="eq. 36 corrigida"),
+    Text(
+        en="with its normal inward and its tenth as printed, the arm comes to rest 72.7 mm from the ceiling",
+        pt_BR="com a normal para dentro e o décimo como impresso, o braço para a 72,7 mm do teto",
     ),
 )
 EQ_37 = Reading(
+    Text(en="eq. 37 by the wanted path", pt_BR="eq. 37 pelo caminho desejado"),
     Text(
-        en="eq. 37 with the former point of the wanted path", pt_BR="a eq. 37 com o ponto anterior do caminho desejado"
-    ),
-    Text(
-        en="with the former target as it ended 0.3 % of the path",
-        pt_BR="com o alvo anterior já adaptado, 0,3 % do caminho",
+        en="with the former target as it ended, a point of the arm is on the border during 0.3 % of the ellipse",
+        pt_BR="com o alvo anterior já adaptado, um ponto do braço fica na borda durante 0,3 % da elipse",
     ),
 )
+BORDER = Reading(
+    Text(en="border = 80 to 88 mm", pt_BR="borda = 80 a 88 mm"),
+    Text(en="80 to 82 mm during 25 % of the path", pt_BR="de 80 a 82 mm durante 25 % do caminho"),
+)
+RULES, PUSHED = (SAMPLED, EQ_36, EQ_37), (GAIN, SAMPLED, EQ_36, EQ_37)
 BEYOND_REACH = Text(
     en="with the orientation held, part of the path is beyond reach, whatever the gains; what is done there is not "
     "told",
     pt_BR="com a orientação mantida, parte do caminho está fora do alcance, sejam quais forem os ganhos; o que se faz "
     "ali não é informado",
-)
-FOLDED = Text(
-    en="the tool folds back and the wrist comes before it, which is watched against the ceiling only; how far the arm "
-    "folds is a matter of k₀, which is not given",
-    pt_BR="o efetuador se dobra para trás e o punho, que só é vigiado contra o teto, fica à frente dele; quanto o "
-    "braço se dobra depende de k₀, que não é informado",
 )
 FOLLOWED = Text(
     en="held, the arm stays below the ceiling and is trimmed at the walls alone; free, its elbow rises to the ceiling",
@@ -82,35 +83,32 @@ RATCHET = Text(
 
 
 def sentences(runs: Runs, path: Ellipse, options: Options) -> tuple[Row, ...]:
-    """What the source says in words, by its own rule with eq. 36 put right."""
+    """What the source says in words, by its own rule with eq. 36 put right; distances of the points that it watches."""
     cases, ratchets = runs.cases, options.former == "adapted"
     least = {case: margins(confined(), course.q) for case, course in cases.items()}
     worst = int(least[1].argmin())
     more = cases[1].deviation - max(cases[2].deviation, cases[3].deviation)
     staying = ON_BORDER if path is ELLIPSE else None
-    reading = () if ratchets or staying is None else (EQ_37,)
+    free = (cases[2], cases[3])
     return (
-        *(
-            Row(
-                _TO_WALLS.format(case=case), float(cases[case].least[1:].min()), "mm", NEVER_BELOW, (EQ_36,), why=FOLDED
-            )
-            for case in (2, 3)
-        ),
-        Row(
-            _TO_CEILING.format(of=_FREE),
-            float(min(cases[case].least[CEILING] for case in (2, 3))),
-            "mm",
-            NEVER_BELOW,
-            given=CONSTRUCTED,
-        ),
+        Row(_TOOL_TO_WALLS, min(tool_to_walls(course) for course in free), "mm", NEVER_BELOW, (GAIN, SAMPLED)),
+        Row(_TO_CEILING.format(of=_FREE), min(least_to_ceiling(course) for course in free), "mm", NEVER_BELOW, PUSHED),
+        *(Row(_TO_WALLS.format(case=case), float(cases[case].least[1:].min()), "mm") for case in (2, 3)),
         _error(Text(en="case 1", pt_BR="caso 1"), float(1000 * cases[1].errors.max()), options),
         _error(_FREE, float(1000 * max(cases[case].errors.max() for case in (2, 3))), options),
-        Row(_MARGIN.format(case=1, joint=f"J{worst + 1}"), float(least[1].min()), "°", OUTSIDE),
-        Row(_MARGIN.format(case=2, joint=_A_JOINT), float(least[2].min()), "°", INSIDE, (GAIN,)),
-        Row(_FARTHER_BY, float(least[3].min() - least[2].min()), "°", FARTHER, (GAIN,)),
-        Row(_J1, float(np.degrees(np.abs(cases[3].q - cases[2].q)[:, 0].max())), "°", NOT_J1),
-        Row(_SHARE.format(of=_CASE_3), border(cases[3]), "%", staying, reading, why=RATCHET if ratchets else None),
-        Row(_MORE, more, "mm", CASE_1_MORE, why=RATCHET if ratchets else FOLLOWED),
+        Row(_MARGIN.format(case=1, joint=f"J{worst + 1}"), float(least[1].min()), "°", OUTSIDE, RULES),
+        Row(_MARGIN.format(case=2, joint=_A_JOINT), float(least[2].min()), "°", INSIDE, PUSHED),
+        Row(_FARTHER_BY, farther(cases[3], cases[2]), "°", FARTHER, (NEAREST, *PUSHED)),
+        Row(_J1, float(np.degrees(np.abs(cases[3].q - cases[2].q)[:, 0].max())), "°", NOT_J1, PUSHED),
+        Row(
+            _SHARE.format(of=_CASE_3),
+            border(cases[3]),
+            "%",
+            staying,
+            (BORDER, *PUSHED) if staying else (),
+            why=RATCHET if ratchets else None,
+        ),
+        Row(_MORE, more, "mm", CASE_1_MORE, PUSHED, why=RATCHET if ratchets else FOLLOWED),
     )
 
 
@@ -120,19 +118,39 @@ def numbers(runs: Runs) -> tuple[Row, ...]:
     for (kind, case), course in runs.courses.items():
         of = title(kind, case)
         if kind is Kind.PRINTED:
-            least = float(course.least[CEILING])
+            least = least_to_ceiling(course)
             rows.append(Row(_TO_CEILING.format(of=of), least, "mm", NEVER_BELOW, erratum="cerbaro-23"))
             rows.append(Row(_GIVEN_UP, int((course.moved >= CAP).sum())))
+        elif kind is Kind.STEADY:
+            rows.append(Row(_FARTHER_STEADY, farther(course, runs.cases[2]), "°"))
         elif kind is not Kind.TRIMMED:
             rows.append(_deviation(of, course))
         if kind in (Kind.TRIMMED, Kind.PLANES):
             rows.append(Row(_NEAREST.format(of=of), float(course.least.min()), "mm"))
+    one, grown = (mean_cost(confined(), runs.cases[case].q) for case in (2, 3))
+    rows.append(Row(_MEAN, grown / one))
     rows.append(Row(_CLIPS, float(np.log(runs.cases[3].gains / runs.cases[2].gains).sum() / np.log(GROWTH))))
     rows.append(Row(_SHARE.format(of=title(Kind.OTHER, 3)), border(runs.courses[Kind.OTHER, 3]), "%"))
     guard = runs.guard
     rows.append(Row(_NEAREST.format(of=GUARDED), float(guard.least.min()), "mm"))
     rows.append(Row(_INSIDE.format(of=GUARDED), float(margins(confined(), guard.q).min()), "°"))
     return (*rows, _deviation(GUARDED, guard))
+
+
+def tool_to_walls(course: Course) -> float:
+    """Least distance of the tool to walls and bench, for which alone the source watches it, mm."""
+    planes, others = confined().planes, list(WALLS_AND_BENCH)
+    return float(1000 * (course.tool @ planes.normals[others].T - planes.offsets[others]).min())
+
+
+def least_to_ceiling(course: Course) -> float:
+    """Least distance of any point to the ceiling, mm."""
+    return float(course.least[CEILING])
+
+
+def farther(course: Course, other: Course) -> float:
+    """By how much the joint nearest to its limit stays farther from it than in another run, degrees."""
+    return float(margins(confined(), course.q).min() - margins(confined(), other.q).min())
 
 
 def border(course: Course) -> float:
@@ -148,6 +166,13 @@ _MARGIN = Text(
     en="case {case}: least margin of {joint} to its limits", pt_BR="caso {case}: menor folga de {joint} aos limites"
 )
 _FARTHER_BY = Text(en="least margin of case 3 less that of case 2", pt_BR="menor folga do caso 3 menos a do caso 2")
+_FARTHER_STEADY = Text(
+    en="least margin of case 3 with gains that do not grow, less that of case 2",
+    pt_BR="menor folga do caso 3 com ganhos que não crescem, menos a do caso 2",
+)
+_MEAN = Text(
+    en="mean of −w (eq. 12) in case 3, over that in case 2", pt_BR="média de −w (eq. 12) no caso 3, sobre a do caso 2"
+)
 _J1 = Text(en="largest difference of J1 between cases 2 and 3", pt_BR="maior diferença de J1 entre os casos 2 e 3")
 _SHARE = Text(
     en="{of}: share of the path with a point at 80 to 88 mm",
@@ -159,13 +184,21 @@ _MORE = Text(
 )
 _CLIPS = Text(
     en="how often Algorithm 1 clips a joint, from home on",
-    pt_BR="quantas vezes o Algoritmo 1 corta uma junta, desde a posição de origem",
+    pt_BR="quantas vezes o Algoritmo 1 satura uma junta, desde a posição de origem",
 )
-_GIVEN_UP = Text(en="samples at which eq. 36 as printed is given up", pt_BR="amostras em que a eq. 36 impressa desiste")
+_GIVEN_UP = Text(
+    en="samples at which eq. 36 with its tenth as printed is given up",
+    pt_BR="amostras em que se desiste da eq. 36 com o décimo impresso",
+)
 _NEAREST = Text(en="{of}: least distance", pt_BR="{of}: menor distância")
 _TO_CEILING = Text(en="{of}: least distance to the ceiling", pt_BR="{of}: menor distância ao teto")
+_TOOL_TO_WALLS = Text(
+    en="cases 2 and 3: least distance of the tool to walls and bench",
+    pt_BR="casos 2 e 3: menor distância do efetuador a paredes e bancada",
+)
 _TO_WALLS = Text(
-    en="case {case}: least distance to walls and bench", pt_BR="caso {case}: menor distância a paredes e bancada"
+    en="case {case}: least distance of any point, watched or not, to walls and bench",
+    pt_BR="caso {case}: menor distância de qualquer ponto, vigiado ou não, a paredes e bancada",
 )
 _INSIDE = Text(en="{of}: least joint margin", pt_BR="{of}: menor folga de junta")
 

@@ -21,11 +21,16 @@ from helicoide.studies.cerbaro_runs.confined import (
 )
 from helicoide.studies.cerbaro_runs.runs import part
 from helicoide.studies.study import Progress
-from helicoide.text import Text
+from helicoide.text import Text, same
 from helicoide.trajectory import Ellipse
 
 CASES = (1, 2, 3)
-PLANES = ("+z", "+y", "-y", "-z")
+PLANES = (
+    same("+z"),
+    Text(en="+y (−y in the source)", pt_BR="+y (−y na fonte)"),
+    Text(en="−y (+y in the source)", pt_BR="−y (+y na fonte)"),
+    same("−z"),
+)
 CRITICAL, WARNING = 80.0, 110.0
 GUARDED = Text(en="guarded step, orientation free", pt_BR="passo vigiado, orientação livre")
 
@@ -58,10 +63,20 @@ class Kind(Enum):
     """By which rule targets give way."""
 
     SOURCE = Text(en="by the source’s rule", pt_BR="pela regra da fonte")
-    PRINTED = Text(en="with eq. 36 as printed", pt_BR="com a eq. 36 como impressa")
+    STEADY = Text(
+        en="by the source’s rule, joints clipped but gains that do not grow",
+        pt_BR="pela regra da fonte, juntas saturadas mas ganhos que não crescem",
+    )
+    PRINTED = Text(
+        en="with the tenth of eq. 36 as printed, its normal turned inward",
+        pt_BR="com o décimo da eq. 36 como impresso e a normal virada para dentro",
+    )
     OTHER = Text(en="with eq. 37 read the other way", pt_BR="com a eq. 37 na outra leitura")
     UNDAMPED = Text(en="without eq. 37", pt_BR="sem a eq. 37")
-    TRIMMED = Text(en="only trimmed beforehand", pt_BR="só com o recorte prévio")
+    TRIMMED = Text(
+        en="with no rule, its path only kept 110 mm off walls and bench beforehand",
+        pt_BR="sem regra, com o caminho apenas afastado antes a 110 mm de paredes e bancada",
+    )
     PLANES = Text(en="every point watched against every plane", pt_BR="todo ponto vigiado contra todo plano")
 
 
@@ -87,6 +102,11 @@ def rule(kind: Kind, options: Options) -> Rule:
     return source
 
 
+def gains(kind: Kind, options: Options) -> Gains:
+    """The gains of a kind."""
+    return replace(options.gains, growth=1.0) if kind is Kind.STEADY else options.gains
+
+
 @dataclass(frozen=True, eq=False)
 class Runs:
     """Every run of a path, by its kind and case, and one by the guarded step; s of the whole turn."""
@@ -103,7 +123,7 @@ class Runs:
 
 SHORT = tuple((Kind.SOURCE, case) for case in CASES)
 WHOLE = (*((kind, case) for kind in (Kind.SOURCE, Kind.OTHER, Kind.TRIMMED) for case in CASES),)
-WHOLE += ((Kind.PRINTED, 3), (Kind.UNDAMPED, 3), (Kind.PLANES, 3))
+WHOLE += ((Kind.STEADY, 3), (Kind.PRINTED, 3), (Kind.UNDAMPED, 3), (Kind.PLANES, 3))
 
 
 def runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> Runs:
@@ -111,7 +131,7 @@ def runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> Ru
     asked, samples = (SHORT, SAMPLES_SHORT) if short else (WHOLE, SAMPLES)
     count = len(asked) + 1
     courses = {
-        (kind, case): by_rule(path, case, options.gains, rule(kind, options), samples, part(progress, i, count))
+        (kind, case): by_rule(path, case, gains(kind, options), rule(kind, options), samples, part(progress, i, count))
         for i, (kind, case) in enumerate(asked)
     }
     seconds = path.period / 3 if short else path.period

@@ -19,7 +19,7 @@ from helicoide.ik.adaptation import Rule, Track, adapted, nearest, trimmed
 from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Run, Tolerance, by_method, converged
 from helicoide.ik.drive import Drive, Secondary
-from helicoide.ik.limit_gains import Memory
+from helicoide.ik.limit_gains import GROWTH, Memory
 from helicoide.ik.secondary import push
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
@@ -41,12 +41,13 @@ DT = 1e-3
 
 @dataclass(frozen=True)
 class Gains:
-    """What the source does not give: k₀, 1/s; κ, the step factor; tolerance, m; λ, mm/rad."""
+    """What the source does not give: k₀, 1/s; κ, the step factor; tolerance, m; λ, mm/rad. growth: of Algorithm 1."""
 
     k0: float
     factor: float
     tolerance: float
     damping: float = 0.1
+    growth: float = GROWTH
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +106,7 @@ def solver(problem: Problem, case: int, gains: Gains) -> Run:
         return by_method(problem, method, options, gains.factor, push(problem, chosen, gains.k0), DT)
     first = Memory(np.full(len(problem.limits.lower), gains.k0))
     return lambda aiming, q, memory: limit_gains.followed(
-        problem, method, options, aiming, gains.factor / DT, chosen, memory or first, q, DT
+        problem, method, options, aiming, gains.factor / DT, chosen, memory or first, q, DT, growth=gains.growth
     )
 
 

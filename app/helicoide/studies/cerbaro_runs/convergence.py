@@ -12,10 +12,17 @@ from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Report, Run, by_method, converged
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.study import Chart, Fitted, Line, Motion, Reading, Result, Row, Statement
+from helicoide.studies.study import Chart, Line, Motion, Reading, Result, Row, Statement
 from helicoide.text import Text, same
 
 STEP_FACTOR = Text(en="step factor κ", pt_BR="fator de passo κ")
+INFERRED = Text(
+    en="κ = {factor}, inferred from the {count} steps, which it gives from {least} to {most}",
+    pt_BR="κ = {factor}, tirado dos {count} passos, que dá de {least} a {most}",
+)
+OTHER_FACTOR = Text(
+    en="{count} steps with the {factor} of the {other}", pt_BR="{count} passos com o {factor} do {other}"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +32,7 @@ class Coming:
     problem: Problem
     aiming: Aiming
     statement: Statement
-    fitted: Fitted | Reading
+    inferred: Reading
     others: tuple[float, ...]
     figure: str
 
@@ -34,7 +41,7 @@ def result(coming: Coming, factor: float, damping: float) -> Result:
     """The count of iterations with the chosen factor and with others, and the posture that is reached."""
     reports = {f: _came(coming, f, damping) for f in sorted({factor, *coming.others})}
     quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}")
-    stated = Row(quantity.format(f=factor), reports[factor].iterations, "", coming.statement, (coming.fitted,))
+    stated = Row(quantity.format(f=factor), reports[factor].iterations, "", coming.statement, (coming.inferred,))
     others = [Row(quantity.format(f=f), reports[f].iterations) for f in coming.others if f != factor]
     rows = (stated, *others, *_margin(coming))
     ways = tuple(_motion(coming, f, damping, report) for f, report in reports.items())
@@ -59,7 +66,7 @@ def _margin(coming: Coming) -> tuple[Row, ...]:
     """How far inside its limits the exact solution is, by the joint that is nearest to one."""
     limits = coming.problem.limits
     q = arms.start_at(coming.problem, coming.aiming, coming.problem.robot.poses["home"])
-    quantity = Text(en="exact solution: inside its limits by", pt_BR="solução exata: dentro dos limites por")
+    quantity = Text(en="exact solution: least margin to its limits", pt_BR="solução exata: menor folga até os limites")
     return (Row(quantity, float(np.degrees(np.minimum(q - limits.lower, limits.upper - q).min())), "°"),)
 
 

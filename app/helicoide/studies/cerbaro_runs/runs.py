@@ -14,12 +14,30 @@ from helicoide.ik.objective import posture
 from helicoide.ik.secondary import total
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.study import Chart, Line, Motion, Progress
+from helicoide.studies.study import Chart, Line, Motion, Progress, Reading, Statement
 from helicoide.text import Text, same
 
 SHOWN = 400
 TOLD_EVERY = 500
 Named = tuple[Text, "Run"]
+
+# Algorithm 1 against one gain: one measure in all studies.
+FARTHER = Statement(
+    Text(
+        en="the joints tend to stay farther from their limits than with one gain",
+        pt_BR="as juntas tendem a ficar mais longe dos limites do que com um só ganho",
+    ),
+    "fig. 38, §6.3",
+    0.0,
+    ">",
+)
+NEAREST = Reading(
+    Text(en="the joint nearest to its limit counts", pt_BR="conta a junta mais próxima do seu limite"),
+    Text(
+        en="the mean of −w (eq. 12) is 0.02 % to 0.2 % greater: no farther",
+        pt_BR="a média de −w (eq. 12) é 0,02 % a 0,2 % maior: não mais longe",
+    ),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,10 +97,10 @@ def few(values: Array) -> Array:
     return np.asarray(values[np.unique(np.linspace(0, len(values) - 1, SHOWN).round().astype(int))])
 
 
-def mean_cost(problem: Problem, run: Run) -> float:
-    """The mean of −w along a run, 1/(2n) Σ (off the middle over the range)² (Cerbaro 2022, eq. 12)."""
+def mean_cost(problem: Problem, q: Array) -> float:
+    """The mean of −w along postures q (k, n), 1/(2n) Σ (off the middle over the range)² (Cerbaro 2022, eq. 12)."""
     chosen = arms.limit_distance()
-    return float(np.mean([total(problem, chosen, posture(problem, q)).value for q in few(run.q)]))
+    return float(np.mean([total(problem, chosen, posture(problem, one)).value for one in few(q)]))
 
 
 TIME = Text(en="time (s)", pt_BR="tempo (s)")

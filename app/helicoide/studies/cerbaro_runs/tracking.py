@@ -12,7 +12,7 @@ import numpy as np
 
 from helicoide.ik import limit_gains
 from helicoide.ik.clik import followed
-from helicoide.ik.limit_gains import Memory
+from helicoide.ik.limit_gains import GROWTH, Memory
 from helicoide.ik.secondary import push
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
@@ -113,10 +113,11 @@ def free_ellipse(
     progress: Progress = nothing,
     seconds: float = TURN,
     velocity: Velocity = ELLIPSE.velocity,
+    growth: float = GROWTH,
 ) -> Run:
     """The Movemaster round its ellipse from q (5,), orientation free, by one k₀, 1/s, or by Algorithm 1 (grows).
 
-    Args: velocity as in `ellipse`.
+    Args: velocity as in `ellipse`; growth: of a gain with each clip.
     """
     movemaster, chosen = arms.movemaster(), arms.limit_distance()
     aiming, gain = arms.position(movemaster, arms.along(ELLIPSE, velocity)), 1.8 / dt
@@ -125,5 +126,5 @@ def free_ellipse(
         pushed = push(movemaster, chosen, k0)
         return ran(followed(movemaster, method, options, aiming, gain, q, dt, pushed), seconds, progress)
     memory = Memory(np.full(5, k0))
-    moments = limit_gains.followed(movemaster, method, options, aiming, gain, chosen, memory, q, dt)
+    moments = limit_gains.followed(movemaster, method, options, aiming, gain, chosen, memory, q, dt, growth=growth)
     return ran(moments, seconds, progress)

@@ -171,8 +171,8 @@ def _kinds(run: Run) -> list[Row]:
     splits = stated("det J_G = det J₁₁ det J₂₂", "det J_G = det J₁₁ det J₂₂", "eq. 3.9", 1.0, "=", 1e-6)
     ratio = Text(en="product of the factors over det J_G", pt_BR="produto dos fatores sobre det J_G")
     near = Text(
-        en="factor of det J_G at the peak, of its largest; zero is {kind}",
-        pt_BR="fator de det J_G no pico, do seu máximo; zero é {kind}",
+        en="factor of det J_G at the peak, of its largest (0 would be {kind})",
+        pt_BR="fator de det J_G no pico, em relação ao máximo (0 seria {kind})",
     )
     return [
         row(ratio, None, abs(product / float(np.linalg.det(geometric(robot, q)))), "", splits),

@@ -33,11 +33,11 @@ TITLE = Text(en="Simulation 7: through a singular posture", pt_BR="Simulação 7
 SOURCE = "Vargas 2013, §3.5, sim. 7, figs. 3.14–3.15"
 ABOUT = Text(
     en="""The path leads through the axis of the shoulder, where no joint moves the tool along it; the arm gets there \
-after 32 s. The pseudoinverse asks for hundreds of radians a second. Compare the filtered inverses: the larger γ is, \
-the smaller the error, and the faster the joints, though never beyond 3 rad/s.""",
+after 32 s. The pseudoinverse asks for 70 rad/s in steps of 1 ms. Compare the filtered inverses: the larger γ is, the \
+smaller the error, and the faster the joints, though never beyond 3 rad/s.""",
     pt_BR="""O caminho passa pelo eixo do ombro, onde nenhuma junta move o efetuador ao longo dele; o braço chega lá \
-em 32 s. A pseudoinversa pede centenas de radianos por segundo. Compare as inversas filtradas: quanto maior γ, menor \
-o erro, e mais rápidas as juntas, embora nunca além de 3 rad/s.""",
+em 32 s. A pseudoinversa pede 70 rad/s em passos de 1 ms. Compare as inversas filtradas: quanto maior γ, menor o erro, \
+e mais rápidas as juntas, embora nunca além de 3 rad/s.""",
 )
 ROBOT = "planar3r"
 PATH, START, PLACE = path_4, (pi / 2, 0.1, 0.1), "sim. 7, figs. 3.14–3.15"
@@ -56,8 +56,8 @@ ELSEWHERE = Reading(
 
 ON_LINKS = links(
     Text(
-        en="with 1, 2, 1 and the same values it holds too, but that the feedback deviates only 2.5 times as far",
-        pt_BR="com 1; 2; 1 e os mesmos valores também vale, só que a realimentada se desvia apenas 2,5 vezes mais",
+        en="with 1, 2, 1 and the same values the feedback has only 2.5 times its error of before; the rest holds",
+        pt_BR="com 1; 2; 1 e os mesmos valores a realimentada erra só 2,5 vezes o que errava antes; o resto vale",
     )
 )
 

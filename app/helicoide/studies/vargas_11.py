@@ -35,8 +35,8 @@ PLACE = "sim. 11, figs. 4.12–4.17"
 SHIFT = 0.5
 SHIFTED = Reading(
     Text(
-        en="V_c moved by 0.24 s: by that its peaks come later than those of δ",
-        pt_BR="V_c deslocada de 0,24 s: desse tempo seus picos se atrasam dos de δ",
+        en="V_c moved by 0.24 s, by which its peaks come after those of δ",
+        pt_BR="V_c deslocada de 0,24 s, o atraso dos seus picos em relação aos de δ",
     ),
     Text(en="the correlation without moving it is 0.61", pt_BR="a correlação sem deslocá-la é 0,61"),
 )

@@ -191,8 +191,8 @@ PLACES = ("eq. 4.52", "eq. 4.54")
 
 
 def _rate(t: Array, values: Array) -> float:
-    """How fast values fade, 1/s, down to a thousandth of the first."""
-    there = int((values < 1e-3 * values[0]).argmax())
+    """How fast values fade, 1/s, down to a thousandth of the first if they ever come to it."""
+    there = int((values < 1e-3 * values[0]).argmax()) or len(values)
     return float(-np.polyfit(t[:there], np.log(values[:there]), 1)[0])
 
 

@@ -9,6 +9,7 @@ from helicoide.studies.study import Progress, Reading, Result, Row
 from helicoide.studies.vargas.paths import path_2
 from helicoide.studies.vargas.planar import COMPARED, FITTED, LENGTH, SINCE, VALUES, followers, of_both, ours, result
 from helicoide.studies.vargas.planar import Five as Options
+from helicoide.studies.vargas.readings import LINKS
 from helicoide.studies.vargas.runs import Run, largest
 from helicoide.studies.vargas.table import ERROR_FROM, TRACKED, row, stated
 from helicoide.text import Text
@@ -16,11 +17,14 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 4: nothing in the way", pt_BR="Simulação 4: nada no caminho")
 SOURCE = "Vargas 2013, §3.5, sim. 4, figs. 3.8–3.9"
 ABOUT = Text(
-    en="""Five methods follow a path that stays away from singular postures. Look at how alike they are: the damping \
-never comes on, so that damped least squares is the pseudoinverse, and the filtered inverse has long become it.""",
-    pt_BR="""Cinco métodos seguem um caminho longe de posturas singulares. Veja como são parecidos: o amortecimento \
-nunca entra, de modo que os mínimos quadrados amortecidos são a pseudoinversa, e a inversa filtrada já se tornou \
-igual a ela.""",
+    en="""Five methods follow a path that stays away from singular postures: the pseudoinverse; damped least squares, \
+whose damping δ comes on where J is nearly singular; the feedback, which inverts nothing, but feeds the velocity error \
+ν − Jq̇ back; and two filtered inverses. Look at how alike they are: the damping never comes on, so that damped least \
+squares is the pseudoinverse, and the filtered inverse has long become it.""",
+    pt_BR="""Cinco métodos seguem um caminho longe de posturas singulares: a pseudoinversa; a inversa amortecida, cujo \
+amortecimento δ entra onde J é quase singular; a realimentada, que nada inverte, mas realimenta o erro de velocidade ν \
+− Jq̇; e duas inversas filtradas. Veja como são parecidos: o amortecimento nunca entra, de modo que a amortecida é a \
+pseudoinversa, e a filtrada já se tornou igual a ela.""",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
@@ -43,8 +47,8 @@ def statements(runs: Mapping[str, Run]) -> list[Row]:
     largest_damping = float(runs["damping"].figure("δ").max())
     return [
         row(Text(en="largest damping δ", pt_BR="maior amortecimento δ"), None, largest_damping, "ℓ²", never,
-            fitted=(*FITTED["damping"], BEGUN)),
-        *of_both(ERROR_FROM.format(since=SINCE), errors, "ℓ", follows, BEGUN),
+            fitted=(*FITTED["damping"], LINKS, BEGUN)),
+        *of_both(ERROR_FROM.format(since=SINCE), errors, "ℓ", follows, LINKS, BEGUN),
     ]  # fmt: skip
 
 

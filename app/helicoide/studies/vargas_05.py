@@ -8,6 +8,7 @@ from helicoide.studies.study import Progress, Reading, Result, Row, printed
 from helicoide.studies.vargas.paths import path_3, places
 from helicoide.studies.vargas.planar import Five as Options
 from helicoide.studies.vargas.planar import below, ellipses, followers, ours, result
+from helicoide.studies.vargas.readings import LINKS
 from helicoide.studies.vargas.runs import Run, sizes
 from helicoide.studies.vargas.table import row
 from helicoide.text import Text
@@ -15,12 +16,14 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 5: past a singular posture", pt_BR="Simulação 5: rente a uma postura singular")
 SOURCE = "Vargas 2013, §3.5, sim. 5, figs. 3.10–3.11; §3.1, fig. 3.1"
 ABOUT = Text(
-    en="""The path passes the axis of the shoulder at 0.07 of its length, after about 26 s. Look at the joint \
-velocities there: the pseudoinverse stays on the path and is the fastest, all others give up some accuracy for slower \
-joints. The ellipses show what the joints can do: on the way to the axis they become flat.""",
-    pt_BR="""O caminho passa a 0,07 do eixo do ombro após cerca de 26 s. Observe ali as velocidades das juntas: a \
-pseudoinversa não sai do caminho e é a mais rápida; todas as outras trocam um pouco de exatidão por juntas mais \
-lentas. As elipses mostram o que as juntas conseguem: a caminho do eixo, elas se achatam.""",
+    en="""The path passes the axis of the shoulder at a distance of 0.07 ℓ, after about 26 s. Look at the joint \
+velocities there: the pseudoinverse stays on the path and is the fastest, all others give up accuracy for slower \
+joints, the filtered inverses up to 0.54 ℓ, 13 % of the reach. The ellipses show what the joints can do: on the way to \
+the axis they become flat.""",
+    pt_BR="""O caminho passa a 0,07 ℓ do eixo do ombro após cerca de 26 s. Observe ali as velocidades das juntas: a \
+pseudoinversa não sai do caminho e é a mais rápida; todas as outras trocam exatidão por juntas mais lentas, as \
+filtradas até 0,54 ℓ, 13 % do alcance. As elipses mostram o que as juntas conseguem: a caminho do eixo, elas se \
+achatam.""",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
@@ -42,7 +45,7 @@ def statements(runs: Mapping[str, Run]) -> list[Row]:
     t = runs["damping"].t
     when = float(t[sizes(places(PATH, t)).argmin()])
     nearest = Text(en="desired path nearest to the origin", pt_BR="caminho desejado mais próximo da origem")
-    return [*below("< 1.2", PLACE, runs, BEGUN), row(nearest, None, when, "s", printed("≈ 26", PLACE))]
+    return [*below("< 1.2", PLACE, runs, LINKS, BEGUN), row(nearest, None, when, "s", printed("≈ 26", PLACE))]
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:

@@ -79,7 +79,8 @@ def _constant(name: str, k: float, beta: float) -> Row:
         theta += 1e-3 * tau * scalar_filter.slope(k, theta, beta)
         taken += 1
     law = Statement(same("τ = 1/(βk²)"), "eq. 4.10", tau, "=", 0.01 * tau)
-    return row(Text(en="time constant", pt_BR="constante de tempo"), digits(name), 1e-3 * tau * taken, "s", law)
+    title = Text(en="time constant, in a thousand steps", pt_BR="constante de tempo, em mil passos")
+    return row(title, digits(name), 1e-3 * tau * taken, "s", law)
 
 
 def _chart(title: Text, up: str, t: Array, values: dict[str, Array]) -> Chart:

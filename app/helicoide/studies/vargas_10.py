@@ -12,6 +12,7 @@ from helicoide.studies.vargas.arm import DAMPING, SINCE, followers, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.crossing import crossing_rows
 from helicoide.studies.vargas.paths import path_6
+from helicoide.studies.vargas.readings import EXACT_STEP
 from helicoide.studies.vargas.runs import Run, Way, largest, way
 from helicoide.studies.vargas.table import MOVED, GainInCm, Step, row, stated
 from helicoide.text import Text
@@ -68,7 +69,7 @@ def _statements(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
             "cm²",
             never,
         ),
-        row(apart, None, largest(filtered.q - damped.q, later), "rad", alike),
+        row(apart, None, largest(filtered.q - damped.q, later), "rad", alike, fitted=(EXACT_STEP,)),
         row(first, ways["filtered"].title, float(np.abs(filtered.rates[0]).max()), "rad/s"),
         row(first, ways["damping"].title, float(np.abs(damped.rates[0]).max()), "rad/s"),
     ]

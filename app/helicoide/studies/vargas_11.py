@@ -12,6 +12,7 @@ from helicoide.studies.vargas.arm import DAMPING, FASTEST_LATER, PSEUDOINVERSE, 
 from helicoide.studies.vargas.arms import FOLDED, REACH
 from helicoide.studies.vargas.crossing import crossing_rows
 from helicoide.studies.vargas.paths import path_7
+from helicoide.studies.vargas.readings import EXACT_STEP, EXPONENT
 from helicoide.studies.vargas.runs import Run, Way, largest, way
 from helicoide.studies.vargas.table import ALIKE, NULL, GainInCm, Step, in_steps, row, stated
 from helicoide.text import Text
@@ -24,9 +25,9 @@ pseudoinverse asks for ten thousand radians a second. Look at the error at those
 millimetres, the filtered inverse by a quarter of one, at the same joint rates. Compare δ with V_c, which tells how \
 far Θ is from an inverse: both rise where J is badly conditioned.""",
     pt_BR="""O caminho cruza o eixo da cintura a cada cinco segundos, onde o ombro é singular e a pseudoinversa pede \
-dez mil radianos por segundo. Observe o erro nesses instantes: o amortecimento sai do caminho por milímetros, a \
-inversa filtrada por um quarto de milímetro, com as mesmas velocidades de junta. Compare δ com V_c, que mede quanto Θ \
-está longe de uma inversa: ambos crescem onde J é mal condicionado.""",
+dez mil radianos por segundo. Observe o erro nesses instantes: a inversa amortecida sai do caminho por milímetros, a \
+filtrada por um quarto de milímetro, com as mesmas velocidades de junta. Compare δ com V_c, que mede quanto Θ está \
+longe de uma inversa: ambos crescem onde J é mal condicionado.""",
 )
 ROBOT = "zebra_zero"
 PLACE = "sim. 11, figs. 4.12–4.17"
@@ -34,8 +35,8 @@ PLACE = "sim. 11, figs. 4.12–4.17"
 SHIFT = 0.5
 SHIFTED = Reading(
     Text(
-        en="V_c is moved: its peaks come 0.24 s after those of δ",
-        pt_BR="V_c é deslocada: seus picos vêm 0,24 s depois dos de δ",
+        en="V_c moved by 0.24 s, by which its peaks come after those of δ",
+        pt_BR="V_c deslocada de 0,24 s, o atraso dos seus picos em relação aos de δ",
     ),
     Text(en="the correlation without moving it is 0.61", pt_BR="a correlação sem deslocá-la é 0,61"),
 )
@@ -102,6 +103,7 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
             errors[1] / errors[0],
             "",
             stated("the damped one is worse", "a amortecida é pior", PLACE, 1.0, ">"),
+            fitted=(EXACT_STEP, EXPONENT),
         ),
         row(
             alike,
@@ -109,7 +111,7 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
             float(max(correlations)),
             "",
             stated("V_c and δ look alike", "V_c e δ são parecidos", PLACE, ALIKE, ">"),
-            fitted=(SHIFTED,),
+            fitted=(SHIFTED, EXACT_STEP, EXPONENT),
         ),
         row(Text(en="largest ‖Θ‖", pt_BR="maior ‖Θ‖"), None, float(filtered.figure("‖Θ‖").max()), "1/cm"),
         row(Text(en="largest V_c", pt_BR="maior V_c"), None, float(V_c[shown].max()), "", Figure(PLACE)),
@@ -122,6 +124,13 @@ def _of_the_step(ways: Mapping[str, Way], runs: Mapping[str, Run], dt: float) ->
     smoother = Text(en="{what}, filtered over damped", pt_BR="{what}, filtrada sobre amortecida")
     title, said = in_steps(PUSH, dt), stated("smoother q̇", "q̇ mais suave", PLACE, 1.0, "<")
     return [
-        row(smoother.format(what=title), None, pushes["filtered"] / pushes["damping"], "", said),
+        row(
+            smoother.format(what=title),
+            None,
+            pushes["filtered"] / pushes["damping"],
+            "",
+            said,
+            fitted=(EXACT_STEP, EXPONENT),
+        ),
         *(row(title, ways[key].title, push, "rad/s²") for key, push in pushes.items()),
     ]

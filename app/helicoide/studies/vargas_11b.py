@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.studies.study import Fitted, Progress, Result, Row
+from helicoide.studies.study import Progress, Reading, Result, Row
 from helicoide.studies.vargas.arm import DAMPED, DAMPING, PSEUDOINVERSE, SINCE, followers, result
 from helicoide.studies.vargas.arms import NEARLY_UPRIGHT, REACH
 from helicoide.studies.vargas.crossing import crossing_rows
 from helicoide.studies.vargas.paths import path_7
+from helicoide.studies.vargas.readings import EXPONENT
 from helicoide.studies.vargas.runs import Run, Way, largest, way
 from helicoide.studies.vargas.table import TRACKED, GainInCm, Step, row, stated
 from helicoide.text import Text
@@ -18,16 +19,23 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 11b: an ill-conditioned start", pt_BR="Simulação 11b: partida mal condicionada")
 SOURCE = "Vargas 2013, §4.5, figs. 4.18–4.19"
 ABOUT = Text(
-    en="""The path of simulation 11, from a posture beside the upright arm. Look at δ: damping stays on for more than \
-twenty seconds and the arm does not follow, since small joint rates count more than the path. The filtered inverse is \
-on the path within a few seconds.""",
-    pt_BR="""O caminho da simulação 11, a partir de uma postura junto ao braço na vertical. Observe δ: o \
-amortecimento fica ligado por mais de vinte segundos e o braço não acompanha, pois velocidades pequenas contam mais \
-do que o caminho. A inversa filtrada chega ao caminho em poucos segundos.""",
+    en="""The path of simulation 11, from a posture beside the upright arm. Look at δ: as long as damping is on, for \
+more than twenty seconds, the arm does not follow, since small joint rates count more than the path; when it goes off, \
+the joints race. The filtered inverse is on the path within five seconds.""",
+    pt_BR="""O caminho da simulação 11, a partir de uma postura junto ao braço na vertical. Observe δ: enquanto há \
+amortecimento, por mais de vinte segundos, o braço não acompanha, pois velocidades pequenas contam mais do que o \
+caminho; quando ele sai, as juntas disparam. A inversa filtrada chega ao caminho em cinco segundos.""",
 )
 ROBOT = "zebra_zero"
 PLACE = "sim. 11, figs. 4.18–4.19"
-SEEN = Fitted(Text(en="time that is watched", pt_BR="tempo observado"), 20.0, 5.0, 22.2, "s")
+WATCHED = 20.0
+SEEN = Reading(
+    Text(
+        en="the first 20 s, since the length of the run is not given",
+        pt_BR="os 20 s iniciais, pois a duração da simulação não é dada",
+    ),
+    Text(en="damping goes off at 22.25 s", pt_BR="o amortecimento sai em 22,25 s"),
+)
 
 
 @dataclass(frozen=True)
@@ -49,7 +57,7 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Four methods on trajectory 7, for 40 s, 20 s in the short form."""
     ways = options.ways
-    dt, seconds = (max(options.dt, 5e-3), SEEN.value) if short else (options.dt, 40.0)
+    dt, seconds = (max(options.dt, 5e-3), WATCHED) if short else (options.dt, 40.0)
     runs = followers(path_7, NEARLY_UPRIGHT, ways, dt, seconds, progress)
     damped = runs["damping"]
     follows = stated("the filtered inverse tracks", "a inversa filtrada rastreia", PLACE, TRACKED * REACH, "≤")
@@ -59,18 +67,21 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         free = np.append(damped.t[damped.w >= DAMPED["threshold"]], seconds)[0]
         until = Text(en="damping goes off at", pt_BR="o amortecimento sai em")
         rows.append(row(until, None, float(free), "s"))
+        last = damped.t >= SINCE
+        when = Text(en="the joints are fastest at, damped", pt_BR="as juntas são mais rápidas em, amortecida")
+        rows.append(row(when, None, float(damped.t[last][np.abs(damped.rates[last]).max(axis=1).argmax()]), "s"))
     return result(rows, ways, runs, path_7, (1, 2), (PLACE, "fig. 4.18"), ("filtered", "damping"))
 
 
 def _statements(damped: Run) -> list[Row]:
     """That the damped does not follow, and that its damping is on, as long as it is watched."""
-    first = (damped.t >= SINCE) & (damped.t <= SEEN.value)
-    watched = damped.shown <= SEEN.value
+    first = (damped.t >= SINCE) & (damped.t <= WATCHED)
+    watched = damped.shown <= WATCHED
     least = Text(en="least damping δ in 20 s", pt_BR="menor amortecimento δ em 20 s")
     error = Text(en="largest error from 5 to 20 s, damped", pt_BR="maior erro de 5 a 20 s, amortecida")
     fails = stated("the damped one fails to track", "a amortecida não consegue rastrear", PLACE, TRACKED * REACH, ">")
     on = stated("δ > 0 for all t", "δ > 0 para todo t", PLACE, 0.0, ">")
     return [
-        row(error, None, largest(damped.size, first), "cm", fails, fitted=(SEEN,)),
-        row(least, None, float(damped.figure("δ")[watched].min()), "cm²", on, fitted=(SEEN,)),
+        row(error, None, largest(damped.size, first), "cm", fails, fitted=(SEEN, EXPONENT)),
+        row(least, None, float(damped.figure("δ")[watched].min()), "cm²", on, fitted=(SEEN, EXPONENT)),
     ]

@@ -9,29 +9,35 @@ from math import nan
 
 from helicoide.studies.study import Figure, Progress, Reading, Result, Row
 from helicoide.studies.vargas.arm import DAMPING, SINCE, dips, first_dip, followers, hertz, re_entry, result
-from helicoide.studies.vargas.arms import FOLDED
-from helicoide.studies.vargas.paths import path_8
+from helicoide.studies.vargas.arms import FOLDED, REACH
+from helicoide.studies.vargas.paths import path_8, places
 from helicoide.studies.vargas.reach import AFTER, reach_rows
-from helicoide.studies.vargas.runs import Run, Way, largest, way
+from helicoide.studies.vargas.readings import EXACT_STEP, EXPONENT
+from helicoide.studies.vargas.runs import Run, Way, largest, sizes, way
 from helicoide.studies.vargas.table import MUCH, GainInCm, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 12: out of reach", pt_BR="Simulação 12: fora do alcance")
 SOURCE = "Vargas 2013, §4.5, sim. 12, figs. 4.20–4.27"
 ABOUT = Text(
-    en="""For a quarter of the time the path is up to 13 mm beyond the stretched arm. Look at what the elbow does \
-there: with the filtered inverse it swings through the stretched arm again and again, faster and by less the larger γ \
-is. Damped least squares races when the damping comes on, and takes a long way back to the path.""",
-    pt_BR="""Durante um quarto do tempo o caminho fica até 13 mm além do braço esticado. Observe o cotovelo: com a \
-inversa filtrada ele oscila através do braço esticado, mais rápido e com menor amplitude quanto maior γ. Os mínimos \
-quadrados amortecidos disparam quando o amortecimento entra e fazem um grande desvio na volta.""",
+    en="""Every ten seconds the path runs up to 13 mm beyond the stretched arm. Look at what the elbow does there: \
+with the filtered inverse it swings through the stretched arm again and again, and the effector dips, or draws back \
+from the border, each time, more often and by less the larger γ is. Damped least squares races when the damping comes \
+on, and takes a long way back to the path.""",
+    pt_BR="""A cada dez segundos o caminho passa até 13 mm além do braço esticado. Observe ali o cotovelo: com a \
+inversa filtrada ele oscila através do braço esticado, e a cada vez o efetuador recua da fronteira, tanto mais vezes e \
+tanto menos quanto maior γ. A inversa amortecida dispara quando o amortecimento entra e faz um grande desvio na \
+volta.""",
 )
 ROBOT = "zebra_zero"
 PLACE, TIMES = "sim. 12, figs. 4.20–4.27", (1, 5, 25)
 PRINTED = (1, 25)
 HALF_A_SECOND = Reading(
-    Text(en="read 0.5 s after coming back", pt_BR="lido 0,5 s após a volta"),
-    Text(en="4.3 at 0.25 s and 63 at 1 s", pt_BR="4,3 a 0,25 s e 63 a 1 s"),
+    Text(en="0.5 s after coming back", pt_BR="0,5 s após a volta"),
+    Text(
+        en="4.3 times at 0.25 s, which is not yet large, and 63 times at 1 s",
+        pt_BR="4,3 vezes a 0,25 s, o que ainda não é grande, e 63 vezes a 1 s",
+    ),
 )
 DIP = Text(en="first dip behind the border", pt_BR="primeiro recuo atrás da fronteira")
 SWING = Text(en="swings of the elbow", pt_BR="oscilação do cotovelo")
@@ -69,6 +75,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             *reach_rows(ways[f"filtered_{times}"], one, shown),
         ]
     rows += reach_rows(DAMPING, runs["damping"], Figure(PLACE), dt)
+    beyond = Text(en="path beyond the border, at most", pt_BR="caminho além da fronteira, no máximo")
+    rows.append(row(beyond, None, float(sizes(places(path_8, runs["damping"].t)).max() - REACH), "cm"))
     figures = (PLACE, "figs. 4.21–4.22, 4.26")
     return result(rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
 
@@ -96,11 +104,11 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     )
     later = Text(en="{what}, damped over filtered", pt_BR="{what}, amortecida sobre filtrada").format(what=AFTER)
     return [
-        row(count, None, float(dips(filtered[0])[0].size), "", swings),
-        row(at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller),
-        row(at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher),
-        row(in_steps(beside, dt), None, fastest[0] / fastest[1], "", peaks),
-        row(in_steps(later, dt), None, back[0] / back[1], "", detour, fitted=(HALF_A_SECOND,)),
+        row(count, None, float(dips(filtered[0])[0].size), "", swings, fitted=(EXACT_STEP,)),
+        row(at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller, fitted=(EXACT_STEP,)),
+        row(at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher, fitted=(EXACT_STEP,)),
+        row(in_steps(beside, dt), None, fastest[0] / fastest[1], "", peaks, fitted=(EXACT_STEP, EXPONENT)),
+        row(in_steps(later, dt), None, back[0] / back[1], "", detour, fitted=(HALF_A_SECOND, EXACT_STEP, EXPONENT)),
     ]
 
 

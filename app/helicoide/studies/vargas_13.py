@@ -20,6 +20,7 @@ from helicoide.studies.vargas.arm import (
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
 from helicoide.studies.vargas.reach import AFTER, reach_rows
+from helicoide.studies.vargas.readings import EXACT_STEP, EXPONENT
 from helicoide.studies.vargas.runs import Run, Way, largest, way
 from helicoide.studies.vargas.table import MUCH, SIMILAR, GainInCm, Step, in_steps, row, stated
 from helicoide.text import Text
@@ -29,16 +30,20 @@ SOURCE = "Vargas 2013, §4.6, sim. 13, figs. 4.29–4.33"
 ABOUT = Text(
     en="""The path of simulation 12 by the modified law, q̇ = ΘΘᵀJᵀν, which drops what the arm cannot reach. Look at \
 the error out of reach: the elbow does not swing any more, and the effector rests on the border at the point nearest \
-to the path. With the larger γ it is back on the path within a quarter of a second.""",
+to the path. Half a second after the return the larger γ has the arm back on the path, the smaller one has not.""",
     pt_BR="""O caminho da simulação 12 pela lei modificada, q̇ = ΘΘᵀJᵀν, que descarta o que o braço não alcança. \
 Observe o erro fora do alcance: o cotovelo já não oscila e o efetuador repousa na fronteira, no ponto mais próximo do \
-caminho. Com o γ maior ele volta ao caminho em um quarto de segundo.""",
+caminho. Meio segundo depois da volta o γ maior já o tem de novo no caminho; o menor, não.""",
 )
 ROBOT = "zebra_zero"
 PLACE, TIMES = "sim. 13, figs. 4.29–4.33", (1, 25)
-HALF_A_SECOND = Reading(
-    Text(en="read 0.5 s after coming back", pt_BR="lido 0,5 s após a volta"),
-    Text(en="1.0 at 0.25 s and 0.07 at 1 s", pt_BR="1,0 a 0,25 s e 0,07 a 1 s"),
+SIMILAR_THEN = Reading(
+    Text(en="0.5 s after coming back, no longer at 1 s", pt_BR="0,5 s após a volta, a 1 s não mais"),
+    Text(en="1.0 times at 0.25 s and 0.07 times at 1 s", pt_BR="1,0 vez a 0,25 s e 0,07 vez a 1 s"),
+)
+SMALL_THEN = Reading(
+    Text(en="0.5 s after coming back", pt_BR="0,5 s após a volta"),
+    Text(en="0.04 times at 0.25 s and 0.06 times at 1 s", pt_BR="0,04 vez a 0,25 s e 0,06 vez a 1 s"),
 )
 
 
@@ -86,7 +91,7 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     def push(run: Run) -> float:
         return largest(run.push, later[1:])
 
-    dip = Text(en="dips behind the border, larger γ", pt_BR="recuos atrás da fronteira, γ maior")
+    dip = Text(en="dips behind the border, with both γ", pt_BR="recuos atrás da fronteira, com os dois γ")
     swings = stated("no oscillation", "sem oscilação", PLACE, 0.0)
     similar = stated("γ = 1: similar to the damped one", "γ = 1: semelhante à amortecida", PLACE, 1.0, "=", SIMILAR)
     smoother = stated("γ = 1: smoother than the damped one", "γ = 1: mais suave que a amortecida", PLACE, 1.0, "<")
@@ -95,30 +100,46 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
         "amplitude of q̇ not significantly changed", "amplitude de q̇ sem mudança significativa", PLACE, 1.0, "=", SIMILAR
     )
     rows = [
-        row(dip, None, float(dips(large)[0].size), "", swings),
+        row(dip, None, float(dips(large)[0].size + dips(small)[0].size), "", swings, fitted=(EXACT_STEP,)),
         row(
             in_steps(TO_DAMPED.format(what=AFTER), dt),
             None,
             back(small) / back(damped),
             "",
             similar,
-            fitted=(HALF_A_SECOND,),
+            fitted=(SIMILAR_THEN, EXACT_STEP, EXPONENT),
         ),
-        row(in_steps(TO_DAMPED.format(what=PUSH), dt), None, push(small) / push(damped), "", smoother),
+        row(
+            in_steps(TO_DAMPED.format(what=PUSH), dt),
+            None,
+            push(small) / push(damped),
+            "",
+            smoother,
+            fitted=(EXACT_STEP, EXPONENT),
+        ),
         row(
             in_steps(TO_SMALLER.format(what=AFTER), dt),
             None,
             back(large) / back(small),
             "",
             detour,
+            fitted=(SMALL_THEN, EXACT_STEP),
         ),
-        row(in_steps(TO_SMALLER.format(what=FASTEST_LATER), dt), None, fastest(large) / fastest(small), "", unchanged),
+        row(
+            in_steps(TO_SMALLER.format(what=FASTEST_LATER), dt),
+            None,
+            fastest(large) / fastest(small),
+            "",
+            unchanged,
+            fitted=(EXACT_STEP,),
+        ),
     ]
     if dt <= 1e-3:  # how near to 0 it comes, a longer step does not tell
         least = [float(one.w[later].min()) for one in (large, small)]
         lower = stated("γ = 25: lower w is reached", "γ = 25: w menor é atingida", PLACE, 1.0, "<")
         w = Text(en="least w from 5 s on", pt_BR="menor w a partir de 5 s")
-        rows.append(row(in_steps(TO_SMALLER.format(what=w), dt), None, least[0] / least[1], "", lower))
+        title = in_steps(TO_SMALLER.format(what=w), dt)
+        rows.append(row(title, None, least[0] / least[1], "", lower, fitted=(EXACT_STEP,)))
     return rows
 
 

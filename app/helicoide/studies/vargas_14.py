@@ -12,6 +12,7 @@ import numpy as np
 from helicoide.studies.study import Chart, Figure, Fitted, Progress, Reading, Result, Row, Statement
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra
 from helicoide.studies.vargas.paths import Vector, path_11, places
+from helicoide.studies.vargas.readings import EXACT_STEP
 from helicoide.studies.vargas.runs import POSE, Run, each, largest, record, sizes, tracking, turned, way
 from helicoide.studies.vargas.table import (
     WISHED,
@@ -32,29 +33,30 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 14: gains as priorities", pt_BR="Simulação 14: ganhos como prioridades")
 SOURCE = "Vargas 2013, §4.6, sim. 14, figs. 4.34–4.36"
 ABOUT = Text(
-    en="""For nearly thirteen seconds the path asks for a place and an orientation that the arm cannot have together. \
-Look at both errors: the modified law rests where the weighted errors are least, so that the larger gain wins, and \
-only the ratio of the gains counts. A larger gain for one axis favours that axis.""",
-    pt_BR="""Durante quase treze segundos o caminho pede um lugar e uma orientação que o braço não pode ter ao mesmo \
-tempo. Observe os dois erros: a lei modificada repousa onde os erros ponderados são mínimos, de modo que o ganho maior \
-vence e só a razão entre os ganhos conta. Um ganho maior em um eixo favorece esse eixo.""",
+    en="""For a while the path asks for a place and an orientation that the arm cannot have together. Look at both \
+errors: the modified law rests where the weighted errors are least, so that the larger gain wins. Only the ratio of \
+the gains counts: compare 10, 10 with 100, 100. A larger gain for one axis favours that axis.""",
+    pt_BR="""Durante algum tempo o caminho pede um lugar e uma orientação que o braço não pode ter juntos. Observe os \
+dois erros: a lei modificada repousa onde os erros ponderados são mínimos, de modo que o ganho maior vence. Só a razão \
+entre os ganhos conta: compare 10, 10 com 100, 100. Um ganho maior em um eixo favorece esse eixo.""",
 )
 ROBOT = "zebra_zero"
 HALF, PLACE = 7.854, "sim. 14, figs. 4.34–4.36"  # s: when trajectory 11 is farthest
 FARTHEST = Reading(
     Text(en="read when the path is farthest, 7.854 s", pt_BR="lido quando o caminho está mais longe, 7,854 s"),
     Text(
-        en="the rms errors from 2 to 14.2 s have the ratios 0.12, 0.35, 0.16 and 0.16",
-        pt_BR="os erros rms de 2 a 14,2 s estão nas razões 0,12; 0,35; 0,16 e 0,16",
+        en="the root mean square errors from 2 to 14.2 s have the ratios 0.12, 0.35, 0.16 and 0.16",
+        pt_BR="os valores eficazes dos erros de 2 a 14,2 s estão nas razões 0,12; 0,35; 0,16 e 0,16",
     ),
 )
-EQUAL = Fitted(Text(en="equal gains", pt_BR="ganhos iguais"), 10, 1, 100, "1/s")
-ONE_AXIS = Fitted(Text(en="larger gain of one axis", pt_BR="ganho maior de um eixo"), 100, 20, 300, "1/s")
+EQUAL = Fitted(Text(en="equal gains", pt_BR="ganhos iguais"), 10, 1, 100, "s⁻¹")
+ONE_AXIS = Fitted(Text(en="larger gain of one axis", pt_BR="ganho maior de um eixo"), 100, 20, 300, "s⁻¹")
 # Λ_p by axes, and λ_o
 Gains = tuple[float, float, float, float]
 CASES: dict[str, Gains] = {
     "100, 10": (100, 100, 100, 10),
     "10, 10": (10, 10, 10, 10),
+    "100, 100": (100, 100, 100, 100),
     "10, 100": (10, 10, 10, 100),
     "diag(100, 10, 10), 100": (100, 10, 10, 100),
     "diag(10, 10, 100), 100": (10, 10, 100, 100),
@@ -85,7 +87,7 @@ def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Pro
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Five pairs of gains for 32 s; to the farthest point in the short form."""
+    """Six pairs of gains for 32 s; to the farthest point in the short form."""
     dt, seconds = (max(options.dt, 8e-3), 10.0) if short else (options.dt, 32.0)
     runs = each({key: partial(weighted, case, options.gain, dt, seconds) for key, case in CASES.items()}, progress)
     rows = _statements(runs)
@@ -132,7 +134,7 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
             ends[first][i] / ends[second][i],
             "",
             said,
-            fitted=(value, FARTHEST),
+            fitted=(value, FARTHEST, EXACT_STEP),
         )
         for e, i, first, second, said, value in cases
     ]

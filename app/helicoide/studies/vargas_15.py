@@ -10,6 +10,7 @@ from helicoide.ik.secondary import augmented
 from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
 from helicoide.studies.vargas.arms import limited
 from helicoide.studies.vargas.paths import path_1, places
+from helicoide.studies.vargas.readings import EXACT_STEP, LINKS
 from helicoide.studies.vargas.runs import Run, each, largest
 from helicoide.studies.vargas.secondary import (
     ERROR_LATER,
@@ -117,6 +118,6 @@ def statements(zeta: float, run: Run) -> list[Row]:
     small = stated("small errors", "erros pequenos", PLACE, SMALL * LENGTH, "≤")
     error = null if zeta == ZETAS[0] else small
     return [
-        row(AWAY, of, largest(run.q[:, 1] - MIDDLE), "rad", kept, fitted=(ELBOW,)),
-        row(ERROR_LATER, of, largest(run.size, run.t >= SINCE), "ℓ", error, fitted=(ELBOW,)),
+        row(AWAY, of, largest(run.q[:, 1] - MIDDLE), "rad", kept, fitted=(ELBOW, LINKS, EXACT_STEP)),
+        row(ERROR_LATER, of, largest(run.size, run.t >= SINCE), "ℓ", error, fitted=(ELBOW, LINKS, EXACT_STEP)),
     ]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from helicoide.studies.study import Fitted, Progress, Reading, Result, Row
 from helicoide.studies.vargas.paths import path_5, places
+from helicoide.studies.vargas.readings import EXACT_STEP, links
 from helicoide.studies.vargas.runs import Run, each, largest
 from helicoide.studies.vargas.secondary import (
     ERROR_LATER,
@@ -39,11 +40,11 @@ TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos
 SOURCE = "Vargas 2013, §4.7, fig. 4.42"
 ABOUT = Text(
     en="""The obstacle stands beside the arm, not beside the path. Play the run: with eight points on each link that \
-see it, the arm folds out of the way and the tool hardly leaves its path. With the ends of the links alone the \
-obstacle slips in between.""",
+see it, the arm folds out of the way and the tool hardly leaves its path. Seen by the ends of the links alone, it \
+slips in between them in two of the three places.""",
     pt_BR="""O obstáculo está ao lado do braço, não do caminho. Veja a simulação: com oito pontos em cada elo que o \
-percebem, o braço se dobra para dar passagem e o efetuador quase não sai do caminho. Só com as pontas dos elos, o \
-obstáculo passa entre elas.""",
+percebem, o braço se dobra para dar passagem e o efetuador quase não sai do caminho. Visto só pelas pontas dos elos, \
+ele passa entre elas em dois dos três lugares.""",
 )
 ROBOT = "planar3r"
 PLACE = "fig. 4.42"
@@ -51,8 +52,8 @@ PLACE = "fig. 4.42"
 FAR, NEAR = ((0.6, 1.15), (0.85, 1.55)), (1.8, 1.4)
 POINTS = (0, 8, 1)
 CHOSEN = (
-    Fitted(same("α"), 2.0, 0.5, 3.0, "1/s"),
-    Fitted(same("γ"), 100.0, 25.0, 1000.0, "1/(ℓ² s)"),
+    Fitted(same("α"), 2.0, 0.5, 3.0, "s⁻¹"),
+    Fitted(same("γ"), 100.0, 25.0, 1000.0, "ℓ⁻² s⁻¹"),
     Reading(
         Text(
             en="start (0.9, −1.2, −0.6) and these places of the obstacle",
@@ -63,6 +64,13 @@ CHOSEN = (
             pt_BR="em (1,8; 1,4), perto do caminho, o erro é 0,011 ℓ",
         ),
     ),
+    links(
+        Text(
+            en="with 1, 2, 1 the error is 0.083 ℓ with the obstacle at (0.6, 1.15)",
+            pt_BR="com 1; 2; 1 o erro é 0,083 ℓ com o obstáculo em (0,6; 1,15)",
+        )
+    ),
+    EXACT_STEP,
 )
 Key = tuple[tuple[float, float], int]
 CASES: tuple[Key, ...] = tuple((mu, points) for mu in (*FAR, NEAR) for points in POINTS)

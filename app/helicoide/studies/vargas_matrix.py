@@ -12,7 +12,7 @@ from helicoide.ik import filtered_inverse, modal
 from helicoide.ik.filtered_inverse import Parts, Update
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.table import SECONDS, Gain, finished, row, stated, thinned, valued
 from helicoide.text import Text, same
@@ -20,15 +20,16 @@ from helicoide.text import Text, same
 TITLE = Text(en="What Θ learns of a matrix", pt_BR="O que Θ aprende de uma matriz")
 SOURCE = "Vargas 2013, §§4.3–4.4, eqs. 4.18–4.54, fig. 4.6"
 ABOUT = Text(
-    en="""Θ is on its way to the inverse of a Jacobian that stands still, begun anywhere. In the axes of the Jacobian \
-it is a diagonal, dᵢ, which comes to 1/σᵢ, and residuals rᵢⱼ, which come to zero. Look at what is left when only one \
-of the two inversion errors acts, S_r = KΘ − I or S_ℓ = ΘK − I: a redundant joint keeps a motion that nobody asked \
-for, a coordinate too many keeps a reaction. Where σ is zero nothing is learnt, and nothing is forgotten.""",
-    pt_BR="""Θ vai para a inversa de um jacobiano constante, partindo de qualquer valor. Nos eixos do jacobiano ela é \
-uma diagonal, dᵢ, que chega a 1/σᵢ, e resíduos rᵢⱼ, que chegam a zero. Observe o que sobra quando age só um dos dois \
-erros de inversão, S_r = KΘ − I ou S_ℓ = ΘK − I: uma junta redundante mantém um movimento que ninguém pediu, uma \
-coordenada a mais mantém uma reação. Onde σ \
-é zero nada se aprende e nada se esquece.""",
+    en="""Θ is on its way to the inverse of a Jacobian K that stands still, begun anywhere. In the axes of K it is a \
+diagonal, dᵢ, which comes to 1/σᵢ, with the singular values σᵢ of K, and residuals rᵢⱼ, which come to zero. Look at \
+what is left when only one of the two inversion errors acts, S_r = KΘ − I or S_ℓ = ΘK − I: a redundant joint keeps a \
+motion that nobody asked for, a coordinate too many keeps a reaction. Where σ is zero nothing is learnt, and nothing \
+is forgotten.""",
+    pt_BR="""Θ vai para a inversa de um Jacobiano constante K, partindo de qualquer valor. Nos eixos de K ela é uma \
+diagonal, dᵢ, que chega a 1/σᵢ, com os valores singulares σᵢ de K, e resíduos rᵢⱼ, que chegam a zero. Observe o que \
+sobra quando age só um dos dois erros de inversão, S_r = KΘ − I ou S_ℓ = ΘK − I: uma junta redundante mantém um \
+movimento que ninguém pediu, uma coordenada a mais mantém uma reação. Onde σ é zero nada se aprende e nada se \
+esquece.""",
 )
 ROBOT = "planar3r"
 READY, STRETCHED = (np.pi / 6,) * 3, (np.pi / 2, 0.0, 0.0)
@@ -42,10 +43,8 @@ NAMES = {
 # Γ_r = 2 Γ and Γ_ℓ = Γ/2; and a Γ that is no multiple of I
 UNEQUAL: Parts = (2.0, 0.5)
 MATRIX = np.array([[2.0, 0.5, 0.0], [0.5, 1.0, 0.3], [0.0, 0.3, 0.5]])
-
-
-# how many of the steps show the first 3 % of the time
-EARLY = 190
+# how many of the steps show the first 3 % of the time, and from how many Θ(0) it is begun
+EARLY, STARTS = 190, 10
 
 
 @dataclass(frozen=True)
@@ -87,6 +86,16 @@ def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float
     return Path(K, t, np.array(found))
 
 
+def farthest(K: Array, gain: float, seconds: float) -> float:
+    """The largest ‖Θ − K†‖ that is left of random Θ(0), by the rule of tab. 4.1 in steps of half of what it bears."""
+    steps, left = ceil(2 * seconds / filtered_inverse.step_limit(K, gain)), []
+    for Theta in np.random.default_rng(1).normal(size=(STARTS, *K.T.shape)):
+        for _ in range(steps):
+            Theta = filtered_inverse.euler(K, Theta, gain, seconds / steps)
+        left.append(float(np.linalg.norm(Theta - np.linalg.pinv(K))))
+    return max(left)
+
+
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """A Jacobian with a joint to spare, the same turned round, and one that is singular."""
     gain, robot = options.gain, planar().robot
@@ -99,7 +108,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     of_matrix = learnt(wide, gain * MATRIX, "composite", seconds)
     unequal = learnt(wide, gain, UNEQUAL, seconds)
     rows = [
-        *_converged(spare["composite"], many["composite"], of_matrix),
+        *_converged({"2 × 3": farthest(wide, gain, seconds), "3 × 2": farthest(wide.T, gain, seconds)}, of_matrix),
+        _growth(spare["composite"]),
         *_modes(spare["composite"], gain),
         *_kept(spare["right"], many["left"], stuck, gain),
         row(Text(en="‖Θ − K†‖ at the end, Γ_r = 2Γ, Γ_ℓ = Γ/2", pt_BR="‖Θ − K†‖ no fim, Γ_r = 2Γ, Γ_ℓ = Γ/2"), None,
@@ -128,23 +138,27 @@ def _errors(path: Path) -> Array:
     return np.array([sum(filtered_inverse.lyapunov(path.K, Theta)) for Theta in path.Theta])
 
 
-def _converged(spare: Path, many: Path, of_matrix: Path) -> list[Row]:
-    """Where Θ comes to, and that V_c never grows on the way."""
+def _converged(left: Mapping[str, float], of_matrix: Path) -> list[Row]:
+    """Where Θ comes to; left: how far it still is from there, by the shape of K."""
     comes = stated("Θ → K† from any Θ(0)", "Θ → K† de qualquer Θ(0)", "§4.3", 1e-6, "≤")
     any_gain = stated("Γ = Γᵀ > 0: Θ converges", "Γ = Γᵀ > 0: Θ converge", "§4.3", 1e-6, "≤")
-    falls = stated("V̇_c ≤ 0", "V̇_c ≤ 0", "§4.3", 1e-9, "≤")
     end = Text(en="‖Θ − K†‖ at the end, {which}", pt_BR="‖Θ − K†‖ no fim, {which}")
-    grows = Text(en="largest growth of V_c in a step", pt_BR="maior crescimento de V_c em um passo")
+    of_ten = Text(en="{K}, largest of ten random Θ(0)", pt_BR="{K}, a maior de dez Θ(0) aleatórios")
     return [
-        row(end.format(which="2 × 3"), None, float(spare.off[-1]), "", comes),
-        row(end.format(which="3 × 2"), None, float(many.off[-1]), "", comes),
+        *(row(end.format(which=of_ten.format(K=K)), None, off, "", comes) for K, off in left.items()),
         row(end.format(which=MATRICES), None, float(of_matrix.off[-1]), "", any_gain),
-        row(grows, None, float(np.diff(_errors(spare)).max()), "", falls),
     ]
 
 
+def _growth(path: Path) -> Row:
+    """That V_c never grows on the way."""
+    falls = stated("V̇_c ≤ 0", "V̇_c ≤ 0", "§4.3", 1e-9, "≤")
+    grows = Text(en="largest growth of V_c in a step", pt_BR="maior crescimento de V_c em um passo")
+    return row(grows, None, float(np.diff(_errors(path)).max()), "", falls)
+
+
 def _modes(path: Path, gain: float) -> list[Row]:
-    """Θ̇ in the axes of K, beside the laws of its diagonal and of its residuals, relative to the fastest of them."""
+    """Θ̇ in the axes of K beside the laws of its diagonal and of its residuals; how fast both then fade, by tab. 4.1."""
     U, _, Vt = np.linalg.svd(path.K)
     off_diagonal, off_residual = 0.0, 0.0
     for Theta, here in zip(path.Theta, path.seen(gain), strict=True):
@@ -155,10 +169,31 @@ def _modes(path: Path, gain: float) -> list[Row]:
         off_residual = max(off_residual, float(np.abs(moving + here.rates * here.R).max()))
     law = "ḋᵢ = −2γ(σᵢdᵢ − 1)σᵢ", "ṙᵢⱼ = −γ(σᵢ² + σⱼ²)rᵢⱼ"
     differs = Text(en="largest difference of {what}", pt_BR="maior diferença de {what}")
+    share = Text(en="rate at which {what} fades, over {rate}", pt_BR="taxa com que {what} se apaga, sobre {rate}")
+    laws = [stated(said, said, place, 1e-9, "≤") for said, place in zip(law, PLACES, strict=True)]
+    seen = path.seen(gain)
+    slow = seen[0].sigma[1]
+    faded = [[abs(one.d[1] - 1 / slow) for one in seen], [abs(one.R[2, 1]) for one in seen]]
+    rates = [_rate(path.t, np.array(values)) for values in faded]
+    half = [2 * gain * slow**2, gain * slow**2]
+    names = [share.format(what="d₂ − 1/σ₂", rate="2γσ₂²"), share.format(what="r₃₂", rate="γσ₂²")]
     return [
-        row(differs.format(what="ḋᵢ"), None, off_diagonal, "", stated(law[0], law[0], "eq. 4.52", 1e-9, "≤")),
-        row(differs.format(what="ṙᵢⱼ"), None, off_residual, "", stated(law[1], law[1], "eq. 4.54", 1e-9, "≤")),
+        row(differs.format(what="ḋᵢ"), None, off_diagonal, "", laws[0], given=CONSTRUCTED),
+        row(differs.format(what="ṙᵢⱼ"), None, off_residual, "", laws[1], given=CONSTRUCTED),
+        *(
+            row(name, None, rate / asked, "", stated(said, said, place, 1.0, "=", 0.05))
+            for name, rate, asked, said, place in zip(names, rates, half, law, PLACES, strict=True)
+        ),
     ]
+
+
+PLACES = ("eq. 4.52", "eq. 4.54")
+
+
+def _rate(t: Array, values: Array) -> float:
+    """How fast values fade, 1/s, down to a thousandth of the first if they ever come to it."""
+    there = int((values < 1e-3 * values[0]).argmax()) or len(values)
+    return float(-np.polyfit(t[:there], np.log(values[:there]), 1)[0])
 
 
 def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
@@ -186,6 +221,7 @@ def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
             share(of_spare[0].R[2], of_spare[-1].R[2]),
             "",
             rows_of,
+            given=CONSTRUCTED,
         ),
         row(
             left.format(where="Nul(Kᵀ)", alone=NAMES["left"]),
@@ -193,8 +229,16 @@ def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
             share(of_many[0].R[:, 2], of_many[-1].R[:, 2]),
             "",
             columns_of,
+            given=CONSTRUCTED,
         ),
-        row(Text(en="motion of d₂ where σ₂ = 0", pt_BR="movimento de d₂ onde σ₂ = 0"), None, moved, "", frozen),
+        row(
+            Text(en="motion of d₂ where σ₂ = 0", pt_BR="movimento de d₂ onde σ₂ = 0"),
+            None,
+            moved,
+            "",
+            frozen,
+            given=CONSTRUCTED,
+        ),
     ]
 
 

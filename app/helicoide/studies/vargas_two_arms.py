@@ -48,14 +48,14 @@ from helicoide.text import Text, same
 TITLE = Text(en="Two arms", pt_BR="Dois braços")
 SOURCE = "Vargas 2013, §4.7, figs. 4.43–4.44"
 ABOUT = Text(
-    en="""A second arm works on the other side of the table and reaches into the path of the first. Each of its \
-points carries a hill of cost that moves with it. Look at the least distance: without the term the arms touch; with \
-it the first one gives way, and leaves its path by a quarter of a link while it does. Values and motion are ours: the \
-source shows two figures and prints no number.""",
+    en="""A second arm works on the other side of the table and reaches into the path of the first. Each of its points \
+carries a hill of cost that moves with it. Look at the least distance: without the term the arms touch; with it the \
+first one gives way, and leaves its path by 0.24 ℓ while it does. Values and motion are ours: the source shows two \
+figures and prints no number.""",
     pt_BR="""Um segundo braço trabalha do outro lado da mesa e invade o caminho do primeiro. Cada um de seus pontos \
 carrega uma colina de custo que se move com ele. Observe a menor distância: sem o termo os braços se tocam; com ele o \
-primeiro cede e, enquanto cede, sai do caminho por um quarto de elo. Valores e movimento são nossos: a fonte mostra \
-duas figuras e não imprime números.""",
+primeiro cede e, enquanto cede, sai do caminho por 0,24 ℓ. Valores e movimento são nossos: a fonte mostra duas figuras \
+e não imprime números.""",
 )
 ROBOT = "planar3r"
 # The source gives no value: at these the arm gives way, and half the step changes the distance by less than 2 %

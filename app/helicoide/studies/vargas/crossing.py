@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from helicoide.studies.study import Figure, Row, Statement
 from helicoide.studies.vargas.arm import ERROR_LATER, FASTEST_LATER, SINCE
+from helicoide.studies.vargas.readings import EXACT_STEP
 from helicoide.studies.vargas.runs import Run, Way, largest
 from helicoide.studies.vargas.table import FASTEST, row
 
@@ -27,10 +28,24 @@ def crossing_rows(
     rows = []
     for key in [key for key in runs if key != "pseudoinverse"]:
         of, run, shown = ways[key].title, runs[key], Figure(figures) if key in COMPARED else None
-        later = run.t >= SINCE
+        later, filtered = run.t >= SINCE, key == "filtered"
         rows += [
             row(FASTEST, of, largest(run.rates), "rad/s", shown),
-            row(FASTEST_LATER, of, largest(run.rates, later), "rad/s", slow or shown),
-            row(ERROR_LATER, of, largest(run.size, later), "cm", (follows if key == "filtered" else None) or shown),
+            row(
+                FASTEST_LATER,
+                of,
+                largest(run.rates, later),
+                "rad/s",
+                slow or shown,
+                fitted=(EXACT_STEP,) if slow and filtered else (),
+            ),
+            row(
+                ERROR_LATER,
+                of,
+                largest(run.size, later),
+                "cm",
+                (follows if filtered else None) or shown,
+                fitted=(EXACT_STEP,) if follows and filtered else (),
+            ),
         ]
     return rows

@@ -12,6 +12,7 @@ from helicoide.ik.clik import Aiming
 from helicoide.studies.study import Figure, Progress, Result
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
+from helicoide.studies.vargas.readings import LINKS
 from helicoide.studies.vargas.runs import Run, Way, each, largest, record, way
 from helicoide.studies.vargas.table import (
     FASTEST,
@@ -60,7 +61,7 @@ def decays(options: Any, aiming: Aiming, by: Way, dt: float, figures: str, progr
             -rate,
             within=0.01 * rate,
         )
-        rows.append(row(title, valued("λ", rate), slope(runs[by, rate]), "1/s", law))
+        rows.append(row(title, valued("λ", rate), slope(runs[by, rate]), "1/s", law, fitted=(LINKS,)))
     fastest = {by: Figure(figures), soft: None}
     rows += [row(FASTEST, one.title, largest(runs[one, 2.0].rates), "rad/s", source) for one, source in fastest.items()]
     rated = Text(en="{of}, {rate}", pt_BR="{of}, {rate}")

@@ -16,6 +16,7 @@ from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.study import Chart, Fitted, Line, Progress, Reading, Result, Row, Statement, printed
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, places
+from helicoide.studies.vargas.readings import EXPONENT, TRANSPOSE
 from helicoide.studies.vargas.runs import IN_PLANE, Run, Way, compared, largest, tracking, way
 from helicoide.studies.vargas.table import (
     ERROR_FROM,
@@ -65,19 +66,21 @@ class Values:
 
 
 VALUES = Values()
-_RATE = Fitted(same("λ"), VALUES.rate, 0.909, 1.2, "1/s")
+_RATE = Fitted(same("λ"), VALUES.rate, 0.909, 1.2, "s⁻¹")
 SINCE = settled(VALUES.rate)
-FITTED: dict[str, tuple[Fitted, ...]] = {
+FITTED: dict[str, tuple[Fitted | Reading, ...]] = {
     "damping": (
         _RATE,
         Fitted(same("δ₀"), VALUES.damping, 0.0833, 0.12, "ℓ²"),
         Fitted(same("w₀"), VALUES.threshold, 0.833, 1.2, "ℓ²"),
+        EXPONENT,
     ),
     "feedback": (
         _RATE,
-        Fitted(same("g"), VALUES.gain, 200.0, 288.0, "1/(ℓ² s)"),
+        Fitted(same("g"), VALUES.gain, 200.0, 288.0, "ℓ⁻² s⁻¹"),
         Fitted(same("c"), VALUES.coupling, 0.546, 0.72),
-        Fitted(same("α"), VALUES.leak, 6.67, 9.6, "1/s"),
+        Fitted(same("α"), VALUES.leak, 6.67, 9.6, "s⁻¹"),
+        TRANSPOSE,
     ),
 }
 
@@ -130,12 +133,9 @@ def below(bound: str, place: str, runs: Mapping[str, Run], *more: Reading) -> li
 
 
 def ours(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
-    """The fastest joint and the largest error after the transient, of the methods that the source does not run here.
-
-    The pseudoinverse at a singular posture is as fast as its step lets it be, and is left to the charts.
-    """
+    """The fastest joint and the largest error after the transient, of the methods that the source does not run here."""
     rows = []
-    for key in [key for key in runs if key not in (*COMPARED, "pseudoinverse")]:
+    for key in [key for key in runs if key not in COMPARED]:
         later = runs[key].t >= SINCE
         rows += [
             row(FASTEST_FROM.format(since=SINCE), ways[key].title, largest(runs[key].rates, later), "rad/s"),

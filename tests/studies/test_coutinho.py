@@ -96,10 +96,10 @@ def test_without_its_term_the_entry_point_is_not_followed(monkeypatch: pytest.Mo
 
 
 def test_joints_that_race_carry_the_shaft_away_between_the_instants() -> None:
-    """E1: the row of the plain inverse differs, those of the bounded ones do not."""
+    """E1: by the plain inverse the shaft leaves its entry point over steps, by the bounded ones it does not."""
     rows = coutinho_e1.run(coutinho_e1.Options(), True, lambda share: None).rows
-    left = [row.verdict for row in rows if "the shaft leaves" in row.quantity.en]
-    assert left == [Verdict.DIFFERS, Verdict.FITTED, Verdict.FITTED]
+    plain, *bounded = (row.ours for row in rows if "the shaft leaves" in row.quantity.en)
+    assert plain > 1000 > 0.1 > max(bounded)
 
 
 def test_only_with_the_arm_damped_is_the_entry_point_disturbed() -> None:

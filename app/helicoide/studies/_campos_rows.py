@@ -9,12 +9,24 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Relation, Result, Row, Statement
+from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Reading, Relation, Result, Row, Statement
 from helicoide.text import Text, same
 
 LENGTH_1 = Quantity(Text(en="length of the first link", pt_BR="comprimento do primeiro elo"), 0.2, 2.0, "m")
 LENGTH_2 = Quantity(Text(en="length of the second link", pt_BR="comprimento do segundo elo"), 0.2, 2.0, "m")
 POSES = Quantity(Text(en="random poses", pt_BR="poses aleatórias"), 100, 100_000, decades=True)
+# What was chosen where the slides leave it open: Campos 5 and Campos 7 of the page of the sources.
+PUMA_LENGTHS = Reading(
+    Text(en="lengths of the PUMA as published", pt_BR="comprimentos publicados do PUMA"),
+    Text(en="the same counts with three other sets", pt_BR="as mesmas contagens com três outros conjuntos"),
+)
+NEAR_POSE = Reading(
+    Text(en="near: the position first, then the least turn", pt_BR="perto: primeiro a posição, depois o menor giro"),
+    Text(
+        en="if the point might move as well, the direction could be kept",
+        pt_BR="se o ponto também pudesse mover-se, a direção poderia ser mantida",
+    ),
+)
 JOINT, DEGREES = Text(en="joint", pt_BR="junta"), same("θ, °")
 
 

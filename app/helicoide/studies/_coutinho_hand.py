@@ -29,7 +29,7 @@ from helicoide.studies._coutinho_runs import (
     measured,
     problem_of,
 )
-from helicoide.studies.study import Progress
+from helicoide.studies.study import Progress, Reading
 from helicoide.text import Text
 
 INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
@@ -43,6 +43,14 @@ TREMOR = ((5e-5, 9.0), (5e-5, 11.0))
 ENTRY_SPEED, ENTRY_RATE = 0.01, 8 * 2 * pi / 7000 / 0.009
 # Kp and Ko, 1/s: of table 4.2 and of table 4.3.
 GAINS = {"simulations": (5.0, 10.0), "experiments": (270.0, 1500.0)}
+# By which the experiments run; the simulations, which start without an error, come out by either.
+AS_SEEN = Reading(
+    Text(en="the error of orientation as the body sees it", pt_BR="o erro de orientação como o corpo o vê"),
+    Text(
+        en="by the printed Q_d ⊗ Q⁻¹ with Ko = 1500 the loop is unstable",
+        pt_BR="com o impresso Q_d ⊗ Q⁻¹ e Ko = 1500 a malha é instável",
+    ),
+)
 
 Hand = Callable[[float], tuple[Array, float]]
 

@@ -15,16 +15,24 @@ from helicoide.studies.study import Chart, Figure, Fitted, Line, Motion, Reading
 from helicoide.text import Text, same
 
 POINTS, POSES = 500, 300  # of a curve, of a motion
-# What words ask of numbers: a place near a joint, the error of a tip that follows its path, and one that is low, mm; a
-# velocity that is about null, and one that is small, mm/s; the part of v_rd by which a shaft that follows it may miss.
-NEAR, FOLLOWED, LOW = 100.0, 0.3, 1.0
+# What words ask of numbers: the error of a tip that follows its path, and one that is low, mm; a velocity that is about
+# null, and one that is small, mm/s; the part of v_rd by which a shaft that follows it may miss.
+FOLLOWED, LOW = 0.3, 1.0
 NULL, SMALL, MISSED = 0.1, 1.0, 0.1
 
 STEPS = {"2": same("2 ms"), "20": same("20 ms")}
 STEP = Text(en="sample time", pt_BR="período de amostragem")
 FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
+ARM = Reading(
+    Text(en="axes, zero posture and speeds of our arm", pt_BR="eixos, postura zero e velocidades do nosso braço"),
+    Text(
+        en="counted from another zero the joints have other numbers, and the tool moves alike",
+        pt_BR="contadas de outro zero, as juntas têm outros números, e o efetuador se move igual",
+    ),
+)
 # Joints at the start that hold all that is printed of S1 to S4; found by tests/studies/fits/coutinho.py.
 STARTED = (
+    ARM,
     Fitted(same("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
     Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.4025, "rad"),
     Fitted(same("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
@@ -45,10 +53,6 @@ class Options:
 
 
 OF = same("{what}, {which}")
-IN_OUR_COPY = Text(
-    en="so it stands in our copy, which may have lost {what} (Coutinho {number})",
-    pt_BR="assim está na nossa cópia, que pode ter perdido {what} (Coutinho {number})",
-)
 BY_STEP = Text(en="{what} at {step:g} ms", pt_BR="{what} a {step:g} ms")
 NO_FEEDBACK = same("Kr = 0")
 SLIP = Text(en="largest forbidden velocity at the entry point", pt_BR="maior velocidade proibida no ponto de entrada")
@@ -126,10 +130,9 @@ def rows_of(
 def stays(
     run: Run,
     dt: float,
-    said: Statement,
+    said: Statement | None = None,
     fitted: tuple[Fitted | Reading, ...] = (),
     which: Text | None = None,
-    why: Text | None = None,
 ) -> Row:
     """How fast the shaft leaves its entry point beside what the source says of it.
 
@@ -137,7 +140,7 @@ def stays(
     """
     title = LEAVES.format(step=1e3 * dt)
     title = title if which is None else OF.format(what=title, which=which)
-    return Row(title, float(run["moved_mm_s"].max()), "mm/s", said, fitted, why=why)
+    return Row(title, float(run["moved_mm_s"].max()), "mm/s", said, fitted)
 
 
 TIME = Text(en="time, s", pt_BR="tempo, s")
@@ -180,7 +183,11 @@ CURVES: Mapping[str, Curve] = {
         same("l_a, m"),
         {"outside": ""},
     ),
-    "q7": Curve(Text(en="Bend of the wrist beyond it", pt_BR="Flexão do punho além dele"), same("θ₇, rad"), {"q7": ""}),
+    "q7": Curve(
+        Text(en="θ₇, the bend beyond the entry point", pt_BR="θ₇, a flexão além do ponto de entrada"),
+        same("θ₇, rad"),
+        {"q7": ""},
+    ),
     "w": Curve(
         Text(en="Manipulability of arm and wrist", pt_BR="Manipulabilidade do braço e do punho"),
         same("w"),

@@ -20,7 +20,7 @@ from helicoide.ik.postures.solve import EXACT
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import by_joint, finished, posed, said
+from helicoide.studies._campos_rows import PUMA_LENGTHS, by_joint, finished, posed, said
 from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
@@ -28,11 +28,13 @@ TITLE = Text(en="The families of methods, side by side", pt_BR="As famílias de 
 SOURCE = "Campos 1998, s.20, s.23–24, s.37; Paden 1986; Murray, Li, Sastry 1994"
 ABOUT = Text(
     en="A slide names the families: inverse transforms, screws, dual matrices and quaternions, geometry, iteration. "
-    "Here each solves the same goals of the PUMA and of the Movemaster. The closed ones give every posture, and the "
-    "same ones to rounding; the iteration comes to one, and which one depends on where it starts.",
+    "All but dual matrices, which move lines as dual quaternions do, solve the same goals of the PUMA and of the "
+    "Movemaster here. The closed ones give every posture, and the same ones to rounding; an iteration comes to one "
+    "from each start, and which one depends on the start.",
     pt_BR="Um slide nomeia as famílias: transformadas inversas, helicoides, matrizes e quatérnios duais, geometria, "
-    "iteração. Aqui cada uma resolve os mesmos alvos do PUMA e do Movemaster. As fechadas dão todas as posturas, e as "
-    "mesmas a menos de arredondamento; a iteração chega a uma só, e qual delas depende de onde parte.",
+    "iteração. Aqui todas, menos as matrizes duais, que movem retas como os quatérnios duais, resolvem os mesmos alvos "
+    "do PUMA e do Movemaster. As fechadas dão todas as posturas, e as mesmas a menos de arredondamento; de cada "
+    "partida a iteração chega a uma, e qual delas depende da partida.",
 )
 ROBOT = "puma560"
 
@@ -46,19 +48,46 @@ FORMS = {
     "puma560": {INVERSE: "puma560", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "geometry"},
     "movemaster": {INVERSE: "inverse_transform", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "movemaster"},
 }
-# What each family works out on the way to the joints, and its unit.
-STEPS: dict[str, dict[Text, dict[str, str]]] = {
+# What each family works out on the way to the joints: what it is, and its unit.
+AHEAD = Text(en="wrist ahead of the shoulder", pt_BR="punho à frente do ombro"), "m"
+ABOVE = Text(en="wrist above the shoulder", pt_BR="punho acima do ombro"), "m"
+FROM_AXIS_1 = Text(en="wrist ahead of axis 1", pt_BR="punho à frente do eixo 1"), "m"
+FAR = Text(en="distance of wrist and shoulder", pt_BR="distância entre punho e ombro"), "m"
+BEYOND = (
+    Text(en="wrist beyond the elbow, along the upper arm", pt_BR="punho além do cotovelo, ao longo do braço superior"),
+    "m",
+)
+STEPS: dict[str, dict[Text, dict[str, tuple[Text, str]]]] = {
     "puma560": {
-        INVERSE: {"K": "m", "u": "m"},
-        SCREWS: {"δ": "m"},
-        DUAL: {"k": "m"},
-        GEOMETRY: {"u": "m", "β": "rad", "ψ": "rad"},
+        INVERSE: {"K": (same("a₃ c₃ − d₄ s₃"), "m"), "u": FROM_AXIS_1},
+        SCREWS: {"δ": FAR},
+        DUAL: {"k": BEYOND},
+        GEOMETRY: {
+            "u": FROM_AXIS_1,
+            "β": (
+                Text(en="wrist below the horizontal, from the shoulder", pt_BR="punho abaixo da horizontal, do ombro"),
+                "rad",
+            ),
+            "ψ": (Text(en="angle from there to the upper arm", pt_BR="ângulo dali ao braço superior"), "rad"),
+        },
     },
     "movemaster": {
-        INVERSE: {"s_234": "", "c_234": "", "w_x": "m", "w_y": "m"},
-        SCREWS: {"α": "rad", "δ": "m"},
-        DUAL: {"k": "m"},
-        GEOMETRY: {"α": "rad", "u_W": "m", "z_W": "m"},
+        INVERSE: {
+            "s_234": (Text(en="sine of θ₂ + θ₃ + θ₄", pt_BR="seno de θ₂ + θ₃ + θ₄"), ""),
+            "c_234": (Text(en="cosine of θ₂ + θ₃ + θ₄", pt_BR="cosseno de θ₂ + θ₃ + θ₄"), ""),
+            "w_x": AHEAD,
+            "w_y": ABOVE,
+        },
+        SCREWS: {
+            "α": (Text(en="turn of the hand about axis 2, −y", pt_BR="giro da mão em torno do eixo 2, −y"), "rad"),
+            "δ": FAR,
+        },
+        DUAL: {"k": BEYOND},
+        GEOMETRY: {
+            "α": (Text(en="turn of the hand about y", pt_BR="giro da mão em torno de y"), "rad"),
+            "u_W": AHEAD,
+            "z_W": ABOVE,
+        },
     },
 }
 NAMES = {"puma560": same("PUMA"), "movemaster": same("Movemaster")}
@@ -160,8 +189,9 @@ def iterations(robot: Robot, count: int) -> list[tuple[Array, Report]]:
 def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]:
     """Postures for each goal, residuals, and how far apart the families are."""
     if robot.name == "puma560":
-        yield Row(FEWEST, min(tally.postures for tally in tallies.values()) / count, "", printed("8", "s.20"))
-        yield Row(MOST_FOUND, max(tally.postures for tally in tallies.values()) / count, "", printed("8", "s.20"))
+        counts = [tally.postures / count for tally in tallies.values()]
+        yield Row(FEWEST, min(counts), "", printed("8", "s.20"), (PUMA_LENGTHS,))
+        yield Row(MOST_FOUND, max(counts), "", printed("8", "s.20"), (PUMA_LENGTHS,))
     for family, tally in tallies.items():
         named = {"arm": NAMES[robot.name], "family": family}
         yield Row(COUNT.format(**named), tally.postures / count)
@@ -173,8 +203,8 @@ def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]
 def _steps(robot: Robot, steps: dict[Text, Answer]) -> Iterator[Row]:
     """What each family works out on the way to its first posture."""
     for family, symbols in STEPS[robot.name].items():
-        for symbol, unit in symbols.items():
-            quantity = STEP.format(arm=NAMES[robot.name], family=family, symbol=symbol)
+        for symbol, (meant, unit) in symbols.items():
+            quantity = STEP.format(arm=NAMES[robot.name], family=family, symbol=symbol, meant=meant)
             yield Row(quantity, steps[family].values[0][symbol], unit)
 
 
@@ -262,7 +292,10 @@ APART = Text(
     en="{arm}, {family}: farthest posture from those of inverse transforms",
     pt_BR="{arm}, {family}: postura mais distante das de transformadas inversas",
 )
-STEP = Text(en="{arm}, {family}: {symbol} of the goal shown", pt_BR="{arm}, {family}: {symbol} do alvo mostrado")
+STEP = Text(
+    en="{arm}, {family}: {symbol} of the goal shown, {meant}",
+    pt_BR="{arm}, {family}: {symbol} do alvo mostrado, {meant}",
+)
 LED = Text(en="{arm}, iteration: share of starts that lead there", pt_BR="{arm}, iteração: fração que chega ao alvo")
 DIFFERENT = Text(
     en="{arm}, iteration: different postures that the starts lead to",

@@ -14,7 +14,7 @@ from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import POSES, by_joint, finished, posed, said
+from helicoide.studies._campos_rows import NEAR_POSE, POSES, by_joint, finished, posed, said
 from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row
 from helicoide.text import HelicoideError, Text, same
 
@@ -57,7 +57,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     missed, lost, counts = there_and_back(robot, FEW if short else int(options.poses), progress)
     way = lifted(robot, actuators)
     rows = [
-        Row(TURNED, np.degrees(least_turn(turn.M, goal()[:3, :3]) - abs(turn.angle)), "°", NEAREST),
+        Row(TURNED, np.degrees(least_turn(turn.M, goal()[:3, :3]) - abs(turn.angle)), "°", NEAREST, (NEAR_POSE,)),
         Row(ANGLE, np.degrees(abs(turn.angle)), "°"),
         Row(LEAST, min(counts)),
         Row(MOST, max(counts)),

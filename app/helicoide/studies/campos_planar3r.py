@@ -17,7 +17,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright
 from helicoide.studies._campos_rows import POSES, by_joint, finished, millimetres, posed, said
-from helicoide.studies.study import Chart, Line, Progress, Result, Row, printed
+from helicoide.studies.study import Chart, Line, Progress, Reading, Result, Row, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="Three links, two postures", pt_BR="Três elos, duas posturas")
@@ -65,8 +65,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Row(MOST, max(counts), "", printed("2", "s.15")),
         Row(ROADS, apart, "rad", SIGN_RULE),
         Row(BY_COSINE, disagreements(robot), "", COSINE),
-        Row(LESS, less, "rad", SMALL_LINKS),
-        Row(PLACE, [row.branch.name for row in around].index(near[0].branch.name) + 1, "", RULED_OUT),
+        Row(LESS, less, "rad", SMALL_LINKS, (NEAR, WEIGHTS, LINKS)),
+        Row(PLACE, [row.branch.name for row in around].index(near[0].branch.name) + 1, "", RULED_OUT, (POSTED,)),
         *(
             Row(COST.format(which=which, weights=weights), row.cost)
             for weights, ranking in (("1, 1, 1", near), ("3, 2, 1", weighed))
@@ -169,6 +169,25 @@ SMALL_LINKS = said(
     ">",
 )
 RULED_OUT = said("an obstacle may rule out the nearest", "um obstáculo pode excluir a mais próxima", "s.17", 1, ">")
+NEAR = Reading(
+    Text(en="near: the least Σ wᵢ |Δθᵢ|", pt_BR="perto: a menor Σ wᵢ |Δθᵢ|"),
+    Text(en="with squares 0.088 rad less", pt_BR="com quadrados, 0,088 rad a menos"),
+)
+WEIGHTS = Reading(
+    Text(en="weights 3, 2, 1", pt_BR="pesos 3, 2, 1"),
+    Text(
+        en="with 6, 2, 1 0.183 rad less, with 2, 1.5, 1 0.042",
+        pt_BR="com 6; 2; 1, 0,183 rad a menos; com 2; 1,5; 1, 0,042",
+    ),
+)
+POSTED = Reading(
+    Text(en="a post of 50 mm at its elbow", pt_BR="um poste de 50 mm no cotovelo dela"),
+    Text(en="one that it does not touch leaves the nearest", pt_BR="um que ela não toca deixa a mais próxima"),
+)
+LINKS = Reading(
+    Text(en="links of 1, 0.7 and 0.2 m", pt_BR="elos de 1; 0,7 e 0,2 m"),
+    Text(en="with 0.5, 1 and 0.3 m 0.115 rad less", pt_BR="com 0,5; 1 e 0,3 m, 0,115 rad a menos"),
+)
 COST = Text(en="cost of the {which} posture, weights {weights}", pt_BR="custo da postura {which}, pesos {weights}")
 NEARER, FARTHER = Text(en="nearer", pt_BR="mais próxima"), Text(en="farther", pt_BR="mais distante")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")

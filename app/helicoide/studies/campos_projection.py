@@ -16,16 +16,16 @@ from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright
-from helicoide.studies._campos_rows import finished, posed, said
-from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row
+from helicoide.studies._campos_rows import NEAR_POSE, finished, posed, said
+from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Reading, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Goals that an arm cannot take", pt_BR="Alvos que o braço não pode assumir")
 SOURCE = "Campos 1998, s.13, s.27–36"
 ABOUT = Text(
-    en="With fewer than six joints most poses are out of question. The goal is taken to the nearest pose of the arm's "
-    "subspace first: a planar arm lays it flat, the polar arm keeps its point, the L-3 turns its pointing axis by "
-    "exactly the angle at which it leaves the plane of the arm.",
+    en="With fewer than six joints most poses are out of the question. The goal is taken to the nearest pose of the "
+    "arm's subspace first: a planar arm lays it flat, the polar arm keeps its point, the L-3 turns its pointing axis "
+    "by exactly the angle at which it leaves the plane of the arm.",
     pt_BR="Com menos de seis juntas, a maioria das poses está fora de questão. Primeiro o alvo é levado à pose mais "
     "próxima do subespaço do braço: o braço planar o deita no plano, o polar mantém o ponto, o L-3 gira o eixo da mão "
     "exatamente pelo ângulo com que ele sai do plano do braço.",
@@ -60,8 +60,14 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             Row(TAKEN.format(robot=arm.title), taken(arm, goals), "", said(*FEWER, "s.13, s.27", 0))
             for arm in (robot, polar, flat)
         ),
-        Row(NEARER, nearer, "rad", said("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9)),
-        Row(OUTSIDE, sum(not branches for branches in found), "", said(*STILL_OUT, "s.36", 0, ">")),
+        Row(
+            NEARER,
+            nearer,
+            "rad",
+            said("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9),
+            (NEAR_POSE,),
+        ),
+        Row(OUTSIDE, sum(not branches for branches in found), "", said(*STILL_OUT, "s.36", 0, ">"), (DRAWN,)),
         Row(AHEAD, ahead, "rad", said("Ẑ₂ along (x, y, 0)", "Ẑ₂ ao longo de (x, y, 0)", "s.32–33", 0, "=", 1e-9)),
         Row(DOWN, down, "rad", said("Ŷ₂ always straight down", "Ŷ₂ sempre para baixo", "s.32–33", 0, "=", 1e-9)),
         Row(ACROSS, across, "", said("X̂₂ = Ŷ₂ × Ẑ₂", "X̂₂ = Ŷ₂ × Ẑ₂", "s.33", 0, "=", 1e-9), given=CONSTRUCTED),
@@ -147,6 +153,16 @@ def _charts(angles: Array) -> list[Chart]:
 
 FEWER = ("fewer than six joints: no general poses", "menos de seis juntas: não alcança poses quaisquer")
 STILL_OUT = ("it may still be outside the workspace", "ainda pode ficar fora do espaço de trabalho")
+DRAWN = Reading(
+    Text(
+        en="links of the L-3 of 400 and 500 mm, goals within 0.6 m along each axis",
+        pt_BR="elos do L-3 de 400 e 500 mm, alvos até 0,6 m ao longo de cada eixo",
+    ),
+    Text(
+        en="of 1000 goals within 0.4 m 6 stay outside, within 0.2 m 67",
+        pt_BR="de 1000 alvos até 0,4 m ficam fora 6; até 0,2 m, 67",
+    ),
+)
 TAKEN = Text(
     en="random goals that the arm takes as they are, {robot}", pt_BR="alvos aleatórios aceitos como são, {robot}"
 )

@@ -13,7 +13,7 @@ from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import POSES, by_joint, finished, posed, said
+from helicoide.studies._campos_rows import POSES, PUMA_LENGTHS, by_joint, finished, posed, said
 from helicoide.studies.study import Progress, Result, Row, printed
 from helicoide.text import Text
 
@@ -32,6 +32,7 @@ ROBOT = "puma560"
 # The pose of these joint values, rad, is the one that is shown.
 EXAMPLE = frozen([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])
 FEW, SEARCHED = 1_000, 10
+CHOSEN = (PUMA_LENGTHS,)
 
 
 @dataclass(frozen=True)
@@ -67,11 +68,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     missed, apart, least, most = there_and_back(arm, FEW if short else int(options.poses), 560, progress)
     meeting = solvability.meeting_axes(arm)
     rows = [
-        Row(SHOULDERS, _distinct([branch.q[:3] for branch in branches]), "", printed("4", "s.19")),
-        Row(LEAST, least, "", printed("8", "s.20")),
-        Row(MOST, most, "", printed("8", "s.20")),
+        Row(SHOULDERS, _distinct([branch.q[:3] for branch in branches]), "", printed("4", "s.19"), CHOSEN),
+        Row(LEAST, least, "", printed("8", "s.20"), CHOSEN),
+        Row(MOST, most, "", printed("8", "s.20"), CHOSEN),
         Row(FLIP, _moved_by_flip(arm), "", FLIPPED),
-        Row(UNKNOWN, _unknown_to_the_form(arm), "", ALL),
+        Row(UNKNOWN, _unknown_to_the_form(arm), "", ALL, CHOSEN),
         Row(MEETING, 0 if meeting is None else meeting[0][0] + 1, "", AXES),
         Row(MISSED, missed),
         Row(APART, apart, "rad"),

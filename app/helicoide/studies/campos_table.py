@@ -22,14 +22,14 @@ from helicoide.text import Text, same
 TITLE = Text(en="Zero link lengths and the count of postures", pt_BR="Elos de comprimento zero e o número de posturas")
 SOURCE = "Campos 1998, s.22 (Craig); Primrose 1986"
 ABOUT = Text(
-    en="A table of the slides bounds the postures of six turning joints by which link lengths are zero. Here arms of "
-    "each row, random ones and one that is known for many, are searched for every posture of a pose, without a bound. "
-    "The first two rows are exceeded, by random arms too; nothing was ever found beyond sixteen, and with a spherical "
-    "wrist nothing beyond eight.",
-    pt_BR="Uma tabela dos slides limita as posturas de seis juntas de revolução segundo os elos de comprimento zero. "
-    "Aqui se buscam, sem limite, todas as posturas de uma pose em braços de cada linha: aleatórios e um conhecido por "
-    "ter muitas. As duas primeiras linhas são ultrapassadas, também por braços aleatórios; nunca se achou nada além de "
-    "dezesseis nem, com punho esférico, além de oito.",
+    en="A table that the slides take from a book of Craig bounds the postures of six turning joints by which link "
+    "lengths are zero. Here arms of each row, random ones and one that is known for many, are searched for every "
+    "posture of a pose, without a bound. The first two rows are exceeded, by random arms too; nothing was ever found "
+    "beyond sixteen, and with a spherical wrist nothing beyond eight.",
+    pt_BR="Uma tabela que os slides tomam de um livro de Craig limita as posturas de seis juntas de revolução segundo "
+    "os elos de comprimento zero. Aqui se buscam, sem limite, todas as posturas de uma pose em braços de cada linha: "
+    "aleatórios e um conhecido por ter muitas. As duas primeiras linhas são ultrapassadas, também por braços "
+    "aleatórios; nunca se achou nada além de dezesseis nem, com punho esférico, além de oito.",
 )
 ROBOT = "puma560"
 
@@ -92,12 +92,12 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
                 MOST.format(zeros=_named(zeros)),
                 max(found[zeros]),
                 "",
-                printed(f"≤ {bound}", "s.22"),
+                printed(f"≤ {bound}", "s.22, Craig"),
                 erratum=WRONG.get(zeros, ""),
             )
             for zeros, bound in ROWS
         ),
-        Row(PUMA, puma_0, "", printed("≤ 4", "s.22"), erratum="campos-1"),
+        Row(PUMA, puma_0, "", printed("≤ 4", "s.22, Craig"), erratum="campos-1"),
         *(
             Row(RANDOM.format(zeros=_named(zeros), bound=bound), float(np.mean(np.array(found[zeros][1:]) > bound)))
             for zeros, bound in ROWS[:2]

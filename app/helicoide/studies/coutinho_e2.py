@@ -2,30 +2,32 @@
 
 from __future__ import annotations
 
-from helicoide.studies._coutinho_hand import PERIOD, STEP, Options, led, steering
-from helicoide.studies._coutinho_rows import NULL, TIMES, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_hand import AS_SEEN, PERIOD, STEP, Options, led, steering
+from helicoide.studies._coutinho_rows import ARM, NULL, TIMES, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, crossings
-from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
+from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="E2: a hand leads the tool", pt_BR="E2: a mão conduz a ponta")
 SOURCE = "Coutinho 2015, §4.2, §4.2.2, figs. 4.31–4.37, tab. 4.3"
 ABOUT = Text(
     en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point stands still; the "
-    "filtered inverse answers every 2 ms, with the gains of the experiments. No singularity is met, and the shaft "
-    "slides and turns in its entry point without pushing it. The source measured this on the robot; here hand and arm "
-    "are simulated, without noise.",
+    "filtered inverse answers every 2 ms, with the gains of the experiments. How the hand moves is ours, and it keeps "
+    "away from the singularity θ₇ = 0; the shaft slides and turns in its entry point without pushing it. The source "
+    "measured this on the robot; here hand and arm are simulated, without noise.",
     pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, com o ponto de entrada parado; a "
-    "inversa filtrada responde a cada 2 ms, com os ganhos dos experimentos. Nenhuma singularidade aparece, e a haste "
-    "desliza e gira no ponto de entrada sem empurrá-lo. A fonte mediu isso no robô; aqui a mão e o braço são "
-    "simulados, sem ruído.",
+    "inversa filtrada responde a cada 2 ms, com os ganhos dos experimentos. O movimento da mão é nosso e fica longe da "
+    "singularidade θ₇ = 0; a haste desliza e gira no ponto de entrada sem empurrá-lo. A fonte mediu isso no robô; aqui "
+    "a mão e o braço são simulados, sem ruído.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 SHORT = 6.0
 # What the hand does, mm and s; by tests/studies/fits/coutinho_hand.py.
-SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 27.0, 24.3, 29.7, "mm")
-ASIDE = Fitted(Text(en="its way aside", pt_BR="o percurso dela para o lado"), 15.0, 13.5, 16.5, "mm")
+SIZE = Fitted(
+    Text(en="half of how far the hand leads in", pt_BR="metade do avanço da mão para dentro"), 27.0, 24.3, 29.7, "mm"
+)
+ASIDE = Fitted(Text(en="how far it leads aside", pt_BR="o avanço dela para o lado"), 15.0, 13.5, 16.5, "mm")
 LASTS = Fitted(Text(en="its period", pt_BR="o período dela"), PERIOD, 54.0, 66.0, "s")
 NONE_MET = Text(en="no singularity is met", pt_BR="nenhuma singularidade é encontrada")
 STILL = Text(
@@ -51,8 +53,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 def stated(got: Run) -> list[Row]:
     """What the source says of E2."""
-    hand = (SIZE, ASIDE, LASTS)
     return [
-        stays(got, STEP, Statement(STILL, "§4.2.2", NULL, "≤"), hand),
-        Row(TIMES, crossings(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), hand),
+        stays(got, STEP, Statement(STILL, "§4.2.2", NULL, "≤"), (ARM, SIZE, ASIDE, LASTS, AS_SEEN)),
+        Row(TIMES, crossings(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), given=PUT_IN),
     ]

@@ -6,8 +6,19 @@ import numpy as np
 
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_hand import ENTRY_SPEED, PERIOD, SAMPLE, STEP, Device, Options, dragging, led, steering
-from helicoide.studies._coutinho_rows import ENTRY, LOW, MISSED, SHARE, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_hand import (
+    AS_SEEN,
+    ENTRY_SPEED,
+    PERIOD,
+    SAMPLE,
+    STEP,
+    Device,
+    Options,
+    dragging,
+    led,
+    steering,
+)
+from helicoide.studies._coutinho_rows import ARM, ENTRY, LOW, MISSED, SHARE, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run
 from helicoide.studies.coutinho_e2 import LASTS
 from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement, printed
@@ -16,12 +27,12 @@ from helicoide.text import Text, same
 TITLE = Text(en="E3: a hand near a singularity", pt_BR="E3: a mão perto de uma singularidade")
 SOURCE = "Coutinho 2015, §4.2, §4.2.3, figs. 4.38–4.43, tab. 4.3"
 ABOUT = Text(
-    en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point swings; the path "
-    "comes through θ₇ = 0, as the operator was asked to steer. With the filtered inverse the joints stay calm, while "
-    "the error of the tip is a fifth larger near the singularity than away from it.",
-    pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, enquanto o ponto de entrada oscila; a "
-    "trajetória passa por θ₇ = 0, como se pediu ao operador. Com a inversa filtrada as juntas ficam calmas, e o erro "
-    "da ponta é um quinto maior perto da singularidade do que longe dela.",
+    en="A hand on a haptic device leads the tool, a thousand poses a second, while the entry point swings; how it "
+    "moves is ours, twice through θ₇ = 0, as the operator was asked to steer. With the filtered inverse the joints "
+    "stay calm, while the error of the tip is a fifth larger near the singularity than away from it.",
+    pt_BR="A mão num dispositivo háptico conduz a ponta, mil poses por segundo, enquanto o ponto de entrada oscila; o "
+    "movimento dela é nosso e passa duas vezes por θ₇ = 0, como se pediu ao operador. Com a inversa filtrada as juntas "
+    "ficam calmas, e o erro da ponta é um quinto maior perto da singularidade do que longe dela.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
@@ -29,9 +40,12 @@ SHORT = 16.0
 # w_r below which the wrist counts as near the singularity, and above which it has left it.
 NEAR, LEFT = 0.1, 0.2
 # What the hand does, mm and rad; by tests/studies/fits/coutinho_hand.py.
-SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 9.0, 8.1, 9.9, "mm")
+SIZE = Fitted(
+    Text(en="half of how far the hand leads in", pt_BR="metade do avanço da mão para dentro"), 9.0, 8.1, 9.9, "mm"
+)
 TURN = Fitted(Text(en="its turn", pt_BR="o giro dela"), 0.26, 0.234, 0.286, "rad")
 HAND = (SIZE, TURN, LASTS)
+LED = (ARM, *HAND, AS_SEEN)
 BOUND = Fitted(Text(en="bound of w_r", pt_BR="limiar de w_r"), NEAR, 0.03, 0.3)
 TWO = Text(en="two points near the singularity", pt_BR="dois pontos próximos da singularidade")
 LARGER = Text(en="errors larger near the singular points", pt_BR="erros maiores perto dos pontos singulares")
@@ -47,7 +61,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     title, of_tool = INVERSES[options.inverse]
     hand = steering(1e-3 * SIZE.value, 0.0, TURN.value)
     got = led(hand, ENTRY_SPEED, of_tool, options.feedback, SHORT if short else PERIOD, progress)
-    counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), (*HAND, BOUND)),)
+    counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), given=PUT_IN),)
     rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES, MEASURED))
     return Result(
         rows=rows,
@@ -72,10 +86,10 @@ def stated(got: Run) -> list[Row]:
     near = got["w"] < NEAR
     error_near, error_far = got["tip_mm"][near].max(initial=0.0), got["tip_mm"][~near].max(initial=0.0)
     return [
-        Row(RATIO, float(error_near / error_far), "", Statement(LARGER, "§4.2.3", 1.0, ">"), (*HAND, BOUND)),
-        Row(SHARE, float(got["of_speed"].max()), "", Statement(CALM, "§4.2.3", 1.0, "<"), HAND),
-        stays(got, STEP, Statement(same("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤"), HAND),
-        Row(TIP_FAR, float(error_far), "mm", Statement(SMALL, "§4.2.3", LOW, "≤"), HAND),
+        Row(RATIO, float(error_near / error_far), "", Statement(LARGER, "§4.2.3", 1.0, ">"), (*LED, BOUND)),
+        Row(SHARE, float(got["of_speed"].max()), "", Statement(CALM, "§4.2.3", 1.0, "<"), LED),
+        stays(got, STEP, Statement(same("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤"), LED),
+        Row(TIP_FAR, float(error_far), "mm", Statement(SMALL, "§4.2.3", LOW, "≤"), LED),
         Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed("1", "§4.2.1, §4.2.3"), given=PUT_IN),
         Row(TIP_NEAR, float(error_near), "mm"),
     ]
@@ -99,6 +113,6 @@ RATIO = Text(
 TIP_NEAR = Text(en="largest error of the tip where w_r < 0.1", pt_BR="maior erro da ponta onde w_r < 0,1")
 TIP_FAR = Text(en="largest error of the tip elsewhere", pt_BR="maior erro da ponta no resto do caminho")
 STEADY = Text(
-    en="a steady drag: how far its read velocity is from steady",
-    pt_BR="arrasto constante: quanto a velocidade lida difere da constante",
+    en="largest error of the velocity read off a hand that drags steadily",
+    pt_BR="maior erro da velocidade lida quando a mão puxa com velocidade constante",
 )

@@ -18,10 +18,12 @@ SOURCE = "Coutinho 2015, §3.6, eqs. 3.43–3.50; §4.1.2, eqs. 4.3, 4.4"
 ABOUT = Text(
     en="The path of S3 through θ₇ = 0 by the plain inverse, two kinds of damping and the filtered inverse: compare "
     "what each costs the tip, and what it saves the joints. The source runs it with constant damping only, so that the "
-    "comparison is ours; the entry point is kept by all four.",
+    "comparison is ours. The plain inverse is exact at each instant, but its joints race, so that a step of 20 ms is "
+    "too long for it: its tip errs most. The entry point is kept by all four.",
     pt_BR="A trajetória de S3 por θ₇ = 0 com a inversa simples, dois tipos de amortecimento e a inversa filtrada: "
     "compare quanto cada uma custa à ponta e quanto poupa às juntas. A fonte só a executa com amortecimento constante, "
-    "de modo que a comparação é nossa; as quatro mantêm o ponto de entrada.",
+    "de modo que a comparação é nossa. A inversa simples é exata a cada instante, mas suas juntas disparam, e um passo "
+    "de 20 ms é longo demais para ela: é a ponta que mais erra. As quatro mantêm o ponto de entrada.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

@@ -15,7 +15,7 @@ from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.follow import Moment, Wish, command, followed, pose_error
 from helicoide.ik.rcm.passage import through
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_rows import IN_OUR_COPY, TIME
+from helicoide.studies._coutinho_rows import TIME
 from helicoide.studies._coutinho_runs import (
     DEPTH,
     LINK,
@@ -27,7 +27,7 @@ from helicoide.studies._coutinho_runs import (
     entry_on,
     problem_of,
 )
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement
+from helicoide.studies.study import Chart, Line, Motion, Progress, Reading, Result, Row, Statement
 from helicoide.text import Text, same
 
 TITLE = Text(en="The loop closes, in the right axes", pt_BR="A malha fecha, nos eixos certos")
@@ -35,17 +35,17 @@ SOURCE = "Coutinho 2015, §2.4, §3.1, eqs. 2.16, 2.59–2.69, 3.19"
 ABOUT = Text(
     en="Behind a trocar the tool starts 20 mm and 30° from a target that stands still, and comes to it as the theorem "
     "says. The error of orientation of eqs. 2.62–2.63 is in the axes of the base, while the command is a velocity in "
-    "those of the body: a body that is turned by 180° never arrives with it, and does with the error as the body sees "
-    "it.",
+    "those of the body: with it three of four random poses are missed; with the error as the body sees it none is.",
     pt_BR="Atrás de um trocarte, o efetuador parte a 20 mm e 30° de um alvo parado e chega a ele como diz o teorema. O "
     "erro de orientação das eqs. 2.62–2.63 está nos eixos da base, enquanto o comando é uma velocidade nos do corpo: "
-    "um corpo girado de 180° nunca chega com ele, e chega com o erro como o corpo o vê.",
+    "com ele três de cada quatro poses aleatórias não são alcançadas; com o erro como o corpo o vê, todas são.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-# s and s, of the arm; s, 1/s and s, of the body alone.
+# s and s, of the arm; s, 1/s and s, of the body alone; of bodies at random: how many, their error, rad, and step, s.
 STEP, SECONDS = 0.001, 2.0
 BODY_STEP, BODY_GAIN, BODY_SECONDS = 0.005, 2.0, 10.0
+BODIES, AWAY, COARSE = 40, 0.2, 0.05
 # Of what a formula gives.
 CLOSE = 5e-4
 STILL = np.zeros(6)
@@ -71,7 +71,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         progress((done + 1) / steps)
     t, q, position, angle = (np.array(column) for column in zip(*found, strict=True))
     turns = {SEEN: body(pose_error), PRINTED: body(printed_error)}
-    rows = (*_arrived(t, position, angle), *_turned(turns), *_formulas())
+    rows = (*_arrived(t, position, angle), *_missed(), *_formulas(), *_turned(turns))
     return Result(
         rows=rows,
         charts=_charts(t, position, angle, turns),
@@ -101,14 +101,29 @@ def printed_error(T_world_target: Array, T_world_tool: Array) -> Array:
 def body(error: Error) -> Array:
     """The angle that is left, degrees, step by step, of a body that is turned by 180° about x.
 
-    Its target is turned by 20° more, about its own z; ω = Ko ε̃ in the axes of the body.
+    Its target is turned by 20° more, about its own z.
     """
-    R = rotation.exponential([np.pi, 0.0, 0.0])
-    target = _posed(R @ rotation.exponential([0.0, 0.0, np.radians(20)]))
-    left = []
-    for _ in range(round(BODY_SECONDS / BODY_STEP) + 1):
+    return _turning(rotation.exponential([np.pi, 0.0, 0.0]), np.array([0.0, 0.0, np.radians(20)]), error, BODY_STEP)
+
+
+def missed(error: Error) -> int:
+    """How many bodies at random poses are more than 1° from their targets after 10 s."""
+    draw, count = np.random.default_rng(2), 0
+    for wxyz in draw.normal(size=(BODIES, 4)):
+        away = AWAY * rotation.unit(draw.normal(size=3))
+        count += bool(_turning(rotation.to_matrix(wxyz), away, error, COARSE)[-1] > 1.0)
+    return count
+
+
+def _turning(R: Array, away: Array, error: Error, dt: float) -> Array:
+    """The angle that is left, degrees, step by step, of a body that turns by ω = Ko ε̃ in its own axes.
+
+    Args: R (3, 3); away: of its target in its axes (3,), rad; dt, s.
+    """
+    target, left = _posed(R @ rotation.exponential(away)), []
+    for _ in range(round(BODY_SECONDS / dt) + 1):
         left.append(angle_deg(pose_error(target, _posed(R))))
-        R = R @ rotation.exponential(command(R, STILL, error(target, _posed(R)), 0.0, BODY_GAIN)[3:] * BODY_STEP)
+        R = R @ rotation.exponential(command(R, STILL, error(target, _posed(R)), 0.0, BODY_GAIN)[3:] * dt)
     return np.array(left)
 
 
@@ -127,23 +142,27 @@ def _arrived(t: Array, position: Array, angle: Array) -> list[Row]:
         Row(
             POSITION_RATE, rates[0], "1/s", Statement(same("ė_p = −Kp e_p, Kp = 5"), "eqs. 2.61, 2.66", -5.0, "=", 0.05)
         ),
-        Row(LEFT, float(angle[-1]), "°", Statement(same("ε̃ → 0"), "§2.4", 0.0, "=", 0.01)),
+        Row(LEFT, float(angle[-1]), "°", Statement(same("ε̃ → 0"), "§2.4", 0.0, "=", 0.01), (AS_SEEN,)),
         Row(ANGLE_RATE, rates[1], "1/s"),
     ]
 
 
 def _turned(turns: dict[Text, Array]) -> list[Row]:
     """What is left of the angle of the body alone, by each error of orientation."""
-    arrives = Statement(ARRIVES, "§2.4", 0.0, "=", 0.1)
+    return [Row(ANGLE_LEFT.format(which=which), float(left[-1]), "°") for which, left in turns.items()]
+
+
+def _missed() -> list[Row]:
+    """How many of the bodies at random poses do not arrive, by each error of orientation."""
     return [
+        Row(MISSED.format(which=SEEN), missed(pose_error), "", Statement(ARRIVES, "§2.4", 0.0), (AS_SEEN,)),
         Row(
-            ANGLE_LEFT.format(which=which),
-            float(left[-1]),
-            "°",
-            arrives,
-            erratum="coutinho-4" if which is PRINTED else "",
-        )
-        for which, left in turns.items()
+            MISSED.format(which=PRINTED),
+            missed(printed_error),
+            "",
+            Statement(ARRIVES, "eqs. 2.62–2.66", 0.0),
+            erratum="coutinho-4",
+        ),
     ]
 
 
@@ -155,9 +174,9 @@ def _formulas() -> list[Row]:
     whole = Statement(same("√(r₁₁ − r₂₂ − r₃₃ + 1)"), "eq. 2.13", float(np.sqrt(2 - 2 * np.cos(small))), "=", CLOSE)
     falls = Statement(same("−ε̃ᵀ Ko ε̃"), "eq. 2.69", float(-10 * Q[1:] @ Q[1:]), "=", CLOSE)
     return [
-        Row(SCALAR, float(rotation.multiply(Q, P)[0]), "", added, why=SIGN),
-        Row(VECTOR, float(rotation.from_matrix(rotation.to_matrix(Q))[1]), "", whole, why=HALF),
-        Row(LYAPUNOV, _falling(small), "1/s", falls, why=HALF_TOO),
+        Row(SCALAR, float(rotation.multiply(Q, P)[0]), "", added, erratum="coutinho-6"),
+        Row(VECTOR, float(rotation.from_matrix(rotation.to_matrix(Q))[1]), "", whole, erratum="coutinho-6"),
+        Row(LYAPUNOV, _falling(small), "1/s", falls, erratum="coutinho-5"),
     ]
 
 
@@ -183,12 +202,24 @@ def _charts(t: Array, position: Array, angle: Array, turns: dict[Text, Array]) -
 
 SEEN = Text(en="Q⁻¹ ⊗ Q_d, as the body sees it", pt_BR="Q⁻¹ ⊗ Q_d, como o corpo o vê")
 PRINTED = Text(en="Q_d ⊗ Q⁻¹, in its printed form", pt_BR="Q_d ⊗ Q⁻¹, na forma impressa")
-SIGN = IN_OUR_COPY.format(number=6, what=Text(en="the minus", pt_BR="o sinal de menos"))
-HALF, HALF_TOO = (IN_OUR_COPY.format(number=number, what=Text(en="a ½", pt_BR="um ½")) for number in (6, 5))
+AS_SEEN = Reading(
+    Text(en="the error of orientation as the body sees it", pt_BR="o erro de orientação como o corpo o vê"),
+    Text(
+        en="with Q_d ⊗ Q⁻¹, as printed, 31 of 40 random poses are missed",
+        pt_BR="com Q_d ⊗ Q⁻¹, como impresso, 31 de 40 poses aleatórias não são alcançadas",
+    ),
+)
 POSITION_RATE = Text(en="rate of ln |e_p|", pt_BR="taxa de ln |e_p|")
 ANGLE_RATE = Text(en="rate of ln tan(φ/4), which is −Ko/2", pt_BR="taxa de ln tan(φ/4), que é −Ko/2")
 LEFT = Text(en="angle that is left after 2 s", pt_BR="ângulo que resta após 2 s")
-ANGLE_LEFT = Text(en="angle of a body after 10 s, error {which}", pt_BR="ângulo de um corpo após 10 s, erro {which}")
+ANGLE_LEFT = Text(
+    en="angle after 10 s of a body that is turned by 180°, error {which}",
+    pt_BR="ângulo, após 10 s, de um corpo girado de 180°, erro {which}",
+)
+MISSED = Text(
+    en="random poses out of 40 that a body misses, error {which}",
+    pt_BR="poses aleatórias, de 40, que um corpo não alcança, erro {which}",
+)
 ARRIVES = Text(
     en="η̃ → ±1 from all states but a set of measure zero",
     pt_BR="η̃ → ±1 de todos os estados, salvo um conjunto de medida nula",

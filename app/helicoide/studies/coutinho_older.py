@@ -21,11 +21,11 @@ TITLE = Text(en="Four ways to the same joint velocities", pt_BR="Quatro caminhos
 SOURCE = "Coutinho 2015, §1.2.1, eqs. 1.1–1.4, 3.9, 3.18"
 ABOUT = Text(
     en="Before the constrained Jacobian, the entry point was kept by stacking its Jacobian under that of the tool, or "
-    "by putting one task before the other. Along S2 all of them ask the same of the joints to rounding; what differs "
-    "is where they break down, and whether the entry point is still kept there.",
+    "by putting one task before the other. Along S2, where nothing is singular, all of them ask the same of the joints "
+    "to rounding: det of the stack is l_a² w_i w_r, zero where the arm or the wrist is singular.",
     pt_BR="Antes do Jacobiano restrito, mantinha-se o ponto de entrada empilhando seu Jacobiano sob o do efetuador, ou "
-    "pondo uma tarefa à frente da outra. Ao longo de S2 todos pedem o mesmo das juntas, a menos de arredondamento; o "
-    "que muda é onde falham, e se o ponto de entrada ainda é mantido ali.",
+    "pondo uma tarefa à frente da outra. Ao longo de S2, onde nada é singular, todos pedem o mesmo das juntas, a menos "
+    "de arredondamento: o determinante do empilhado é l_a² w_i w_r, nulo onde o braço ou o punho é singular.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

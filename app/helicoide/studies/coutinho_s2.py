@@ -12,11 +12,11 @@ TITLE = Text(en="S2: a trocar that stands still", pt_BR="S2: um trocarte parado"
 SOURCE = "Coutinho 2015, §4.1.2, eq. 4.2"
 ABOUT = Text(
     en="The instrument passes a trocar, which lets it slide and turn but not move sideways, and its tool draws a "
-    "closed curve beyond it with its orientation held. What is left of the tip's error falls with the sample time, and "
-    "so does the drift at the entry point, unless a feedback Kr takes it away.",
+    "closed curve beyond it with its orientation held. Over whole steps the shaft drifts a little away from the entry "
+    "point, unless a feedback Kr of its distance brings it back.",
     pt_BR="O instrumento passa por um trocarte, que o deixa deslizar e girar mas não se mover de lado, e a ponta "
-    "percorre uma curva fechada com a orientação mantida. O que resta do erro da ponta diminui com o período de "
-    "amostragem, assim como a deriva no ponto de entrada, a não ser que a realimentação Kr a elimine.",
+    "percorre uma curva fechada com a orientação mantida. Ao longo de passos inteiros a haste se afasta um pouco do "
+    "ponto de entrada, a não ser que a realimentação Kr dessa distância a traga de volta.",
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 

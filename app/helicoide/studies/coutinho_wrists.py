@@ -14,7 +14,6 @@ from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._coutinho_rows import IN_OUR_COPY
 from helicoide.studies._coutinho_runs import LINK, ROBOT, dia10, entry_on, problem_of, seven_joints, zx_wrist
 from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement
 from helicoide.text import Text, same
@@ -166,7 +165,7 @@ def _wrong(l_a: float) -> list[Row]:
     grown = standing(zy, BENT, CLOSE).of_tool.condition / standing(zy, BENT, l_a).of_tool.condition
     return [
         Row(ENTRY, float(standing(zy, BENT, l_a).J[2, 3]), "m", entry, erratum="coutinho-1"),
-        Row(ROOT, standing(slit, BENT, l_a).of_tool.w, "", without, why=NO_ROOT),
+        Row(ROOT, standing(slit, BENT, l_a).of_tool.w, "", without, erratum="coutinho-3"),
         Row(GROWS, float(grown), "", Statement(ILL, "§3.5", 10.0, ">")),
     ]
 
@@ -206,7 +205,6 @@ AT = Text(en="w_r at θ₇ = {angle}, {which}", pt_BR="w_r em θ₇ = {angle}, {
 SINGULAR = Text(en="singular", pt_BR="singular")
 ENTRY = Text(en="entry (3, 4) of J^r, trocar, zy", pt_BR="elemento (3, 4) de J^r, trocarte, zy")
 ROOT = Text(en="w_r at θ₇ = 0.7, slit, zy", pt_BR="w_r em θ₇ = 0,7, fenda, zy")
-NO_ROOT = IN_OUR_COPY.format(number=3, what=Text(en="the root", pt_BR="a raiz"))
 GROWS = Text(
     en="condition number of J^r at l_a = 5 mm over that of the example",
     pt_BR="número de condição de J^r em l_a = 5 mm sobre o do exemplo",

@@ -2,7 +2,8 @@
 
 What happens at the wrist does not depend on the arm: shaft, tool and entry point alone are moved, by the Jacobian of
 eq. 3.28, which is a run of its own kind beside `ik.rcm`. l_a(0), θ₇(0) and θ₈(0) are drawn at random for so many
-seconds (two of the first 1551 hold), then how far those that were chosen beside the first may change is shown.
+seconds (two of the first 1551 hold), then how far those that were chosen beside the first may change is shown, and how
+far those may whose θ₇ begins at the end of its printed range.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START
 Kp, Ko, DT, STEPS = 270.0, 1500.0, 0.002, 22501
 LENGTH, L_8, RATE = 0.33, 0.21, 2 * pi / 7000 / 0.009
 PLAIN, DAMPED, FILTERED = 0, 1, 2
+FROM_THE_END = (0.12, pi / 4, -pi / 2)
 zy_trocar = njit(wrists.zy_trocar)
 
 
@@ -113,7 +115,8 @@ if __name__ == "__main__":
             print(f"start {tried}: {start}, at ±5 %: {near}", flush=True)
     print(f"{tried} random starts", flush=True)
     chosen = (E1_DEPTH, *(float(angle) for angle in E1_START[6:]))
-    for index, name in enumerate(("l_a(0)", "θ₇(0)", "θ₈(0)")):
-        for factor in (0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.15):
-            changed = with_one(chosen, index, factor)
-            print(name, round(changed[index], 6), as_printed(*changed), flush=True)
+    for begun in (chosen, FROM_THE_END):
+        for index, name in enumerate(("l_a(0)", "θ₇(0)", "θ₈(0)")):
+            for factor in (0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.15):
+                changed = with_one(begun, index, factor)
+                print(name, round(changed[index], 6), as_printed(*changed), flush=True)

@@ -40,7 +40,10 @@ class TooLong(BaseException):
 
 
 def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Findings:
-    """What comes of a file in so many seconds of the processor; solving: inverse kinematics."""
+    """What comes of a file, each thing that a person may ask of it in so many seconds of the processor.
+
+    solving: inverse kinematics.
+    """
     found, begun = Findings(), process_time()
     doing = "reading"
     try:
@@ -49,18 +52,18 @@ def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Find
             if tree is not None:
                 found.is_drawn, found.meshes = tree.is_drawn, tree.meshes
             arms = list(_arms(path, tree, found))
-            for robot in arms:
-                doing = f"{robot.tool_link}: forward kinematics"
-                with _faults(found, doing):
-                    _forward(robot, tree, found)
-            for robot in _different(arms):
-                doing = f"{robot.tool_link}: there and back"
-                with _faults(found, doing):
-                    _there_and_back(robot, tree, found, solving)
-            if arms:
-                doing = "the picture"
-                with _faults(found, doing):
-                    _picture(arms[0], found)
+        for robot in arms:
+            doing = f"{robot.tool_link}: forward kinematics"
+            with _limited(patience), _faults(found, doing):
+                _forward(robot, tree, found)
+        for robot in _different(arms):
+            doing = f"{robot.tool_link}: there and back"
+            with _limited(patience), _faults(found, doing):
+                _there_and_back(robot, tree, found, solving)
+        if arms:
+            doing = "the picture"
+            with _limited(patience), _faults(found, doing):
+                _picture(arms[0], found)
     except TooLong:
         found.late = doing
     finally:

@@ -20,9 +20,9 @@ from helicoide.kinematics.library import load, names
 
 TITLE = "URDF files as others write them: each has an arm or is refused for a reason that is all right"
 HOW = (
-    "Each file by itself, and with --tip for each end that moves where it branches or has no arm by itself. Forward",
+    "Each file by itself and with --tip for each end that moves where it branches or has no arm by itself. Forward",
     f"kinematics by all roads in {POSTURES} postures of each arm beside a reading of our own; there and back by what",
-    f"`ik` calls from {POSES} postures in the limits, once per set of joints; a picture: {PATIENCE:.0f} s of CPU for each of these.",
+    f"`ik` calls from {POSES} postures in the limits, once per set of joints; a picture. {PATIENCE:.0f} s of CPU each.",
 )
 # Reasons for which a file is to be refused: it is no robot arm, or no URDF, or contradicts itself.
 RIGHT = (
@@ -96,9 +96,7 @@ def _figures(each: Sequence[Findings], found: Named) -> None:
     verdict("not reached, of 1,000 poses", 1000 * missed / max(asked, 1), 1, "")
     verdict('false "reached"', sum(len(seen.false) for seen in each), 0, "")
     verdict("pictures empty or refused", sum(seen.picture == 0 or bool(seen.unseen) for seen in each), 0, "")
-    verdict(
-        f"files of which one thing takes longer than {PATIENCE:.0f} s", sum(bool(seen.late) for seen in each), 0, ""
-    )
+    verdict(f"files that take longer than {PATIENCE:.0f} s for one thing", sum(bool(seen.late) for seen in each), 0, "")
 
 
 def is_right(words: str) -> bool:

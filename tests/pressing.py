@@ -21,6 +21,7 @@ from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.tour import found_in, readings, seen_by
 from helicoide.seat import Seat
 from helicoide.session.mapping import plan_of
+from helicoide.session.postures import postures as every_posture
 from helicoide.session.preparing import rehearse
 from helicoide.session.replaying import along_fastest, through
 from helicoide.session.workcell import TICK
@@ -38,6 +39,7 @@ from helicoide.view.rows import (
     Folder,
     ForArm,
     ForSeat,
+    ListPostures,
     PlayFastest,
     PlayTaught,
     Row,
@@ -77,6 +79,8 @@ class Lab:
                 self.post(through(self.state))
             case PlayFastest():
                 self.post(along_fastest(self.state))
+            case ListPostures():
+                self.post(every_posture(self.state))
             case CountMap(kind):
                 workspace.counted(replace(plan_of(self.state.robot, kind), samples=1), 0)
             case Tour():

@@ -230,3 +230,11 @@ def test_a_joint_at_its_limit_is_named(state: State) -> None:
     assert "Joint 1 (waist) at its limit" in status.text.en
     assert "Junta 1 (cintura) no limite" in status.text.pt_BR
     assert status.tone == "blocked"
+
+
+def test_a_singular_posture_is_named_in_the_readout(state: State) -> None:
+    assert readout.near_singular(state) is None
+    stretched = readout.near_singular(at(state, np.array([0.2, 0.3, 0.0, 0.4, 0.1])))
+    assert stretched is not None
+    assert "4 of its 5" in stretched.en
+    assert "4 das suas 5" in stretched.pt_BR

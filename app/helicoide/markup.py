@@ -6,9 +6,10 @@ escape what is filled in.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from html import unescape
+from html import escape, unescape
+from types import MappingProxyType
 from typing import Any
 from xml.etree.ElementTree import Element, SubElement, tostring
 
@@ -18,12 +19,16 @@ from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
 from markupsafe import Markup
 
+SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # how a drawing begins, which needs its name in a file alone
 _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
-def markdown(text: str) -> Markup:
-    """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name up to a colon, "vargas-2"."""
-    return Markup(_markdown.render(text))
+def markdown(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
+    """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name up to a colon, "vargas-2".
+
+    drawings: SVG of ours by its name; an image of that name is the drawing itself, in the colour of the words.
+    """
+    return Markup(_markdown.render(text, {"drawings": drawings}))
 
 
 def _heading(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
@@ -32,7 +37,15 @@ def _heading(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: 
     return renderer.renderToken(tokens, at, options, env)
 
 
+def _image(renderer: RendererHTML, tokens: Sequence[Token], at: int, options: Any, env: Any) -> str:
+    drawing = env["drawings"].get(tokens[at].attrs["src"])
+    if drawing is None:
+        return renderer.image(tokens, at, options, env)
+    return str(drawing).replace(SVG, f'<svg role="img" aria-label="{escape(tokens[at].content)}"', 1)
+
+
 _markdown.add_render_rule("heading_open", _heading)
+_markdown.add_render_rule("image", _image)
 
 
 @lru_cache(maxsize=256)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
+from helicoide.kinematics.stages import Kind as Stages
 from helicoide.kinematics.workspace import Kind
 from helicoide.text import Language
 
@@ -16,7 +17,8 @@ class Seat:
 
     done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
     while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
-    arm's reach; cloud_unit: what the numbers in files of clouds count, "" as it looks.
+    arm's reach; stages: in which way the arm is written joint by joint, None in none; cloud_unit: what the numbers in
+    files of clouds count, "" as it looks.
     """
 
     token: str
@@ -30,6 +32,7 @@ class Seat:
     shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
     map_kind: Kind = "reachable"
     cut: float = 0.0
+    stages: Stages | None = None
     cloud_unit: str = ""
 
     def showing(self, name: str, on: bool) -> Seat:

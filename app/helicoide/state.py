@@ -15,6 +15,8 @@ from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.drive import Drive
 from helicoide.ik.goal import Goal, tool_pose
+from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.choice import Ranked
 from helicoide.kernels import plain
 from helicoide.kinematics.ball import Ball
 from helicoide.kinematics.chain import Array, frozen
@@ -122,19 +124,42 @@ class Workspace:
 
 
 @dataclass(frozen=True, eq=False)
+class Listed:
+    """The postures that were found for T_world_goal (4, 4), m, with or without its orientation, in their order.
+
+    q (n,), rad or m: where the arm was then; answer: what was found; rows: the same in the order of the choice.
+    """
+
+    T_world_goal: Array
+    with_orientation: bool
+    q: Array
+    answer: Answer
+    rows: tuple[Ranked, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Postures:
+    """The choice between postures: what the motion of each joint costs beside the others, (n,), and the last list."""
+
+    weights: Array
+    listed: Listed | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class State:
     """One arm and its scene at one instant; every field is replaced, never changed.
 
     problem: the arm, its limits, and the planes, obstacles and entry point around it; t, s; taught: the waypoints;
-    compared: a second arm beside the first; seen: the clouds that were read, by the name of the plane that was looked
-    for; workspace: the maps of where the tool comes; ball: what there is to grasp; notice: what the last refusal says,
-    or at first what is to be said of the robot's file.
+    postures: those of a goal, and the choice between them; compared: a second arm beside the first; seen: the clouds
+    that were read, by the name of the plane that was looked for; workspace: the maps of where the tool comes; ball:
+    what there is to grasp; notice: what the last refusal says, or at first what is to be said of the robot's file.
     """
 
     problem: Problem
     arm: ArmState
     request: Request
     taught: Taught
+    postures: Postures
     compared: Compared | None = None
     seen: Mapping[str, Seen] = field(default_factory=lambda: MappingProxyType({}))
     workspace: Workspace = Workspace()
@@ -192,6 +217,7 @@ def initial(robot: Robot) -> State:
         arm=ArmState(q, frozen(np.zeros(len(q))), poses),
         request=Request(),
         taught=Taught(robot),
+        postures=Postures(frozen(np.ones(len(q)))),
         notice=same("{robot}: {remarks}.").format(robot=robot.title, remarks=joined(robot.remarks))
         if robot.remarks
         else None,

@@ -26,6 +26,12 @@ HOW = (
 )
 # Reasons for which a file is to be refused: it is no robot arm, or no URDF, or contradicts itself.
 RIGHT = (
+    "line #, column #: this is no XML",
+    "the limits of joint … are # to #; lower must be below upper",
+    "joint … has origin xyz=…: it is xacro",
+    "joint … has origin rpy=…: give finite numbers",
+    "joint … has limit lower=…: give finite numbers",
+    "joint … is of type spherical; use one of",
     "it has no moving joints",
     "it has no links",
     "it has several roots",

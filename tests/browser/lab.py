@@ -177,7 +177,10 @@ def speak(lab: Lab, page: Page, language: Language) -> None:
 
 
 def box(page: Page, index: int, value: str) -> None:
-    """Type into a number box of the Robot tab: joints 0 to 4, gripper 5, position 6 to 8, angles 9 to 11, time 12."""
+    """Type into a number box of the Robot tab.
+
+    Joints 0 to 4, gripper 5, position 6 to 8, angles 9 to 11, weights of postures 12 to 16, time 17.
+    """
     field = page.locator("input.mantine-NumberInput-input").nth(index)
     field.fill(value)
     field.press("Enter")

@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, press, status, tab, until
 
-from helicoide.command import Along, Hold, ToPose
+from helicoide.command import Along, Hold, ToJoints, ToPose
 from helicoide.text import Language
 
 
@@ -98,7 +98,7 @@ def test_the_path_plays_pauses_and_scrubs(lab: Lab, page: Page) -> None:
     stood = lab.state.request.path_s
     lab.ticks(page, 50)
     assert lab.state.request.path_s == stood
-    box(page, 12, "50")
+    box(page, 17, "50")
     until(page, lambda: lab.state.request.path_s == 15.0)
     assert isinstance(lab.state.request.command, Along)
     assert not lab.state.request.command.playing
@@ -238,3 +238,20 @@ def test_a_wish_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
     box(page, 6, "1200")
     until(page, lambda: isinstance(lab.state.request.command, ToPose))
     until(page, lambda: "Out of reach by" in status(page))
+
+
+def test_the_postures_of_the_target_are_listed_and_one_of_them_is_gone_to(lab: Lab, page: Page) -> None:
+    """The Movemaster has two at `ready`: the second is outside its limits, which the status line says."""
+    page.get_by_text("Postures for the target", exact=True).click()
+    press(page, "List the postures")
+    rows = page.locator(".helicoide-postures li")
+    rows.nth(1).wait_for()
+    until(page, lambda: "the arm is here" in rows.nth(0).inner_text())
+    assert "outside the joint limits" in rows.nth(1).inner_text()
+    for place in (1, 0):
+        name = rows.nth(place).locator("b").inner_text()
+        page.get_by_label("Go to posture").click()
+        page.get_by_role("option", name=name).click()
+        until(page, lambda said=place == 1: ("outside the joint limits" in status(page)) == said)  # type: ignore[misc]
+    assert isinstance(lab.state.request.command, ToJoints)
+    page.get_by_text("Postures for the target", exact=True).click()

@@ -98,6 +98,20 @@ def test_joint_by_joint_in_words(
     assert "470,429; 271,603; 300,000" in capsys.readouterr().out
 
 
+def test_the_kind_of_singularity_is_named(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    asked = ["puma560", "--deg", "--q", "0", "90", "-87", "0", "1", "0"]
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *asked])
+    __main__.main()
+    said = capsys.readouterr().out
+    assert all(word in said for word in ("singularity: shoulder: ", "; elbow: ", "; wrist: "))
+    monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *asked, "--json"])
+    __main__.main()
+    told = json.loads(capsys.readouterr().out)["singularity"]
+    assert (told["rank"], told["usual"]) == (6, 6)
+    assert told["factors"]["wrist"] == pytest.approx(np.sin(np.radians(1)))
+    assert told["words"]["pt_BR"].startswith("ombro: ")
+
+
 def test_a_motor_that_cannot_hold_its_angle_is_said(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -132,7 +146,7 @@ def test_the_words_for_people_carry_the_same_numbers(
     lines = capsys.readouterr().out.splitlines()
     assert lines[:2] == ["movemaster:", f"   from link {load('movemaster').base_link} to link tool"]
     assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines[2:5])
-    assert len(lines) == 5 + 1 + 5
+    assert len(lines) == 5 + 1 + 1 + 5
     assert lines[-1].split() == ["A5", "(−", "J4", "+", "J5):", "120°,", "13920", "pulses"]
 
 
@@ -223,7 +237,7 @@ def test_joints_outside_their_limits_are_named_beside_the_pose(
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", *arguments])
     __main__.main()
     out, err = capsys.readouterr()
-    assert len(out.splitlines()) == (11 if arguments[0] == "movemaster" else 5)
+    assert len(out.splitlines()) == (12 if arguments[0] == "movemaster" else 6)
     assert [word for word in words if word not in err] == []
     assert "is at" not in out
     monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")

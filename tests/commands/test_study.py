@@ -107,7 +107,7 @@ def test_a_difference_whose_cause_is_known_ends_well(
     put(monkeypatch, Result((Row(same("height"), 2.0, "m", printed("1,0", "§1"), why=why),)))
     said = study(NAME)[0]
     assert "differs: the gains are unknown" in said
-    assert "printed 1.0 m (§1); ours 2.00 m; the gains are unknown" in said.partition("What differs")[2]
+    assert "the source says 1.0 m (§1); ours is 2.00 m; the gains are unknown" in said.partition("What differs")[2]
     (row,) = json.loads(study(NAME, "--json")[0])[0]["rows"]
     assert row["source"]["words"] == {"en": "1.0", "pt_BR": "1,0"}
     assert (row["verdict"], row["why"]["en"]) == ("differs", why.en)
@@ -162,8 +162,8 @@ def test_all_are_run_in_processes_and_reported(
     for name in names:
         assert studies.named(name).TITLE.pt_BR in said
         assert f'id="{name}"' in page
-    assert "A execução completa levou" in said
-    assert "A execução completa levou" in page
+    assert "com estudos em paralelo" in said
+    assert "com estudos em paralelo" in page
     assert "forma curta" in page
     assert bar
 

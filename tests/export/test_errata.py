@@ -40,6 +40,16 @@ def test_the_page_has_an_anchor_for_each_entry_and_source(language: Language) ->
         assert f'id="{anchor.lower().replace(" ", "-")}"' in page
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_drawing_stands_in_the_page_with_its_words(language: Language) -> None:
+    page, drawings = errata.page(language), list((content.STATIC / "pages" / "drawings").glob("*.svg"))
+    assert drawings
+    assert page.count('<svg role="img" aria-label="') == len(drawings)
+    for drawing in drawings:
+        assert drawing.read_text("utf-8").partition("\n")[2] in page
+    assert "<img" not in page
+
+
 @pytest.mark.parametrize("name", entries("en"))
 def test_an_entry_names_a_command_a_study_or_a_test_that_is_there(name: str) -> None:
     entry = entries("en")[name]

@@ -94,7 +94,7 @@ def test_what_differs_is_listed_at_the_end_with_what_is_printed_and_why(language
 def test_statements_and_fitted_values_are_counted_by_source() -> None:
     (said,) = by_source([record(*ROWS), record(*ROWS)])
     assert said.en == (
-        "Cerbaro 2022: rows beside what it says: 8; its statements in them: 4; values fitted for them: 1; "
+        "Cerbaro 2022: rows compared: 8; different statements of the source in them: 4; values fitted for them: 1; "
         "readings chosen: 0"
     )
 
@@ -152,6 +152,7 @@ def test_all_rows_are_counted() -> None:
         (0.0, "°", 0.0, "0°"),
         (-0.0, "", 0.0, "0"),
         (17, "", 0.0, "17"),
+        (8.0, "", 0.5, "8"),
         (float("nan"), "mm", 0.1, "nan mm"),
     ],
 )

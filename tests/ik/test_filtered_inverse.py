@@ -191,17 +191,18 @@ def test_crossing_a_singularity_is_bounded(gain: float, peak: float, law: float)
     assert crossing_peak(2 * gain, 1.0) == pytest.approx(law, abs=0.006)
 
 
+@pytest.mark.parametrize("update", ["composite", UNEQUAL])
 @pytest.mark.parametrize("shape", SHAPES)
-def test_the_modal_diagnosis(shape: tuple[int, int]) -> None:
+def test_the_modal_diagnosis(shape: tuple[int, int], update: Update | Parts) -> None:
     """d → 1/σ and r → 0 at the rates that it gives, and its V_c is that of the errors."""
     J, Theta = drawn(shape)
-    before = modal.diagnosed(J, Theta, 0.7)
-    after = modal.diagnosed(J, filtered_inverse.exact(J, Theta, 0.7, 0.2), 0.7)
+    before = modal.diagnosed(J, Theta, 0.7, update)
+    after = modal.diagnosed(J, filtered_inverse.exact(J, Theta, 0.7, 0.2, update), 0.7, update)
     decay = np.exp(-0.2 * before.rates)
     aim = 1 / before.sigma
     np.testing.assert_allclose(after.R, before.R * decay, atol=1e-12)
     np.testing.assert_allclose(after.d - aim, (before.d - aim) * decay.diagonal(), atol=1e-12)
-    np.testing.assert_allclose(before.rates.diagonal(), 2 * 0.7 * before.sigma**2)
+    np.testing.assert_allclose(before.rates.diagonal(), sum(filtered_inverse.parts(update)) * 0.7 * before.sigma**2)
     assert before.V_c == pytest.approx(sum(filtered_inverse.lyapunov(J, Theta)))
     assert before.floor == abs(shape[0] - shape[1]) / 2
 

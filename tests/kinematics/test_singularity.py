@@ -176,6 +176,29 @@ def test_words_name_the_kind_in_both_languages() -> None:
     stretched = singularity(robot, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]).words(0.05)
     assert stretched.en == "elbow: the arm is stretched or folded (factor at 0.0 % of its largest)"
     assert stretched.pt_BR == "cotovelo: o braço está esticado ou dobrado (fator a 0,0 % do máximo)"
-    assert singularity(robot, robot.poses["ready"]).words(0.05).en == "not singular"
+    assert singularity(robot, robot.poses["ready"]).words(0.05).en == "none near"
     planar = singularity(arm("planar3r"), np.zeros(3)).words(0.05)
-    assert planar.en == "singular: the tool moves in 2 independent directions instead of 3"
+    assert planar.en == "the tool moves in 2 of its 3 independent directions"
+
+
+def test_a_stretched_arm_of_two_joints_turns_but_its_point_is_stuck() -> None:
+    """The tool's J keeps its rank 2: it is the position alone that loses a direction."""
+    robot = arm("planar2r")
+    here = singularity(robot, [0.4, 0.0])
+    assert not here.singular
+    assert (here.point.rank, here.point.usual) == (1, 2)
+    assert here.words(0.05).pt_BR == "o ponto do efetuador se move em 1 das suas 2 direções independentes"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_how_near_it_is_falls_to_nothing_at_a_singular_posture(name: str) -> None:
+    """On the way from a posture to a singular one nearby; nothing is told where the arm is far from one."""
+    robot = arm(name)
+    assert singularity(robot, robot.poses["ready"]).told() is None
+    for q in postures(robot, 20, seed=3):
+        assert 0 < singularity(robot, q).tool.relative < 1.5
+    if name in ("planar3r", "movemaster", "scara"):
+        straight = np.zeros(len(robot.variables))
+        parts = [singularity(robot, straight + x * robot.poses["ready"]).tool.relative for x in (0, 1e-3, 0.01, 0.1)]
+        assert parts[0] < 1e-9 < parts[1] < parts[2] < parts[3]
+        assert "in its slowest direction" in singularity(robot, straight + 1e-3 * robot.poses["ready"]).words(0.05).en

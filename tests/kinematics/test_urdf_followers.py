@@ -83,6 +83,13 @@ def test_a_range_that_followers_give_is_not_ours(tmp_path: Path) -> None:
     assert "ours" not in said(robot)
 
 
+def test_limits_of_a_follower_that_leave_no_range_are_left_out_and_said(tmp_path: Path) -> None:
+    """−1 ≤ 2 z + 0.1 ≤ 1 and −1 ≤ z − 0.2 ≤ 1, where the leader has 0.6 ≤ z ≤ 2: the first is left out."""
+    robot = from_urdf(following(tmp_path, LED, BESIDE.format(limit='<limit lower="0.6" upper="2" velocity="1"/>')), "d")
+    assert (robot.lower[2], robot.upper[2]) == pytest.approx((0.6, 1.2))
+    assert "the limits of a-b leave base-x, which it follows, no range; they are left out" in said(robot)
+
+
 def test_a_follower_without_bounds_narrows_nothing(tmp_path: Path) -> None:
     follows = '<mimic joint="base-a" multiplier="0.1"/><limit lower="-1e16" upper="1e16"/>'
     path = following(tmp_path, {})

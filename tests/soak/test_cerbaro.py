@@ -20,7 +20,7 @@ NAMES = (
     "cerbaro_movemaster_secondary",
     "cerbaro_algorithm_1",
 )
-DIFFERS = {"cerbaro_movemaster_convergence": 1, "cerbaro_movemaster_ellipse": 4, "cerbaro_algorithm_1": 1}
+DIFFERS = {"cerbaro_movemaster_ellipse": 2, "cerbaro_movemaster_secondary": 1, "cerbaro_algorithm_1": 2}
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -23,8 +23,16 @@ from helicoide.studies.cerbaro_runs import arms, convergence, tracking
 from helicoide.studies.cerbaro_runs.tracking import eq_32, unfed
 from helicoide.studies.study import Result, Row, Verdict
 
-FITTED = {"cerbaro_orca_convergence", "cerbaro_orca_secondary", "cerbaro_algorithm_1"}
-DIFFERS = {"cerbaro_movemaster_convergence": 1, "cerbaro_movemaster_ellipse": 2, "cerbaro_algorithm_1": 1}
+FITTED = {
+    "cerbaro_forward": 11,
+    "cerbaro_redundancy": 1,
+    "cerbaro_orca_convergence": 1,
+    "cerbaro_orca_circle": 1,
+    "cerbaro_orca_secondary": 1,
+    "cerbaro_movemaster_convergence": 1,
+    "cerbaro_movemaster_ellipse": 2,
+}
+DIFFERS = {"cerbaro_movemaster_ellipse": 2, "cerbaro_movemaster_secondary": 1, "cerbaro_algorithm_1": 1}
 NAMES = (
     "cerbaro_forward",
     "cerbaro_redundancy",
@@ -43,8 +51,7 @@ def nothing(share: float) -> None:
 
 
 def short(name: str, **options: object) -> Result:
-    study = studies.named(name)
-    return study.run(study.Options(**options), True, nothing)
+    return studies.run(name, studies.named(name).Options(**options), True, nothing)
 
 
 def verdicts(rows: tuple[Row, ...]) -> list[Verdict]:
@@ -52,7 +59,7 @@ def verdicts(rows: tuple[Row, ...]) -> list[Verdict]:
 
 
 @pytest.mark.parametrize(
-    ("name", "factor", "count"), [("orca", 0.56, 7), ("movemaster", 0.56, 8), ("movemaster", 0.295, 17)]
+    ("name", "factor", "count"), [("orca", 0.56, 7), ("movemaster", 0.56, 8), ("movemaster", 0.3, 17)]
 )
 def test_the_counts_of_iterations(name: str, factor: float, count: int) -> None:
     """Recomputed with Newton's steps; a small damping changes nothing."""
@@ -142,18 +149,40 @@ def test_j3_begins_as_far_inside_its_limit_as_is_asked_for() -> None:
         np.testing.assert_allclose(arms.tool(arms.movemaster(), q), [0.44, 0, 0.2], atol=1e-12)
 
 
-def test_with_500_per_second_no_start_inside_lets_algorithm_1_act() -> None:
-    """The printed gain, in radians: J3 does not pass its limit at all, and both runs are one."""
-    runs = algorithm_1.made(algorithm_1.Options(gain=500.0), 1.0, nothing)
-    assert algorithm_1.growth_of_j3(runs.grown) == 1
-    np.testing.assert_array_equal(runs.one.q, runs.grown.q)
+def test_in_radians_no_start_inside_lets_algorithm_1_act() -> None:
+    """J3 does not pass its limit at all, and both runs are one."""
+    q = tracking.start_inside(0.1)
+    one, grown = (tracking.free_ellipse(q, 500.0, 1e-3, grows, seconds=1.0) for grows in (False, True))
+    assert algorithm_1.growth_of_j3(grown) == 1
+    np.testing.assert_array_equal(one.q, grown.q)
+
+
+def test_500_in_degrees_is_that_of_eq_14_as_printed() -> None:
+    """q̇₀ = k₀ (q_m − 2 q + q_M)/(6 (q_m − q_M)²) with all angles in degrees, turned into radians."""
+    movemaster, q = arms.movemaster(), np.array([0.2, 0.5, -1.9, 0.3, 0.1])
+    lower, upper = np.degrees(movemaster.limits.lower), np.degrees(movemaster.limits.upper)
+    printed = np.radians(500 * (lower - 2 * np.degrees(q) + upper) / (6 * (lower - upper) ** 2))
+    ours = secondary.push(movemaster, arms.limit_distance(), tracking.in_degrees(500.0, 5))(q, 0.0)
+    np.testing.assert_allclose(ours, printed, rtol=1e-9)
+
+
+def test_in_degrees_what_is_said_of_figs_37_and_38_comes_out() -> None:
+    """From just inside the limit of J3: one gain lets it pass, Algorithm 1 does not, and the error is that of one gain.
+
+    The numbers stand in the study without a verdict; the search for starts is `tests/studies/fits/`.
+    """
+    found = {row.quantity.en: row.ours for row in as_it_is("cerbaro_algorithm_1")[0].rows}
+    apart = "k₀ in degrees, start inside: "
+    assert found[apart + "one gain: J3 inside its limit by"] < -0.1
+    assert found[apart + "Algorithm 1: J2 to J4 inside by"] == pytest.approx(0, abs=1e-9)
+    assert found[apart + "largest position error, over that by one gain"] == pytest.approx(1, abs=0.1)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_what_is_fitted_and_what_differs(name: str) -> None:
     found = verdicts(as_it_is(name)[0].rows)
     assert found.count(Verdict.DIFFERS) == DIFFERS.get(name, 0)
-    assert (Verdict.FITTED in found) is (name in FITTED)
+    assert found.count(Verdict.FITTED) == FITTED.get(name, 0)
 
 
 @pytest.mark.parametrize(
@@ -193,10 +222,10 @@ def broken(rows: tuple[Row, ...]) -> set[str]:
 
 
 def test_without_stopping_at_the_limits_algorithm_1_keeps_nothing_inside(monkeypatch: pytest.MonkeyPatch) -> None:
-    usual = broken(as_it_is("cerbaro_algorithm_1")[0].rows)
     monkeypatch.setattr(limit_gains, "clipped", never_growing)
-    changed = algorithm_1.rows(algorithm_1.made(algorithm_1.Options(), 1.0, nothing), True)
-    assert "Algorithm 1: J2 to J4 inside by" in broken(changed) - usual
+    runs = algorithm_1.made(algorithm_1.Options(), 1.0, nothing)
+    assert algorithm_1.room(runs.grown, *algorithm_1.BENT) < -9
+    assert algorithm_1.room(runs.grown_in_degrees, *algorithm_1.BENT) < -0.05
 
 
 def test_without_growth_the_error_is_no_longer_that_of_one_gain(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -233,23 +262,21 @@ def test_with_a_wrong_row_of_j_the_heading_of_the_orca_is_not_held(monkeypatch: 
 
 def test_without_the_projector_more_than_rows_2_to_4_are_not_zero(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Manipulability, "null_projector", property(lambda found: np.eye(found.J.shape[1])))
-    assert any("J1 and J5" in quantity for quantity in broken(short("cerbaro_redundancy").rows))
+    assert any("J1 or J5" in quantity for quantity in broken(short("cerbaro_redundancy").rows))
 
 
 def test_with_half_of_each_step_the_count_of_iterations_is_another(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = convergence.by_method
     monkeypatch.setattr(convergence, "by_method", lambda *first: whole(*first[:3], first[3] / 2))
     assert broken(short("cerbaro_orca_convergence").rows) == {"iterations, step factor 0.56"}
+    assert broken(short("cerbaro_movemaster_convergence").rows) == {"iterations, step factor 0.3"}
 
 
 def test_with_another_sign_in_the_rotation_no_example_of_the_screws_is_met(monkeypatch: pytest.MonkeyPatch) -> None:
     right = forward.screw_transform
     monkeypatch.setattr(forward, "screw_transform", lambda joint, value: right(joint, -value))
-    usual, changed = (
-        {"Mitsubishi Movemaster RV-M2: measured point farther out by"},
-        broken(short("cerbaro_forward").rows),
-    )
-    assert {"ORCA, p′: y", "Movemaster, H: largest difference of R"} <= changed - usual
+    changed = broken(short("cerbaro_forward").rows)
+    assert {"ORCA, H: y", "Movemaster, H: largest difference of R"} <= changed
 
 
 def test_the_tool_is_where_the_arm_says() -> None:

@@ -17,6 +17,7 @@ from helicoide.ik.method import settings
 from helicoide.ik.rcm import constrained, follow, older
 from helicoide.studies import (
     _coutinho_rows,
+    coutinho_e1,
     coutinho_e3,
     coutinho_loop,
     coutinho_older,
@@ -33,10 +34,11 @@ from helicoide.text import LANGUAGES
 
 NAMES = tuple(name for name in studies.names() if name.startswith("coutinho_"))
 COARSE = 0.1  # s
-STATED: dict[str, Callable[[Run], Sequence[Row]]] = {
-    "S1": coutinho_s1.stated,
-    "S2": coutinho_s2.stated,
-    "S4": coutinho_s4.stated,
+FINE = 0.02  # s
+STATED: dict[str, tuple[Callable[[Run, float], Sequence[Row]], float]] = {
+    "S1": (coutinho_s1.stated, COARSE),
+    "S2": (coutinho_s2.stated, COARSE),
+    "S4": (coutinho_s4.stated, FINE),
 }
 
 
@@ -61,14 +63,16 @@ def test_words_and_settings(name: str) -> None:
 
 @pytest.mark.parametrize("path", STATED)
 def test_what_is_printed_of_a_simulation_holds(path: str) -> None:
-    assert red(STATED[path](run(path, control(), COARSE))) == []
+    stated, dt = STATED[path]
+    assert red(stated(run(path, control(), dt), dt)) == []
 
 
 def test_a_wrong_lever_moves_the_entry_point(monkeypatch: pytest.MonkeyPatch) -> None:
     """Λ# with twice l_a: the shaft no longer keeps its entry point."""
     right = constrained.null_basis
     monkeypatch.setattr(constrained, "null_basis", lambda place, basis: right(_deeper(place), basis))
-    assert "forbidden velocity" in red(coutinho_s2.stated(run("S2", control(), COARSE, seconds=20.0)))[0]
+    found = red(coutinho_s2.stated(run("S2", control(), COARSE, seconds=20.0), COARSE))
+    assert "how fast the shaft leaves" in found[0]
 
 
 def _deeper(place: constrained.Insertion) -> constrained.Insertion:
@@ -79,14 +83,23 @@ def test_without_the_velocity_of_the_target_the_tool_lags(monkeypatch: pytest.Mo
     """ν without v_d: S1 misses its path near l_b = 0."""
     right = follow.command
     monkeypatch.setattr(follow, "command", lambda R, ahead, *others: right(R, 0 * ahead, *others))
-    assert any("error of the tip" in quantity for quantity in red(coutinho_s1.stated(run("S1", control(), COARSE))))
+    assert any(
+        "error of the tip" in quantity for quantity in red(coutinho_s1.stated(run("S1", control(), COARSE), COARSE))
+    )
 
 
 def test_without_its_term_the_entry_point_is_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
     """V_i = Λ# v without Λ† v_rd: the shaft stays where S4 moves its entry point."""
     push = property(lambda self: np.zeros((6, 2)))
     monkeypatch.setattr(constrained.Constrained, "push", push)
-    assert len(red(coutinho_s4.stated(run("S4", control(), COARSE, seconds=20.0)))) == 3
+    assert len(red(coutinho_s4.stated(run("S4", control(), FINE, seconds=20.0), FINE))) == 2
+
+
+def test_joints_that_race_carry_the_shaft_away_between_the_instants() -> None:
+    """E1: the row of the plain inverse differs, those of the bounded ones do not."""
+    rows = coutinho_e1.run(coutinho_e1.Options(), True, lambda share: None).rows
+    left = [row.verdict for row in rows if "the shaft leaves" in row.quantity.en]
+    assert left == [Verdict.DIFFERS, Verdict.FITTED, Verdict.FITTED]
 
 
 def test_only_with_the_arm_damped_is_the_entry_point_disturbed() -> None:
@@ -110,7 +123,7 @@ def test_a_second_task_that_does_not_yield_is_no_stack(monkeypatch: pytest.Monke
 def test_the_printed_error_of_orientation_does_not_arrive() -> None:
     """Eqs. 2.62–2.63; with a gain of half the size the arm falls too slowly."""
     assert coutinho_loop.body(coutinho_loop.printed_error)[-1] == pytest.approx(179.9, abs=0.1)
-    rows = coutinho_loop.run(coutinho_loop.Options(position=2.5), True, lambda share: None).rows
+    rows = studies.run("coutinho_loop", coutinho_loop.Options(position=2.5), True, lambda share: None).rows
     assert {row.verdict for row in rows} == {Verdict.OURS}
     assert rows[0].ours == pytest.approx(-2.5, abs=0.02)
 

@@ -14,8 +14,8 @@ import pytest
 from helicoide.ik import clik, filtered_inverse, scalar_filter
 from helicoide.ik.method import Task
 from helicoide.ik.methods import damped_by_manipulability, feedback, filtered, filtered_modified
-from helicoide.ik.objectives import ellipsoid, joint_barrier, second_arm
-from helicoide.studies import named, names
+from helicoide.ik.objectives import ellipsoid, joint_barrier
+from helicoide.studies import named, names, run
 from helicoide.studies.study import Result, Row, Verdict
 
 STUDIES = [name for name in names() if name.startswith("vargas_")]
@@ -79,8 +79,7 @@ def test_the_whole_form(name: str) -> None:
 
 
 def test_other_settings_leave_nothing_to_compare_with() -> None:
-    study = named("vargas_08")
-    result = study.run(replace(study.Options(), beta=7.0), True, lambda share: None)
+    result = run("vargas_08", replace(named("vargas_08").Options(), beta=7.0), True, lambda share: None)
     assert {row.source for row in result.rows} == {None}
 
 
@@ -113,7 +112,7 @@ SCALED, SLOPE = scalar_filter.stepped, scalar_filter.slope
 EXACT = filtered_inverse.stepped
 # study, what is changed in which module, and what it becomes
 MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
-    "vargas_08": (scalar_filter, "stepped", lambda k, theta, beta, dt: SCALED(k, theta, 2 * beta, dt)),
+    "vargas_08": (scalar_filter, "slope", lambda k, theta, beta: SLOPE(k, theta, 2 * beta)),
     "vargas_scalar": (scalar_filter, "stepped", lambda k, theta, beta, dt: SCALED(k, theta, 2 * beta, dt)),
     "vargas_matrix": (filtered_inverse, "slope", without_left),
     "vargas_05": (damped_by_manipulability, "damping", lambda w, options: 0.0),
@@ -135,7 +134,6 @@ SLOW_MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
     "vargas_13": (filtered_modified, "step", filtered.step),
     "vargas_16": (ellipsoid, "cost", turned(ellipsoid.cost)),
     "vargas_links": (ellipsoid, "cost", turned(ellipsoid.cost)),
-    "vargas_two_arms": (second_arm, "cost", turned(second_arm.cost)),
 }
 
 
@@ -154,4 +152,4 @@ def test_a_changed_law_turns_a_row_red(name: str, monkeypatch: pytest.MonkeyPatc
 
 
 def test_every_study_with_a_statement_has_a_law_to_change() -> None:
-    assert set(STUDIES) - set(MUTATIONS | SLOW_MUTATIONS) == {"vargas_slab"}
+    assert set(STUDIES) - set(MUTATIONS | SLOW_MUTATIONS) == {"vargas_slab", "vargas_two_arms"}

@@ -18,6 +18,7 @@ from helicoide.kinematics.chain import Array, Variable
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.singularity import NEAR, singularity
 from helicoide.kinematics.stages import Kind
 from helicoide.text import HelicoideError, Text, same
 
@@ -33,6 +34,7 @@ NO_FRAMES = Text(
     en="--as source is for --frames dh, screws or products.",
     pt_BR="--as source vale com --frames dh, screws ou products.",
 )
+SINGULAR = Text(en="singularity: {words}", pt_BR="singularidade: {words}")
 MOTORS = Text(en="motors, pulses from a zero that is ours:", pt_BR="motores, pulsos a partir de um zero nosso:")
 DRIVEN = Text(
     en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses", pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos"
@@ -76,8 +78,8 @@ def run(
 ) -> None:
     """Print where the tool is, by DH rows, successive screws and dual quaternions (SI units).
 
-    A joint outside its limits is told of on the error output; the pose is printed all the same, and the command ends
-    with 0. It ends with 2 for wrong input.
+    How singular the posture is follows. A joint outside its limits is told of on the error output; the pose is printed
+    all the same, and the command ends with 0. It ends with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -109,12 +111,13 @@ def run(
 
 
 def _poses(robot: Robot, q: Array) -> list[Text]:
-    """The tool by each road, and what the motors are driven to."""
+    """The tool by each road, how singular the posture is, and what the motors are driven to."""
     lines = [same(f"{robot.name}:"), ends(robot)]
     for name, road in ROADS.items():
         pose = road(robot, q)
         position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
         lines.append(POSE.format(road=name, position=position, quaternion=quat))
+    lines.append(SINGULAR.format(words=singularity(robot, q).words(NEAR)))
     motors = driven(robot, q)
     if isinstance(motors, Text):
         return [*lines, motors]
@@ -146,12 +149,20 @@ def driven(robot: Robot, q: Array) -> list[Motor] | Text:
 
 
 def _told(robot: Robot, q: Array) -> dict[str, Any]:
-    """What --json prints: the pose by each road, and the joints that are outside their limits."""
+    """What --json prints: the pose by each road, how singular the posture is, and the joints outside their limits."""
+    here = singularity(robot, q)
+    words = here.words(NEAR)
     return {
         "robot": robot.name,
         **described_ends(robot),
         "q": q.tolist(),
         "roads": {name: described(road(robot, q), robot) for name, road in ROADS.items()},
+        "singularity": {
+            "rank": here.rank,
+            "usual": here.usual,
+            "factors": {factor.kind.name.lower(): factor.relative for factor in here.factors},
+            "words": {"en": words.en, "pt_BR": words.pt_BR},
+        },
         "motors": _motors(driven(robot, q)),
         "outside": [
             {"joint": joint.name, "value": value, "lower": joint.lower, "upper": joint.upper}

@@ -162,7 +162,7 @@ def _write(report: Path, text: str) -> None:
 
 
 def _work(asked: Asked, progress: Progress) -> Result:
-    return studies.named(asked.name).run(asked.options, asked.short, progress)
+    return studies.run(asked.name, asked.options, asked.short, progress)
 
 
 def _run(asked: tuple[Asked, ...], workers: int) -> list[Record]:

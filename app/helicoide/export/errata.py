@@ -13,5 +13,7 @@ from helicoide.text import Language
 
 @cache
 def page(language: Language) -> Markup:
-    """The page as HTML; an erratum such as "vargas-2" is its anchor."""
-    return markdown((content.STATIC / "pages" / language / "sources.md").read_text("utf-8"))
+    """The page as HTML with its drawings; an erratum such as "vargas-2" is its anchor."""
+    pages = content.STATIC / "pages"
+    drawings = {file.name: file.read_text("utf-8") for file in (pages / "drawings").glob("*.svg")}
+    return markdown((pages / language / "sources.md").read_text("utf-8"), drawings)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from helicoide.geometry import euler
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.stages import SOURCE_ANGLE, STAGES, Kind, Stage, in_source_units
-from helicoide.text import Text
+from helicoide.text import LANGUAGES, Text
 
 HEADS: dict[Kind, Text] = {
     "dh": Text(
@@ -46,15 +47,36 @@ SOURCE_UNITS, OWN_UNITS = "mm, °", "m, rad"
 DECIMALS = {SOURCE_UNITS: 3, OWN_UNITS: 6}
 
 
-def lines(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Text]:
-    """A table in words: for each joint its numbers, then a matrix or eight coefficients; where all lead at the end."""
+@dataclass(frozen=True)
+class Table:
+    """A table in words: of each joint its name and numbers, and the rows of a matrix or of eight coefficients."""
+
+    head: Text
+    joints: tuple[tuple[Text, tuple[tuple[Text, ...], ...]], ...]
+    end: Text
+
+
+def table(robot: Robot, q: Array, kind: Kind, as_source: bool) -> Table:
+    """For each joint its numbers, then a matrix or eight coefficients; where all lead at the end."""
     units = SOURCE_UNITS if as_source else OWN_UNITS
     convention = CONVENTIONS[robot.dh.convention]
-    head = HEADS[kind].format(robot=robot.name, convention=convention, base=robot.base_link, units=units)
     places = DECIMALS[units]
-    rows = [row for stage in _stages(robot, q, kind, as_source) for row in _rows(stage, places)]
     before, place, turns = (_numbers(numbers, places) for numbers in _end(robot, q, kind, as_source))
-    return [head, *rows, ENDS[kind].format(before=before, place=place, turns=turns)]
+    return Table(
+        HEADS[kind].format(robot=robot.name, convention=convention, base=robot.base_link, units=units),
+        tuple(
+            (_named(stage, places), tuple(_cells(row, places) for row in np.atleast_2d(stage.partial)))
+            for stage in _stages(robot, q, kind, as_source)
+        ),
+        ENDS[kind].format(before=before, place=place, turns=turns),
+    )
+
+
+def lines(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Text]:
+    """The same line by line, its numbers one below the other."""
+    found, width = table(robot, q, kind, as_source), 7 + DECIMALS[SOURCE_UNITS if as_source else OWN_UNITS]
+    rows = [line for named, matrix in found.joints for line in (named, *(_aligned(row, width) for row in matrix))]
+    return [found.head, *rows, found.end]
 
 
 def described(robot: Robot, q: Array, kind: Kind, as_source: bool) -> dict[str, Any]:
@@ -98,15 +120,15 @@ def _described(stage: Stage) -> dict[str, Any]:
     return {"joint": stage.joint, **stage.angles, **lengths, **direction, "partial": stage.partial.tolist()}
 
 
-def _rows(stage: Stage, decimals: int) -> list[Text]:
+def _named(stage: Stage, decimals: int) -> Text:
+    """A joint with what it adds."""
     angles = {name: np.asarray(value) for name, value in stage.angles.items()}
     named = angles | stage.lengths | ({} if stage.direction is None else {"s": stage.direction})
     said = [(name, _told(value, decimals)) for name, value in named.items()]
-    head = Text(
+    return Text(
         en=f"{stage.joint}: " + ", ".join(f"{name} = {text.en}" for name, text in said),
         pt_BR=f"{stage.joint}: " + "; ".join(f"{name} = {text.pt_BR}" for name, text in said),
     )
-    return [head, *(_aligned(row, decimals) for row in np.atleast_2d(stage.partial))]
 
 
 def _numbers(values: Array, decimals: int) -> Text:
@@ -120,9 +142,14 @@ def _told(value: Array, decimals: int) -> Text:
     return Text(en=f"({text.en})", pt_BR=f"({text.pt_BR})") if value.ndim else text
 
 
-def _aligned(row: Array, decimals: int) -> Text:
-    text = "   [" + " ".join(f"{value:{decimals + 7}.{decimals}f}" for value in _rounded(row, decimals)) + " ]"
-    return Text(en=text, pt_BR=text.replace(".", ","))
+def _cells(row: Array, decimals: int) -> tuple[Text, ...]:
+    said = (f"{value:.{decimals}f}" for value in _rounded(row, decimals))
+    return tuple(Text(en=number, pt_BR=number.replace(".", ",")) for number in said)
+
+
+def _aligned(row: tuple[Text, ...], width: int) -> Text:
+    english, portuguese = ([cell[language].rjust(width) for cell in row] for language in LANGUAGES)
+    return Text(en=f"   [{' '.join(english)} ]", pt_BR=f"   [{' '.join(portuguese)} ]")
 
 
 def _rounded(values: Array, decimals: int) -> Array:

@@ -18,32 +18,32 @@ from helicoide.text import Language, Text, same
 
 TITLE = Text(en="Studies of Helicoide", pt_BR="Estudos do Helicoide")
 COUNTED = Text(
-    en="Studies: {studies}. Rows: {rows}; {counts}. The full run took {seconds:.0f} s.",
-    pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. A execução completa levou {seconds:.0f} s.",
+    en="Studies: {studies}. Rows: {rows}; {counts}. The whole took {seconds:.0f} s, some studies side by side.",
+    pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. Tudo levou {seconds:.0f} s, com estudos em paralelo.",
 )
 OF_SOURCE = Text(
-    en="{source}: rows beside what it says: {stated}; its statements in them: {said}; values fitted for them: "
+    en="{source}: rows compared: {stated}; different statements of the source in them: {said}; values fitted for them: "
     "{fitted}; readings chosen: {read}",
-    pt_BR="{source}: linhas ao lado do que ela diz: {stated}; afirmações dela nessas linhas: {said}; valores ajustados "
-    "para elas: {fitted}; leituras escolhidas: {read}",
+    pt_BR="{source}: linhas comparadas: {stated}; afirmações distintas da fonte nelas: {said}; valores ajustados para "
+    "elas: {fitted}; leituras escolhidas: {read}",
 )
 DIFFERS = Text(en="What differs", pt_BR="O que difere")
 DIFFERENCE = Text(
-    en="{name}, {quantity}: printed {printed}; ours {ours}{why}",
-    pt_BR="{name}, {quantity}: impresso {printed}; nosso {ours}{why}",
+    en="{name}, {quantity}: the source says {printed}; ours is {ours}{why}",
+    pt_BR="{name}, {quantity}: a fonte diz {printed}; o nosso é {ours}{why}",
 )
 AND_WHY = same("; {why}")
 NONE_DIFFERS = Text(en="Nothing.", pt_BR="Nada.")
 ABOUT_VERDICTS = Text(
     en="First comes what a source says, with its place: a number as it is printed, anything else in our words. The "
-    "verdict is about that. A printed number is met to half a unit of its last digit, one that is printed as about to "
-    "a whole unit; words are met as the row reads them. Values that the source does not give may have been fitted so "
+    "verdict is about that. A printed number is met to half a unit of its last digit, one printed with ≈ to a whole "
+    "unit; words are met as the row reads them. Values that the source does not give may have been fitted so "
     "that its statements hold: they are named, with the range in which they do. Where it allows two readings, or "
     "leaves the instant open, the one that was taken is named, with what comes out otherwise. What a source shows in "
     "a figure only, what was put in, what holds by construction, and what nobody printed, stands apart.",
     pt_BR="Primeiro vem o que a fonte diz, com o lugar: um número como está impresso, o resto em palavras nossas. É "
-    "disso que trata o veredito. Um número impresso confere até meia unidade do último algarismo; se vem com “cerca "
-    "de”, até uma unidade inteira; palavras conferem como a linha as lê. Valores que a fonte não informa podem ter "
+    "disso que trata o veredito. Um número impresso confere até meia unidade do último algarismo; se vem com ≈, até "
+    "uma unidade inteira; palavras conferem como a linha as lê. Valores que a fonte não informa podem ter "
     "sido ajustados para que suas afirmações valham: são nomeados, com a faixa em que valem. Onde ela admite duas "
     "leituras, ou deixa o instante em aberto, a que foi tomada é nomeada, com o que resulta da outra. O que a fonte só "
     "mostra em figura, o que é dado de entrada, o que vale por construção e o que ninguém imprimiu ficam à parte.",

@@ -17,9 +17,12 @@ HEADINGS = (
 NOTHING = "–"
 PLACED, BECAUSE = same("{words} ({place})"), same("{said}: {why}")
 READ_AS = Text(en="{words} ({place}), read as {asked}", pt_BR="{words} ({place}), lido como {asked}")
-FITTED = Text(en="Chosen: {values}.", pt_BR="Escolhidos: {values}.")
+FITTED = Text(en="Chosen, each varied alone: {values}.", pt_BR="Escolhidos, cada um variado sozinho: {values}.")
 TAKEN = Text(en="{name} (otherwise {otherwise})", pt_BR="{name} (senão, {otherwise})")
-HOLDS = Text(en="{name} = {value} (holds from {least} to {most})", pt_BR="{name} = {value} (vale de {least} a {most})")
+HOLDS = Text(
+    en="{name} = {value} (the row holds at least from {least} to {most})",
+    pt_BR="{name} = {value} (a linha vale ao menos de {least} a {most})",
+)
 BOUND, BETWEEN = same("{relation} {value}"), same("{value} ± {within}")
 DECADE = Text(en="{value} to {end}", pt_BR="{value} a {end}")
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -28,7 +31,7 @@ FINEST, DIGITS = 1e-6, 6
 
 def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> str:
     """Decimals as far as the tolerance lets them count, else some digits; a degree sign stands close, a unit apart."""
-    decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 1 else 0
+    decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 0.5 else 0
     shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else short(value, digits)
     return attached(shown, unit)
 
@@ -115,7 +118,7 @@ def fitted(result: Result) -> Text | None:
 def _holds(chosen: Fitted | Reading) -> Text:
     if isinstance(chosen, Reading):
         return TAKEN.format(name=chosen.name, otherwise=chosen.otherwise)
-    ends = {"least": written(chosen.least, digits=3), "most": written(chosen.most, digits=3)}
+    ends = {"least": written(chosen.least, digits=4), "most": written(chosen.most, digits=4)}
     return HOLDS.format(name=chosen.name, value=written(chosen.value, chosen.unit), **ends)
 
 

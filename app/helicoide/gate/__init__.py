@@ -5,7 +5,7 @@ nowhere else: a browser may send anything.
 """
 
 from helicoide.gate.ball import POINTS, can_grasp, pick_and_place, put_ball, take_ball_away
-from helicoide.gate.check import PARKED, pose, while_asked
+from helicoide.gate.check import PARKED, pose, while_asked, while_there
 from helicoide.gate.enclosure import (
     add_plane,
     add_plane_through,
@@ -47,6 +47,7 @@ from helicoide.gate.obstacles import (
 )
 from helicoide.gate.path import choose_path, choose_scaling, pause, play, scrub, set_duration
 from helicoide.gate.planes import drag_plane, restore_planes
+from helicoide.gate.postures import HEAVIEST_JOINT, go_to_posture, show_postures, weigh_joint
 from helicoide.gate.presets import LAWS, LONGEST, SHORTEST, path_of, presets
 from helicoide.gate.replaying import replay, replay_motion
 from helicoide.gate.stopping import stop
@@ -67,6 +68,7 @@ from helicoide.gate.teaching import (
 __all__ = [
     "ENTRY",
     "HEAVIEST",
+    "HEAVIEST_JOINT",
     "LARGEST",
     "LARGEST_GAIN",
     "LAWS",
@@ -101,6 +103,7 @@ __all__ = [
     "fail_map",
     "get_ready",
     "go_to",
+    "go_to_posture",
     "grow_weights",
     "hold_entry",
     "hold_orientation",
@@ -142,6 +145,7 @@ __all__ = [
     "set_way",
     "set_zones",
     "show_map",
+    "show_postures",
     "start_map",
     "stop",
     "take_ball_away",
@@ -150,6 +154,8 @@ __all__ = [
     "take_waypoints",
     "teach_again",
     "tell_map",
+    "weigh_joint",
     "weigh_objective",
     "while_asked",
+    "while_there",
 ]

@@ -78,3 +78,8 @@ def while_asked(before: State, wish: Update) -> Update:
         return wish(state) if unchanged else state
 
     return update
+
+
+def while_there(before: State, wish: Update) -> Update:
+    """The wish, unless another arm stands there since then."""
+    return lambda state: wish(state) if state.robot is before.robot else state

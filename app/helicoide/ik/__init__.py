@@ -219,8 +219,8 @@ class RcmHeld(Held):
 Reason = Contact | ObstacleContact | SelfContact | AtLimit | RcmHeld | AtSpeed | AtAcceleration
 
 
-def _reason(problem: Problem, row: int, multiplier: float) -> Reason:
-    """What a slot of `guarded.sorted_out` stands for."""
+def reason_of(problem: Problem, row: int, multiplier: float = 0.0) -> Reason:
+    """What a slot of `guarded.sorted_out` stands for: 2 n limits, then those of `collision.clearances`."""
     n, k = len(problem.limits.lower), len(problem.planes.normals)
     points, bodies = k * len(problem.robot.guarded_points), len(problem.robot.bodies)
     joint, row = row % n, row - 2 * n
@@ -253,7 +253,7 @@ def reasons(problem: Problem, q: Array, multipliers: Array, pull: float) -> tupl
     n = len(q)
     room = np.concatenate((q - problem.limits.lower, problem.limits.upper - q))
     found = [
-        _reason(problem, int(row), float(multipliers[row]))
+        reason_of(problem, int(row), float(multipliers[row]))
         for row in np.argsort(-multipliers)
         if multipliers[row] > NOTICEABLE * pull and not (row < 2 * n and room[row] >= NEAR)
     ]

@@ -2,6 +2,7 @@
 
     J = U Σ Vᵀ,   Ψ = Vᵀ Θ U = D + R,   ḋᵢ = −2γσᵢ(σᵢdᵢ − 1),   ṙᵢⱼ = −γ(σᵢ² + σⱼ²) rᵢⱼ
 
+With Γ_r = rγI and Γ_ℓ = ℓγI it is ḋᵢ = −(r + ℓ)γσᵢ(σᵢdᵢ − 1) and ṙᵢⱼ = −γ(rσᵢ² + ℓσⱼ²) rᵢⱼ.
 Source: Vargas 2013, eqs. 4.44–4.54.
 """
 
@@ -11,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from helicoide.ik.filtered_inverse import Parts, Update, parts
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import analysed
 
@@ -19,8 +21,8 @@ from helicoide.kinematics.manipulability import analysed
 class Diagnosis:
     """Θ (n, r) seen from J (r, n), p = min(n, r): sigma (p,); d (p,), on its way to 1/σᵢ; R (n, r), on its way to 0.
 
-    rates (n, r), 1/s: how fast each entry gets there, 2γσᵢ² for dᵢ, γ(σᵢ² + σⱼ²) for rᵢⱼ, with σ = 0 beyond p. V_c and
-    the least that it can be, (r − ρ)/2 + (n − ρ)/2 for rank ρ.
+    rates (n, r), 1/s: how fast each entry gets there, 2γσᵢ² for dᵢ, γ(σᵢ² + σⱼ²) for rᵢⱼ where both errors act alike,
+    with σ = 0 beyond p. V_c and the least that it can be, (r − ρ)/2 + (n − ρ)/2 for rank ρ.
     """
 
     sigma: Array
@@ -31,8 +33,12 @@ class Diagnosis:
     floor: float
 
 
-def diagnosed(J: Array, Theta: Array, gain: float) -> Diagnosis:
-    """The modal diagnosis of Θ. Args: J (r, n); Theta (n, r); gain: γ, 1/s. Source: Vargas 2013, §4.4."""
+def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "composite") -> Diagnosis:
+    """The modal diagnosis of Θ. Args: J (r, n); Theta (n, r); gain: γ, 1/s; update: which errors act, or how much.
+
+    Source: Vargas 2013, §4.4.
+    """
+    right, left = parts(update)
     r, n = J.shape
     axes = analysed(J)
     p = axes.sigma.size
@@ -44,5 +50,5 @@ def diagnosed(J: Array, Theta: Array, gain: float) -> Diagnosis:
     # ½‖S_r‖² + ½‖S_ℓ‖² in the axes of J: the diagonal counts in both, and each side has ones where σ is missing
     off = np.sum((rows[:, None] ** 2 + columns**2) * R**2) / 2
     V_c = float(np.sum((axes.sigma * d - 1) ** 2) + off + (r - p) / 2 + (n - p) / 2)
-    rates = gain * (rows[:, None] ** 2 + columns**2)
+    rates = gain * (right * rows[:, None] ** 2 + left * columns**2)
     return Diagnosis(axes.sigma, d, R, rates, V_c, (r - axes.rank) / 2 + (n - axes.rank) / 2)

@@ -13,22 +13,69 @@ from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.spherical_wrist import Factor, factors, spherical_wrist
-from helicoide.text import Text
+from helicoide.text import Text, joined
+
+NEAR = 0.05  # of the largest: below it people are told
+TRIED = 64  # postures in which the usual rank and the largest singular value are looked for
+NONE_NEAR = Text(en="none near", pt_BR="nenhuma por perto")
+SINGULAR = Text(
+    en="{what} moves in {rank} of its {usual} independent directions",
+    pt_BR="{what} se move em {rank} das suas {usual} direções independentes",
+)
+ALMOST = Text(
+    en="in its slowest direction {what} has {part:.1f} % of its best speed",
+    pt_BR="na direção mais lenta, {what} tem {part:.1f} % da sua melhor velocidade",
+)
+TOOL = Text(en="the tool", pt_BR="o efetuador")
+POINT = Text(en="the tool's point", pt_BR="o ponto do efetuador")
+
+
+@dataclass(frozen=True)
+class Freedom:
+    """In how many directions something moves here, and usually, in almost every posture.
+
+    relative: its singular value of that number over the largest that was found in any posture, 0 where it is singular;
+    1 for what no joint moves.
+    """
+
+    what: Text
+    rank: int
+    usual: int
+    relative: float
+
+    def words(self, within: float) -> Text | None:
+        """What is lost, or almost; None where nothing is."""
+        if self.rank < self.usual:
+            return SINGULAR.format(what=self.what, rank=self.rank, usual=self.usual)
+        if self.relative <= within:
+            return ALMOST.format(what=self.what, part=100 * self.relative)
+        return None
 
 
 @dataclass(frozen=True, eq=False)
 class Singularity:
     """How singular a posture is.
 
-    factors: of det J, for six joints with a spherical wrist, none for other arms. rank: of the tool's J here; usual: in
-    almost every posture. lost: columns y (6, 6 − rank) with yᵀ J = 0, velocities (v, ω) that no q̇ gives. An arm with
-    fewer than six joints, or in a plane, has a usual rank below 6 and always some of them; more where it is singular.
+    factors: of det J, for six joints with a spherical wrist, none for other arms. tool: by the rank of its J; point: by
+    that of its position alone, which an arm with few joints may lose while the tool still turns. lost: columns y
+    (6, 6 − rank) with yᵀ J = 0, velocities (v, ω) that no q̇ gives. An arm with fewer than six joints, or in a plane,
+    has a usual rank below 6 and always some of them; more where it is singular.
     """
 
     factors: tuple[Factor, ...]
-    rank: int
-    usual: int
+    tool: Freedom
+    point: Freedom
     lost: Array
+
+    @property
+    def rank(self) -> int:
+        """The rank of the tool's J here."""
+        return self.tool.rank
+
+    @property
+    def usual(self) -> int:
+        """Its rank in almost every posture."""
+        return self.tool.usual
 
     @property
     def singular(self) -> bool:
@@ -42,14 +89,13 @@ class Singularity:
 
     def words(self, within: float) -> Text:
         """What is singular, or nearer to it than `within`, in words."""
+        return self.told(within) or NONE_NEAR
+
+    def told(self, within: float = NEAR) -> Text | None:
+        """The same; None where there is nothing to tell."""
         if close := [factor.words for factor in self.near(within)]:
-            return Text(en="; ".join(text.en for text in close), pt_BR="; ".join(text.pt_BR for text in close))
-        if self.singular:
-            return Text(
-                en="singular: the tool moves in {rank} independent directions instead of {usual}",
-                pt_BR="singular: o efetuador se move em {rank} direções independentes em vez de {usual}",
-            ).format(rank=self.rank, usual=self.usual)
-        return Text(en="not singular", pt_BR="não singular")
+            return joined(close)
+        return self.tool.words(within) or self.point.words(within)
 
 
 def singularity(robot: Robot, q: ArrayLike) -> Singularity:
@@ -57,11 +103,34 @@ def singularity(robot: Robot, q: ArrayLike) -> Singularity:
 
     Args: q (n,), rad or m. Raises HelicoideError for a wrong q. Source: Vargas 2013, §3.2, eqs. 3.8–3.9.
     """
-    here, wrist = analysed(geometric(robot, q)), spherical_wrist(robot)
-    return Singularity(() if wrist is None else factors(robot, q, wrist), here.rank, usual_rank(robot), here.lost)
+    wrist, J = spherical_wrist(robot), geometric(robot, q)
+    tool, point = (
+        Freedom(what, analysed(rows).rank, usual, _value(robot, rows, usual) / best)
+        for what, rows, (usual, best) in zip((TOOL, POINT), (J, J[:3]), _usually(robot), strict=True)
+    )
+    return Singularity(() if wrist is None else factors(robot, q, wrist), tool, point, analysed(J).lost)
+
+
+def usual_rank(robot: Robot) -> int:
+    """The rank of the tool's Jacobian in almost every posture, such as a random one within the limits."""
+    return _usually(robot)[0][0]
 
 
 @lru_cache(maxsize=32)
-def usual_rank(robot: Robot) -> int:
-    """The rank of the tool's Jacobian in almost every posture, such as a random one within the limits."""
-    return analysed(geometric(robot, np.random.default_rng(0).uniform(robot.lower, robot.upper))).rank
+def _usually(robot: Robot) -> tuple[tuple[int, float], ...]:
+    """Of the tool and of its point: the rank in a random posture, and the largest singular value of that number."""
+    postures = np.random.default_rng(0).uniform(robot.lower, robot.upper, (TRIED, len(robot.lower)))
+    tried = [geometric(robot, q) for q in postures]
+    ranks = [analysed(tried[0][:rows]).rank for rows in (6, 3)]
+    return tuple(
+        (rank, max(_value(robot, J[:rows], rank) for J in tried)) for rank, rows in zip(ranks, (6, 3), strict=True)
+    )
+
+
+def _value(robot: Robot, J: Array, number: int) -> float:
+    """The singular value of that number of J (6, n), or of its first three rows, lengths in units of the reach."""
+    if number == 0:
+        return 1.0
+    scaled = J * np.where([joint.slides for joint in robot.variables], robot.reach, 1.0)
+    scaled[:3] /= robot.reach
+    return float(np.linalg.svd(scaled, compute_uv=False)[number - 1])

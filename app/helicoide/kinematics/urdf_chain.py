@@ -16,7 +16,7 @@ from helicoide.kinematics.chain import Array, Joint, Mimic, Variable, frozen
 from helicoide.kinematics.readiness import ready
 from helicoide.kinematics.robot import Frame, Robot, guarded_centres, on_link
 from helicoide.kinematics.urdf_file import read, root_of
-from helicoide.kinematics.urdf_limits import SLIDE_SPEED, SPEED, range_of, speed_of, wrong_limits
+from helicoide.kinematics.urdf_limits import SLIDE_SPEED, SPEED, range_of, speed_of
 from helicoide.kinematics.urdf_mend import MOVING
 from helicoide.kinematics.urdf_tip import default_tip
 from helicoide.kinematics.urdf_way import BESIDE, between, leaders
@@ -28,6 +28,10 @@ Moved = TypeVar("Moved", bound=Variable)
 MOST_JOINTS = 30
 MEETING = 1e-6
 LARGE = 100.0
+CONTRADICTED = Text(
+    en="the limits of {joint} leave {leader}, which it follows, no range; they are left out",
+    pt_BR="os limites de {joint} não deixam curso algum a {leader}, que ela segue; ficam de fora",
+)
 IN_MILLIMETRES = Text(
     en="it reaches {reach} m: lengths of a URDF are metres, these may be millimetres",
     pt_BR="alcança {reach} m: comprimentos de um URDF são em metros, estes talvez sejam milímetros",
@@ -57,6 +61,7 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
     said += [BESIDE.format(leader=name, joints=", ".join(joints)) for name, joints in followed.items()]
     beside = [joint for name in followed for joint in robot.joints if joint.name == name]
     joints, led_by, T_world_tool_0 = _chain(path, way, beside, link)
+    joints, led_by, contradicted = _within_limits_of_mimics(joints, led_by)
     variables = [*(joint for joint in joints if joint.mimic is None), *led_by]
     guarded, guarded_points, guarded_joints = guarded_centres(joints, T_world_tool_0)
     found = Robot(
@@ -77,7 +82,7 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
         ours=_ours([*way, *beside], variables),
         base=begun,
         leaders=led_by,
-        remarks=(*reading.remarks, *said, *_boundless([*way, *beside], variables)),
+        remarks=(*reading.remarks, *said, *contradicted, *_boundless([*way, *beside], variables)),
     )
     if found.stretched > LARGE:
         found = replace(found, remarks=(*found.remarks, IN_MILLIMETRES.format(reach=f"{found.stretched:.0f}")))
@@ -142,7 +147,7 @@ def _chain(
         if joint.type in MOVING:
             joints.append(_joint(path, joint, T, size, free))
     led_by = [_variable(path, joint, size) for joint in beside]
-    return *_within_limits_of_mimics(path, joints, led_by), frozen(T)
+    return tuple(joints), tuple(led_by), frozen(T)
 
 
 def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> Variable:
@@ -176,21 +181,28 @@ def _joint(path: Path, joint: yourdfpy.Joint, T: Array, size: float, free: list[
 
 
 def _within_limits_of_mimics(
-    path: Path, joints: Sequence[Joint], led_by: Sequence[Variable]
-) -> tuple[tuple[Joint, ...], tuple[Variable, ...]]:
-    """The joints and the leaders beside them, each variable narrowed to what the joints that follow it allow."""
+    joints: Sequence[Joint], led_by: Sequence[Variable]
+) -> tuple[tuple[Joint, ...], tuple[Variable, ...], list[Text]]:
+    """The joints and the leaders beside them, each variable narrowed to what the joints that follow it allow.
+
+    Limits of a follower that leave its leader no range are left out, and said: grippers have them with a wrong sign.
+    """
     variables = [*(joint for joint in joints if joint.mimic is None), *led_by]
     followers = [(joint, joint.mimic) for joint in joints if joint.mimic is not None and joint.lower < joint.upper]
     ranges = {variable.name: (variable.lower, variable.upper) for variable in variables}
+    contradicted = list[Text]()
     for joint, mimic in followers:
         name = variables[mimic.driver].name
         ends = sorted((end - mimic.shift) / mimic.ratio for end in (joint.lower, joint.upper))
-        ranges[name] = lower, upper = max(ranges[name][0], ends[0]), min(ranges[name][1], ends[1])
-        if not lower < upper:
-            raise broken(path, wrong_limits(name, lower, upper))
+        lower, upper = max(ranges[name][0], ends[0]), min(ranges[name][1], ends[1])
+        if lower < upper:
+            ranges[name] = lower, upper
+        else:
+            contradicted.append(CONTRADICTED.format(joint=joint.name, leader=name))
     return (
         tuple(joint if joint.mimic else _within(joint, *ranges[joint.name]) for joint in joints),
         tuple(_within(leader, *ranges[leader.name]) for leader in led_by),
+        contradicted,
     )
 
 

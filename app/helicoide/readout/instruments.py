@@ -7,16 +7,20 @@ from functools import lru_cache
 
 import numpy as np
 
-from helicoide.command import Along, ToPose
+from helicoide.command import Along, ToJoints, ToPose
 from helicoide.ik import Reason, reasons
 from helicoide.ik.drive import task_of
-from helicoide.ik.methods import named
+from helicoide.ik.goal import tool_pose
+from helicoide.ik.methods import filtered, filtered_normal, named
+from helicoide.ik.modal import Diagnosis
 from helicoide.ik.rcm.at_work import passage_of
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.passage import refusal
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import Manipulability, analysed
+from helicoide.kinematics.singularity import singularity
 from helicoide.state import State
 from helicoide.text import Text
 
@@ -42,6 +46,19 @@ def target(state: State) -> Array | None:
             return frozen(path.pose(s))
         case _:
             return None
+
+
+def target_pose(state: State) -> Array:
+    """The pose that is asked for, T_world_target (4, 4), m: that of the tool where nothing else is."""
+    match state.request.command:
+        case ToPose(T):
+            return T
+        case Along(path, s):
+            return frozen(path.pose(s))
+        case ToJoints(q):
+            return tool_pose(state.problem, link_poses(state.robot.chain, q))
+        case _:
+            return state.T_world_tool
 
 
 def mobility(state: State) -> Manipulability:
@@ -71,6 +88,23 @@ def instruments(state: State) -> tuple[Instrument, ...]:
         Instrument(Text(en="least singular value", pt_BR="menor valor singular"), r"\sigma_{\min}", _least(here)),
         *_entry(state),
         *_figures(state),
+    )
+
+
+@lru_cache(maxsize=4)
+def near_singular(state: State) -> Text | None:
+    """What is singular where the arm stands, or nearly so, in words; None where nothing is."""
+    return singularity(state.robot, state.arm.q).told()
+
+
+def modes(state: State) -> Diagnosis | None:
+    """The modal diagnosis of the filtered inverse that drives the arm; None where another method does."""
+    drive = state.request.drive
+    if not isinstance(drive.memory, filtered.Memory):
+        return None
+    options = drive.options(drive.method)
+    return filtered.modes(
+        drive.memory, options if isinstance(options, filtered.Options) else filtered_normal.law(options)
     )
 
 

@@ -14,6 +14,7 @@ from helicoide.ik import (
     AtSpeed,
     Contact,
     ObstacleContact,
+    Problem,
     RcmHeld,
     Reason,
     SelfContact,
@@ -21,6 +22,8 @@ from helicoide.ik import (
 )
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal
+from helicoide.ik.postures.choice import barrier
+from helicoide.kinematics.chain import Array
 from helicoide.readout.distances import distances_of
 from helicoide.readout.instruments import errors, held_by
 from helicoide.state import State, points_on
@@ -196,7 +199,7 @@ def _held_back(state: State, goal: Goal) -> Text:
             return Text(
                 en="Blocked: {what} are as near as they may be; {short} mm short.",
                 pt_BR="Bloqueado: {what} estão tão perto quanto podem; faltam {short} mm.",
-            ).format(what=_named(state, reason), short=short)
+            ).format(what=_named(state.problem, reason), short=short)
         case RcmHeld():
             return Text(
                 en="Held by the entry point of the instrument; {short} mm short.",
@@ -233,16 +236,22 @@ def _misaligned(state: State, goal: Goal) -> Text:
 
 def holding(state: State) -> list[Text]:
     """What held the last step back, the hardest first, in a few words each."""
-    return [_named(state, reason) for reason in held_by(state)]
+    return [_named(state.problem, reason) for reason in held_by(state)]
 
 
-def _named(state: State, reason: Reason) -> Text:
+def too_near(problem: Problem, q: Array) -> Text | None:
+    """What would be nearer than it may be in a posture (n,), rad or m, in a few words; None where nothing would."""
+    reason = barrier(problem, q)
+    return None if reason is None else _named(problem, reason)
+
+
+def _named(problem: Problem, reason: Reason) -> Text:
     """A reason in a few words."""
-    bodies = [body.title for body in state.robot.bodies]
+    bodies = [body.title for body in problem.robot.bodies]
     match reason:
         case Contact(plane, point):
             return Text(en="plane {a}: {b}", pt_BR="plano {a}: {b}").format(
-                a=state.problem.planes.panes[plane].name, b=state.robot.guarded[point].title
+                a=problem.planes.panes[plane].name, b=problem.robot.guarded[point].title
             )
         case SelfContact(first, second):
             return Text(en="{a} and {b}", pt_BR="{a} e {b}").format(a=bodies[first], b=bodies[second])

@@ -1,4 +1,4 @@
-"""Another arm in a workcell, and motions that are worked out before they begin: in threads, and a stop ends them."""
+"""Another arm in a workcell, and what is worked out before it begins or is shown: in threads, and a stop ends it."""
 
 from __future__ import annotations
 
@@ -50,21 +50,25 @@ class Arms:
 
     def work_out(self, way: Callable[[State], Update]) -> None:
         """Work out a motion, which begins unless something else is asked in the meantime."""
-        self._begin(self._work_out(way))
+        self._begin(self._work_out(way, gate.while_asked))
+
+    def find(self, way: Callable[[State], Update]) -> None:
+        """Find what is to be shown of this arm, whatever it does meanwhile."""
+        self._begin(self._work_out(way, gate.while_there))
 
     def _begin(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.get_running_loop().create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _work_out(self, way: Callable[[State], Update]) -> None:
+    async def _work_out(self, way: Callable[[State], Update], unless: Callable[[State, Update], Update]) -> None:
         state = self.workcell.state
         try:
             wish = await asyncio.to_thread(way, state)
         except Exception:
-            log.exception("a motion could not be worked out")
+            log.exception("what was asked could not be worked out")
             wish = gate.say(FAILED)
-        self.workcell.ask(gate.while_asked(state, wish))
+        self.workcell.ask(unless(state, wish))
 
     async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
         """Load a robot; what is wrong with it is said, and the old one stays."""

@@ -12,6 +12,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms
 from helicoide.session.display import Display
 from helicoide.session.mapping import Mapping
+from helicoide.session.postures import postures
 from helicoide.session.replaying import along_fastest, through
 from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
@@ -80,6 +81,8 @@ class Bay:
                 self.survey.read(name, content, plane, unit)
             case rows.CountMap(kind):
                 self.mapping.begin(kind)
+            case rows.ListPostures():
+                self.arms.find(postures)
             case rows.PlayTaught():
                 self.arms.work_out(through)
             case rows.PlayFastest():

@@ -25,10 +25,12 @@ from helicoide.jobs.apart import Apart, Failed, Killed
 from helicoide.kinematics import tool, workspace
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.singularity import usual_rank
 from helicoide.perception.columns import Column
 from helicoide.perception.lists import walked
 from helicoide.perception.lzf import unpacked
 from helicoide.perception.planes import find
+from helicoide.session.postures import postures
 from helicoide.session.workcell import TICK
 from helicoide.state import State, commanded, initial
 from helicoide.text import Text
@@ -80,6 +82,7 @@ def _look(state: State) -> None:
     numeric.posture(robot, T, q)
     left(robot, q, T)
     nearest(robot, T, q, with_orientation=True)
+    postures(state)(state)
     tool.tool_pose(tool.packed(robot), q)
     tool.tool_jacobian(tool.packed(robot), q)
     puma560.postures(np.ones(4), T, np.zeros(6))
@@ -105,9 +108,10 @@ def compiled(report: Callable[[int], None]) -> None:
 
 
 def rehearse(robot: Robot) -> None:
-    """Run what only some arms need, such as the search for the nearest pose of one with five joints."""
+    """Run what only some arms need, such as the search for the nearest pose of one with five joints, and keep ranks."""
     state = initial(robot)
     project(robot, state.T_world_tool, state.arm.q)
+    usual_rank(robot)
 
 
 def compiling(done: int, words: Text = COMPILING) -> Text:

@@ -25,7 +25,7 @@ log = logging.getLogger("helicoide")
 
 def study(report: Report, name: str, options: Any, short: bool) -> object:
     """Run a study in a process of its own."""
-    return studies.named(name).run(options, short, report)
+    return studies.run(name, options, short, report)
 
 
 class Studies:

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+from dataclasses import replace
 from functools import cache
-from typing import cast
+from typing import Any, cast
 
-from helicoide.studies.study import Study
+from helicoide.studies.study import Progress, Result, Study, unstated
 from helicoide.text import HelicoideError, Text
 
 _FRAME = ("desk", "study")
@@ -33,3 +34,10 @@ def named(name: str) -> Study:
             ).format(name=name, known=", ".join(names()))
         )
     return cast(Study, importlib.import_module(f"{__name__}.{name}"))
+
+
+def run(name: str, options: Any, short: bool, progress: Progress) -> Result:
+    """Run a study; with settings that are not its own every number stands alone. Arguments as in `Study.run`."""
+    study = named(name)
+    result = study.run(options, short, progress)
+    return result if options == study.Options() else replace(result, rows=unstated(result.rows))

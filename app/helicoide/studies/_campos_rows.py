@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Relation, Result, Row, Statement, unstated
+from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Relation, Result, Row, Statement
 from helicoide.text import Text, same
 
 LENGTH_1 = Quantity(Text(en="length of the first link", pt_BR="comprimento do primeiro elo"), 0.2, 2.0, "m")
@@ -23,11 +23,9 @@ def said(en: str, pt_BR: str, place: str, value: float, relation: Relation = "="
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
-def finished(options: object, rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
-    """The result; with settings that are not the usual ones every number stands alone."""
-    numbers = tuple(replace(row, ours=float(row.ours)) for row in rows)
-    usual = options == type(options)()
-    return Result(numbers if usual else unstated(numbers), tuple(charts), tuple(motions))
+def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
+    """The result, whose counts are numbers as all others are."""
+    return Result(tuple(replace(row, ours=float(row.ours)) for row in rows), tuple(charts), tuple(motions))
 
 
 def posed(robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = (), title: Text = THE_RUN) -> Motion:

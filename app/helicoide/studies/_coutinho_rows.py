@@ -11,10 +11,14 @@ import numpy as np
 from helicoide.ik.method import OneOf, Quantity
 from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies.study import Chart, Figure, Fitted, Line, Motion, Row, Statement
+from helicoide.studies.study import Chart, Figure, Fitted, Line, Motion, Reading, Row, Statement
 from helicoide.text import Text, same
 
 POINTS, POSES = 500, 300  # of a curve, of a motion
+# What words ask of numbers: a place near a joint, the error of a tip that follows its path, and one that is low, mm; a
+# velocity that is about null, and one that is small, mm/s; the part of v_rd by which a shaft that follows it may miss.
+NEAR, FOLLOWED, LOW = 100.0, 0.3, 1.0
+NULL, SMALL, MISSED = 0.1, 1.0, 0.1
 
 STEPS = {"2": same("2 ms"), "20": same("20 ms")}
 STEP = Text(en="sample time", pt_BR="período de amostragem")
@@ -22,11 +26,14 @@ FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
 # Joints at the start that hold all that is printed of S1 to S4; found by tests/studies/fits/coutinho.py.
 STARTED = (
     Fitted(same("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
-    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.2375, "rad"),
+    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.4025, "rad"),
     Fitted(same("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
     Fitted(same("θ₇(0)"), -0.225, -0.28125, -0.2025, "rad"),
     Fitted(same("θ₈(0)"), 1.57, 1.4915, 1.6485, "rad"),
 )
+# The sample time of the simulations, which is not printed: that of S1 and S2, and of S4, by the same search.
+SAMPLED = Fitted(STEP, 20.0, 2.0, 200.0, "ms")
+SAMPLED_S4 = Fitted(STEP, 20.0, 2.0, 35.0, "ms")
 
 
 @dataclass(frozen=True)
@@ -38,15 +45,23 @@ class Options:
 
 
 OF = same("{what}, {which}")
+IN_OUR_COPY = Text(
+    en="so it stands in our copy, which may have lost {what} (Coutinho {number})",
+    pt_BR="assim está na nossa cópia, que pode ter perdido {what} (Coutinho {number})",
+)
 BY_STEP = Text(en="{what} at {step:g} ms", pt_BR="{what} a {step:g} ms")
 NO_FEEDBACK = same("Kr = 0")
 SLIP = Text(en="largest forbidden velocity at the entry point", pt_BR="maior velocidade proibida no ponto de entrada")
-TIMES = Text(en="how often θ₇ changes its sign", pt_BR="quantas vezes θ₇ muda de sinal")
-ENTRY = Text(
-    en="largest velocity of the shaft at the entry point, along x",
-    pt_BR="maior velocidade da haste no ponto de entrada, ao longo de x",
+LEAVES = Text(
+    en="how fast the shaft leaves its entry point, over steps of {step:g} ms",
+    pt_BR="com que rapidez a haste se afasta do ponto de entrada, a passos de {step:g} ms",
 )
-SHARE = Text(en="largest share of a joint's speed", pt_BR="maior fração da velocidade de uma junta")
+TIMES = Text(en="how often θ₇ changes its sign", pt_BR="quantas vezes θ₇ muda de sinal")
+ENTRY = Text(en="largest velocity that the entry point is given", pt_BR="maior velocidade imposta ao ponto de entrada")
+SHARE = Text(
+    en="largest share of a joint's speed (of the SDA10F)",
+    pt_BR="maior fração da velocidade máxima de uma junta (do SDA10F)",
+)
 RATE = Text(en="largest joint velocity", pt_BR="maior velocidade de junta")
 TIP = Text(en="largest error of the tip", pt_BR="maior erro da ponta")
 LATERAL = Text(
@@ -63,6 +78,8 @@ class Measure:
     of: Callable[[Run], float]
 
 
+# Measures and curves that the captions of the source's figures name.
+DRAWN = ("tip", "angle", "entry", "command", "outside", "outside_min", "outside_max", "rate")
 MEASURES: Mapping[str, Measure] = {
     "tip": Measure(TIP, "mm", lambda run: run["tip_mm"].max()),
     "angle": Measure(
@@ -82,7 +99,7 @@ MEASURES: Mapping[str, Measure] = {
 
 def with_feedback(gain: float) -> Text:
     """The name of a run by its gain Kr, 1/s."""
-    return Text(en=f"Kr = {gain:g}", pt_BR=f"Kr = {gain:g}".replace(".", ","))
+    return same("Kr = {gain:g}").format(gain=gain)
 
 
 def rows_of(
@@ -93,22 +110,34 @@ def rows_of(
     names: tuple[str, ...] = tuple(MEASURES),
     by_step: tuple[str, ...] = ("tip", "angle", "lateral"),
 ) -> list[Row]:
-    """What nobody printed of a run; place: the figures in which the source shows it.
+    """What nobody printed of a run; place: the figures in which the source shows those of `DRAWN`.
 
     dt: the sample time, s, named where a number goes with it.
     """
-    shown, found = Figure(place) if place else None, []
+    found = []
     for name in names:
         measure = MEASURES[name]
         title = BY_STEP.format(what=measure.title, step=1e3 * dt) if name in by_step else measure.title
+        shown = Figure(place) if place and name in DRAWN else None
         found.append(Row(OF.format(what=title, which=which), float(measure.of(run)), measure.unit, shown))
     return found
 
 
-def stays(run: Run, place: str, words: Text, which: Text | None = None) -> Row:
-    """The forbidden velocity at the entry point beside what the source says of it, to 0.01 mm/s."""
-    title = SLIP if which is None else OF.format(what=SLIP, which=which)
-    return Row(title, float(run["slip_mm_s"].max()), "mm/s", Statement(words, place, 0.0, "=", 0.01))
+def stays(
+    run: Run,
+    dt: float,
+    said: Statement,
+    fitted: tuple[Fitted | Reading, ...] = (),
+    which: Text | None = None,
+    why: Text | None = None,
+) -> Row:
+    """How fast the shaft leaves its entry point beside what the source says of it.
+
+    At each instant it does not, by construction; over a step of dt, s, it can.
+    """
+    title = LEAVES.format(step=1e3 * dt)
+    title = title if which is None else OF.format(what=title, which=which)
+    return Row(title, float(run["moved_mm_s"].max()), "mm/s", said, fitted, why=why)
 
 
 TIME = Text(en="time, s", pt_BR="tempo, s")
@@ -164,11 +193,18 @@ CURVES: Mapping[str, Curve] = {
 def charts_of(runs: Mapping[Text, Run], figures: Mapping[str, str], log: tuple[str, ...] = ()) -> tuple[Chart, ...]:
     """The curves of several runs side by side over time.
 
-    figures: the names of the curves, in their order, with the figure of the source beside which each stands; log: those
-    that differ by powers of ten from run to run.
+    figures: the names of the curves, in their order, with the figure of the source beside which each of `DRAWN` stands;
+    log: those that differ by powers of ten from run to run.
     """
     return tuple(
-        Chart(curve.title, TIME, curve.up, _lines(runs, curve), figure, curve.log or name in log)
+        Chart(
+            curve.title,
+            TIME,
+            curve.up,
+            _lines(runs, curve),
+            figure if name in DRAWN else "",
+            curve.log or name in log,
+        )
         for name, figure in figures.items()
         for curve in (CURVES[name],)
     )

@@ -122,17 +122,20 @@ def _figures(moment: Moment) -> dict[str, float]:
 def measured(moments: Iterator[Moment], steps: int, dt: float, progress: Progress) -> Run:
     """The figures of so many steps, a column each; q (k, n), w_r and w_i every half second, at the times t_w, s.
 
-    v_x, v_z: velocity of the shaft's point at the entry across the shaft, mm/s; nu: that which the tool is asked, mm/s.
+    v_x, v_z: velocity of the shaft's point at the entry across the shaft, mm/s; nu: that which the tool is asked, mm/s;
+    moved_mm_s: how fast the shaft left its entry point from step to step.
     """
-    rows, seldom, stride = [], [], round(STRIDE / dt)
+    rows, aside, seldom, stride = [], [], [], round(STRIDE / dt)
     for step, moment in enumerate(islice(moments, steps)):
         rows.append(_figures(moment))
+        aside.append(1e3 * moment.at.place.lateral)
         if step % stride == 0:
             seldom.append((moment.t, moment.q, moment.at.of_tool.w, moment.at.of_arm.w))
             progress((step + 1) / steps)
     t_w, q, w_r, w_i = (np.array(column) for column in zip(*seldom, strict=True))
     columns = {key: np.array([row[key] for row in rows]) for key in rows[0]}
-    return {**columns, "t_w": t_w, "q": q, "w_r": w_r, "w_i": w_i}
+    moved = np.linalg.norm(np.diff(aside, axis=0, prepend=aside[:1]), axis=1) / dt
+    return {**columns, "moved_mm_s": moved, "t_w": t_w, "q": q, "w_r": w_r, "w_i": w_i}
 
 
 def moments(name: str, control: Control, dt: float, start: Array = START, depth: float = DEPTH) -> Iterator[Moment]:

@@ -21,13 +21,14 @@ def simulated(
     options: Options,
     short: bool,
     progress: Progress,
-    stated: Callable[[Run], Sequence[Row]],
+    stated: Callable[[Run, float], Sequence[Row]],
     figures: str,
     depth: str,
 ) -> Result:
     """Both runs along a path; what the source states is about the first.
 
-    stated: its rows; figures: those in which the source shows the run; depth: that of l_a.
+    stated: its rows, by that run and its sample time, s; figures: those in which the source shows the run; depth: that
+    of l_a.
     """
     dt = SHORT if short else int(options.step) / 1000
     gains = {0.0: NO_FEEDBACK, options.feedback: with_feedback(options.feedback)}
@@ -38,7 +39,7 @@ def simulated(
     plain, *others = runs.items()
     return Result(
         rows=(
-            *stated(plain[1]),
+            *stated(plain[1], dt),
             *rows_of(plain[1], plain[0], dt, figures),
             *(one for which, got in others for one in rows_of(got, which, dt, names=("tip", "lateral"))),
         ),
@@ -55,7 +56,7 @@ def part(progress: Progress, done: int, parts: int) -> Progress:
 def charted(figures: str, depth: str) -> dict[str, str]:
     """The curves of a simulation with the figures of the source beside which they stand."""
     names = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
-    return {name: {"outside": depth, "lateral": ""}.get(name, figures) for name in names}
+    return {name: depth if name == "outside" else figures for name in names}
 
 
 def displaced_mm(got: Run) -> Array:

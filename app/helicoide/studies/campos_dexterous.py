@@ -73,8 +73,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     r = np.linspace(0, L1 + L2 + l3, 100)
     shares = np.array([share(x, l3, 360) for x in r])
     progress(1.0)
-    chart = Chart(SHARES_TITLE, same("r, m"), ORIENTATIONS, (Line(same(f"l₃ = {l3:g} m"), r, shares),))
-    return finished(options, rows, [chart], [posed(ROBOT, turning(l3), millimetres(l1=L1, l2=L2, l3=l3))])
+    chart = Chart(SHARES_TITLE, same("r, m"), ORIENTATIONS, (Line(same("l₃ = {l3:g} m").format(l3=l3), r, shares),))
+    return finished(rows, [chart], [posed(ROBOT, turning(l3), millimetres(l1=L1, l2=L2, l3=l3))])
 
 
 def dexterous_points(l1: float, l2: float) -> list[float]:

@@ -104,7 +104,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             rows += _iterated(robot, starts, steps[INVERSE])
         charts += _charts(robot, tallies, starts, steps[INVERSE])
         motions += _motions(robot, starts, steps[INVERSE])
-    return finished(options, rows, charts, motions)
+    return finished(rows, charts, motions)
 
 
 def _part(progress: Progress, part: int) -> Progress:
@@ -159,10 +159,12 @@ def iterations(robot: Robot, count: int) -> list[tuple[Array, Report]]:
 
 def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]:
     """Postures for each goal, residuals, and how far apart the families are."""
-    eight = printed("8", "s.20") if robot.name == "puma560" else None
+    if robot.name == "puma560":
+        yield Row(FEWEST, min(tally.postures for tally in tallies.values()) / count, "", printed("8", "s.20"))
+        yield Row(MOST_FOUND, max(tally.postures for tally in tallies.values()) / count, "", printed("8", "s.20"))
     for family, tally in tallies.items():
         named = {"arm": NAMES[robot.name], "family": family}
-        yield Row(COUNT.format(**named), tally.postures / count, "", eight)
+        yield Row(COUNT.format(**named), tally.postures / count)
         yield Row(RESIDUAL.format(**named), float(tally.residuals.max()))
         if family is not INVERSE:
             yield Row(APART.format(**named), tally.apart, "rad", ALIKE.get(family))
@@ -225,7 +227,7 @@ def _charts(
         WHICH.format(arm=NAMES[robot.name]),
         Text(en="posture", pt_BR="postura"),
         Text(en="share of starts", pt_BR="fração das partidas"),
-        (Line(same("damped"), numbers, shares),),
+        (Line(methods.named("damped").TITLE, numbers, shares),),
     )
 
 
@@ -238,7 +240,7 @@ def _motions(robot: Robot, starts: list[tuple[Array, Report]], answer: Answer) -
 
 ALIKE: dict[Text, Statement] = {
     GEOMETRY: said(
-        "algebraic and geometric: other in approach only",
+        "algebraic and geometric differ in approach only",
         "algébrica e geométrica: diferem só na abordagem",
         "s.24",
         0,
@@ -247,6 +249,14 @@ ALIKE: dict[Text, Statement] = {
     )
 }
 COUNT = Text(en="{arm}, {family}: postures for each goal", pt_BR="{arm}, {family}: posturas por alvo")
+FEWEST = Text(
+    en="PUMA: postures for each goal by the family that finds the fewest",
+    pt_BR="PUMA: posturas por alvo da família que encontra menos",
+)
+MOST_FOUND = Text(
+    en="PUMA: postures for each goal by the family that finds the most",
+    pt_BR="PUMA: posturas por alvo da família que encontra mais",
+)
 RESIDUAL = Text(en="{arm}, {family}: worst residual, m or rad", pt_BR="{arm}, {family}: maior resíduo, m ou rad")
 APART = Text(
     en="{arm}, {family}: farthest posture from those of inverse transforms",

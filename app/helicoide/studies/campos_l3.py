@@ -7,7 +7,7 @@ from typing import Annotated, cast
 
 import numpy as np
 
-from helicoide.geometry import euler
+from helicoide.geometry import euler, rotation
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.actuators import Actuators
@@ -23,15 +23,15 @@ SOURCE = "Campos 1998, s.36, s.55 (Craig)"
 ABOUT = Text(
     en="Five joints cannot take every pose: the hand of the L-3 always points within the vertical plane of the arm. A "
     "general goal is turned into that plane by as little as may be, and then four postures reach it, to the front or "
-    "over the back, elbow up or down. Two of its joints are moved by ball screws: their lengths say which postures the "
-    "machine holds.",
+    "over the back, elbow up or down. Two of its joints are moved by ball screws, whose travel allows some of the "
+    "postures only.",
     pt_BR="Cinco juntas não assumem qualquer pose: a mão do L-3 sempre aponta dentro do plano vertical do braço. Um "
     "alvo qualquer é girado para esse plano o mínimo possível, e então quatro posturas o alcançam, à frente ou para "
-    "trás, com o cotovelo para cima ou para baixo. Duas de suas juntas são movidas por fusos de esferas: os "
-    "comprimentos deles dizem que posturas a máquina sustenta.",
+    "trás, com o cotovelo para cima ou para baixo. Duas de suas juntas são movidas por fusos de esferas, cujo "
+    "curso permite só algumas das posturas.",
 )
 ROBOT = "motoman_l3"
-FEW, SAMPLES = 300, 101
+FEW, SAMPLES, DIRECTIONS = 300, 101, 3600
 
 
 @dataclass(frozen=True)
@@ -55,20 +55,31 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     turn = motoman_l3.pointed(robot, goal(), now)
     branches = motoman_l3.solve(robot, goal(), now).branches
     missed, lost, counts = there_and_back(robot, FEW if short else int(options.poses), progress)
-    off_plane = abs(float(np.arcsin(turn.M @ goal()[:3, 2])))
     way = lifted(robot, actuators)
     rows = [
-        Row(TURNED, abs(turn.angle) - off_plane, "rad", NEAREST),
-        Row(ANGLE, np.degrees(turn.angle), "°"),
+        Row(TURNED, np.degrees(least_turn(turn.M, goal()[:3, :3]) - abs(turn.angle)), "°", NEAREST),
+        Row(ANGLE, np.degrees(abs(turn.angle)), "°"),
         Row(LEAST, min(counts)),
         Row(MOST, max(counts)),
         Row(MISSED, missed),
         Row(LOST, lost, "rad"),
     ]
-    rows += [Row(HELD, sum(_holds(actuators, branch.q) for branch in branches)), *_screws(actuators, branches[0].q)]
+    rows += [Row(HELD, sum(_allowed(actuators, branch.q) for branch in branches)), *_screws(actuators, branches[0].q)]
     charts = [by_joint(TITLE, [(branch.name, branch.q) for branch in branches]), *_lengths(actuators, way)]
     motions = [posed(ROBOT, [branch.q for branch in branches], title=TITLE), way]
-    return finished(options, rows, charts, motions)
+    return finished(rows, charts, motions)
+
+
+def least_turn(M: Array, R: Array) -> float:
+    """The least angle, rad, from R (3, 3) to any frame whose Z is at a right angle to M (3,), by trying directions.
+
+    With Z and R given, the trace is largest over the frames that are turned about Z in closed form.
+    """
+    first = np.column_stack([M, np.cross([0.0, 0.0, 1.0], M), [0.0, 0.0, 1.0]])
+    turns = (rotation.exponential(angle * M) for angle in np.linspace(0, 2 * np.pi, DIRECTIONS, endpoint=False))
+    seen = np.array([(turn @ first).T @ R for turn in turns])
+    trace = np.hypot(seen[:, 0, 0] + seen[:, 1, 1], seen[:, 1, 0] - seen[:, 0, 1]) + seen[:, 2, 2]
+    return float(np.arccos(np.clip(0.5 * (trace.max() - 1), -1, 1)))
 
 
 def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float, float, set[int]]:
@@ -91,7 +102,7 @@ def lifted(robot: Robot, actuators: Actuators) -> Motion:
     return Motion(ROBOT, times, actuators.to_joints(pulses), title=ALONE)
 
 
-def _holds(actuators: Actuators, q: Array) -> bool:
+def _allowed(actuators: Actuators, q: Array) -> bool:
     try:
         actuators.from_joints(q)
     except HelicoideError:
@@ -119,17 +130,20 @@ def _lengths(actuators: Actuators, way: Motion) -> list[Chart]:
     return [Chart(SCREWS, time, same("mm"), tuple(lines)), Chart(ALONE, time, same("°"), tuple(angles))]
 
 
-NEAREST = said("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9)
+NEAREST = said("as near as possible", "o mais próximo possível", "s.36", 0, "≥", 1e-6)
 TURNED = Text(
-    en="by how much the goal is turned more than its axis leaves the plane",
-    pt_BR="quanto o alvo é girado além do que seu eixo sai do plano",
+    en="how much farther the goal would be turned by the best of 3600 other directions in the plane",
+    pt_BR="quanto mais o alvo giraria com a melhor de outras 3600 direções no plano",
 )
 ANGLE = Text(en="how far the goal is turned", pt_BR="quanto o alvo é girado")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")
 MOST = Text(en="largest number of postures of random poses", pt_BR="maior número de posturas de poses aleatórias")
 MISSED = Text(en="worst miss of any posture", pt_BR="maior erro de qualquer postura")
 LOST = Text(en="worst distance of the generating posture", pt_BR="maior distância da postura geradora")
-HELD = Text(en="postures of the goal that the screws can hold", pt_BR="posturas do alvo que os fusos sustentam")
+HELD = Text(
+    en="postures of the goal that the travel of the screws allows",
+    pt_BR="posturas do alvo que o curso dos fusos permite",
+)
 SCREW = Text(en="length of the screw of {label}, first posture", pt_BR="comprimento do fuso de {label}, 1ª postura")
 SCREWS = Text(en="Lengths of the ball screws", pt_BR="Comprimentos dos fusos de esferas")
 ALONE = Text(en="Actuator 2 runs alone", pt_BR="Só o atuador 2 gira")

@@ -38,7 +38,7 @@ LENGTHS = millimetres(l1=L1, l2=L2, l3=L3)
 GOAL, CHOICE = (1.0, 0.8, 0.5), (-0.7, -1.1, -1.4)
 NOW = frozen([0.5, 0.2, -1.0])
 ALIKE, FALLING = (1, 1, 1), (3, 2, 1)
-POST, FEW, TRIED = 0.05, 500, 60
+POST, FEW, TRIED, CHOICES = 0.05, 500, 60, 1000
 
 
 @dataclass(frozen=True)
@@ -59,18 +59,20 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     branches = planar3r.solve(robot, of_third_axis(*GOAL), np.zeros(3)).branches
     missed, apart, lost, counts = both_roads(robot, FEW if short else int(options.poses), progress)
     near, weighed, around = chosen(robot)
+    less, others = weighing(robot)
     rows = [
         Row(LEAST, min(counts), "", printed("2", "s.15")),
         Row(MOST, max(counts), "", printed("2", "s.15")),
         Row(ROADS, apart, "rad", SIGN_RULE),
         Row(BY_COSINE, disagreements(robot), "", COSINE),
-        Row(SMALLER, _large(weighed[0]) - _large(near[0]), "rad", SMALL_LINKS),
+        Row(LESS, less, "rad", SMALL_LINKS),
         Row(PLACE, [row.branch.name for row in around].index(near[0].branch.name) + 1, "", RULED_OUT),
         *(
             Row(COST.format(which=which, weights=weights), row.cost)
             for weights, ranking in (("1, 1, 1", near), ("3, 2, 1", weighed))
             for which, row in zip((NEARER, FARTHER), ranking, strict=True)
         ),
+        Row(OTHERS, others),
         Row(MISSED, missed),
         Row(LOST, lost, "rad"),
     ]
@@ -80,7 +82,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         posed(ROBOT, [q for _, q in named], LENGTHS, TITLE),
         posed(ROBOT, [NOW, near[0].q, NOW, weighed[0].q], LENGTHS, TITLE_CHOICE),
     ]
-    return finished(options, rows, charts, motions)
+    return finished(rows, charts, motions)
 
 
 Ranking = tuple[choice.Ranked, ...]
@@ -95,9 +97,18 @@ def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
     return near, choice.ranked(robot, branches, NOW, FALLING), around
 
 
-def _large(row: choice.Ranked) -> float:
-    """How far the largest link turns, rad."""
-    return abs(float(row.change[0]))
+def weighing(robot: Robot) -> tuple[float, float]:
+    """How much less the largest link turns by falling weights than by equal ones, on average of random choices, rad.
+
+    Then the share in which another posture is chosen.
+    """
+    turns = []
+    for now, q in np.random.default_rng(17).uniform(-np.pi, np.pi, (CHOICES, 2, 3)):
+        branches = planar3r.solve(robot, tool_at(robot, frozen(q)), now).branches
+        changes = (choice.ranked(robot, branches, now, weights)[0].change for weights in (ALIKE, FALLING))
+        turns.append([abs(float(change[0])) for change in changes])
+    alike, falling = np.array(turns).T
+    return float((alike - falling).mean()), float((alike != falling).mean())
 
 
 def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, float, float, set[int]]:
@@ -155,7 +166,7 @@ SMALL_LINKS = said(
     "pesos: movem-se os elos pequenos em vez dos grandes",
     "s.17",
     0,
-    "<",
+    ">",
 )
 RULED_OUT = said("an obstacle may rule out the nearest", "um obstáculo pode excluir a mais próxima", "s.17", 1, ">")
 COST = Text(en="cost of the {which} posture, weights {weights}", pt_BR="custo da postura {which}, pesos {weights}")
@@ -169,9 +180,13 @@ BY_COSINE = Text(
     en="random poses for which c₂ and searches say different things",
     pt_BR="poses aleatórias em que c₂ e as buscas discordam",
 )
-SMALLER = Text(
-    en="motion of joint 1 with weights 3, 2, 1, less that with 1, 1, 1",
-    pt_BR="movimento da junta 1 com pesos 3, 2, 1, menos o com 1, 1, 1",
+LESS = Text(
+    en="how much less joint 1 turns with weights 3, 2, 1 than with 1, 1, 1, on average of 1000 choices",
+    pt_BR="quanto a junta 1 gira a menos com pesos 3, 2, 1 do que com 1, 1, 1, em média de 1000 escolhas",
+)
+OTHERS = Text(
+    en="share of these choices in which the weights lead to another posture",
+    pt_BR="fração dessas escolhas em que os pesos levam a outra postura",
 )
 PLACE = Text(
     en="place in the choice of the nearest posture, a post at its elbow",

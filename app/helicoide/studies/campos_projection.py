@@ -17,7 +17,7 @@ from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright
 from helicoide.studies._campos_rows import finished, posed, said
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
+from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same
 
 TITLE = Text(en="Goals that an arm cannot take", pt_BR="Alvos que o braço não pode assumir")
@@ -64,7 +64,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Row(OUTSIDE, sum(not branches for branches in found), "", said(*STILL_OUT, "s.36", 0, ">")),
         Row(AHEAD, ahead, "rad", said("Ẑ₂ along (x, y, 0)", "Ẑ₂ ao longo de (x, y, 0)", "s.32–33", 0, "=", 1e-9)),
         Row(DOWN, down, "rad", said("Ŷ₂ always straight down", "Ŷ₂ sempre para baixo", "s.32–33", 0, "=", 1e-9)),
-        Row(ACROSS, across, "", said("X̂₂ = Ŷ₂ × Ẑ₂", "X̂₂ = Ŷ₂ × Ẑ₂", "s.33", 0, "=", 1e-9)),
+        Row(ACROSS, across, "", said("X̂₂ = Ŷ₂ × Ẑ₂", "X̂₂ = Ŷ₂ × Ẑ₂", "s.33", 0, "=", 1e-9), given=CONSTRUCTED),
         Row(
             FLAT,
             _flat(flat),
@@ -75,7 +75,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     ]
     progress(1.0)
     shown = [branches[0].q for branches in found[:SHOWN] if branches]
-    return finished(options, rows, _charts(angles), [posed(ROBOT, shown)])
+    return finished(rows, _charts(angles), [posed(ROBOT, shown)])
 
 
 def _goal(draw: Array) -> Array:
@@ -150,7 +150,10 @@ STILL_OUT = ("it may still be outside the workspace", "ainda pode ficar fora do 
 TAKEN = Text(
     en="random goals that the arm takes as they are, {robot}", pt_BR="alvos aleatórios aceitos como são, {robot}"
 )
-NEARER = Text(en="L-3: by how much a neighbour comes nearer", pt_BR="L-3: quanto uma pose vizinha chega mais perto")
+NEARER = Text(
+    en="L-3: by how much a neighbouring pose of its subspace is nearer",
+    pt_BR="L-3: quanto uma pose vizinha do subespaço fica mais perto",
+)
 OUTSIDE = Text(en="L-3: projected goals without a posture", pt_BR="L-3: alvos projetados sem postura")
 AHEAD = Text(en="polar arm: Ẑ₂ from (x, y, 0), at most", pt_BR="braço polar: maior ângulo entre Ẑ₂ e (x, y, 0)")
 DOWN = Text(en="polar arm: Ŷ₂ from straight down, at most", pt_BR="braço polar: maior ângulo entre Ŷ₂ e a vertical")

@@ -78,7 +78,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     ]
     progress(1.0)
     charts = [by_joint(CHART, [(branch.name, branch.q) for branch in branches])]
-    return finished(options, rows, charts, [posed(ROBOT, [branch.q for branch in branches], title=CHART)])
+    return finished(rows, charts, [posed(ROBOT, [branch.q for branch in branches], title=CHART)])
 
 
 def _distinct(arms: list[Array]) -> int:

@@ -112,7 +112,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Text(en="share of random arms", pt_BR="fração dos braços aleatórios"),
         tuple(Line(name, values, np.array([np.mean(np.array(n) == v) for v in values])) for name, n in lines),
     )
-    return finished(options, rows, (chart,))
+    return finished(rows, (chart,))
 
 
 def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list[int]:
@@ -132,7 +132,7 @@ def _named(zeros: tuple[int, ...]) -> Text:
 
 
 MOST = Text(en="most postures of one pose, {zeros}", pt_BR="mais posturas de uma pose, {zeros}")
-PUMA = Text(en="postures of the PUMA with a1 = a3 = a5 = 0", pt_BR="posturas do PUMA com a1 = a3 = a5 = 0")
+PUMA = Text(en="postures of the PUMA with a3 = d3 = 0", pt_BR="posturas do PUMA com a3 = d3 = 0")
 RANDOM = Text(
     en="share of random arms with more than {bound} postures, {zeros}",
     pt_BR="fração dos braços aleatórios com mais de {bound} posturas, {zeros}",

@@ -71,7 +71,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     ]
     charts = [_edges(inner, outer), _radial(whole)]
     motion = posed(ROBOT, [np.zeros(2), np.array([0.0, np.pi])], millimetres(l1=l1, l2=l2), STRETCHED)
-    return finished(options, rows, charts, [motion])
+    return finished(rows, charts, [motion])
 
 
 def distances(robot: Robot) -> Array:

@@ -1,4 +1,4 @@
-"""Algorithm 1: a gain for each joint, which grows whenever the joint is stopped at its limit."""
+"""Algorithm 1: a gain for each joint, which grows whenever the joint is clipped at its limit."""
 
 from __future__ import annotations
 
@@ -6,38 +6,43 @@ from dataclasses import dataclass
 from math import log
 from typing import Annotated
 
-import numpy as np
-
 from helicoide.ik.limit_gains import GROWTH, Memory
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, motion, part
-from helicoide.studies.cerbaro_runs.tracking import DT, TURN, free_ellipse, start_inside, start_of_ellipse, unfed
-from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, unstated
+from helicoide.studies.cerbaro_runs.confined import margins
+from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, mean_cost, motion, part
+from helicoide.studies.cerbaro_runs.tracking import (
+    DT,
+    TURN,
+    free_ellipse,
+    in_degrees,
+    start_inside,
+    start_of_ellipse,
+    unfed,
+)
+from helicoide.studies.study import CONSTRUCTED, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Algorithm 1: gains that grow", pt_BR="Algoritmo 1: ganhos que crescem")
 SOURCE = "Cerbaro 2022, §4.5, alg. 1, fig. 38"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="After every step a joint beyond its limit is put back on it, and its gain grows by a hundredth. Where J3 "
-    "begins just inside its limit and is pulled off it weakly, one gain lets it pass; with gains that grow it stays "
-    "inside, and the tool notices nothing. From the posture of the demonstration before, which is itself out of range, "
-    "the first stop throws the tool off for an instant.",
-    pt_BR="Depois de cada passo, uma junta além do limite volta para ele, e seu ganho cresce um centésimo. Quando J3 "
-    "parte logo antes do limite e é afastada dele com pouca força, um só ganho a deixa passar; com ganhos que crescem "
-    "ela fica dentro, e o efetuador nem percebe. Da postura da demonstração anterior, que já está fora da faixa, a "
-    "primeira parada desvia o efetuador por um instante.",
+    en="After every step a joint beyond its limit is clipped, that is, put back on it, and its gain grows by a "
+    "hundredth. From the posture in which the demonstration before begins, J3 is already 9.9° out of range, and the "
+    "first clip throws the tool off for an instant. With k₀ = 500 counted in degrees instead of radians, and J3 just "
+    "inside its limit at the start, all that is said of figs. 37 and 38 comes out: with one gain J3 passes its limit, "
+    "with gains that grow it stays inside, and the tool notices nothing. These numbers stand apart, since 500 in "
+    "degrees does not fit the other demonstrations.",
+    pt_BR="Depois de cada passo, uma junta além do limite é cortada, isto é, volta para ele, e seu ganho cresce um "
+    "centésimo. Na postura em que começa a demonstração anterior, J3 já está 9,9° fora da faixa, e o primeiro corte "
+    "desvia o efetuador por um instante. Com k₀ = 500 contado em graus, e não em radianos, e J3 partindo logo antes do "
+    "limite, acontece tudo o que se diz das figs. 37 e 38: com um só ganho J3 ultrapassa o limite, com ganhos que "
+    "crescem fica dentro, e o efetuador nem percebe. Esses números ficam à parte, pois 500 em graus não combina com as "
+    "outras demonstrações.",
 )
-# Found by tests/studies/fits/cerbaro_algorithm_1.py.
-GAIN = Fitted(Text(en="first gain k₀", pt_BR="ganho inicial k₀"), 0.25, 0.2, 0.35, "1/s")
-INSIDE = Fitted(
-    Text(en="J3 at the start, inside its limit by", pt_BR="J3 na partida, aquém do limite por"), 0.1, 0.02, 0.2, "°"
-)
-FITTED = (GAIN, INSIDE)
-PRINTED_GAIN, SHORT, SETTLED = 500.0, 4.0, 0.1
+SHORT, SETTLED = 4.0, 0.1
+BENT = (1, 2, 3)  # J2 to J4
 
-PASSES = Statement(Text(en="J3 passes its limit", pt_BR="J3 ultrapassa o limite"), "§4.4.4, fig. 37", 0.0, "<")
 KEPT = Statement(
     Text(en="J2 to J4 stay inside their limits", pt_BR="J2 a J4 ficam dentro dos limites"),
     "§4.5, fig. 38",
@@ -57,14 +62,8 @@ FARTHER = Statement(
         en="the joints tend to stay farther from their limits than with one gain",
         pt_BR="as juntas tendem a ficar mais longe dos limites do que com um só ganho",
     ),
-    "§6.3",
-    0.0,
-    ">",
-)
-NEARER = Statement(
-    Text(en="J4 ends nearer its limit than with k₀ = 0", pt_BR="J4 acaba mais perto do limite do que com k₀ = 0"),
-    "§4.4.4, fig. 37",
-    0.0,
+    "fig. 38, §6.3",
+    1.0,
     "<",
 )
 OUTSIDE = Text(
@@ -72,58 +71,65 @@ OUTSIDE = Text(
     pt_BR="J3 parte 9,9° além do limite; levá-la até ele de uma vez desloca o efetuador 75 mm",
 )
 
+ALIKE = Text(
+    en="Algorithm 1 clips in the first 5 ms only, and then the two runs are nearly one",
+    pt_BR="o Algoritmo 1 só corta nos primeiros 5 ms, e depois as duas execuções são quase uma só",
+)
+
 
 @dataclass(frozen=True)
 class Options:
-    """gain: k₀ with which every joint begins; inside: how far from its limit J3 does. Both are fitted."""
+    """gain: k₀ of the source; inside: how far inside its limit J3 begins where k₀ is counted in degrees."""
 
-    gain: Annotated[float, Quantity(GAIN.name, 0.05, 1000.0, "1/s")] = GAIN.value
-    inside: Annotated[float, Quantity(INSIDE.name, 0.0, 20.0, "°")] = INSIDE.value
+    gain: Annotated[float, Quantity(Text(en="gain k₀", pt_BR="ganho k₀"), 1.0, 1000.0, "1/s")] = 500.0
+    inside: Annotated[
+        float,
+        Quantity(
+            Text(
+                en="with k₀ in degrees: J3 begins inside its limit by",
+                pt_BR="com k₀ em graus: J3 parte aquém do limite por",
+            ),
+            0.0,
+            20.0,
+            "°",
+        ),
+    ] = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """A turn from inside the limits without the objective, by one gain and by growing ones; both from outside."""
+    """A turn by one gain and by growing ones: from the printed start, and from inside with k₀ in degrees."""
 
-    none: Run
     one: Run
     grown: Run
-    one_outside: Run
-    grown_outside: Run
+    one_in_degrees: Run
+    grown_in_degrees: Run
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The turn in steps of 1 ms without ẋ_d, as the errors of the source have it; short: its first 4 s."""
     runs = made(options, SHORT if short else TURN, progress)
     named = (
-        (Text(en="k₀ = 0", pt_BR="k₀ = 0"), runs.none),
         (Text(en="one gain", pt_BR="um só ganho"), runs.one),
         (Text(en="Algorithm 1", pt_BR="Algoritmo 1"), runs.grown),
+        (Text(en="one gain, k₀ in degrees", pt_BR="um só ganho, k₀ em graus"), runs.one_in_degrees),
+        (Text(en="Algorithm 1, k₀ in degrees", pt_BR="Algoritmo 1, k₀ em graus"), runs.grown_in_degrees),
     )
-    outside = Text(en="Algorithm 1, start outside, k₀ = 500", pt_BR="Algoritmo 1, partida fora, k₀ = 500")
-    charts = (
-        *joint_charts("fig. 38", arms.movemaster(), (2, 3, 4), *named),
-        error_chart("fig. 38", *named, (outside, runs.grown_outside)),
-    )
+    charts = (*joint_charts("fig. 38", arms.movemaster(), (2, 3, 4), *named), error_chart("fig. 38", *named))
     found = rows(runs, short)
-    motions = tuple(motion(ROBOT, title, one) for title, one in (*named, (outside, runs.grown_outside)))
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    motions = tuple(motion(ROBOT, title, one) for title, one in named)
+    return Result(found, charts, motions)
 
 
 def made(options: Options, seconds: float, progress: Progress) -> Runs:
-    """The five runs; those from outside end after a second."""
-    inside, outside = start_inside(options.inside), start_of_ellipse()
-    asked = (
-        (inside, 0.0, False, seconds),
-        (inside, options.gain, False, seconds),
-        (inside, options.gain, True, seconds),
-        (outside, PRINTED_GAIN, False, 1.0),
-        (outside, PRINTED_GAIN, True, 1.0),
-    )
+    """The four runs."""
+    printed, inside = start_of_ellipse(), start_inside(options.inside)
+    in_radians, in_deg = options.gain, in_degrees(options.gain, len(inside))
+    asked = ((printed, in_radians, False), (printed, in_radians, True), (inside, in_deg, False), (inside, in_deg, True))
     return Runs(
         *(
-            free_ellipse(q, k0, DT, grows, part(progress, i, len(asked)), lasts, unfed)
-            for i, (q, k0, grows, lasts) in enumerate(asked)
+            free_ellipse(q, k0, DT, grows, part(progress, i, len(asked)), seconds, unfed)
+            for i, (q, k0, grows) in enumerate(asked)
         )
     )
 
@@ -136,59 +142,45 @@ def growth_of_j3(run: Run) -> float:
 
 
 def room(run: Run, *joints: int) -> float:
-    """How far joints, the first is 1, stay inside their limits after the first step, degrees."""
-    limits, chosen = arms.movemaster().limits, [j - 1 for j in joints]
-    q = run.q[1:, chosen]
-    return float(np.degrees(np.minimum(q - limits.lower[chosen], limits.upper[chosen] - q).min()))
+    """How far joints, the first is 0, stay inside their limits after the first step, degrees."""
+    return float(margins(arms.movemaster(), run.since(DT).q)[[*joints]].min())
 
 
-def worse(grown: Run, one: Run, since: float) -> float:
-    """The largest position error by Algorithm 1 from a time on, s, as a share of that by one gain."""
-    return float(grown.since(since).error.max() / one.since(since).error.max())
+def worse(grown: Run, one: Run) -> float:
+    """The largest position error by Algorithm 1 as a share of that by one gain."""
+    return float(grown.error.max() / one.error.max())
 
 
 def rows(runs: Runs, short: bool) -> tuple[Row, ...]:
-    """What the source says of figs. 37 and 38; the short form does not see how the turn ends."""
-    one, grown, growth = runs.one, runs.grown, growth_of_j3(runs.grown)
-    passing = Text(en="one gain: J3 inside its limits by", pt_BR="um só ganho: J3 dentro dos limites por")
+    """What the source says of fig. 38, then the other unit; the short form does not see the whole turn."""
     staying = Text(en="Algorithm 1: J2 to J4 inside by", pt_BR="Algoritmo 1: J2 a J4 dentro por")
     share = Text(
         en="largest position error, over that by one gain", pt_BR="maior erro de posição, sobre o de um só ganho"
     )
-    clips = Text(en="stops of J3 at its limit", pt_BR="paradas de J3 no limite")
-    there = Text(en="start outside: {what}", pt_BR="partida fora: {what}")
-    found = [
-        Row(passing, room(one, 3), "°", PASSES, FITTED),
-        Row(staying, room(grown, 2, 3, 4), "°", KEPT, FITTED),
-        Row(share, worse(grown, one, SETTLED), "", UNCHANGED, FITTED),
-        Row(there.format(what=staying), room(runs.grown_outside, 2, 3, 4), "°", KEPT),
-        Row(there.format(what=share), worse(runs.grown_outside, runs.one_outside, 0.0), "", UNCHANGED, why=OUTSIDE),
-        Row(clips, log(growth) / log(GROWTH)),
-        Row(Text(en="gain of J3 at the end, over k₀", pt_BR="ganho de J3 no fim, sobre k₀"), growth),
-        Row(
-            Text(
-                en="start outside: position error after the first stop",
-                pt_BR="partida fora: erro após a primeira parada",
-            ),
-            float(runs.grown_outside.error.max()),
-            "mm",
-        ),
-    ]
-    return tuple(found) if short else (*found, *_of_the_turn(runs))
-
-
-def _of_the_turn(runs: Runs) -> tuple[Row, ...]:
-    lower = np.degrees(arms.movemaster().limits.lower[2])
-    off = [float(np.degrees(run.q[:, 2].mean()) - lower) for run in (runs.grown, runs.one)]
     farther = Text(
-        en="mean distance of J3 from its limit, more than by one gain",
-        pt_BR="distância média de J3 ao limite, a mais que com um só ganho",
+        en="mean of −w by Algorithm 1, as a share of that by one gain",
+        pt_BR="média de −w com o Algoritmo 1, fração da de um só ganho",
     )
-    nearer = Text(
-        en="one gain: J4 to its limit, more than for k₀ = 0",
-        pt_BR="um só ganho: J4 até o limite, a mais que com k₀ = 0",
+    thrown = Text(en="position error after the first clip", pt_BR="erro de posição após o primeiro corte")
+    stated = [
+        Row(staying, room(runs.grown, *BENT), "°", KEPT, given=CONSTRUCTED),
+        Row(share, worse(runs.grown, runs.one), "", UNCHANGED, why=OUTSIDE),
+    ]
+    if not short:
+        movemaster = arms.movemaster()
+        less = mean_cost(movemaster, runs.grown) / mean_cost(movemaster, runs.one)
+        stated.append(Row(farther, less, "", FARTHER, why=ALIKE))
+    one, grown, growth = runs.one_in_degrees, runs.grown_in_degrees, growth_of_j3(runs.grown_in_degrees)
+    apart = Text(en="k₀ in degrees, start inside: {what}", pt_BR="k₀ em graus, partida dentro: {what}")
+    other = (
+        (Text(en="one gain: J3 inside its limit by", pt_BR="um só ganho: J3 dentro do limite por"), room(one, 2), "°"),
+        (staying, room(grown, *BENT), "°"),
+        (share, worse(grown.since(SETTLED), one.since(SETTLED)), ""),
+        (Text(en="clips of J3", pt_BR="cortes de J3"), log(growth) / log(GROWTH), ""),
+        (Text(en="gain of J3 at the end, over k₀", pt_BR="ganho de J3 no fim, sobre k₀"), growth, ""),
     )
     return (
-        Row(farther, off[0] - off[1], "°", FARTHER, FITTED),
-        Row(nearer, room(runs.one, 4) - room(runs.none, 4), "°", NEARER, FITTED),
+        *stated,
+        Row(thrown, float(runs.grown.error.max()), "mm"),
+        *(Row(apart.format(what=what), ours, unit) for what, ours, unit in other),
     )

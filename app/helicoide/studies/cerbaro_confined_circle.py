@@ -6,18 +6,26 @@ from helicoide.studies.cerbaro_runs import chapter6
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import CIRCLE
 from helicoide.studies.study import Progress, Result
-from helicoide.text import Text
+from helicoide.text import Text, joined
 
 TITLE = Text(en="Confined: the circle", pt_BR="Confinado: o círculo")
 SOURCE = "Cerbaro 2022, §6.1–6.2.4, eqs. 31, 35–37, figs. 59–64"
 ROBOT = "movemaster"
-ABOUT = Text(
-    en="A level circle brings the arm near its base, where the tool folds back and the wrist comes within 32 mm of a "
-    "wall that the source watches for the tool alone. With the orientation held, part of the circle is beyond reach. "
-    "It also shows what Algorithm 1 is good for: J3 stays 18° inside its limits instead of 5°.",
-    pt_BR="Um círculo horizontal traz o braço para perto da base, onde o efetuador se dobra para trás e o punho chega "
-    "a menos de 32 mm de uma parede que a fonte só vigia para o efetuador. Com a orientação mantida, parte do círculo "
-    "está fora do alcance. Mostra também para que serve o Algoritmo 1: J3 fica 18° para dentro dos limites, e não 5°.",
+ABOUT = joined(
+    (
+        Text(
+            en="A level circle brings the arm near its base, where the tool folds back and the wrist comes to 31 mm "
+            "from a wall that the source watches for the tool alone. With the orientation held, part of the circle is "
+            "beyond reach. It also shows what Algorithm 1 is good for: the joint that comes nearest to its limit stays "
+            "18° inside, not 5°.",
+            pt_BR="Um círculo horizontal traz o braço para perto da base, onde o efetuador se dobra para trás e o "
+            "punho chega a 31 mm de uma parede que a fonte só vigia para o efetuador. Com a orientação mantida, parte "
+            "do círculo está fora do alcance. Mostra também para que serve o Algoritmo 1: a junta que mais se aproxima "
+            "do seu limite fica 18° para dentro, e não 5°.",
+        ),
+        chapter6.CASES_TOLD,
+    ),
+    " ",
 )
 
 

@@ -6,18 +6,22 @@ from helicoide.studies.cerbaro_runs import chapter6
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE
 from helicoide.studies.study import Progress, Result
-from helicoide.text import Text
+from helicoide.text import Text, joined
 
 TITLE = Text(en="Confined: the ellipse", pt_BR="Confinado: a elipse")
 SOURCE = "Cerbaro 2022, §6.1–6.2.2, eqs. 31, 33, 36, 37, figs. 47–52"
 ROBOT = "movemaster"
-ABOUT = Text(
-    en="The tool is to run round an ellipse that leads past walls, ceiling and bench of a foam enclosure. Targets give "
-    "way wherever a joint or the tool comes near a plane: by the source’s rules, read in several ways, and by the "
-    "guarded step of this lab, which keeps nearer to the path.",
-    pt_BR="O efetuador deve percorrer uma elipse que passa perto de paredes, teto e bancada de um recinto de espuma. O "
-    "alvo cede onde uma junta ou o efetuador se aproxima de um plano: pelas regras da fonte, lidas de várias maneiras, "
-    "e pelo passo guardado deste laboratório, que se afasta menos do caminho.",
+ABOUT = joined(
+    (
+        Text(
+            en="The tool is to run round an ellipse that leads past walls, ceiling and bench of a foam enclosure. The "
+            "target gives way wherever a joint comes near the ceiling, or the tool near a wall or the bench.",
+            pt_BR="O efetuador deve percorrer uma elipse que passa perto de paredes, teto e bancada de um recinto de "
+            "espuma. O alvo cede onde uma junta se aproxima do teto, ou o efetuador de uma parede ou da bancada.",
+        ),
+        chapter6.CASES_TOLD,
+    ),
+    " ",
 )
 
 

@@ -6,18 +6,24 @@ from helicoide.studies.cerbaro_runs import chapter6
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import LINE
 from helicoide.studies.study import Progress, Result
-from helicoide.text import Text
+from helicoide.text import Text, joined
 
-TITLE = Text(en="Confined: the line", pt_BR="Confinado: a linha")
+TITLE = Text(en="Confined: the line", pt_BR="Confinado: a reta")
 SOURCE = "Cerbaro 2022, §6.1–6.2.3, eqs. 31, 34 (500 → 50 mm), 36, 37, figs. 53–58"
 ROBOT = "movemaster"
-ABOUT = Text(
-    en="The tool is to run along a straight line that begins and ends inside the warning zones of both side walls. "
-    "With its orientation held the arm stays below the ceiling but bends the wrist beyond its limit; left free, the "
-    "elbow rises, and the target has to give way.",
-    pt_BR="O efetuador deve percorrer uma reta que começa e termina nas zonas de alerta das duas paredes laterais. "
-    "Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho além do limite; com ela livre, o "
-    "cotovelo sobe, e o alvo tem de ceder.",
+ABOUT = joined(
+    (
+        Text(
+            en="The tool is to run along a straight line that begins and ends inside the warning zones of both side "
+            "walls. With its orientation held the arm stays below the ceiling but bends the wrist beyond its limit; "
+            "left free, the elbow rises, and the target has to give way.",
+            pt_BR="O efetuador deve percorrer uma reta cujos extremos ficam nas zonas de alerta das duas paredes "
+            "laterais. Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho além do limite; com "
+            "ela livre, o cotovelo sobe, e o alvo tem de ceder.",
+        ),
+        chapter6.CASES_TOLD,
+    ),
+    " ",
 )
 
 

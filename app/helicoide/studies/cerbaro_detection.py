@@ -17,21 +17,21 @@ from helicoide.perception.camera import D435, Camera, SimulatedCamera, on_hand
 from helicoide.perception.planes import ANGLE, Found, find
 from helicoide.perception.tour import OUTLIERS, READINGS, Reading
 from helicoide.state import State, initial
-from helicoide.studies.study import Chart, Fitted, Line, Motion, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Measuring the enclosure", pt_BR="A medição do recinto")
-SOURCE = "Cerbaro 2022, §6.1, 6.2.1, eqs. 25–26, figs. 44, 46"
+SOURCE = "Cerbaro 2022, §5.2.6, 6.1, 6.2.1, eqs. 25–30, figs. 44, 46"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="From three postures a depth camera on the hand reads ceiling and walls; a plane is sought along each reference "
-    "normal, and the source takes it through three random points of those near it. Here the scene holds the planes "
-    "that it prints, and a simulated camera reads them. Where its camera sat the source does not say: two places are "
-    "compared.",
-    pt_BR="De três posturas, uma câmera de profundidade na mão lê teto e paredes; procura-se um plano ao longo de cada "
-    "normal de referência, e a fonte o faz passar por três pontos aleatórios dos que estão perto dele. Aqui a cena tem "
-    "os planos que ela imprime, lidos por uma câmera simulada. Onde ficava a câmera a fonte não diz: comparam-se dois "
-    "lugares.",
+    en="From three postures a depth camera on the hand reads ceiling and walls. A plane is sought whose normal is "
+    "within 4° of a reference, and the source then takes the plane through three random points of those near it. Here "
+    "the scene holds the planes that it prints, and a simulated camera reads them, so that most of what is counted is "
+    "ours. Where its camera sat the source does not say: two places are compared.",
+    pt_BR="De três posturas, uma câmera de profundidade na mão lê teto e paredes. Procura-se um plano cuja normal "
+    "fique a até 4° de uma de referência, e a fonte o faz passar depois por três pontos aleatórios dos que estão perto "
+    "dele. Aqui a cena tem os planos que ela imprime, lidos por uma câmera simulada, e por isso quase tudo o que se "
+    "conta é nosso. Onde ficava a câmera a fonte não diz: comparam-se dois lugares.",
 )
 # The camera where the source has the odometer: 37.5 mm behind the tool, 62.5 mm above it.
 ON_BRACKET = replace(D435, T_tool_camera=on_hand(behind=0.0375, above=0.0625))
@@ -39,22 +39,15 @@ CLOUDS, CLOUDS_SHORT, TRIPLES = 15, 3, 2000
 # Angles to the reference normal, °, within which planes are sought; the chart of them shows how far 10° holds.
 TRIED = (2, 3, 4, 5, 6, 8, 10, 15, 20, 25)
 
-TILT = Statement(Text(en="maximum angular distance 4°", pt_BR="distância angular máxima de 4°"), "§6.1", 4.0, "≤")
-THREE = Statement(Text(en="three planes are measured", pt_BR="medem-se três planos"), "§6.2.1", 3.0)
-SOUGHT = Fitted(
-    Text(en="largest angle to the reference normal", pt_BR="maior ângulo com a normal de referência"),
-    10.0,
-    6.0,
-    25.0,
-    "°",
-)
-THREE_POINTS = Text(
-    en="the printed plane goes through three random points, and these tilt it more than a fit to all of them would",
-    pt_BR="o plano impresso passa por três pontos aleatórios, que o inclinam mais que um ajuste a todos",
-)
-WALLS_TILT = Text(
-    en="the walls that the source prints are tilted by 4.6° and 5.5°, and the scene is made of these",
-    pt_BR="as paredes impressas pela fonte inclinam-se 4,6° e 5,5°, e a cena é feita delas",
+# Eqs. 27 to 30: three points, and the coefficients of e₁, e₂, e₃ and e of their plane.
+POINTS = np.array([(1.0, 2.0, 3.0), (2.0, -2.0, 3.0), (-1.0, 1.0, 0.0)])
+PLANE = np.array([-0.7845, -0.1961, 0.5883, 0.5883])
+ITS_PLANE = Statement(
+    Text(en="its plane, to four decimals", pt_BR="o seu plano, com quatro decimais"),
+    "§5.2.6, eqs. 27–30",
+    0.0,
+    "=",
+    5.1e-5,
 )
 
 
@@ -87,9 +80,9 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     found = _found(options.noise / 1000)
     progress(1.0)
     here, bracket = read[:3], read[3:]
-    rows = (*_stated(found), *_ours(here, bracket))
+    rows = (example(), *_search(found), *_ours(here, bracket))
     charts = (_tilts(here), _by_angle(found), _places(here, bracket))
-    return Result(rows if options == Options() else unstated(rows), charts, (_tour(),))
+    return Result(rows, charts, (_tour(),))
 
 
 def at(pose: str) -> State:
@@ -145,20 +138,34 @@ def _found(noise: float) -> Array:
     )
 
 
-def _stated(found: Array) -> list[Row]:
-    printed_tilt = Text(
-        en="printed plane, {wall}: tilt from the reference normal", pt_BR="plano impresso, {wall}: inclinação da normal"
+def example() -> Row:
+    """Eqs. 25 and 26 on the example of the source."""
+    normal, offset = rigid.normal_and_offset(rigid.plane_through(*rigid.point(POINTS)))
+    quantity = Text(
+        en="plane through the three points of eq. 27: largest difference of a coefficient",
+        pt_BR="plano pelos três pontos da eq. 27: maior diferença de um coeficiente",
     )
-    within = Text(en="planes found within {angle}° of it", pt_BR="planos achados a até {angle}° dela")
-    rows = [
-        Row(printed_tilt.format(wall=reading.title), float(tilt(pane(reading).normal, reading.towards)), "°", TILT)
-        for reading in READINGS
-    ]
-    rows = [replace(row, why=THREE_POINTS) for row in rows]
+    return Row(quantity, float(np.abs(np.append(normal, offset) - PLANE).max()), "", ITS_PLANE)
+
+
+def _search(found: Array) -> list[Row]:
+    """How the printed planes lie, and how many of three a search finds in a scene that is made of them."""
+    printed_tilt = Text(
+        en="printed plane, {wall}: tilt from the reference normal",
+        pt_BR="plano impresso, {wall}: inclinação em relação à normal de referência",
+    )
+    within = Text(
+        en="planes found within {angle}° of the reference normal",
+        pt_BR="planos achados a até {angle}° da normal de referência",
+    )
     counts = dict(zip(TRIED, found, strict=True))
-    rows.append(Row(within.format(angle=4), int(counts[4]), source=THREE, why=WALLS_TILT))
-    rows.append(Row(within.format(angle=10), int(counts[10]), source=THREE, fitted=(SOUGHT,)))
-    return rows
+    return [
+        *(
+            Row(printed_tilt.format(wall=reading.title), float(tilt(pane(reading).normal, reading.towards)), "°")
+            for reading in READINGS
+        ),
+        *(Row(within.format(angle=angle), int(counts[angle])) for angle in (4, 10)),
+    ]
 
 
 def _ours(here: list[Read], bracket: list[Read]) -> list[Row]:

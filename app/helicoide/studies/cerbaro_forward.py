@@ -11,7 +11,7 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import dh_frames, disagreement, screw_displacements, tool_by_screws
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, printed
+from helicoide.studies.study import Chart, Line, Motion, Progress, Reading, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="Forward kinematics, two arms", pt_BR="Cinemática direta, dois braços")
@@ -20,17 +20,32 @@ ROBOT = "movemaster"
 ABOUT = Text(
     en="Where the tools of the ORCA and the Movemaster are in one posture each: by DH rows, whose matrix ends in the "
     "last DH frame, and by successive screws, whose matrix is what the point of the tool at q = 0 is moved by. Two "
-    "people measured both on the arms, ten times.",
+    "people measured both on the arms, ten times. Where a table or an equation was put right for this, the row says "
+    "so.",
     pt_BR="Onde ficam os efetuadores do ORCA e do Movemaster numa postura de cada um: pelas linhas DH, cuja matriz "
     "termina no último referencial DH, e por helicoides sucessivos, cuja matriz é o que move o ponto do efetuador em "
-    "q = 0. Duas pessoas mediram ambos nos braços, dez vezes.",
+    "q = 0. Duas pessoas mediram ambos nos braços, dez vezes. Onde uma tabela ou equação foi corrigida para isso, a "
+    "linha o diz.",
 )
-# Eqs. 4 and 8, entries of R; the lengths of eq. 8 are cut after three decimals, not rounded.
+# Eqs. 4 and 8, entries of R; the lengths of eqs. 4, 5 and 8 are cut after three decimals, not rounded.
 R_DH = np.array([[0.5, -0.75, 0.433], [-0.866, -0.433, 0.25], [0, -0.5, -0.866]])
 R_SCREWS = np.array([[0.433, 0.75, 0.5], [0.25, 0.433, -0.866], [-0.866, 0.5, 0]])
 MEASURED = {"orca": np.array([335.0, 330.0, 0.0]), "movemaster": np.array([477.0, 275.0, 293.0])}
 FIGURES = {"orca": "fig. 25", "movemaster": "fig. 26"}
 SAMPLES, SECONDS = 200, 5.0
+LENGTHS = Reading(
+    Text(en="the lengths of table 7 in table 5", pt_BR="os comprimentos da tabela 7 na tabela 5"),
+    Text(en="(202.03; 310.60) mm", pt_BR="(202,03; 310,60) mm"),
+)
+FIRST_OFFSET = Reading(Text(en="d₁ = 400 mm in table 6", pt_BR="d₁ = 400 mm na tabela 6"), same("z = −100 mm"))
+SINES = Reading(
+    Text(en="eq. 61 with the signs of Rodrigues’ formula", pt_BR="a eq. 61 com os sinais da fórmula de Rodrigues"),
+    Text(en="no rotation comes out", pt_BR="não resulta uma rotação"),
+)
+SQUARED = Reading(
+    Text(en="squared distances are compared", pt_BR="comparam-se distâncias ao quadrado"),
+    Text(en="0.51 %", pt_BR="0,51 %"),
+)
 
 
 @dataclass(frozen=True)
@@ -42,8 +57,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """The examples, and how far the roads differ on the way from q = 0 to them; the short form is the whole."""
     orca, movemaster = robots = (load("orca"), load("movemaster"))
     motions = tuple(_motion(robot) for robot in robots)
-    rows = (*_of_orca(orca), *_of_movemaster(movemaster), *_measured(orca, "fig. 25", "5,98"))
-    rows = (*rows, *_measured(movemaster, "fig. 26", "1,02", "cerbaro-10"))
+    rows = (*_of_orca(orca), *_of_movemaster(movemaster), *_measured(orca, movemaster))
     return Result(rows, _charts(robots, motions), motions)
 
 
@@ -59,14 +73,12 @@ def cut(words: str, place: str) -> Statement:
 
 
 def _of_orca(orca: Robot) -> tuple[Row, ...]:
-    H = screw_displacements(orca, example(orca))[-1]
-    tool = H[:3, :3] @ orca.T_world_tool_0[:3, 3] + H[:3, 3]
-    turns = euler.angles(H[:3, :3], euler.ROLL_PITCH_YAW).values
+    by_dh, by_screws = dh_frames(orca, example(orca))[-1], screw_displacements(orca, example(orca))[-1]
     return (
-        *_places("ORCA, p′", tool[:2], ("318,140", "309,321"), "eqs. 1–3"),
-        *_places("ORCA, H", H[:2, 3], ("−336,860", "309,321"), "eq. 7"),
-        _entries("ORCA, H", H, np.eye(3), "eq. 7"),
-        *_turns("ORCA", turns, ("0", "0", "0"), "eqs. 1–3"),
+        *_places("ORCA, DH", by_dh[:2, 3], ("318,140", "309,321"), "eqs. 1–3", (LENGTHS,)),
+        _entries("ORCA, DH", by_dh, np.eye(3), "eqs. 1–3"),
+        *_places("ORCA, H", by_screws[:2, 3], ("−336,860", "309,321"), "eq. 7", (SINES,)),
+        _entries("ORCA, H", by_screws, np.eye(3), "eq. 7", (SINES,)),
     )
 
 
@@ -74,24 +86,27 @@ def _of_movemaster(movemaster: Robot) -> tuple[Row, ...]:
     by_dh = dh_frames(movemaster, example(movemaster))[-1]
     by_screws = screw_displacements(movemaster, example(movemaster))[-1]
     turns = euler.angles(by_dh[:3, :3], euler.ROLL_PITCH_YAW).values
+    x, y, z = _places("Movemaster, DH", by_dh[:3, 3], ("470,429", "271,602", "300,000"), "eqs. 4–5")
     return (
-        *_places("Movemaster, DH", by_dh[:3, 3], ("470,429", "271,602", "300,000"), "eqs. 4–5"),
+        *(x, y, replace(z, fitted=(FIRST_OFFSET,))),
         _entries("Movemaster, DH", by_dh, R_DH, "eq. 4"),
         *_turns("Movemaster, DH", turns, ("−1,047", "0,000", "−2,618"), "eq. 6"),
-        *_places("Movemaster, H", by_screws[:3, 3], ("−84,641", "413,012", "1010,140"), "eq. 8"),
-        _entries("Movemaster, H", by_screws, R_SCREWS, "eq. 8"),
+        *_places("Movemaster, H", by_screws[:3, 3], ("−84,641", "413,012", "1010,140"), "eq. 8", (SINES,)),
+        _entries("Movemaster, H", by_screws, R_SCREWS, "eq. 8", (SINES,)),
     )
 
 
-def _places(name: str, place: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
+def _places(
+    name: str, place: Array, words: tuple[str, ...], where: str, taken: tuple[Reading, ...] = ()
+) -> tuple[Row, ...]:
     told = zip("xyz", 1000 * place, words, strict=False)
-    return tuple(Row(same(f"{name}: {axis}"), float(ours), "mm", cut(said, where)) for axis, ours, said in told)
+    return tuple(Row(same(f"{name}: {axis}"), float(ours), "mm", cut(said, where), taken) for axis, ours, said in told)
 
 
-def _entries(name: str, H: Array, R: Array, where: str) -> Row:
+def _entries(name: str, H: Array, R: Array, where: str, taken: tuple[Reading, ...] = ()) -> Row:
     said = Text(en="its R, to three decimals", pt_BR="o seu R, com três decimais")
     quantity = Text(en="{name}: largest difference of R", pt_BR="{name}: maior diferença em R").format(name=name)
-    return Row(quantity, float(np.abs(H[:3, :3] - R).max()), "", Statement(said, where, 0.0, "=", 5.1e-4))
+    return Row(quantity, float(np.abs(H[:3, :3] - R).max()), "", Statement(said, where, 0.0, "=", 5.1e-4), taken)
 
 
 def _turns(name: str, turns: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
@@ -99,16 +114,40 @@ def _turns(name: str, turns: Array, words: tuple[str, ...], where: str) -> tuple
     return tuple(Row(same(f"{name}: {axis}"), float(ours), "rad", printed(said, where)) for axis, ours, said in told)
 
 
-def _measured(robot: Robot, figure: str, words: str, erratum: str = "") -> tuple[Row, ...]:
-    tool, measured = 1000 * tool_by_screws(robot, example(robot))[:3, 3], MEASURED[robot.name]
-    length = float(np.linalg.norm(tool))
-    longer = 100 * (float(np.linalg.norm(measured)) - length) / length
-    off = Text(en="{name}: measured point off by", pt_BR="{name}: ponto medido a uma distância de")
-    share = Text(en="{name}: measured point farther out by", pt_BR="{name}: ponto medido mais longe da origem por")
-    return (
-        Row(share.format(name=robot.title), longer, "%", printed(words, figure), erratum=erratum),
-        Row(off.format(name=robot.title), float(np.linalg.norm(measured - tool)), "mm"),
+def _measured(orca: Robot, movemaster: Robot) -> tuple[Row, ...]:
+    """How much farther out the measured points are, as the source counts it for each arm, and how far off."""
+    farther = Text(
+        en="{name}: measured point farther from the base by",
+        pt_BR="{name}: ponto medido mais longe da origem da base por",
     )
+    squared = Text(
+        en="{name}: squared distance of the measured point larger by",
+        pt_BR="{name}: quadrado da distância do ponto medido maior por",
+    )
+    off = Text(en="{name}: measured point off by", pt_BR="{name}: distância entre o ponto medido e o calculado")
+    ratios = [_ratio(robot) for robot in (orca, movemaster)]
+    apart = [
+        float(np.linalg.norm(MEASURED[robot.name] - 1000 * tool_by_screws(robot, example(robot))[:3, 3]))
+        for robot in (orca, movemaster)
+    ]
+    return (
+        Row(farther.format(name=orca.title), 100 * (ratios[0] - 1), "%", printed("5,98", "fig. 25")),
+        Row(
+            squared.format(name=movemaster.title),
+            100 * (ratios[1] ** 2 - 1),
+            "%",
+            printed("1,02", "fig. 26"),
+            (SQUARED,),
+        ),
+        Row(farther.format(name=movemaster.title), 100 * (ratios[1] - 1), "%"),
+        *(Row(off.format(name=robot.title), mm, "mm") for robot, mm in zip((orca, movemaster), apart, strict=True)),
+    )
+
+
+def _ratio(robot: Robot) -> float:
+    """How many times the distance of the computed point from the base is that of the measured one."""
+    tool = 1000 * tool_by_screws(robot, example(robot))[:3, 3]
+    return float(np.linalg.norm(MEASURED[robot.name]) / np.linalg.norm(tool))
 
 
 def _motion(robot: Robot) -> Motion:

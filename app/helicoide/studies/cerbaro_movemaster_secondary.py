@@ -9,21 +9,24 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs.confined import margins
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, motion, part, pitch, pitch_chart
-from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_ellipse, start_of_ellipse
-from helicoide.studies.study import Figure, Progress, Result, Row, Statement, unstated
-from helicoide.text import Text
+from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_ellipse, in_degrees, start_of_ellipse
+from helicoide.studies.study import Figure, Progress, Result, Row, Statement
+from helicoide.text import Text, same
 
 TITLE = Text(en="One gain for all joints, and where it fails", pt_BR="Um só ganho para as juntas, e onde falha")
 SOURCE = "Cerbaro 2022, §4.4.4, dem. 3, fig. 37"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all "
-    "pulls J3, which begins beyond its limit, back at once, and pays for it with J4, which ends nearer to its own than "
-    "without any pull. How J3 passes its limit later is a matter of gain and start: see Algorithm 1.",
+    en="The ellipse once more with the orientation free: J2, J3 and J4 have a freedom to share. One gain for all pulls "
+    "J3, which begins beyond its limit, back at once, and pays for it with J4, which ends nearer to its own than "
+    "without any pull. J3 then stays inside. Were k₀ counted in degrees instead of radians, it would be two thousand "
+    "times weaker: J3 would stay outside longer, but J4 would end farther from its limit.",
     pt_BR="De novo a elipse, com a orientação livre: J2, J3 e J4 dividem uma liberdade. Um só ganho para todas traz "
     "J3, que parte além do limite, logo de volta, à custa de J4, que acaba mais perto do seu do que sem atração "
-    "nenhuma. Se J3 passa do limite depois é questão de ganho e de partida: veja o Algoritmo 1.",
+    "nenhuma. Depois disso J3 fica dentro. Se k₀ fosse contado em graus, e não em radianos, valeria duas mil vezes "
+    "menos: J3 ficaria mais tempo fora, mas J4 acabaria mais longe do seu limite.",
 )
 NEARER = Statement(
     Text(en="J4 ends nearer its limit than with k₀ = 0", pt_BR="J4 acaba mais perto do limite do que com k₀ = 0"),
@@ -34,6 +37,14 @@ NEARER = Statement(
 OTHERS = Statement(
     Text(en="only J2, J3 and J4 change", pt_BR="só J2, J3 e J4 mudam"), "§4.4.4, fig. 37", 0.0, "=", 0.01
 )
+PASSES = Statement(Text(en="J3 passes its limit", pt_BR="J3 ultrapassa o limite"), "§4.4.4, fig. 37", 0.0, "<")
+BACK = Text(
+    en="it begins 9.9° beyond it and is back within 0.03 s; with k₀ counted in degrees it passes, but then J4 does not "
+    "end nearer its limit",
+    pt_BR="parte 9,9° além dele e volta em 0,03 s; com k₀ contado em graus ultrapassa, mas então J4 não acaba mais "
+    "perto do limite",
+)
+SETTLED = 0.1
 
 
 @dataclass(frozen=True)
@@ -44,31 +55,36 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """60 000 steps of 1 ms with k₀ and without; in short form a tenth of them."""
+    """60 000 steps of 1 ms without k₀, with it, and with it in degrees; in short form a tenth of them."""
     dt, q = DT_SHORT if short else DT, start_of_ellipse()
-    plain, pushed = (free_ellipse(q, k0, dt, False, part(progress, i, 2)) for i, k0 in enumerate((0.0, options.gain)))
-    named = ((Text(en="k₀ = 0", pt_BR="k₀ = 0"), plain), (Text(en="with k₀", pt_BR="com k₀"), pushed))
+    gains = (0.0, options.gain, in_degrees(options.gain, len(q)))
+    plain, pushed, in_deg = (free_ellipse(q, k0, dt, False, part(progress, i, 3)) for i, k0 in enumerate(gains))
+    named = (
+        (Text(en="k₀ = 0", pt_BR="k₀ = 0"), plain),
+        (Text(en="with k₀", pt_BR="com k₀"), pushed),
+        (Text(en="with k₀ in degrees", pt_BR="com k₀ em graus"), in_deg),
+    )
     charts = (
         *joint_charts("fig. 37", arms.movemaster(), (2, 3, 4), *named),
         pitch_chart("fig. 37f", "q₂ + q₃ + q₄", *named),
         error_chart("fig. 37", *named),
     )
-    found = rows(plain, pushed, short)
+    found = rows(plain, pushed, in_deg, short)
     motions = tuple(motion(ROBOT, title, one) for title, one in named)
-    return Result(found if options == Options() else unstated(found), charts, motions)
+    return Result(found, charts, motions)
 
 
-def rows(plain: Run, pushed: Run, short: bool) -> tuple[Row, ...]:
+def rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
     """What the source says of fig. 37; error and first speed for steps of 1 ms only."""
-    limit = np.degrees(arms.movemaster().limits.upper[3])
-    with_k0, without = (float(limit - np.degrees(np.abs(one.q[:, 3]).max())) for one in (pushed, plain))
+    movemaster = arms.movemaster()
+    j4 = [float(margins(movemaster, one.q)[3]) for one in (plain, pushed, in_deg)]
+    j3 = [float(margins(movemaster, one.since(SETTLED).q)[2]) for one in (pushed, in_deg)]
+    nearer = Text(en="J4 to its limit {which}, less that without", pt_BR="J4 até o limite {which}, menos a sem k₀")
+    inside = Text(en="J3 inside its limit after {t:g} s, {which}", pt_BR="J3 dentro do limite após {t:g} s, {which}")
+    with_k0, degrees = Text(en="with k₀", pt_BR="com k₀"), Text(en="with k₀ in degrees", pt_BR="com k₀ em graus")
     found = [
-        Row(
-            Text(en="J4 to its limit with k₀, less that without", pt_BR="J4 até o limite com k₀, menos a sem k₀"),
-            with_k0 - without,
-            "°",
-            NEARER,
-        ),
+        Row(nearer.format(which=with_k0), j4[1] - j4[0], "°", NEARER),
+        Row(inside.format(which=with_k0, t=SETTLED), j3[0], "°", PASSES, why=BACK),
         Row(
             Text(en="J1 and J5 moved by the objective", pt_BR="J1 e J5 movidas pelo objetivo"),
             float(np.degrees(np.abs(pushed.q - plain.q)[:, [0, 4]].max())),
@@ -77,13 +93,15 @@ def rows(plain: Run, pushed: Run, short: bool) -> tuple[Row, ...]:
         ),
         *(
             Row(
-                Text(en=f"pitch at the end, {which}", pt_BR=f"arfagem no fim, {which}"),
+                Text(en="pitch at the end, {which}", pt_BR="arfagem (Pitch) no fim, {which}").format(which=which),
                 float(np.degrees(pitch(one.q[-1:])[0])),
                 "°",
                 Figure("fig. 37f"),
             )
-            for which, one in (("k₀ = 0", plain), ("k₀", pushed))
+            for which, one in ((same("k₀ = 0"), plain), (with_k0, pushed))
         ),
+        Row(nearer.format(which=degrees), j4[2] - j4[0], "°"),
+        Row(inside.format(which=degrees, t=SETTLED), j3[1], "°"),
     ]
     if not short:
         error = Text(en="largest position error", pt_BR="maior erro de posição")
@@ -92,6 +110,6 @@ def rows(plain: Run, pushed: Run, short: bool) -> tuple[Row, ...]:
         found += [
             Row(error, float(pushed.error.max()), "mm", Figure("fig. 37")),
             Row(first, float(np.degrees(pushed.fastest.max())), "°/s"),
-            Row(back, float(pushed.t[pushed.q[:, 2] < arms.movemaster().limits.lower[2]].max()), "s"),
+            Row(back, float(pushed.t[pushed.q[:, 2] < movemaster.limits.lower[2]].max()), "s"),
         ]
     return tuple(found)

@@ -16,7 +16,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_chart, motion, pitch_chart, ran
-from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement, printed
+from helicoide.studies.study import Chart, Line, Progress, Reading, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="Redundancy of the ORCA", pt_BR="Redundância do ORCA")
@@ -33,6 +33,13 @@ A, B = np.array([np.pi / 4, -np.pi / 4, 0.0]), np.array([0.0087, 0.7852, -0.7942
 GAIN, SECONDS, DT = 225.0, 12.0, 0.004
 ROWS = Statement(
     Text(en="only rows 2, 3 and 4 are not zero", pt_BR="só as linhas 2, 3 e 4 não são nulas"), "§4.4.1", 0.0, "=", 1e-9
+)
+NO_ROLL = Reading(
+    Text(en="q₅ = 0", pt_BR="q₅ = 0"),
+    Text(
+        en="at q₅ = 90° J5 turns too, at 0.96 of the fastest",
+        pt_BR="com q₅ = 90° J5 também gira, a 0,96 da mais rápida",
+    ),
 )
 EMPTY = Statement(
     Text(en="five tasks, five joints: the null space is empty", pt_BR="cinco tarefas, cinco juntas: espaço nulo vazio"),
@@ -78,7 +85,7 @@ def _rows(orca: Problem, way: Run) -> tuple[Row, ...]:
     held_5r, _ = null_space(arms.with_pitch_and_roll(movemaster, goal, 0.0), q)
     points = [
         Row(
-            Text(en=f"{name}: {axis} of the tool", pt_BR=f"{name}: {axis} do efetuador"),
+            Text(en="{name}: {axis} of the tool", pt_BR="{name}: {axis} do efetuador").format(name=name, axis=axis),
             1000 * arms.tool(orca, posture)[i],
             "mm",
             printed(("583,2", "173,2")[i], "§4.4.1, fig. 27"),
@@ -90,12 +97,13 @@ def _rows(orca: Problem, way: Run) -> tuple[Row, ...]:
         *points,
         Row(
             Text(
-                en="Movemaster, q₅ = 0: largest motion of J1 and J5 in the null space, of all joints",
-                pt_BR="Movemaster, q₅ = 0: maior movimento de J1 e J5 no espaço nulo, de todas as juntas",
+                en="Movemaster, null space: speed of J1 or J5, over that of the fastest joint",
+                pt_BR="Movemaster, espaço nulo: velocidade de J1 ou J5, sobre a da junta mais rápida",
             ),
             moved_beside(movemaster),
             "",
             ROWS,
+            (NO_ROLL,),
         ),
         Row(
             Text(en="freedoms, Movemaster with orientation", pt_BR="liberdades, Movemaster com orientação"),

@@ -7,10 +7,10 @@ import numpy as np
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_hand import ENTRY_SPEED, PERIOD, SAMPLE, STEP, Device, Options, dragging, led, steering
-from helicoide.studies._coutinho_rows import ENTRY, SHARE, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_rows import ENTRY, LOW, MISSED, SHARE, charts_of, motions_of, rows_of, stays
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run
 from helicoide.studies.coutinho_e2 import LASTS
-from helicoide.studies.study import Fitted, Progress, Result, Row, Statement, printed, unstated
+from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
 TITLE = Text(en="E3: a hand near a singularity", pt_BR="E3: a mão perto de uma singularidade")
@@ -32,9 +32,10 @@ NEAR, LEFT = 0.1, 0.2
 SIZE = Fitted(Text(en="half the hand's way in", pt_BR="meio percurso da mão para dentro"), 9.0, 8.1, 9.9, "mm")
 TURN = Fitted(Text(en="its turn", pt_BR="o giro dela"), 0.26, 0.234, 0.286, "rad")
 HAND = (SIZE, TURN, LASTS)
+BOUND = Fitted(Text(en="bound of w_r", pt_BR="limiar de w_r"), NEAR, 0.03, 0.3)
 TWO = Text(en="two points near the singularity", pt_BR="dois pontos próximos da singularidade")
 LARGER = Text(en="errors larger near the singular points", pt_BR="erros maiores perto dos pontos singulares")
-LOW = Text(en="low errors", pt_BR="erros baixos")
+SMALL = Text(en="low errors", pt_BR="erros baixos")
 CALM = Text(en="the norm of the joint velocities stays low", pt_BR="a norma das velocidades das juntas continua baixa")
 FIGURES = "figs. 4.38–4.43"
 MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "outside_min", "outside_max", "rate")
@@ -46,10 +47,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     title, of_tool = INVERSES[options.inverse]
     hand = steering(1e-3 * SIZE.value, 0.0, TURN.value)
     got = led(hand, ENTRY_SPEED, of_tool, options.feedback, SHORT if short else PERIOD, progress)
-    counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), HAND),)
+    counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), (*HAND, BOUND)),)
     rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES, MEASURED))
     return Result(
-        rows=rows if options.inverse == "filtered" else unstated(rows),
+        rows=rows,
         charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
         motions=motions_of({title: got}),
     )
@@ -71,11 +72,11 @@ def stated(got: Run) -> list[Row]:
     near = got["w"] < NEAR
     error_near, error_far = got["tip_mm"][near].max(initial=0.0), got["tip_mm"][~near].max(initial=0.0)
     return [
-        Row(RATIO, float(error_near / error_far), "", Statement(LARGER, "§4.2.3", 1.0, ">"), HAND),
+        Row(RATIO, float(error_near / error_far), "", Statement(LARGER, "§4.2.3", 1.0, ">"), (*HAND, BOUND)),
         Row(SHARE, float(got["of_speed"].max()), "", Statement(CALM, "§4.2.3", 1.0, "<"), HAND),
-        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed("1", "§4.2.1, §4.2.3")),
-        stays(got, "eq. 3.30", same("H V_r = v_rd")),
-        Row(TIP_FAR, float(error_far), "mm", Statement(LOW, "§4.2.3", 1.0, "≤"), HAND),
+        stays(got, STEP, Statement(same("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤"), HAND),
+        Row(TIP_FAR, float(error_far), "mm", Statement(SMALL, "§4.2.3", LOW, "≤"), HAND),
+        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed("1", "§4.2.1, §4.2.3"), given=PUT_IN),
         Row(TIP_NEAR, float(error_near), "mm"),
     ]
 

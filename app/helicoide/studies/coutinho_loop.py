@@ -15,7 +15,7 @@ from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.follow import Moment, Wish, command, followed, pose_error
 from helicoide.ik.rcm.passage import through
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_rows import TIME
+from helicoide.studies._coutinho_rows import IN_OUR_COPY, TIME
 from helicoide.studies._coutinho_runs import (
     DEPTH,
     LINK,
@@ -27,7 +27,7 @@ from helicoide.studies._coutinho_runs import (
     entry_on,
     problem_of,
 )
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement
 from helicoide.text import Text, same
 
 TITLE = Text(en="The loop closes, in the right axes", pt_BR="A malha fecha, nos eixos certos")
@@ -46,6 +46,8 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 # s and s, of the arm; s, 1/s and s, of the body alone.
 STEP, SECONDS = 0.001, 2.0
 BODY_STEP, BODY_GAIN, BODY_SECONDS = 0.005, 2.0, 10.0
+# Of what a formula gives.
+CLOSE = 5e-4
 STILL = np.zeros(6)
 Error = Callable[[Array, Array], Array]
 POSITION = Text(en="gain Kp", pt_BR="ganho Kp")
@@ -71,7 +73,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     turns = {SEEN: body(pose_error), PRINTED: body(printed_error)}
     rows = (*_arrived(t, position, angle), *_turned(turns), *_formulas())
     return Result(
-        rows=rows if options == Options() else unstated(rows),
+        rows=rows,
         charts=_charts(t, position, angle, turns),
         motions=(Motion(ROBOT, t[::20], q[::20]),),
     )
@@ -149,13 +151,13 @@ def _formulas() -> list[Row]:
     """What is printed otherwise than it is right, for turns of 40° and 60° about x, and Ko = 10."""
     small, large = (np.radians(degrees) for degrees in (40.0, 60.0))
     Q, P = (rotation.from_axis_angle(np.array([1.0, 0.0, 0.0]), angle) for angle in (small, large))
-    added = Statement(same("η₁η₂ + ε₁ᵀε₂"), "eq. 2.16", float(Q[0] * P[0] + Q[1:] @ P[1:]), "=", 1e-9)
-    whole = Statement(same("√(r₁₁ − r₂₂ − r₃₃ + 1)"), "eq. 2.13", float(np.sqrt(2 - 2 * np.cos(small))), "=", 1e-9)
-    falls = Statement(same("−ε̃ᵀ Ko ε̃"), "eq. 2.69", float(-10 * Q[1:] @ Q[1:]), "=", 1e-6)
+    added = Statement(same("η₁η₂ + ε₁ᵀε₂"), "eq. 2.16", float(Q[0] * P[0] + Q[1:] @ P[1:]), "=", CLOSE)
+    whole = Statement(same("√(r₁₁ − r₂₂ − r₃₃ + 1)"), "eq. 2.13", float(np.sqrt(2 - 2 * np.cos(small))), "=", CLOSE)
+    falls = Statement(same("−ε̃ᵀ Ko ε̃"), "eq. 2.69", float(-10 * Q[1:] @ Q[1:]), "=", CLOSE)
     return [
-        Row(SCALAR, float(rotation.multiply(Q, P)[0]), "", added, erratum="coutinho-6"),
-        Row(VECTOR, float(rotation.from_matrix(rotation.to_matrix(Q))[1]), "", whole, erratum="coutinho-6"),
-        Row(LYAPUNOV, _falling(small), "1/s", falls, erratum="coutinho-5"),
+        Row(SCALAR, float(rotation.multiply(Q, P)[0]), "", added, why=SIGN),
+        Row(VECTOR, float(rotation.from_matrix(rotation.to_matrix(Q))[1]), "", whole, why=HALF),
+        Row(LYAPUNOV, _falling(small), "1/s", falls, why=HALF_TOO),
     ]
 
 
@@ -180,7 +182,9 @@ def _charts(t: Array, position: Array, angle: Array, turns: dict[Text, Array]) -
 
 
 SEEN = Text(en="Q⁻¹ ⊗ Q_d, as the body sees it", pt_BR="Q⁻¹ ⊗ Q_d, como o corpo o vê")
-PRINTED = Text(en="Q_d ⊗ Q⁻¹, as printed", pt_BR="Q_d ⊗ Q⁻¹, como impresso")
+PRINTED = Text(en="Q_d ⊗ Q⁻¹, in its printed form", pt_BR="Q_d ⊗ Q⁻¹, na forma impressa")
+SIGN = IN_OUR_COPY.format(number=6, what=Text(en="the minus", pt_BR="o sinal de menos"))
+HALF, HALF_TOO = (IN_OUR_COPY.format(number=number, what=Text(en="a ½", pt_BR="um ½")) for number in (6, 5))
 POSITION_RATE = Text(en="rate of ln |e_p|", pt_BR="taxa de ln |e_p|")
 ANGLE_RATE = Text(en="rate of ln tan(φ/4), which is −Ko/2", pt_BR="taxa de ln tan(φ/4), que é −Ko/2")
 LEFT = Text(en="angle that is left after 2 s", pt_BR="ângulo que resta após 2 s")

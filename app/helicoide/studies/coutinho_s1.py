@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.ik.postures.branch import tool_at
-from helicoide.studies._coutinho_rows import STARTED, Options, stays
+from helicoide.studies._coutinho_rows import FOLLOWED, NEAR, NULL, SAMPLED, STARTED, Options, stays
 from helicoide.studies._coutinho_runs import ROBOT, Run, dia10
 from helicoide.studies._coutinho_simulation import displaced_mm, simulated
-from helicoide.studies.study import Progress, Result, Row, Statement, printed
+from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
 from helicoide.text import Text, same
 
 TITLE = Text(en="S1: a slit for the instrument", pt_BR="S1: uma fenda para o instrumento")
@@ -22,15 +22,19 @@ ABOUT = Text(
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-# l_b, mm, below which the entry point is near joint 7: a third of that at the start; and a hundredth of A, mm.
-NEAR, FOLLOWED = 60.0, 0.3
+# Of table 4.2, m.
+PLACE = np.array([0.194, 1.019, 0.958])
 PASSES = Text(en="passes near l_b = 0", pt_BR="passa perto de l_b = 0")
 FOLLOWS = Text(en="follows its path near l_b = 0 too", pt_BR="segue a trajetória também perto de l_b = 0")
-PLACED = Text(en="tool at the start, {axis}", pt_BR="efetuador no início, {axis}")
+PLACED = Text(en="tool at the start, from its printed place", pt_BR="efetuador no início, até o lugar impresso")
+AT = Text(en="(19.4, 101.9, 95.8) cm", pt_BR="(19,4; 101,9; 95,8) cm")
 CLOSEST = Text(en="smallest l_b", pt_BR="menor l_b")
-ERROR = Text(en="largest error of the tip while l_b < 60 mm", pt_BR="maior erro da ponta enquanto l_b < 60 mm")
+ERROR = Text(en="largest error of the tip while l_b < 100 mm", pt_BR="maior erro da ponta enquanto l_b < 100 mm")
 WITHDRAWN = Text(en="largest withdrawal of the tool", pt_BR="maior recuo do efetuador")
 WAY = Text(en="2.2A cos 2ωt − 2.2A, A = 3 cm", pt_BR="2,2A cos 2ωt − 2,2A, A = 3 cm")
+
+
+KEPT = Statement(same("H V_r = 0"), "eqs. 3.1, 3.22", NULL, "≤")
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
@@ -38,18 +42,16 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     return simulated("S1", options, short, progress, stated, "figs. 4.3–4.8", "fig. 4.6b")
 
 
-def stated(got: Run) -> list[Row]:
+def stated(got: Run, dt: float) -> list[Row]:
     """What the source prints of the start and of S1."""
-    start = 100 * tool_at(dia10(), got["q"][0])[:3, 3]
+    placed = 1e3 * float(np.linalg.norm(tool_at(dia10(), got["q"][0])[:3, 3] - PLACE))
     inside = 1e3 * got["inside"]
     error = got["tip_mm"][inside < NEAR].max(initial=0.0) if inside.min() < NEAR else np.inf
+    withdrawn = float(-displaced_mm(got)[:, 1].min())
     return [
-        *(
-            Row(PLACED.format(axis=axis), float(value), "cm", printed(words, "tab. 4.2"), STARTED)
-            for axis, value, words in zip("xyz", start, ("19,4", "101,9", "95,8"), strict=True)
-        ),
-        Row(WITHDRAWN, float(-displaced_mm(got)[:, 1].min()), "mm", Statement(WAY, "eq. 4.1", 132.0, "=", 1.0)),
         Row(CLOSEST, float(inside.min()), "mm", Statement(PASSES, "§4.1.1", NEAR, "≤"), STARTED),
-        Row(ERROR, float(error), "mm", Statement(FOLLOWS, "§4.1.1", FOLLOWED, "≤"), STARTED),
-        stays(got, "eqs. 3.1, 3.22", same("H V_r = 0")),
+        Row(ERROR, float(error), "mm", Statement(FOLLOWS, "§4.1.1", FOLLOWED, "≤"), (*STARTED, SAMPLED)),
+        stays(got, dt, KEPT, (*STARTED, SAMPLED)),
+        Row(PLACED, placed, "mm", Statement(AT, "tab. 4.2", 0.0, "=", 0.5), given=PUT_IN),
+        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.1", 132.0, "=", 1.0), given=PUT_IN),
     ]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from helicoide.studies._coutinho_rows import Options, stays
+from helicoide.studies._coutinho_rows import NULL, SAMPLED, STARTED, Options, stays
 from helicoide.studies._coutinho_runs import ROBOT, Run
 from helicoide.studies._coutinho_simulation import displaced_mm, simulated
-from helicoide.studies.study import Progress, Result, Row, Statement
+from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="S2: a trocar that stands still", pt_BR="S2: um trocarte parado")
@@ -30,10 +30,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     return simulated("S2", options, short, progress, stated, "figs. 4.9–4.14", "fig. 4.12b")
 
 
-def stated(got: Run) -> list[Row]:
+def stated(got: Run, dt: float) -> list[Row]:
     """What the source prints of S2."""
     withdrawn = float(-displaced_mm(got)[:, 1].min())
     return [
-        stays(got, "§4.1.2", STILL),
-        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.2", 120.0, "=", 1.0)),
+        stays(got, dt, Statement(STILL, "§4.1.2", NULL, "≤"), (*STARTED, SAMPLED)),
+        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.2", 120.0, "=", 1.0), given=PUT_IN),
     ]

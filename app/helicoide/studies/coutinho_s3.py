@@ -11,11 +11,25 @@ from helicoide.geometry import rotation
 from helicoide.ik.method import OneOf
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.chain import Array
-from helicoide.studies._coutinho_rows import OF, SLIP, STARTED, STEP, STEPS, TIMES, charts_of, motions_of, rows_of
+from helicoide.studies._coutinho_rows import (
+    NEAR,
+    NULL,
+    OF,
+    SAMPLED,
+    SLIP,
+    SMALL,
+    STARTED,
+    STEP,
+    STEPS,
+    TIMES,
+    charts_of,
+    motions_of,
+    rows_of,
+)
 from helicoide.studies._coutinho_runs import DLS, ROBOT, Run, control, crossings, dia10
 from helicoide.studies._coutinho_runs import run as run_along
 from helicoide.studies._coutinho_simulation import SHORT, charted, part
-from helicoide.studies.study import Progress, Result, Row, Statement
+from helicoide.studies.study import CONSTRUCTED, PUT_IN, Progress, Reading, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="S3: through a singularity", pt_BR="S3: através de uma singularidade")
@@ -35,26 +49,32 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 OF_WRIST = Text(en="J^r damped", pt_BR="J^r amortecido")
 OF_BOTH = Text(en="J^r and J_i damped", pt_BR="J^r e J_i amortecidos")
 CROSSES = Statement(Text(en="made to cross θ₇ = 0", pt_BR="feita para cruzar θ₇ = 0"), "§4.1.2", 1.0, "≥")
-COMES = Statement(Text(en="comes to small l_a", pt_BR="chega a l_a pequeno"), "§4.1.2", 100.0, "≤")
+COMES = Statement(Text(en="comes to small l_a", pt_BR="chega a l_a pequeno"), "§4.1.2", NEAR, "≤")
 TURN = Statement(Text(en="φ = −π/8 sin ωt", pt_BR="φ = −π/8 sen ωt"), "eq. 4.4", 22.5, "=", 0.5)
 DISTURBED = Text(
     en="the velocity of the entry point is disturbed", pt_BR="a velocidade do ponto de entrada é perturbada"
 )
-SMALL = Text(en="the disturbance is small", pt_BR="a perturbação é pequena")
-NEAR = Text(en="near the singularity", pt_BR="perto da singularidade")
+SLIGHTLY = Text(en="the disturbance is small", pt_BR="a perturbação é pequena")
+NEARBY = Text(en="near the singularity", pt_BR="perto da singularidade")
 LEAST = Text(en="smallest l_a", pt_BR="menor l_a")
 TURNED = Text(en="largest turn of the tool", pt_BR="maior giro do efetuador")
 DURING = Text(
-    en="share of the run with a forbidden velocity above 0.01 mm/s, {which}",
-    pt_BR="parte da execução com velocidade proibida acima de 0,01 mm/s, {which}",
+    en="share of the run with a forbidden velocity above 0.1 mm/s, {which}",
+    pt_BR="parte da execução com velocidade proibida acima de 0,1 mm/s, {which}",
 )
 WHERE = Text(
     en="|θ₇| where the forbidden velocity is largest, {which}",
     pt_BR="|θ₇| onde a velocidade proibida é maior, {which}",
 )
 MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "rate")
-# Of a forbidden velocity, mm/s.
-SEEN = 0.01
+DAMPED_TOO = Reading(
+    Text(en="J_i is damped too, as table 4.1 has it", pt_BR="J_i também é amortecido, como na tabela 4.1"),
+    Text(
+        en="with J^r damped alone, as eq. 3.46 has it, nothing disturbs the entry point",
+        pt_BR="só com J^r amortecido, como na eq. 3.46, nada perturba o ponto de entrada",
+    ),
+)
+DISTURBED_BY = (*STARTED, SAMPLED, DAMPED_TOO)
 FIGURES = "figs. 4.15–4.19"
 
 
@@ -74,7 +94,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     return Result(
         rows=(
             *stated(wrist, both),
-            Row(OF.format(what=SLIP, which=OF_WRIST), float(wrist["slip_mm_s"].max()), "mm/s"),
+            Row(OF.format(what=SLIP, which=OF_WRIST), float(wrist["slip_mm_s"].max()), "mm/s", given=CONSTRUCTED),
             *(one for which, got in runs.items() for one in rows_of(got, which, dt, FIGURES, MEASURED)),
         ),
         charts=charts_of(runs, {**charted(FIGURES, "fig. 4.16b"), "entry": "fig. 4.17"}, ("tip",)),
@@ -84,32 +104,37 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 def stated(wrist: Run, both: Run) -> list[Row]:
     """What the source prints of S3, of the runs without and with J_i damped."""
-    return [*_crossed(wrist, OF_WRIST), *_crossed(both, OF_BOTH), *_disturbed(both)]
+    turned = Row(TURNED, _turned_deg(wrist["q"]), "°", TURN, given=PUT_IN)
+    return [*_crossed(wrist, OF_WRIST), *_crossed(both, OF_BOTH), *_disturbed(both), turned]
 
 
 def _crossed(got: Run, which: Text) -> list[Row]:
-    least, turned = 1e3 * float(got["outside"].min()), _turned_deg(got["q"])
-    times = Row(OF.format(what=TIMES, which=which), crossings(got["q7"]), "", CROSSES, STARTED)
+    least = 1e3 * float(got["outside"].min())
     return [
-        times,
+        Row(OF.format(what=TIMES, which=which), crossings(got["q7"]), "", CROSSES, STARTED),
         Row(OF.format(what=LEAST, which=which), least, "mm", COMES, STARTED),
-        Row(OF.format(what=TURNED, which=which), turned, "°", TURN),
     ]
 
 
 def _disturbed(got: Run) -> list[Row]:
     slip = got["slip_mm_s"]
-    share, where = DURING.format(which=OF_BOTH), WHERE.format(which=OF_BOTH)
+    most, where = float(slip.max()), float(abs(got["q7"][slip.argmax()]))
     return [
-        Row(share, float(np.mean(slip > SEEN)), "", Statement(DISTURBED, "fig. 4.17", 0.0, ">"), STARTED),
+        Row(
+            DURING.format(which=OF_BOTH),
+            float(np.mean(slip > NULL)),
+            "",
+            Statement(DISTURBED, "fig. 4.17", 0.0, ">"),
+            DISTURBED_BY,
+        ),
         Row(
             OF.format(what=SLIP, which=OF_BOTH),
-            float(slip.max()),
+            most,
             "mm/s",
-            Statement(SMALL, "fig. 4.17", 1.0, "≤"),
-            STARTED,
+            Statement(SLIGHTLY, "fig. 4.17", SMALL, "≤"),
+            DISTURBED_BY,
         ),
-        Row(where, float(abs(got["q7"][slip.argmax()])), "rad", Statement(NEAR, "fig. 4.17", 0.1, "≤"), STARTED),
+        Row(WHERE.format(which=OF_BOTH), where, "rad", Statement(NEARBY, "fig. 4.17", 0.1, "≤"), DISTURBED_BY),
     ]
 
 

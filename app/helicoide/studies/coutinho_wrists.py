@@ -14,6 +14,7 @@ from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._coutinho_rows import IN_OUR_COPY
 from helicoide.studies._coutinho_runs import LINK, ROBOT, dia10, entry_on, problem_of, seven_joints, zx_wrist
 from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement
 from helicoide.text import Text, same
@@ -35,6 +36,8 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 LENGTH, L_8, POSTURES, SHORT = 0.33, 0.21, 100, 20
 # Of the examples: a posture, rad, and l_a next to joint 6, m.
 BENT, CLOSE = frozen([0.4, -0.3, -1.0, -1.2, 0.8, 0.9, 0.7, 0.5]), 0.005
+# Of what a formula gives.
+CLOSE = 5e-4
 # Of the surfaces: l_a + l_b, m; l_b of their sections, m; θ₇ up to 8 rad as in fig. 3.7.
 WHOLE, SECTIONS, ACROSS = 2.0, (0.1, 0.4, 0.7, 1.0), np.linspace(0.0, 8.0, 321)
 
@@ -157,13 +160,13 @@ def _wrong(l_a: float) -> list[Row]:
     """What is printed otherwise than it is right, at one posture; and how J^r degrades next to joint 6."""
     slit, zy = KINDS["slit"], KINDS["zy"]
     l_b, c7, c8 = LENGTH - l_a, np.cos(BENT[6]), np.cos(BENT[7])
-    entry = Statement(same("l₈ c₇ c₈"), "eq. 3.28", float(L_8 * c7 * c8), "=", 1e-9)
+    entry = Statement(same("l₈ c₇ c₈"), "eq. 3.28", float(L_8 * c7 * c8), "=", CLOSE)
     square = (l_b / l_a) ** 2 * ((LENGTH * np.sin(BENT[6])) ** 2 + 2)
-    without = Statement(same("(l_b/l_a)² ((l_a + l_b)² sin² θ₇ + 2)"), "eq. 3.40", float(square), "=", 1e-9)
+    without = Statement(same("(l_b/l_a)² ((l_a + l_b)² sin² θ₇ + 2)"), "eq. 3.40", float(square), "=", CLOSE)
     grown = standing(zy, BENT, CLOSE).of_tool.condition / standing(zy, BENT, l_a).of_tool.condition
     return [
         Row(ENTRY, float(standing(zy, BENT, l_a).J[2, 3]), "m", entry, erratum="coutinho-1"),
-        Row(ROOT, standing(slit, BENT, l_a).of_tool.w, "", without, erratum="coutinho-3"),
+        Row(ROOT, standing(slit, BENT, l_a).of_tool.w, "", without, why=NO_ROOT),
         Row(GROWS, float(grown), "", Statement(ILL, "§3.5", 10.0, ">")),
     ]
 
@@ -182,10 +185,7 @@ def _ranks() -> list[Row]:
 
 def _sections(kind: Wrist) -> Chart:
     """w_r over θ₇ at some l_b, on a link of 2 m."""
-    lines = (
-        Line(Text(en=f"l_b = {l_b:g} m", pt_BR=f"l_b = {l_b:g} m".replace(".", ",")), ACROSS, _over(kind.w, l_b))
-        for l_b in SECTIONS
-    )
+    lines = (Line(same("l_b = {l_b:g} m").format(l_b=l_b), ACROSS, _over(kind.w, l_b)) for l_b in SECTIONS)
     return Chart(SECTION.format(which=kind.title), same("θ₇, rad"), same("w_r"), tuple(lines), kind.figure)
 
 
@@ -206,6 +206,7 @@ AT = Text(en="w_r at θ₇ = {angle}, {which}", pt_BR="w_r em θ₇ = {angle}, {
 SINGULAR = Text(en="singular", pt_BR="singular")
 ENTRY = Text(en="entry (3, 4) of J^r, trocar, zy", pt_BR="elemento (3, 4) de J^r, trocarte, zy")
 ROOT = Text(en="w_r at θ₇ = 0.7, slit, zy", pt_BR="w_r em θ₇ = 0,7, fenda, zy")
+NO_ROOT = IN_OUR_COPY.format(number=3, what=Text(en="the root", pt_BR="a raiz"))
 GROWS = Text(
     en="condition number of J^r at l_a = 5 mm over that of the example",
     pt_BR="número de condição de J^r em l_a = 5 mm sobre o do exemplo",

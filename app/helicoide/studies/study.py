@@ -29,7 +29,7 @@ class Verdict(Enum):
         en="as printed, with a fitted value or reading", pt_BR="como impresso, com valor ou leitura escolhidos"
     )
     DIFFERS = Text(en="differs", pt_BR="difere")
-    ERRATUM = Text(en="erratum of the source", pt_BR="errata da fonte")
+    ERRATUM = Text(en="a slip in print or in our copy", pt_BR="lapso no impresso ou na nossa cópia")
     FIGURE = Text(en="only in a figure", pt_BR="só em figura")
     OURS = Text(en="ours", pt_BR="nosso")
 

@@ -12,7 +12,7 @@ from helicoide.studies.vargas.runs import IN_PLANE, tracking, way
 from helicoide.studies.vargas.table import Gain, Step
 from helicoide.text import Text
 
-TITLE = Text(en="Simulation 2: a joint to spare", pt_BR="Simulação 2: uma junta de sobra")
+TITLE = Text(en="Simulation 2: a redundant joint", pt_BR="Simulação 2: uma junta redundante")
 SOURCE = "Vargas 2013, §2.4, sim. 2, figs. 2.9–2.10"
 ABOUT = Text(
     en="""The same path as in simulation 1, but the angle of the tool is free: three joints for two coordinates. The \

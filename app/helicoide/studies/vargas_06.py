@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 
-from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.study import Progress, Reading, Result, Row
 from helicoide.studies.vargas.paths import path_4
-from helicoide.studies.vargas.planar import FITTED, VALUES, followers, result
+from helicoide.studies.vargas.planar import FITTED, LENGTH, VALUES, followers, result
 from helicoide.studies.vargas.runs import Instants, Run, Way, largest, left_at, way
-from helicoide.studies.vargas.table import MUCH, Gain, Step, row, stated
+from helicoide.studies.vargas.table import MOVED, SMALL, Gain, Step, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 6: a singular start", pt_BR="Simulação 6: partida singular")
@@ -18,19 +18,33 @@ SOURCE = "Vargas 2013, §3.5, sim. 6, figs. 3.12–3.13"
 ABOUT = Text(
     en="""The arm is stretched, and the path leads straight inwards: at first no joint moves the tool that way. \
 Look at who leaves: damped least squares and the modified filtered inverse never do, since their answer has no \
-part along the lost direction. A coupling of the rows leaves, and so does the filtered inverse whose Θ is not \
-zero at the start.""",
+part along the lost direction. The feedback leaves, because its G is not diagonal and lets one coordinate push the \
+other, and so does the filtered inverse whose Θ is not zero at the start.""",
     pt_BR="""O braço está esticado e o caminho aponta direto para dentro: no início nenhuma junta move o efetuador \
 nessa direção. Veja quem sai: os mínimos quadrados amortecidos e a inversa filtrada modificada nunca saem, pois sua \
-resposta não tem componente na direção perdida. O acoplamento das linhas sai, e também a inversa filtrada cujo Θ \
-inicial não é zero.""",
+resposta não tem componente na direção perdida. A realimentada sai, porque seu G não é diagonal e faz uma coordenada \
+empurrar a outra; sai também a inversa filtrada cujo Θ inicial não é zero.""",
 )
 ROBOT = "planar3r"
 PATH, START, PLACE = path_4, (pi / 2, 0, 0), "sim. 6, figs. 3.12–3.13"
-LEAVES = Text(en="some joint has moved by 0.01 rad after", pt_BR="alguma junta moveu 0,01 rad após")
+ORIGIN = 30.0
+BEFORE_IT = Reading(
+    Text(
+        en="read until 30 s, before the origin, where both methods deviate",
+        pt_BR="lido até 30 s, antes da origem, onde ambos os métodos se desviam",
+    ),
+    Text(en="in the whole run 0.26 ℓ", pt_BR="na execução inteira, 0,26 ℓ"),
+)
+LEAVES = Text(en="time until some joint has moved by 0.01 rad", pt_BR="tempo até alguma junta mover-se 0,01 rad")
 STAYS = Text(en="largest motion of a joint", pt_BR="maior movimento de uma junta")
-# rad: rounding alone moves no joint so far within the first two seconds
-STILL, FIRST = 1e-3, 2.0
+FIRST = 2.0
+EARLY = Reading(
+    Text(en="read in the first 2 s", pt_BR="lido nos 2 s iniciais"),
+    Text(
+        en="in a longer time rounding alone moves the arm with c = 0 too",
+        pt_BR="em mais tempo, só o arredondamento já move também o braço com c = 0",
+    ),
+)
 
 
 @dataclass(frozen=True)
@@ -61,25 +75,22 @@ def compared_ways(ways: Mapping[str, Way]) -> dict[str, Way]:
 def statements(runs: Mapping[str, Run]) -> list[Row]:
     """Who leaves the start, and how far off the path it is."""
     fed_back, damped, uncoupled = (runs[key] for key in ("feedback", "damping", "uncoupled"))
-    cannot = stated("cannot move", "não consegue se mover", PLACE, STILL, "<")
-    leaves = stated("leaves the start", "deixa a partida", PLACE, STILL, ">")
-    small = stated("small error", "erro pequeno", PLACE, 1 / MUCH, "<")
+    cannot = stated("cannot move", "não consegue se mover", PLACE, MOVED, "<")
+    leaves = stated("leaves the start", "deixa a partida", PLACE, MOVED, "≥")
+    small = stated("small error", "erro pequeno", PLACE, SMALL * LENGTH, "≤")
     needs = stated(
-        "the start is left because G is not diagonal", "a partida é deixada porque G não é diagonal", "§3.4", STILL, "<"
+        "the start is left because G is not diagonal", "a partida é deixada porque G não é diagonal", "§3.4", MOVED, "<"
     )
-    beside = Text(
-        en="largest error, times that of the damped, which stays",
-        pt_BR="maior erro, vezes o da amortecida, que fica parada",
-    )
+    worst = Text(en="largest error until 30 s", pt_BR="maior erro até 30 s")
     early = Text(en="largest motion of a joint in the first 2 s", pt_BR="maior movimento de uma junta nos 2 s iniciais")
     begun = fed_back.t <= FIRST
     names, chosen = compared_ways(VALUES.ways), FITTED["feedback"]
     coupled = names["feedback"].title
     return [
         row(STAYS, names["damping"].title, _moved(damped), "rad", cannot, fitted=FITTED["damping"]),
-        row(early, coupled, _moved(fed_back, begun), "rad", leaves, fitted=chosen),
-        row(early, names["uncoupled"].title, _moved(uncoupled, begun), "rad", needs, fitted=chosen),
-        row(beside, coupled, largest(fed_back.size) / largest(damped.size), "", small, fitted=chosen),
+        row(early, coupled, _moved(fed_back, begun), "rad", leaves, fitted=(*chosen, EARLY)),
+        row(early, names["uncoupled"].title, _moved(uncoupled, begun), "rad", needs, fitted=(*chosen, EARLY)),
+        row(worst, coupled, largest(fed_back.size, fed_back.t <= ORIGIN), "ℓ", small, fitted=(*chosen, BEFORE_IT)),
     ]
 
 
@@ -94,4 +105,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows = statements(runs)
     rows += [row(LEAVES, ways[key].title, left_at(runs[key]), "s") for key in ("feedback", "ones")]
     rows += [row(STAYS, ways[key].title, _moved(runs[key]), "rad") for key in ("modified", "modified_ones")]
-    return result(options, rows, PATH, ways, runs, PLACE.partition(", ")[2])
+    return result(rows, PATH, ways, runs, PLACE.partition(", ")[2])

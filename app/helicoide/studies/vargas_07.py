@@ -8,13 +8,14 @@ from math import pi
 
 import numpy as np
 
-from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.study import Progress, Reading, Result, Row
 from helicoide.studies.vargas.paths import path_4
 from helicoide.studies.vargas.planar import (
     COMPARED,
     FITTED,
     LENGTH,
     PSEUDOINVERSE,
+    SINCE,
     VALUES,
     below,
     filters,
@@ -40,6 +41,16 @@ o erro, e mais rápidas as juntas, embora nunca além de 3 rad/s.""",
 ROBOT = "planar3r"
 PATH, START, PLACE = path_4, (pi / 2, 0.1, 0.1), "sim. 7, figs. 3.14–3.15"
 TIMES = (1, 10, 100)
+ELSEWHERE = Reading(
+    Text(
+        en="elsewhere: before the damping comes on, and 4 s after it went off",
+        pt_BR="no resto: antes de o amortecimento entrar e 4 s depois de ele sair",
+    ),
+    Text(
+        en="just after it went off the error is 0.08 ℓ, and fades with λ",
+        pt_BR="logo depois de ele sair o erro é 0,08 ℓ e se apaga com λ",
+    ),
+)
 
 
 @dataclass(frozen=True)
@@ -57,25 +68,26 @@ class Options:
 
 def statements(runs: Mapping[str, Run]) -> list[Row]:
     """How fast the joints become, and where the methods leave the path: near the singularity, and there alone."""
-    before = {key: largest(runs[key].size, _elsewhere(runs)) for key in COMPARED}
-    ratios = {key: largest(runs[key].size, runs[key].t >= 10) / before[key] for key in COMPARED}
+    damped = runs["damping"]
+    before = {key: largest(runs[key].size, _before(damped)) for key in COMPARED}
+    ratios = {key: largest(runs[key].size, runs[key].t >= SINCE) / before[key] for key in COMPARED}
     leaves = stated("both deviate near the singularity", "ambos se desviam perto da singularidade", PLACE, MUCH, ">")
     null = stated("zero elsewhere", "nulo no resto", PLACE, NULL * LENGTH, "≤")
-    ratio = Text(
-        en="error near the singularity, times that before", pt_BR="erro perto da singularidade, vezes o de antes"
-    )
-    elsewhere = Text(en="error from 10 s on, before the damping", pt_BR="erro a partir de 10 s, antes do amortecimento")
+    ratio = Text(en="error near the singularity over that before", pt_BR="erro perto da singularidade sobre o de antes")
+    early = Text(en="error from 10 s on, before the damping", pt_BR="erro a partir de 10 s, antes do amortecimento")
+    late = Text(en="error at the end, 40 s", pt_BR="erro no fim, 40 s")
+    of, chosen = VALUES.ways["damping"].title, (*FITTED["damping"], ELSEWHERE)
     return [
         *below("< 0.7", PLACE, runs),
         *of_both(ratio, ratios, "", leaves),
-        row(elsewhere, VALUES.ways["damping"].title, before["damping"], "ℓ", null, fitted=FITTED["damping"]),
+        row(early, of, before["damping"], "ℓ", null, fitted=chosen),
+        row(late, of, float(damped.size[-1]), "ℓ", null, fitted=chosen),
     ]
 
 
-def _elsewhere(runs: Mapping[str, Run]) -> slice:
-    """From 10 s on, where the first error has faded, until the damping comes on."""
-    damped = runs["damping"]
-    first = int(np.argmax(damped.t >= 10))
+def _before(damped: Run) -> slice:
+    """From where the first error has faded until the damping comes on."""
+    first = int(np.argmax(damped.t >= SINCE))
     return slice(first, first + int(np.argmax(damped.w[first:] < VALUES.threshold)))
 
 
@@ -83,4 +95,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """Methods on trajectory 4, the filtered inverses with three gains."""
     dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
     runs = followers(PATH, START, ways, dt, progress)
-    return result(options, statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.14–3.15")
+    return result(statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.14–3.15")

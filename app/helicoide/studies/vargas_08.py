@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import exp
+from math import e, exp
 from typing import Annotated
 
 import numpy as np
 
+from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row
+from helicoide.studies.study import CONSTRUCTED, Chart, Figure, Line, Progress, Result, Row, Statement
 from helicoide.studies.vargas.runs import digits
 from helicoide.studies.vargas.scalar import filtered
 from helicoide.studies.vargas.table import SECONDS, Step, finished, row, stated, thinned
@@ -54,11 +55,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         thetas[name] = filtered(k, 1.0, options.beta, dt, 0.0, 10.0)
         progress(len(thetas) / (len(CASES) + 1))
     long = filtered(CASES[FADING], 1.0, options.beta, dt, 0.0, 60.0)
-    rows = [_constant(name, k, t, thetas[name], options.beta) for name, k in STILL.items()]
+    rows = [_constant(name, k, options.beta) for name, k in STILL.items()]
     frozen = stated("k = 0: θ(t) = θ(0)", "k = 0: θ(t) = θ(0)", "§4.1, fig. 4.3", 1.0)
     after_ten = Text(en="θ after 10 s", pt_BR="θ após 10 s")
     rows += [
-        row(after_ten, digits("k = 0"), float(thetas["k = 0"][-1]), "", frozen),
+        row(after_ten, digits("k = 0"), float(thetas["k = 0"][-1]), "", frozen, given=CONSTRUCTED),
         *(row(after_ten, digits(name), float(thetas[name][-1]), "", Figure(FIGURE)) for name in ("k = 0.5", FADING)),
         row(Text(en="θ after 60 s", pt_BR="θ após 60 s"), digits(FADING), float(long[-1])),
     ]
@@ -68,18 +69,17 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         _chart(Text(en="θ on its way to 1/k", pt_BR="θ a caminho de 1/k"), "θ", t, thetas),
         _chart(Text(en="inversion error", pt_BR="erro de inversão"), "S = kθ − 1", t, errors),
     )
-    return finished(options, rows, charts)
+    return finished(rows, charts)
 
 
-def _constant(name: str, k: float, t: Array, theta: Array, beta: float) -> Row:
-    """How long θ takes for all but 1/e of its way to 1/k, beside 1/(β k²)."""
-    left = np.abs((theta - 1 / k) / (theta[0] - 1 / k))
-    ours = float(np.interp(1.0, -np.log(np.maximum(left, 1e-12)), t))
-    tau = 1 / (beta * k * k)
-    law = stated(
-        f"τ = 1/(βk²) = {tau:g} s", f"τ = 1/(βk²) = {tau:g} s".replace(".", ","), "eq. 4.10", tau, "=", 0.01 * tau
-    )
-    return row(Text(en="time constant", pt_BR="constante de tempo"), digits(name), ours, "s", law)
+def _constant(name: str, k: float, beta: float) -> Row:
+    """How long θ takes for all but 1/e of its way to 1/k, by Euler's rule on the law of θ, beside 1/(β k²)."""
+    tau, theta, taken = 1 / (beta * k * k), 1.0, 0
+    while abs(theta - 1 / k) > abs(1.0 - 1 / k) / e:
+        theta += 1e-3 * tau * scalar_filter.slope(k, theta, beta)
+        taken += 1
+    law = Statement(same("τ = 1/(βk²)"), "eq. 4.10", tau, "=", 0.01 * tau)
+    return row(Text(en="time constant", pt_BR="constante de tempo"), digits(name), 1e-3 * tau * taken, "s", law)
 
 
 def _chart(title: Text, up: str, t: Array, values: dict[str, Array]) -> Chart:

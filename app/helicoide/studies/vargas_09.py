@@ -13,7 +13,7 @@ from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row
 from helicoide.studies.vargas.runs import largest
 from helicoide.studies.vargas.scalar import Loop, closed_loop, plain
-from helicoide.studies.vargas.table import SECONDS, finished, row, stated, thinned, valued
+from helicoide.studies.vargas.table import SECONDS, finished, row, settled, stated, thinned, valued
 from helicoide.text import Text, same
 
 TITLE = Text(en="Simulation 9: k crosses zero", pt_BR="Simulação 9: k cruza o zero")
@@ -33,13 +33,15 @@ NAMES = {
     "modified": Text(en="u = θ²kν", pt_BR="u = θ²kν"),
 }
 BETAS, PLACE = (10.0, 100.0, 1000.0), "sim. 9, figs. 4.4–4.5"
+RATE = 10.0
+SINCE = settled(RATE)
 
 
 @dataclass(frozen=True)
 class Options:
     """rate: λ; dt, s, of Runge and Kutta."""
 
-    rate: Annotated[float, Quantity(Text(en="gain λ", pt_BR="ganho λ"), 0.1, 20.0, "1/s")] = 10.0
+    rate: Annotated[float, Quantity(Text(en="gain λ", pt_BR="ganho λ"), 0.1, 20.0, "1/s")] = RATE
     dt: Annotated[float, Quantity(Text(en="step", pt_BR="passo"), 1e-4, 2e-3, "s", decades=True)] = 5e-4
 
 
@@ -55,7 +57,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     for (beta, name), loop in loops.items():
         of, late = (
             Text(en="{law}, {beta}", pt_BR="{law}, {beta}").format(law=NAMES[name], beta=valued("β", beta)),
-            loop.t >= 1,
+            loop.t >= SINCE,
         )
         shown = Figure(PLACE) if name == "filtered" else None
         rows += [
@@ -64,22 +66,22 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         ]
         if shown:
             rows.append(row(Text(en="largest θ", pt_BR="maior θ"), of, largest(loop.theta, late), "", shown))
-    return finished(options, rows, _charts(loops))
+    return finished(rows, _charts(loops))
 
 
 def _statements(loops: list[Loop]) -> list[Row]:
     """What a ten times larger β does, each time."""
-    peaks = [largest(loop.theta, loop.t >= 1) for loop in loops]
-    errors = [largest(loop.e, loop.t >= 1) for loop in loops]
+    peaks = [largest(loop.theta, loop.t >= SINCE) for loop in loops]
+    errors = [largest(loop.e, loop.t >= SINCE) for loop in loops]
     larger = stated("larger β: larger θ near k = 0", "β maior: θ maior perto de k = 0", PLACE, 1.0, ">")
     better = stated("larger β: better tracking", "β maior: melhor rastreamento", PLACE, 1.0, "<")
     of_theta = Text(
-        en="largest θ with ten times β, times that with β, at least",
-        pt_BR="maior θ com dez vezes β, vezes o com β, no mínimo",
+        en="largest θ with 10β over that with β, at least",
+        pt_BR="maior θ com 10β sobre o maior com β, no mínimo",
     )
     of_error = Text(
-        en="largest error with ten times β, times that with β, at most",
-        pt_BR="maior erro com dez vezes β, vezes o com β, no máximo",
+        en="largest error with 10β over that with β, at most",
+        pt_BR="maior erro com 10β sobre o maior com β, no máximo",
     )
     return [
         row(of_theta, None, min(b / a for a, b in pairwise(peaks)), "", larger),

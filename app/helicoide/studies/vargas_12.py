@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import nan
 
-from helicoide.studies.study import Figure, Progress, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, dips, first_dip, followers, hertz, re_entry, result
+from helicoide.studies.study import Figure, Progress, Reading, Result, Row
+from helicoide.studies.vargas.arm import DAMPING, SINCE, dips, first_dip, followers, hertz, re_entry, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
-from helicoide.studies.vargas.reach import reach_rows
+from helicoide.studies.vargas.reach import AFTER, reach_rows
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import MUCH, Gain, Step, in_steps, row, stated
+from helicoide.studies.vargas.table import MUCH, GainInCm, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 12: out of reach", pt_BR="Simulação 12: fora do alcance")
@@ -28,6 +28,11 @@ quadrados amortecidos disparam quando o amortecimento entra e fazem um grande de
 )
 ROBOT = "zebra_zero"
 PLACE, TIMES = "sim. 12, figs. 4.20–4.27", (1, 5, 25)
+PRINTED = (1, 25)
+HALF_A_SECOND = Reading(
+    Text(en="read 0.5 s after coming back", pt_BR="lido 0,5 s após a volta"),
+    Text(en="4.3 at 0.25 s and 63 at 1 s", pt_BR="4,3 a 0,25 s e 63 a 1 s"),
+)
 DIP = Text(en="first dip behind the border", pt_BR="primeiro recuo atrás da fronteira")
 SWING = Text(en="swings of the elbow", pt_BR="oscilação do cotovelo")
 
@@ -36,7 +41,7 @@ SWING = Text(en="swings of the elbow", pt_BR="oscilação do cotovelo")
 class Options:
     """gain: the smallest γ, 1/(cm² s), beside five and twenty-five times it; dt, s."""
 
-    gain: Gain = 1.0
+    gain: GainInCm = 1.0
     dt: Step = 1e-3
 
     @property
@@ -57,46 +62,45 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows = _statements(runs, dt)
     for times in TIMES:
         of, one = ways[f"filtered_{times}"].title, runs[f"filtered_{times}"]
+        shown = Figure(PLACE) if times in PRINTED else None
         rows += [
-            row(DIP, of, first_dip(one), "cm", Figure(PLACE)),
-            row(SWING, of, hertz(one), "Hz", Figure(PLACE)),
-            *reach_rows(ways[f"filtered_{times}"], one, Figure(PLACE)),
+            row(DIP, of, first_dip(one), "cm", shown),
+            row(SWING, of, hertz(one), "Hz", shown),
+            *reach_rows(ways[f"filtered_{times}"], one, shown),
         ]
     rows += reach_rows(DAMPING, runs["damping"], Figure(PLACE), dt)
     figures = (PLACE, "figs. 4.21–4.22, 4.26")
-    return result(options, rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
+    return result(rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
 
 
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     """The oscillation and what a larger γ does to it; how the damped leaves and comes back."""
     filtered, damped = [runs[f"filtered_{times}"] for times in TIMES], runs["damping"]
     depths, often = [first_dip(one) for one in filtered], [hertz(one) for one in filtered]
-    fastest = [largest(one.rates, one.t >= 5) for one in (damped, filtered[0])]
-    back = [re_entry(one)[2] for one in (damped, filtered[0])]
+    fastest = [largest(one.rates, one.t >= SINCE) for one in (damped, filtered[0])]
+    back = [re_entry(one)[1] for one in (damped, filtered[0])]
     count = Text(en="dips behind the border with the smallest γ", pt_BR="recuos atrás da fronteira com o menor γ")
     swings = stated("oscillates in the unreachable part", "oscila na parte inalcançável", PLACE, 2.0, "≥")
     smaller = stated("larger γ: smaller amplitude", "γ maior: amplitude menor", PLACE, 1.0, "<")
     higher = stated("larger γ: higher frequency", "γ maior: frequência maior", PLACE, 1.0, ">")
     peaks = stated("velocity peaks where the damping switches", "picos de velocidade na comutação", PLACE, MUCH, ">")
     detour = stated("large detour on re-entry", "grande desvio na volta", PLACE, MUCH, ">")
-    times = Text(en="{what} with five times γ, times that with γ", pt_BR="{what} com cinco vezes γ, vezes o com γ")
+    times = Text(en="{what}, with 5γ over with γ", pt_BR="{what}, com 5γ sobre com γ")
     at_most, at_least = (
         Text(en="{what}, at most", pt_BR="{what}, no máximo"),
         Text(en="{what}, at least", pt_BR="{what}, no mínimo"),
     )
     beside = Text(
         en="fastest joint from 5 s on, damped over filtered",
-        pt_BR="junta mais rápida desde 5 s, amortecida sobre filtrada",
+        pt_BR="junta mais rápida a partir de 5 s, amortecida sobre filtrada",
     )
-    later = Text(
-        en="error 1 s after coming back, damped over filtered", pt_BR="erro 1 s após a volta, amortecida sobre filtrada"
-    )
+    later = Text(en="{what}, damped over filtered", pt_BR="{what}, amortecida sobre filtrada").format(what=AFTER)
     return [
         row(count, None, float(dips(filtered[0])[0].size), "", swings),
         row(at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller),
         row(at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher),
         row(in_steps(beside, dt), None, fastest[0] / fastest[1], "", peaks),
-        row(in_steps(later, dt), None, back[0] / back[1], "", detour),
+        row(in_steps(later, dt), None, back[0] / back[1], "", detour, fitted=(HALF_A_SECOND,)),
     ]
 
 

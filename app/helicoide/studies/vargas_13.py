@@ -5,13 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from helicoide.studies.study import Figure, Progress, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, dips, followers, off_the_border, re_entry, result
+from helicoide.studies.study import Figure, Progress, Reading, Result, Row
+from helicoide.studies.vargas.arm import (
+    DAMPING,
+    FASTEST_LATER,
+    PUSH,
+    SINCE,
+    dips,
+    followers,
+    off_the_border,
+    re_entry,
+    result,
+)
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.paths import path_8
 from helicoide.studies.vargas.reach import AFTER, reach_rows
 from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import FASTEST_LATER, MUCH, PUSH, Gain, Step, in_steps, row, stated
+from helicoide.studies.vargas.table import MUCH, SIMILAR, GainInCm, Step, in_steps, row, stated
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 13: out of reach, at rest", pt_BR="Simulação 13: fora do alcance, em repouso")
@@ -26,15 +36,17 @@ caminho. Com o γ maior ele volta ao caminho em um quarto de segundo.""",
 )
 ROBOT = "zebra_zero"
 PLACE, TIMES = "sim. 13, figs. 4.29–4.33", (1, 25)
-# what is "similar" and "not significantly changed": by so much
-ALIKE = 0.25
+HALF_A_SECOND = Reading(
+    Text(en="read 0.5 s after coming back", pt_BR="lido 0,5 s após a volta"),
+    Text(en="1.0 at 0.25 s and 0.07 at 1 s", pt_BR="1,0 a 0,25 s e 0,07 a 1 s"),
+)
 
 
 @dataclass(frozen=True)
 class Options:
     """gain: the smaller γ, 1/(cm² s), beside twenty-five times it; dt, s."""
 
-    gain: Gain = 1.0
+    gain: GainInCm = 1.0
     dt: Step = 2.5e-4
 
     @property
@@ -60,13 +72,13 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     rows.append(row(off, ways["modified_25"].title, off_the_border(runs["modified_25"]), "cm"))
     figures = (PLACE, "figs. 4.29–4.30")
-    return result(options, rows, ways, runs, path_8, (0, 1), figures, ("modified_25", "modified_1"))
+    return result(rows, ways, runs, path_8, (0, 1), figures, ("modified_25", "modified_1"))
 
 
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     """No oscillation; the smaller γ beside the damped; the larger one beside the smaller."""
     small, large, damped = (runs[key] for key in ("modified_1", "modified_25", "damping"))
-    later = small.t >= 5
+    later = small.t >= SINCE
 
     def fastest(run: Run) -> float:
         return largest(run.rates, later)
@@ -76,17 +88,30 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
 
     dip = Text(en="dips behind the border, larger γ", pt_BR="recuos atrás da fronteira, γ maior")
     swings = stated("no oscillation", "sem oscilação", PLACE, 0.0)
-    similar = stated("γ = 1: similar to DLS", "γ = 1: semelhante à DLS", PLACE, 1.0, "=", ALIKE)
-    smoother = stated("γ = 1: smoother than DLS", "γ = 1: mais suave que a DLS", PLACE, 1.0, "<")
+    similar = stated("γ = 1: similar to the damped one", "γ = 1: semelhante à amortecida", PLACE, 1.0, "=", SIMILAR)
+    smoother = stated("γ = 1: smoother than the damped one", "γ = 1: mais suave que a amortecida", PLACE, 1.0, "<")
     detour = stated("γ = 25: small detour", "γ = 25: pequeno desvio", PLACE, 1 / MUCH, "<")
     unchanged = stated(
-        "amplitude of q̇ not significantly changed", "amplitude de q̇ sem mudança significativa", PLACE, 1.0, "=", ALIKE
+        "amplitude of q̇ not significantly changed", "amplitude de q̇ sem mudança significativa", PLACE, 1.0, "=", SIMILAR
     )
     rows = [
         row(dip, None, float(dips(large)[0].size), "", swings),
-        row(in_steps(TO_DAMPED.format(what=AFTER), dt), None, back(small) / back(damped), "", similar),
+        row(
+            in_steps(TO_DAMPED.format(what=AFTER), dt),
+            None,
+            back(small) / back(damped),
+            "",
+            similar,
+            fitted=(HALF_A_SECOND,),
+        ),
         row(in_steps(TO_DAMPED.format(what=PUSH), dt), None, push(small) / push(damped), "", smoother),
-        row(in_steps(TO_SMALLER.format(what=AFTER), dt), None, back(large) / back(small), "", detour),
+        row(
+            in_steps(TO_SMALLER.format(what=AFTER), dt),
+            None,
+            back(large) / back(small),
+            "",
+            detour,
+        ),
         row(in_steps(TO_SMALLER.format(what=FASTEST_LATER), dt), None, fastest(large) / fastest(small), "", unchanged),
     ]
     if dt <= 1e-3:  # how near to 0 it comes, a longer step does not tell

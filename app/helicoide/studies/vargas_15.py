@@ -10,14 +10,23 @@ from helicoide.ik.secondary import augmented
 from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
 from helicoide.studies.vargas.arms import limited
 from helicoide.studies.vargas.paths import path_1, places
-from helicoide.studies.vargas.runs import Run, digits, each, largest
-from helicoide.studies.vargas.secondary import LENGTH, SECONDS, chosen, cost_chart, filtered, follow, tool
+from helicoide.studies.vargas.runs import Run, each, largest
+from helicoide.studies.vargas.secondary import (
+    ERROR_LATER,
+    FASTEST_LATER,
+    LENGTH,
+    SECONDS,
+    SINCE,
+    chosen,
+    cost_chart,
+    filtered,
+    follow,
+    tool,
+)
 from helicoide.studies.vargas.table import (
-    FASTEST_AFTER_3,
     NULL,
     SMALL,
     WISHED,
-    WORST_AFTER_3,
     Gain,
     Step,
     errors_chart,
@@ -37,10 +46,10 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 15: a limit of the elbow", pt_BR="Simulação 15: um limite do cotovelo")
 SOURCE = "Vargas 2013, §4.7, sim. 15, figs. 4.39–4.40"
 ABOUT = Text(
-    en="""The arm has a joint to spare, and a steep barrier asks the elbow to stay within −1 ± ζ. Look at q₂: without \
+    en="""The arm has a redundant joint, and a steep barrier asks the elbow to stay within −1 ± ζ. Look at q₂: without \
 the barrier it runs out of the range; with ζ = 0.5 it stays inside and the path is kept all the same; with ζ = 0.2 \
 there is too little room, and the path pays.""",
-    pt_BR="""O braço tem uma junta de sobra, e uma barreira íngreme pede que o cotovelo fique em −1 ± ζ. Observe q₂: \
+    pt_BR="""O braço tem uma junta redundante, e uma barreira íngreme pede que o cotovelo fique em −1 ± ζ. Observe q₂: \
 sem a barreira ele sai da faixa; com ζ = 0,5 fica dentro dela e o caminho é mantido mesmo assim; com ζ = 0,2 o espaço \
 é pouco e o caminho paga.""",
 )
@@ -48,7 +57,7 @@ ROBOT = "planar3r"
 PLACE, MIDDLE = "sim. 15, figs. 4.39–4.40", -1.0
 # the elbow begins in the middle of its range, which the source does not say
 START = (pi / 6, MIDDLE, -pi / 6)
-ELBOW = Fitted(Text(en="q₂ at the start", pt_BR="q₂ na partida"), MIDDLE, -1.1, -0.9, "rad")
+ELBOW = Fitted(Text(en="q₂ at the start", pt_BR="q₂ na partida"), MIDDLE, -1.15, -0.85, "rad")
 ZETAS = (0.5, 0.2)
 
 
@@ -77,10 +86,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     plans = {zeta: partial(barrier, zeta, options.gain, dt, SECONDS) for zeta in (None, *ZETAS)}
     runs = each(plans, progress)
     names = {FREE if zeta is None else valued("ζ", zeta): one for zeta, one in runs.items()}
-    rows = [row(ELBOW_LEAST, FREE, float(runs[None].q[:, 1].min()), "rad")]
+    rows = [row(AWAY, FREE, largest(runs[None].q[:, 1] - MIDDLE), "rad")]
     for zeta in ZETAS:
         rows += statements(zeta, runs[zeta])
-    rows += [row(FASTEST_AFTER_3, name, largest(one.rates, one.t >= 3), "rad/s") for name, one in names.items()]
+    rows += [row(FASTEST_LATER, name, largest(one.rates, one.t >= SINCE), "rad/s") for name, one in names.items()]
     limited_ones, kept = {name: names[name] for name in names if name is not FREE}, valued("ζ", ZETAS[0])
     wished = places(path_1, runs[None].t)[:, :2]
     charts = (
@@ -92,30 +101,22 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"),
         fastest_chart(names),
     )
-    return finished(options, rows, charts, planar_motions(names))
+    return finished(rows, charts, planar_motions(names))
 
 
 FREE = Text(en="no limit", pt_BR="sem limite")
-ELBOW_LEAST, ELBOW_GREATEST = Text(en="least q₂", pt_BR="menor q₂"), Text(en="greatest q₂", pt_BR="maior q₂")
+AWAY = Text(en="largest |q₂ + 1|", pt_BR="maior |q₂ + 1|")
 
 
 def statements(zeta: float, run: Run) -> list[Row]:
     """That the elbow stays within −1 ± ζ from the first instant, and what the path pays for it."""
-    of, q_2 = valued("ζ", zeta), run.q[:, 1]
-    low, high = MIDDLE - zeta, MIDDLE + zeta
-    said = digits(f"−1 ± {zeta:g}")
-    least, greatest = Statement(said, PLACE, low, "≥"), Statement(said, PLACE, high, "≤")
+    of = valued("ζ", zeta)
+    said = Text(en="the limit −1 ± {zeta:g} is kept", pt_BR="o limite −1 ± {zeta:g} é mantido").format(zeta=zeta)
+    kept = Statement(said, PLACE, zeta, "≤")
     null = stated("practically null error", "erro praticamente nulo", PLACE, NULL * LENGTH, "≤")
     small = stated("small errors", "erros pequenos", PLACE, SMALL * LENGTH, "≤")
+    error = null if zeta == ZETAS[0] else small
     return [
-        row(ELBOW_LEAST, of, float(q_2.min()), "rad", least, fitted=(ELBOW,)),
-        row(ELBOW_GREATEST, of, float(q_2.max()), "rad", greatest, fitted=(ELBOW,)),
-        row(
-            WORST_AFTER_3,
-            of,
-            largest(run.size, run.t >= 3),
-            "ℓ",
-            null if zeta == ZETAS[0] else small,
-            fitted=(ELBOW,),
-        ),
+        row(AWAY, of, largest(run.q[:, 1] - MIDDLE), "rad", kept, fitted=(ELBOW,)),
+        row(ERROR_LATER, of, largest(run.size, run.t >= SINCE), "ℓ", error, fitted=(ELBOW,)),
     ]

@@ -9,11 +9,11 @@ from itertools import pairwise
 import numpy as np
 
 from helicoide.ik.secondary import augmented
-from helicoide.studies.study import Figure, Progress, Result
+from helicoide.studies.study import Fitted, Progress, Result
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
 from helicoide.studies.vargas.runs import Run, each, largest
-from helicoide.studies.vargas.secondary import SECONDS, chosen, cost_chart, filtered, follow, tool
+from helicoide.studies.vargas.secondary import ERROR_LATER, SECONDS, SINCE, chosen, cost_chart, filtered, follow, tool
 from helicoide.studies.vargas.table import (
     WISHED,
     Gain,
@@ -35,7 +35,7 @@ TITLE = Text(en="Simulation 16: round an obstacle", pt_BR="Simulação 16: conto
 SOURCE = "Vargas 2013, §4.7, sim. 16, fig. 4.41"
 ABOUT = Text(
     en="""The path of simulation 1 passes an obstacle at 0.25. A hill of cost around it, of height α, pushes the tool \
-away as one more row of the task. Look at the way of the tool: it keeps farther off the higher the hill is, and is \
+away as one more row of the task. Look at where the tool goes: it keeps farther off the higher the hill is, and is \
 back on its path behind it.""",
     pt_BR="""O caminho da simulação 1 passa a 0,25 de um obstáculo. Uma colina de custo em torno dele, de altura α, \
 afasta o efetuador como mais uma linha da tarefa. Observe o percurso do efetuador: quanto mais alta a colina, mais \
@@ -43,10 +43,10 @@ longe ele passa, e depois dela volta ao caminho.""",
 )
 ROBOT = "planar3r"
 START, MU, PLACE = (0.6, -1.2, 0.4), (2.0, 0.75), "sim. 16, fig. 4.41"
+HEIGHTS = Fitted(Text(en="heights of the hill, such as α", pt_BR="alturas da colina, como α"), 1.0, 0.1, 10.0, "1/s")
 # α: the source shows several, whose values it does not print; 0: no obstacle
 WEIGHTS, FEW = (0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0), (0.0, 0.1, 1.0, 10.0)
-CLOSEST = Text(en="closest to the obstacle after 2 s", pt_BR="menor distância ao obstáculo após 2 s")
-WORST = Text(en="largest error after 2 s", pt_BR="maior erro após 2 s")
+CLOSEST = Text(en="least distance from the obstacle from 2 s on", pt_BR="menor distância ao obstáculo a partir de 2 s")
 
 
 @dataclass(frozen=True)
@@ -64,8 +64,8 @@ def round_the_obstacle(weight: float, gain: float, dt: float, seconds: float, pr
 
 
 def closest(run: Run) -> float:
-    """How near to the obstacle the tool comes after 2 s, ℓ."""
-    return float(np.linalg.norm(tool(run, path_1)[run.t >= 2.0 - 1e-9] - MU, axis=1).min())
+    """How near to the obstacle the tool comes after the transient, ℓ."""
+    return float(np.linalg.norm(tool(run, path_1)[run.t >= SINCE - 1e-9] - MU, axis=1).min())
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
@@ -85,11 +85,13 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         1.0,
         ">",
     )
-    rows = [row(more.format(closest=CLOSEST), None, min(b / a for a, b in pairwise(near)), "", detours)]
+    rows = [
+        row(more.format(closest=CLOSEST), None, min(b / a for a, b in pairwise(near)), "", detours, fitted=(HEIGHTS,))
+    ]
     for (name, one), distance in zip(names.items(), near, strict=True):
         rows += [
-            row(CLOSEST, name, distance, "ℓ", Figure("fig. 4.41")),
-            row(WORST, name, largest(one.size, one.t >= 2.0 - 1e-9), "ℓ"),
+            row(CLOSEST, name, distance, "ℓ"),
+            row(ERROR_LATER, name, largest(one.size, one.t >= SINCE - 1e-9), "ℓ"),
         ]
     ways = {WISHED: places(path_1, runs[0.0].t)[:, :2], **{name: tool(one, path_1) for name, one in names.items()}}
     highest = valued("α", weights[-1])
@@ -101,4 +103,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         joints_chart(names[highest], highest),
         fastest_chart(names),
     )
-    return finished(options, rows, charts, planar_motions(names))
+    return finished(rows, charts, planar_motions(names))

@@ -5,15 +5,22 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from helicoide.studies.study import Progress, Result, Row
+from helicoide.studies.study import Fitted, Progress, Reading, Result, Row
 from helicoide.studies.vargas.paths import path_5, places
 from helicoide.studies.vargas.runs import Run, each, largest
-from helicoide.studies.vargas.secondary import LENGTH, SECONDS, beside_the_links, cost_chart, tool
+from helicoide.studies.vargas.secondary import (
+    ERROR_LATER,
+    LENGTH,
+    NEAREST_LATER,
+    SECONDS,
+    SINCE,
+    beside_the_links,
+    cost_chart,
+    tool,
+)
 from helicoide.studies.vargas.table import (
-    NEAREST_AFTER_3,
     NULL,
     WISHED,
-    WORST_AFTER_3,
     Gain,
     Step,
     errors_chart,
@@ -26,7 +33,7 @@ from helicoide.studies.vargas.table import (
     stated,
     way_chart,
 )
-from helicoide.text import Text
+from helicoide.text import Text, same
 
 TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos elos")
 SOURCE = "Vargas 2013, §4.7, fig. 4.42"
@@ -41,14 +48,28 @@ obstáculo passa entre elas.""",
 ROBOT = "planar3r"
 PLACE = "fig. 4.42"
 # places of the obstacle, which the source does not print, the last of them near the path; points of a link that see it
-FAR, NEAR = ((0.6, 1.15), (0.85, 1.55)), (1.5, 1.75)
+FAR, NEAR = ((0.6, 1.15), (0.85, 1.55)), (1.8, 1.4)
 POINTS = (0, 8, 1)
+CHOSEN = (
+    Fitted(same("α"), 2.0, 0.5, 3.0, "1/s"),
+    Fitted(same("γ"), 100.0, 25.0, 1000.0, "1/(ℓ² s)"),
+    Reading(
+        Text(
+            en="start (0.9, −1.2, −0.6) and these places of the obstacle",
+            pt_BR="partida (0,9; −1,2; −0,6) e estes lugares do obstáculo",
+        ),
+        Text(
+            en="at (1.8, 1.4), near the path, the error is 0.011 ℓ",
+            pt_BR="em (1,8; 1,4), perto do caminho, o erro é 0,011 ℓ",
+        ),
+    ),
+)
 Key = tuple[tuple[float, float], int]
 CASES: tuple[Key, ...] = tuple((mu, points) for mu in (*FAR, NEAR) for points in POINTS)
 SEEN = {
-    0: Text(en="nobody looks", pt_BR="ninguém olha"),
-    1: Text(en="link ends look", pt_BR="as pontas dos elos olham"),
-    8: Text(en="8 points a link look", pt_BR="8 pontos por elo olham"),
+    0: Text(en="without the term", pt_BR="sem o termo"),
+    1: Text(en="seen by the ends of the links", pt_BR="visto pelas pontas dos elos"),
+    8: Text(en="seen by 8 points on each link", pt_BR="visto por 8 pontos em cada elo"),
 }
 
 
@@ -56,7 +77,7 @@ SEEN = {
 class Options:
     """gain: γ; dt, s."""
 
-    gain: Gain = 5.0
+    gain: Gain = 100.0
     dt: Step = 1e-3
 
 
@@ -75,8 +96,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     runs = each({key: one(key) for key in CASES}, progress)
     names, seen = {key: _name(key) for key in CASES}, {key: _name(key) for key in CASES if key[1] == 8}
     rows = _statements(runs, distances)
-    rows += [row(NEAREST_AFTER_3, names[key], distance, "ℓ") for key, distance in distances.items()]
-    rows.append(row(WORST_AFTER_3, names[NEAR, 8], largest(runs[NEAR, 8].size, runs[NEAR, 8].t >= 3), "ℓ"))
+    rows += [row(NEAREST_LATER, names[key], distance, "ℓ") for key, distance in distances.items()]
+    rows.append(row(ERROR_LATER, names[NEAR, 8], largest(runs[NEAR, 8].size, runs[NEAR, 8].t >= SINCE), "ℓ"))
     first, shown = next(iter(seen)), {name: runs[key] for key, name in seen.items()}
     wished = places(path_5, runs[first].t)[:, :2]
     charts = (
@@ -87,7 +108,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rates_chart(runs[first], names[first], PLACE),
         fastest_chart(shown),
     )
-    return finished(options, rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
+    return finished(rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
 
 
 def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
@@ -100,18 +121,27 @@ def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
         NULL * LENGTH,
         "≤",
     )
-    ratio = Text(en="{near}, times that without the term", pt_BR="{near}, vezes a sem o termo")
+    ratio = Text(en="{near}, over that without the term", pt_BR="{near}, sobre a sem o termo")
     return [
         found
         for mu in FAR
         for found in (
-            row(ratio.format(near=NEAREST_AFTER_3), _name((mu, 8)), distances[mu, 8] / distances[mu, 0], "", folds),
-            row(WORST_AFTER_3, _name((mu, 8)), largest(runs[mu, 8].size, runs[mu, 8].t >= 3), "ℓ", null),
+            row(
+                ratio.format(near=NEAREST_LATER),
+                _name((mu, 8)),
+                distances[mu, 8] / distances[mu, 0],
+                "",
+                folds,
+                fitted=CHOSEN,
+            ),
+            row(
+                ERROR_LATER, _name((mu, 8)), largest(runs[mu, 8].size, runs[mu, 8].t >= SINCE), "ℓ", null, fitted=CHOSEN
+            ),
         )
     ]
 
 
 def _name(key: Key) -> Text:
     (x, y), points = key
-    at = Text(en=f"μ = ({x:g}, {y:g})", pt_BR=f"μ = ({x:g}; {y:g})".replace(".", ","))
-    return Text(en="{at}, {seen}", pt_BR="{at}, {seen}").format(at=at, seen=SEEN[points])
+    named = Text(en="μ = ({x:g}, {y:g}), {seen}", pt_BR="μ = ({x:g}; {y:g}), {seen}")
+    return named.format(x=x, y=y, seen=SEEN[points])

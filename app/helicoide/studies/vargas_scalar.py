@@ -10,7 +10,7 @@ import numpy as np
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement
+from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row, Statement
 from helicoide.studies.vargas.scalar import filtered
 from helicoide.studies.vargas.table import SECONDS, finished, row, stated, thinned
 from helicoide.studies.vargas_08 import Beta
@@ -46,7 +46,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     progress(0.5)
     crossing_rows, crossing_charts = _crossing(options, 5e-3 if short else 5e-4)
     progress(1.0)
-    return finished(options, (*worst_rows, *crossing_rows), (worst_chart, *crossing_charts))
+    return finished((*worst_rows, *crossing_rows), (worst_chart, *crossing_charts))
 
 
 def _worst(beta: float, seconds: float) -> tuple[list[Row], Chart]:
@@ -57,7 +57,7 @@ def _worst(beta: float, seconds: float) -> tuple[list[Row], Chart]:
     t, S, last = dt * np.arange(float(theta.size)), k * theta - 1, theta.size // 10
     power = float(np.log10(theta[-1] / theta[last]))
     ends = {at: float(theta[round(at / dt)]) for at in (10.0, 100.0, 1000.0) if at <= seconds}
-    title = Text(en="θ at {at:g} s where k fades most slowly", pt_BR="θ em {at:g} s com k no esvaimento limite")
+    title = Text(en="θ at {at:g} s in the worst case", pt_BR="θ em {at:g} s no pior caso")
     rows = [row(title.format(at=at), None, end, "", _formula(at, beta)) for at, end in ends.items()]
     rows += [
         row(
@@ -107,7 +107,7 @@ def _crossing(options: Options, part: float) -> tuple[list[Row], tuple[Chart, ..
         en="largest θ dθ in a step with S outside (−1, 0)",
         pt_BR="maior θ dθ em um passo com S fora de (−1, 0)",
     )
-    rows = [row(growth, CROSSING, float(grown.max()), "", grows)]
+    rows = [row(growth, CROSSING, float(grown.max()), "", grows, given=CONSTRUCTED)]
     rows += [row(title, CROSSING, float(ours)) for title, ours in quantities]
     return rows, (_plane(k, theta, 6 / size, "θ", "figs. 4.1–4.2"), _plane(k, modified, 6 / size, "θ²k", "fig. 4.28"))
 

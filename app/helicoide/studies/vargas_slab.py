@@ -12,9 +12,8 @@ from helicoide.studies.study import Progress, Result
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
 from helicoide.studies.vargas.runs import Run, digits, each, largest
-from helicoide.studies.vargas.secondary import SECONDS, chosen, cost_chart, filtered, follow, tool
+from helicoide.studies.vargas.secondary import FASTEST_LATER, SECONDS, SINCE, chosen, cost_chart, filtered, follow, tool
 from helicoide.studies.vargas.table import (
-    FASTEST_AFTER_3,
     WISHED,
     Gain,
     Step,
@@ -70,10 +69,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     kept, wished = runs[USUAL], places(path_1, runs[USUAL].t)[:, :2]
     farthest = Text(en="largest |y|", pt_BR="maior |y|")
     rows = [row(farthest, name, largest(tool(one, path_1)[:, 1]), "ℓ") for name, one in titled.items()]
-    late = kept.t >= 3
-    along = Text(en="largest |e_x| after 3 s", pt_BR="maior |e_x| após 3 s")
+    late = kept.t >= SINCE
+    along = Text(en="largest |e_x| from 2 s on", pt_BR="maior |e_x| a partir de 2 s")
     rows += [
-        row(FASTEST_AFTER_3, names[USUAL], largest(kept.rates, late), "rad/s"),
+        row(FASTEST_LATER, names[USUAL], largest(kept.rates, late), "rad/s"),
         row(along, names[USUAL], largest(kept.e[:, 0], late), "ℓ"),
     ]
     across = Text(en="across the slab", pt_BR="através da faixa")
@@ -84,4 +83,4 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rates_chart(kept, names[USUAL]),
         joints_chart(kept, names[USUAL]),
     )
-    return finished(options, rows, charts, planar_motions(titled))
+    return finished(rows, charts, planar_motions(titled))

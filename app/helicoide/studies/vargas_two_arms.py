@@ -11,12 +11,16 @@ from helicoide.ik.arm_points import watched
 from helicoide.ik.secondary import augmented
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies.study import Chart, Fitted, Line, Progress, Result
+from helicoide.studies.study import Chart, Line, Progress, Result
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
 from helicoide.studies.vargas.runs import Run, each, largest
 from helicoide.studies.vargas.secondary import (
+    ERROR_LATER,
+    FASTEST_LATER,
+    NEAREST_LATER,
     SECONDS,
+    SINCE,
     chosen,
     cost_chart,
     distances,
@@ -25,11 +29,9 @@ from helicoide.studies.vargas.secondary import (
     nearest,
     tool,
 )
+from helicoide.studies.vargas.table import SECONDS as IN_SECONDS
 from helicoide.studies.vargas.table import (
-    FASTEST_AFTER_3,
-    NEAREST_AFTER_3,
     WISHED,
-    WORST_AFTER_3,
     Gain,
     Step,
     errors_chart,
@@ -38,11 +40,9 @@ from helicoide.studies.vargas.table import (
     planar_motions,
     rates_chart,
     row,
-    stated,
     valued,
     way_chart,
 )
-from helicoide.studies.vargas.table import SECONDS as IN_SECONDS
 from helicoide.text import Text, same
 
 TITLE = Text(en="Two arms", pt_BR="Dois braços")
@@ -58,15 +58,9 @@ primeiro cede e, enquanto cede, sai do caminho por um quarto de elo. Valores e m
 duas figuras e não imprime números.""",
 )
 ROBOT = "planar3r"
-PLACE = "§4.7, figs. 4.43–4.44"
 # The source gives no value: at these the arm gives way, and half the step changes the distance by less than 2 %
 # (tests/studies/fits/vargas_two_arms.py). A higher hill, or an arm that reaches farther in, throws the joints.
 BASE, RADIUS, ALPHA = 5.8, 0.3, 1.0
-FITTED = (
-    Fitted(same("α"), ALPHA, 0.9, 1.1),
-    Fitted(same("ρ"), RADIUS, 0.27, 0.33, "ℓ"),
-    Fitted(Text(en="x of the second base", pt_BR="x da segunda base"), BASE, 5.51, 6.09, "ℓ"),
-)
 WEIGHTS = (0.0, 0.5, ALPHA)
 
 
@@ -108,18 +102,14 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     if not short:
         plans[ALPHA, dt / 2] = partial(beside_it, ALPHA, options.gain, dt / 2, SECONDS)
     runs = each(plans, progress)
-    near = {key: nearest(one, 3.0, second_arm) for key, one in runs.items()}
+    near = {key: nearest(one, second_arm) for key, one in runs.items()}
     names = {valued("α", alpha): runs[alpha, dt] for alpha in WEIGHTS}
-    way = Text(en="{near}, times that without the term", pt_BR="{near}, vezes a sem o termo").format(
-        near=NEAREST_AFTER_3
-    )
-    gives = stated("the arm gives way to the other", "o braço dá passagem ao outro", PLACE, 1.0, ">")
-    rows = [row(way, valued("α", ALPHA), near[ALPHA, dt] / near[0.0, dt], "", gives, fitted=FITTED)]
+    rows = []
     for alpha, (name, one) in zip(WEIGHTS, names.items(), strict=True):
         rows += [
-            row(NEAREST_AFTER_3, name, near[alpha, dt], "ℓ"),
-            row(WORST_AFTER_3, name, largest(one.size, one.t >= 3), "ℓ"),
-            row(FASTEST_AFTER_3, name, largest(one.rates, one.t >= 3), "rad/s"),
+            row(NEAREST_LATER, name, near[alpha, dt], "ℓ"),
+            row(ERROR_LATER, name, largest(one.size, one.t >= SINCE), "ℓ"),
+            row(FASTEST_LATER, name, largest(one.rates, one.t >= SINCE), "rad/s"),
         ]
     if not short:
         half = Text(en="least distance changes with half the step by", pt_BR="menor distância muda com meio passo em")
@@ -133,12 +123,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             IN_SECONDS,
             same("ℓ"),
             tuple(Line(name, *distances(one, second_arm)) for name, one in names.items()),
-            PLACE,
         ),
         cost_chart(names, "fig. 4.44"),
         errors_chart(names, "ℓ"),
-        way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ", PLACE),
+        way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"),
         joints_chart(names[kept], kept),
         rates_chart(names[kept], kept),
     )
-    return finished(options, rows, charts, planar_motions(names))
+    return finished(rows, charts, planar_motions(names))

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from markupsafe import Markup
 
 from helicoide.ik.methods import named
-from helicoide.readout import Instrument, holding, instruments
+from helicoide.readout import Instrument, holding, instruments, near_singular
 from helicoide.state import State
 from helicoide.text import Text
+from helicoide.view import html
 from helicoide.view.formula import mathml
 from helicoide.view.rows import View
 
@@ -31,11 +32,25 @@ def instrument_table(view: View) -> Markup:
         )
         for symbol, instrument in lines.items()
     )
-    table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>")
+    table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>{}")
     held = _cells(VALUE, (_held(state, view) for state in arms))
     return mathml(named(view.state.request.drive.method).EQUATION) + table.format(
-        head, body, HELD[view.seat.language], held
+        head, body, HELD[view.seat.language], held, Markup("").join(_singular(view))
     )
+
+
+SINGULAR = Text(en="Singularity: {said}.", pt_BR="Singularidade: {said}.")
+OF_SEVERAL = Text(en="Singularity ({method}): {said}.", pt_BR="Singularidade ({method}): {said}.")
+
+
+def _singular(view: View) -> Iterator[Markup]:
+    """What is singular, or nearly so, of each arm, with its method where there are two."""
+    for state in (view.state, view.state.of_compared):
+        said = None if state is None else near_singular(state)
+        if state is not None and said is not None:
+            words = SINGULAR if view.state.compared is None else OF_SEVERAL
+            title = named(state.request.drive.method).TITLE
+            yield html.note(words.format(method=title, said=said)[view.seat.language])
 
 
 def _cells(cell: Markup, words: Iterable[str]) -> Markup:

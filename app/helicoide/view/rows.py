@@ -100,6 +100,11 @@ class CountMap:
 
 
 @dataclass(frozen=True)
+class ListPostures:
+    """A wish to see every posture of the goal."""
+
+
+@dataclass(frozen=True)
 class PlayTaught:
     """A wish to go through the waypoints that were taught."""
 
@@ -138,6 +143,7 @@ Wish = (
     | Tour
     | ReadCloud
     | CountMap
+    | ListPostures
     | PlayTaught
     | PlayFastest
     | Stop

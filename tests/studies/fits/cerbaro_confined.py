@@ -1,7 +1,7 @@
 """For which gains k₀ the sentences of chapter 6 hold on its paths: `python -m tests.studies.fits.cerbaro_confined`.
 
-What depends on k₀: case 2 crosses no joint limit, case 3 stays farther from them, both keep 80 mm and stay on the
-border, and case 1 deviates more on the ellipse and the circle.
+What depends on k₀: case 2 crosses no joint limit, case 3 stays farther from them and on the border, and case 1 deviates
+more on the ellipse and the circle. On the circle the wrist comes near a wall with all of them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ def differing(path: Ellipse, gain: float) -> list[str]:
         run: by_rule(path, run[1], options.gains, rule(run[0], options), SAMPLES, lambda share: None) for run in SHORT
     }
     first = next(iter(cases.values()))
-    rows = sentences(Runs(cases, first, path.period), options)
+    rows = sentences(Runs(cases, first, path.period), path, options)
     return [row.quantity.en for row in rows if row.verdict is Verdict.DIFFERS]
 
 

@@ -2,7 +2,7 @@
 
 θ₂, θ₄, θ₆, θ₇ and θ₈ are free; θ₁, θ₃ and θ₅ follow from the place of the tool in table 4.2. With θ₈ near π/2 the turn
 of S3 goes through the axis of the shaft, and a small θ₇ lets S1 withdraw along it; the others are round numbers at
-which the arm is far from its own singularities. Takes some minutes.
+which the arm is far from its own singularities. Takes a quarter of an hour.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from helicoide.studies.study import Row, Statement
 PLACE = np.array([0.194, 1.019, 0.958])  # table 4.2, m
 FREE, FOLLOWING = {"θ₂": 1, "θ₄": 3, "θ₆": 5, "θ₇": 6, "θ₈": 7}, [0, 2, 4]
 ROUND = np.array([0.8, -0.25, -1.3, -1.65, 0.6, 1.1, 0.0, 1.57])
-STEP = 0.25  # s
+STEPS = {"S1": 0.1, "S2": 0.1, "S3": 0.1, "S4": 0.02}  # s
 STATED = {"S1": coutinho_s1.stated, "S2": coutinho_s2.stated, "S4": coutinho_s4.stated}
 
 
@@ -34,8 +34,10 @@ def standing(q: Array) -> Array:
 
 def rows(q: Array) -> list[Row]:
     """All rows of the four simulations from q (8,), rad."""
-    found = [row for name, stated in STATED.items() for row in stated(run(name, control(), STEP, q))]
-    damped = (run("S3", control(of_tool=DLS, of_arm=arm), STEP, q) for arm in (PSEUDOINVERSE, DLS))
+    found = [
+        row for name, stated in STATED.items() for row in stated(run(name, control(), STEPS[name], q), STEPS[name])
+    ]
+    damped = (run("S3", control(of_tool=DLS, of_arm=arm), STEPS["S3"], q) for arm in (PSEUDOINVERSE, DLS))
     return [*found, *coutinho_s3.stated(*damped)]
 
 

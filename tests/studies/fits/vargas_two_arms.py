@@ -13,9 +13,9 @@ STEPS, FACTORS = (4e-3, 2e-3), (0.9, 0.95, 1.0, 1.05, 1.1)
 
 
 def distance(weight: float, dt: float, radius: float, base: float) -> float:
-    """The least distance of both arms from 3 s on, ℓ."""
+    """The least distance of both arms after the transient, ℓ."""
     run = beside_it(weight, Options().gain, dt, SECONDS, silent, radius, base)
-    return nearest(run, 3.0, lambda t: second_arm(t, base=base))
+    return nearest(run, lambda t: second_arm(t, base=base))
 
 
 def main() -> None:

@@ -10,11 +10,6 @@ from typing import cast
 from helicoide.ik.postures.branch import Form
 from helicoide.kinematics.robot import Robot
 
-# What is chosen last where several forms apply: first that for every arm with a spherical wrist, then the families of
-# methods, which solve again what the form of one arm solves. And the forms whose goals are points.
-LAST = ("pieper", "geometry", "inverse_transform", "screws", "dual_quaternions")
-OF_POINTS = ("planar2r", "polar")
-
 
 @cache
 def found() -> dict[str, Form]:
@@ -24,6 +19,6 @@ def found() -> dict[str, Form]:
 
 
 def of(robot: Robot) -> dict[str, Form]:
-    """The closed forms that apply to a robot, the most particular one first."""
+    """The closed forms that apply to a robot, the one that is chosen first."""
     known = {name: form for name, form in found().items() if form.applies(robot) is None}
-    return {name: known[name] for name in sorted(known, key=lambda name: (name in LAST and 1 + LAST.index(name), name))}
+    return dict(sorted(known.items(), key=lambda one: (one[1].RANK, one[0])))

@@ -26,6 +26,7 @@ from helicoide.text import Text
 
 TITLE = Text(en="dual quaternions: half angles", pt_BR="quatérnios duais: meios-ângulos")
 SOURCE = "Campos 1998, s.37 (names the family); Cerbaro 2022, §5.1 (motors of the joints); the steps are ours"
+RANK, OF_POINTS = 5, False
 EQUATIONS = (
     r"m_i = c_i + s_i L_i,\quad c_i = \cos\tfrac{\theta_i}{2},\; s_i = \sin\tfrac{\theta_i}{2},\quad"
     r" m_1 \cdots m_n = Q\,Q_0^{*}",

@@ -18,6 +18,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="geometry: two triangles and a wrist", pt_BR="geometria: dois triângulos e um punho")
 SOURCE = "Campos 1998, s.24, s.37 and s.50–54 (plane triangles); the cut of this arm is ours"
+RANK, OF_POINTS = 2, False
 EQUATIONS = (
     r"u = \pm\sqrt{x^2 + y^2 - d^2},\quad \theta_1 = \operatorname{Atan2}(y, x) - \operatorname{Atan2}(d, u)",
     r"\beta = \operatorname{Atan2}(-z, u),\quad \cos\psi = \frac{u^2 + z^2 + l_1^2 - l_2^2}{2 l_1 \sqrt{u^2 + z^2}},"

@@ -20,6 +20,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="inverse transforms, row by row", pt_BR="transformadas inversas, linha a linha")
 SOURCE = "Campos 1998, s.37 (names the family); Paul 1981, Robot manipulators; Cerbaro 2022, tab. 6 (the rows)"
+RANK, OF_POINTS = 3, False
 EQUATIONS = (
     r"({}^0A_1)^{-1}\,T = {}^1A_5,\; [3,4]:\; s_1 p_x - c_1 p_y = 0,\quad"
     r" \theta_1 = \operatorname{Atan2}(p_y, p_x) \;[+\,180^\circ]",

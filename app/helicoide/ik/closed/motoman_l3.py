@@ -18,6 +18,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="Motoman L-3 and its kin", pt_BR="Motoman L-3 e semelhantes")
 SOURCE = "Campos 1998, Cinemática inversa de manipuladores, s.36 and s.55; after Craig, Introduction to Robotics, ch. 4"
+RANK, OF_POINTS = 0, False
 EQUATIONS = (
     r"M = \frac{(-p_y,\, p_x,\, 0)}{\sqrt{p_x^2 + p_y^2}},\quad K = \frac{M \times \hat Z}{|M \times \hat Z|}",
     r"\hat Z' = K \times M,\quad \cos\theta = \hat Z \cdot \hat Z',\quad \sin\theta = (\hat Z \times \hat Z') \cdot K",

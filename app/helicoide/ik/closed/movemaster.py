@@ -24,6 +24,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="Movemaster and its kin", pt_BR="Movemaster e semelhantes")
 SOURCE = "Cerbaro 2022, tabs. 6 and 8 (geometry); Campos 1998, s.36 and s.44–55 (plane of the arm, elbow)"
+RANK, OF_POINTS = 0, False
 EQUATIONS = (
     r"\theta_1 = \operatorname{Atan2}(p_y, p_x) \;[+\,180^\circ], \quad u = c_1 p_x + s_1 p_y",
     r"\zeta_P = u - i p_z, \quad e^{i\alpha} = \frac{\zeta_{\hat Z}}{\zeta_{\hat Z}(0)}, \quad"

@@ -21,6 +21,7 @@ Complex = NDArray[np.complex128]
 
 TITLE = Text(en="spherical wrist: Pieper's solution", pt_BR="punho esférico: solução de Pieper")
 SOURCE = "Pieper 1968; Campos 1998, s.26, after Craig, Introduction to Robotics"
+RANK, OF_POINTS = 1, False
 EQUATIONS = (
     r"f_1 = a_3 c_3 + d_4 s\alpha_3 s_3 + a_2",
     r"f_2 = a_3 c\alpha_2 s_3 - d_4 s\alpha_3 c\alpha_2 c_3 - d_4 s\alpha_2 c\alpha_3 - d_3 s\alpha_2",

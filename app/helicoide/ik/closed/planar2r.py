@@ -16,6 +16,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="planar arm with two joints", pt_BR="braço planar de duas juntas")
 SOURCE = "Campos 1998, Cinemática inversa de manipuladores, s.8–12, s.44–48 and s.52–54"
+RANK, OF_POINTS = 0, True
 EQUATIONS = (
     r"x = l_1 c_1 + l_2 c_{12},\quad y = l_1 s_1 + l_2 s_{12}",
     r"c_2 = \frac{x^2 + y^2 - l_1^2 - l_2^2}{2 l_1 l_2}",

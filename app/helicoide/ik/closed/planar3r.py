@@ -16,6 +16,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="planar arm with three joints", pt_BR="braço planar de três juntas")
 SOURCE = "Campos 1998, Cinemática inversa de manipuladores, s.38–54"
+RANK, OF_POINTS = 0, False
 EQUATIONS = (
     r"c_\varphi = c_{123},\quad s_\varphi = s_{123}",
     r"x = l_1 c_1 + l_2 c_{12},\quad y = l_1 s_1 + l_2 s_{12}",

@@ -13,6 +13,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="polar arm", pt_BR="braço polar")
 SOURCE = "Campos 1998, Cinemática inversa de manipuladores, s.31–34"
+RANK, OF_POINTS = 0, True
 EQUATIONS = (
     r"\rho = \sqrt{x^2 + y^2}",
     r"{}^0_2T = \begin{bmatrix} y/\rho & 0 & x/\rho & x \\ -x/\rho & 0 & y/\rho & y \\ 0 & -1 & 0 & 0 \\"

@@ -16,6 +16,7 @@ from helicoide.text import HelicoideError, Text
 
 TITLE = Text(en="PUMA 560: eight postures", pt_BR="PUMA 560: oito posturas")
 SOURCE = "Campos 1998, s.19–21 and s.55, after Craig, Introduction to Robotics"
+RANK, OF_POINTS = 0, False
 EQUATIONS = (
     r"K = \frac{p_x^2 + p_y^2 + p_z^2 - a_2^2 - a_3^2 - d_3^2 - d_4^2}{2 a_2}",
     r"\theta_1 = \operatorname{Atan2}(p_y, p_x) - \operatorname{Atan2}(d_3, \pm\sqrt{p_x^2 + p_y^2 - d_3^2})",

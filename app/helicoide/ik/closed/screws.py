@@ -23,6 +23,7 @@ from helicoide.text import Text
 
 TITLE = Text(en="screws: Paden–Kahan subproblems", pt_BR="helicoides: subproblemas de Paden–Kahan")
 SOURCE = "Campos 1998, s.37 (names the family); Paden 1986; Kahan 1983; Murray, Li and Sastry 1994, ch. 3"
+RANK, OF_POINTS = 4, False
 EQUATIONS = (
     r"g = T\,T_0^{-1} = e^{\hat\xi_1\theta_1} \cdots e^{\hat\xi_n\theta_n}",
     r"n = 6:\; \| e^{\hat\xi_3\theta_3} p_W - p_O \| = \| g\,p_W - p_O \| \;(3)",

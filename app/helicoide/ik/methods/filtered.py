@@ -10,8 +10,9 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik import Problem, filtered_inverse
-from helicoide.ik.filtered_inverse import Step, Update
+from helicoide.ik.filtered_inverse import Parts, Step, Update
 from helicoide.ik.method import OnDemand, OneOf, Promise, Quantity, Solution, Task, YesNo
+from helicoide.ik.modal import Diagnosis, diagnosed
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import Text
 
@@ -60,6 +61,7 @@ class Options:
 
     update, step, start: see their choices. ahead: add −Θ J̇ Θ, which holds the inverse while J moves but forbids the
     crossing of a singularity, and therefore acts only where the smallest singular value, in ℓ/rad, is above `above`.
+    ratio: Γ_ℓ over Γ_r, the gain of the left inversion error over that of the right one (Coutinho 2015, tab. 4.3).
     """
 
     gain: Annotated[
@@ -76,6 +78,21 @@ class Options:
             Text(en="feed-forward above σₚ", pt_BR="antecipação acima de σₚ"), 0.01, 1.0, "mm/rad", 1, decades=True
         ),
     ] = 0.1
+    ratio: Annotated[
+        float,
+        Quantity(
+            Text(en="ratio of the gains Γₗ/Γᵣ", pt_BR="razão dos ganhos Γₗ/Γᵣ"),
+            0.01,
+            100.0,
+            decades=True,
+        ),
+    ] = 1.0
+
+    @property
+    def parts(self) -> Parts:
+        """How much of the right and of the left error acts."""
+        right, left = filtered_inverse.parts(self.update)
+        return right, self.ratio * left
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,12 +121,19 @@ def recalled(task: Task, memory: Memory, options: Options) -> Memory:
 def updated(task: Task, memory: Memory, options: Options) -> Memory:
     """Θ after this instant. Source: Vargas 2013, eq. 4.61, and ch. 5 for the feed-forward."""
     J, Theta = task.J, memory.Theta
-    following = filtered_inverse.stepped(J, Theta, options.gain, task.dt, options.update, options.step)
+    following = filtered_inverse.stepped(J, Theta, options.gain, task.dt, options.parts, options.step)
     if options.ahead and memory.before is not None and np.linalg.svd(J, compute_uv=False)[-1] > options.above:
         following = following - Theta @ (J - memory.before) @ Theta
     if np.abs(following).max() > LARGEST:
         return start(task, options)
     return Memory(frozen(following), J)
+
+
+def modes(memory: Memory, options: Options) -> Diagnosis | None:
+    """Θ in the axes of the Jacobian of the instant before; None at the first. Source: Vargas 2013, §4.4."""
+    if memory.before is None:
+        return None
+    return diagnosed(memory.before, memory.Theta, options.gain, options.parts)
 
 
 def figures(task: Task, Theta: Array, options: Options) -> OnDemand:
@@ -118,7 +142,7 @@ def figures(task: Task, Theta: Array, options: Options) -> OnDemand:
         {
             "V_c": partial(_inversion_error, task.J, Theta),
             "‖Θ‖": partial(_size, Theta),
-            "dt_max": partial(filtered_inverse.step_limit, task.J, options.gain, options.update),
+            "dt_max": partial(filtered_inverse.step_limit, task.J, options.gain, options.parts),
         }
     )
 

@@ -59,10 +59,17 @@ class Answer:
 
 
 class Form(Protocol):
-    """A module of `ik/closed/`: a closed form for a family of arms. EQUATIONS: its steps, in TeX, in order."""
+    """A module of `ik/closed/`: a closed form for a family of arms. EQUATIONS: its steps, in TeX, in order.
+
+    RANK: of several that apply to an arm the lowest is chosen: 0 for the form of one arm, 1 for that of every arm with
+    a spherical wrist, then the families of methods, which solve again what these solve. OF_POINTS: whether its goals
+    are points.
+    """
 
     TITLE: Text
     SOURCE: str
+    RANK: int
+    OF_POINTS: bool
     EQUATIONS: tuple[str, ...]
 
     def applies(self, robot: Robot) -> Text | None:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.confinement import Obstacles, Zones, planes_of
-from helicoide.ik import Limits, Problem
+from helicoide.ik import NEAR, Limits, Problem, Reason, reason_of
 from helicoide.ik.guard.collision import clearances
 from helicoide.ik.postures.branch import ON_LIMIT, Branch, wrap
 from helicoide.kinematics.chain import Array, frozen
@@ -68,6 +68,13 @@ def touching(robot: Robot, obstacles: Obstacles) -> Callable[[Array], bool]:
         return bool((clearances(link_poses(robot.chain, q), *arrays)[0][first:] < 0).any())
 
     return touches
+
+
+def barrier(problem: Problem, q: Array) -> Reason | None:
+    """What would be nearer than it may be in a posture (n,), rad or m, the worst; None where nothing would."""
+    arrays = problem.points, problem.plane_arrays, problem.pair_arrays
+    left = clearances(link_poses(problem.robot.chain, q), *arrays)[0]
+    return reason_of(problem, 2 * len(q) + int(left.argmin())) if left.size and left.min() < -NEAR else None
 
 
 def alike(robot: Robot) -> Array:

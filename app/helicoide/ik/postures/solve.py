@@ -72,7 +72,7 @@ def solve_by(
         why = Text(en=f"There is no way {name!r}.", pt_BR=f"Não existe o modo {name!r}.")
         raise _refused(robot, why, with_orientation)
     form = closed.found()[name]
-    reason = form.applies(robot) if with_orientation or name in closed.OF_POINTS else _WHOLE
+    reason = form.applies(robot) if with_orientation or form.OF_POINTS else _WHOLE
     if reason is not None:
         why = sentences(Text(en=f"{name} does not apply.", pt_BR=f"{name} não se aplica."), reason)
         raise _refused(robot, why, with_orientation)
@@ -92,7 +92,7 @@ def ways(robot: Robot, with_orientation: bool = True) -> tuple[str, ...]:
 
 def _forms(robot: Robot, with_orientation: bool) -> dict[str, Form]:
     """The closed forms of an arm by name, for a pose or for a position alone."""
-    return {name: form for name, form in closed.of(robot).items() if with_orientation or name in closed.OF_POINTS}
+    return {name: form for name, form in closed.of(robot).items() if with_orientation or form.OF_POINTS}
 
 
 def _refused(robot: Robot, why: Text, with_orientation: bool) -> HelicoideError:

@@ -12,7 +12,7 @@ from helicoide.studies.study import Chart, Line
 from helicoide.text import Text, same
 from helicoide.trajectory import Ellipse
 
-TURN = Text(en="share of the turn", pt_BR="fração da volta")
+SHARE = Text(en="share of the path", pt_BR="fração do caminho")
 ABOVE = Text(en="The path from above", pt_BR="O caminho visto de cima")
 AHEAD = Text(en="The path as the arm sees it", pt_BR="O caminho visto pelo braço")
 SPACE = Text(en="The path in space", pt_BR="O caminho no espaço")
@@ -79,7 +79,7 @@ def _errors(runs: Runs, figure: str) -> Chart:
         en="Position error, and how far the tool is off the path",
         pt_BR="Erro de posição, e quanto o efetuador se desvia",
     )
-    return Chart(name, TURN, same("mm"), tuple(lines), figure, log=True)
+    return Chart(name, SHARE, same("mm"), tuple(lines), figure, log=True)
 
 
 def _level(title: Text, value: float) -> Line:
@@ -100,7 +100,7 @@ def _joints(runs: Runs, joints: tuple[int, ...], figure: str) -> Chart:
             lines.append(_level(name.format(of=of), float(np.degrees(bound))))
     which = " ".join(f"J{joint + 1}" for joint in joints)
     title = Text(en="{which} between limits", pt_BR="{which} entre os limites").format(which=which)
-    return Chart(title, TURN, same(f"{which} (°)"), tuple(lines), figure)
+    return Chart(title, SHARE, same(f"{which} (°)"), tuple(lines), figure)
 
 
 def _distances(runs: Runs, of: Text, course: Course, figure: str = "") -> Chart:
@@ -109,7 +109,7 @@ def _distances(runs: Runs, of: Text, course: Course, figure: str = "") -> Chart:
     lines.append(_level(Text(en="critical", pt_BR="crítica"), CRITICAL))
     lines.append(_level(Text(en="warning", pt_BR="alerta"), WARNING))
     title = Text(en="Distances to the planes, {of}", pt_BR="Distâncias aos planos, {of}").format(of=of)
-    return Chart(title, TURN, Text(en="least distance (mm)", pt_BR="menor distância (mm)"), tuple(lines), figure)
+    return Chart(title, SHARE, Text(en="least distance (mm)", pt_BR="menor distância (mm)"), tuple(lines), figure)
 
 
 def _orientation(runs: Runs, path: Ellipse, figure: str) -> Chart:
@@ -118,4 +118,4 @@ def _orientation(runs: Runs, path: Ellipse, figure: str) -> Chart:
     cosine = np.cos((path.pitch - q[:, 1:4].sum(axis=1)) / 2) * np.cos((path.roll - q[:, 4]) / 2)
     line = Line(_case(1), _share(runs, runs.cases[1]), np.sqrt(np.maximum(0.0, 1 - cosine**2)))
     title = Text(en="Orientation error where it is held", pt_BR="Erro de orientação onde ela é mantida")
-    return Chart(title, TURN, same("‖Δq‖"), (line,), figure)
+    return Chart(title, SHARE, same("‖Δq‖"), (line,), figure)

@@ -10,7 +10,6 @@ from typing import Annotated
 from helicoide.ik.adaptation import NONE, Rule, everywhere
 from helicoide.ik.method import OneOf, Quantity
 from helicoide.studies.cerbaro_runs.confined import (
-    CEILING,
     SAMPLES,
     SAMPLES_SHORT,
     Course,
@@ -28,7 +27,7 @@ from helicoide.trajectory import Ellipse
 CASES = (1, 2, 3)
 PLANES = ("+z", "+y", "-y", "-z")
 CRITICAL, WARNING = 80.0, 110.0
-GUARDED = Text(en="cases 2 and 3, guarded step", pt_BR="casos 2 e 3, passo guardado")
+GUARDED = Text(en="guarded step, orientation free", pt_BR="passo vigiado, orientação livre")
 
 
 @dataclass(frozen=True)
@@ -54,48 +53,43 @@ class Options:
         """As the runs take them."""
         return Gains(self.gain, self.factor, self.tolerance * 1e-3)
 
-    @property
-    def usual(self) -> bool:
-        """Whether the source can be asked: the text allows either reading of eq. 37, the rest is as it was chosen."""
-        return replace(self, former="wanted") == Options()
-
 
 class Kind(Enum):
     """By which rule targets give way."""
 
-    PLANES = Text(en="all points and planes", pt_BR="todos os pontos e planos")
-    TRIMMED = Text(en="trimmed only", pt_BR="só recortado")
-    CEILING = Text(en="ceiling alone", pt_BR="só o teto")
-    PRINTED = Text(en="ceiling alone, eq. 36 as printed", pt_BR="só o teto, eq. 36 como impressa")
-    UNDAMPED = Text(en="all planes without eq. 37", pt_BR="todos os planos, sem a eq. 37")
-    OTHER = Text(en="eq. 37 read the other way", pt_BR="eq. 37 na outra leitura")
+    SOURCE = Text(en="by the source’s rule", pt_BR="pela regra da fonte")
+    PRINTED = Text(en="with eq. 36 as printed", pt_BR="com a eq. 36 como impressa")
+    OTHER = Text(en="with eq. 37 read the other way", pt_BR="com a eq. 37 na outra leitura")
+    UNDAMPED = Text(en="without eq. 37", pt_BR="sem a eq. 37")
+    TRIMMED = Text(en="only trimmed beforehand", pt_BR="só com o recorte prévio")
+    PLANES = Text(en="every point watched against every plane", pt_BR="todo ponto vigiado contra todo plano")
 
 
 def title(kind: Kind, case: int) -> Text:
-    """Such as "case 3, trimmed only"."""
+    """Such as "case 3, without eq. 37"."""
     return Text(en="case {case}, {kind}", pt_BR="caso {case}, {kind}").format(case=case, kind=kind.value)
 
 
 def rule(kind: Kind, options: Options) -> Rule:
     """The rule of a kind, with eq. 37 as the options read it."""
-    every, ratchets = everywhere(confined().planes), options.former == "adapted"
+    source = replace(source_rule(), ratchets=options.former == "adapted")
     match kind:
+        case Kind.PRINTED:
+            return replace(source, corrected=False)
+        case Kind.OTHER:
+            return replace(source, ratchets=not source.ratchets)
+        case Kind.UNDAMPED:
+            return replace(source, damps=False)
         case Kind.TRIMMED:
             return NONE
-        case Kind.CEILING:
-            return replace(source_rule(), ratchets=ratchets)
-        case Kind.PRINTED:
-            return Rule((CEILING,), corrected=False, level=True, ratchets=ratchets)
-        case Kind.UNDAMPED:
-            return replace(every, damps=False)
-        case Kind.OTHER:
-            return replace(every, ratchets=not ratchets)
-    return replace(every, ratchets=ratchets)
+        case Kind.PLANES:
+            return replace(everywhere(confined().planes), ratchets=source.ratchets)
+    return source
 
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Every run of a path, by its kind and case, and cases 2 and 3 by the guarded step; s of the whole turn."""
+    """Every run of a path, by its kind and case, and one by the guarded step; s of the whole turn."""
 
     courses: Mapping[tuple[Kind, int], Course]
     guard: Course
@@ -103,13 +97,13 @@ class Runs:
 
     @property
     def cases(self) -> dict[int, Course]:
-        """The three cases by the rule for all planes."""
-        return {case: self.courses[Kind.PLANES, case] for case in CASES}
+        """The three cases by the source's rule."""
+        return {case: self.courses[Kind.SOURCE, case] for case in CASES}
 
 
-WHOLE = (*((kind, case) for kind in (Kind.PLANES, Kind.TRIMMED, Kind.CEILING, Kind.OTHER) for case in CASES),)
-WHOLE += ((Kind.PRINTED, 3), (Kind.UNDAMPED, 3))
-SHORT = tuple((Kind.PLANES, case) for case in CASES)
+SHORT = tuple((Kind.SOURCE, case) for case in CASES)
+WHOLE = (*((kind, case) for kind in (Kind.SOURCE, Kind.OTHER, Kind.TRIMMED) for case in CASES),)
+WHOLE += ((Kind.PRINTED, 3), (Kind.UNDAMPED, 3), (Kind.PLANES, 3))
 
 
 def runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> Runs:

@@ -12,35 +12,33 @@ from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Report, Run, by_method, converged
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.study import Chart, Fitted, Line, Motion, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Fitted, Line, Motion, Reading, Result, Row, Statement
 from helicoide.text import Text, same
 
-# One factor for both arms, which neither demonstration gives: tests/studies/fits/cerbaro_convergence.py.
-FACTOR = Fitted(Text(en="step factor κ", pt_BR="fator de passo κ"), 0.56, 0.532, 0.59)
+STEP_FACTOR = Text(en="step factor κ", pt_BR="fator de passo κ")
 
 
 @dataclass(frozen=True, eq=False)
 class Coming:
-    """What is aimed at from home; what the source prints of the count, and why another comes out; other factors."""
+    """What is aimed at from home; what the source prints of the count, and by which factor it comes out; others."""
 
     problem: Problem
     aiming: Aiming
     statement: Statement
+    fitted: Fitted | Reading
     others: tuple[float, ...]
     figure: str
-    why: Text | None = None
 
 
-def result(coming: Coming, factor: float, damping: float, usual: bool) -> Result:
+def result(coming: Coming, factor: float, damping: float) -> Result:
     """The count of iterations with the chosen factor and with others, and the posture that is reached."""
     reports = {f: _came(coming, f, damping) for f in sorted({factor, *coming.others})}
     quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}")
-    fitted = (FACTOR,) if coming.why is None else ()
-    stated = Row(quantity.format(f=factor), reports[factor].iterations, "", coming.statement, fitted, why=coming.why)
+    stated = Row(quantity.format(f=factor), reports[factor].iterations, "", coming.statement, (coming.fitted,))
     others = [Row(quantity.format(f=f), reports[f].iterations) for f in coming.others if f != factor]
     rows = (stated, *others, *_margin(coming))
     ways = tuple(_motion(coming, f, damping, report) for f, report in reports.items())
-    return Result(rows if usual else unstated(rows), _charts(coming, reports, ways[[*reports].index(factor)]), ways)
+    return Result(rows, _charts(coming, reports, ways[[*reports].index(factor)]), ways)
 
 
 def _run(coming: Coming, factor: float, damping: float) -> Run:
@@ -54,7 +52,7 @@ def _came(coming: Coming, factor: float, damping: float) -> Report:
 def _motion(coming: Coming, factor: float, damping: float, report: Report) -> Motion:
     run, robot = _run(coming, factor, damping), coming.problem.robot
     way = np.array([m.q for m in islice(run(coming.aiming, robot.poses["home"], None), report.iterations + 1)])
-    return Motion(robot.name, np.arange(float(len(way))), way, title=same(f"κ = {factor:g}"))
+    return Motion(robot.name, np.arange(float(len(way))), way, title=_name(factor))
 
 
 def _margin(coming: Coming) -> tuple[Row, ...]:
@@ -86,4 +84,8 @@ def _lines(reports: dict[float, Report], column: int, scale: float) -> tuple[Lin
 
 
 def _line(factor: float, errors: Array) -> Line:
-    return Line(same(f"κ = {factor:g}"), np.arange(float(len(errors))), errors)
+    return Line(_name(factor), np.arange(float(len(errors))), errors)
+
+
+def _name(factor: float) -> Text:
+    return same("κ = {factor:g}").format(factor=factor)

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from helicoide.ik import Problem
 from helicoide.ik.clik import Moment
+from helicoide.ik.objective import posture
+from helicoide.ik.secondary import total
 from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.study import Chart, Line, Motion, Progress
@@ -77,6 +79,12 @@ def few(values: Array) -> Array:
     return np.asarray(values[np.unique(np.linspace(0, len(values) - 1, SHOWN).round().astype(int))])
 
 
+def mean_cost(problem: Problem, run: Run) -> float:
+    """The mean of −w along a run, 1/(2n) Σ (off the middle over the range)² (Cerbaro 2022, eq. 12)."""
+    chosen = arms.limit_distance()
+    return float(np.mean([total(problem, chosen, posture(problem, q)).value for q in few(run.q)]))
+
+
 TIME = Text(en="time (s)", pt_BR="tempo (s)")
 
 
@@ -125,12 +133,12 @@ def pitch(q: Array) -> Array:
 
 
 def way_chart(figure: str, problem: Problem, axes: str, wanted: Array, *named: Named) -> Chart:
-    """The way of the tool in a plane, such as "xy". Args: wanted (k, 3), m: the path that is asked for."""
+    """The path of the tool in a plane, such as "xy". Args: wanted (k, 3), m: the path that is asked for."""
     i, j = ("xyz".index(axis) for axis in axes)
     ways = ((words, np.array([arms.tool(problem, q) for q in few(run.q)])) for words, run in named)
     asked = (Text(en="path asked for", pt_BR="trajetória pedida"), wanted)
     lines = tuple(Line(words, 1000 * way[:, i], 1000 * way[:, j]) for words, way in (asked, *ways))
-    title = Text(en="Way of the tool in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
+    title = Text(en="Path of the tool in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
     return Chart(title, same(f"{axes[0]} (mm)"), same(f"{axes[1]} (mm)"), lines, figure)
 
 

@@ -6,7 +6,7 @@ Where a run has steps ten times as long, with the same Λ Δt, errors of Euler's
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import cos, pi, sin
+from math import cos, pi, radians, sin
 
 import numpy as np
 
@@ -26,6 +26,11 @@ ELLIPSE = Ellipse(centre=(0.52, 0, 0.2), radii=(0.08, 0.08, 0.05), pitch=-np.pi 
 DAMPING = 0.1
 
 Velocity = Callable[[float], Array]
+
+
+def in_degrees(k0: float, joints: int) -> float:
+    """k₀, 1/s, as it acts in radians where eq. 14 is taken in degrees, with the 6 that it prints for any arm."""
+    return k0 * 2 * joints / 6 * radians(1) ** 2
 
 
 def nothing(share: float) -> None:

@@ -13,6 +13,8 @@ from helicoide.studies.vargas.arms import REACH, zebra_arm
 from helicoide.studies.vargas.paths import Path, path_8, places
 from helicoide.studies.vargas.runs import IN_SPACE, Instants, Run, Way, compared, sizes, tracking, way
 from helicoide.studies.vargas.table import (
+    ERROR_FROM,
+    FASTEST_FROM,
     WISHED,
     errors_chart,
     fastest_chart,
@@ -20,6 +22,7 @@ from helicoide.studies.vargas.table import (
     finished,
     joints_chart,
     rates_chart,
+    settled,
     titled,
     w_chart,
     way_chart,
@@ -27,6 +30,12 @@ from helicoide.studies.vargas.table import (
 )
 from helicoide.text import Text
 
+RATE = 2.0
+SINCE = settled(RATE)
+FASTEST_LATER, ERROR_LATER = FASTEST_FROM.format(since=SINCE), ERROR_FROM.format(since=SINCE)
+PUSH = Text(en="largest acceleration from {since:g} s on", pt_BR="maior aceleração a partir de {since:g} s").format(
+    since=SINCE
+)
 DAMPED: dict[str, Any] = {"damping": 300.0, "threshold": 1e3}
 DAMPING = way("damped_by_manipulability", **DAMPED)
 SQUARED = way("damped_by_manipulability", "(1 − w/w₀)²", **DAMPED, exponent="2")
@@ -38,11 +47,10 @@ def followers(
 ) -> dict[str, Run]:
     """A run of each method along a trajectory."""
     arm = zebra_arm()
-    return compared(arm, ways, tracking(arm, path, IN_SPACE), 2.0, start, dt, seconds, progress)
+    return compared(arm, ways, tracking(arm, path, IN_SPACE), RATE, start, dt, seconds, progress)
 
 
 def result(
-    options: Any,
     rows: Sequence[Row],
     ways: Mapping[str, Way],
     runs: Mapping[str, Run],
@@ -53,7 +61,7 @@ def result(
 ) -> Result:
     """Rows; charts of what the source shows, V_c of the filtered inverses and δ of the damped ones; the motions.
 
-    plane: the coordinates in which the way is drawn; figures: where the source shows the simulation, and the ways;
+    plane: the coordinates in which the paths are drawn; figures: where the source shows the simulation, and the paths;
     shown: the runs whose joint velocities are drawn, and of the first of them the joint angles.
     """
     names, (place, ways_place) = titled(ways, runs), figures
@@ -72,7 +80,7 @@ def result(
         joints_chart(runs[shown[0]], ways[shown[0]].title, place),
         fastest_chart(names),
     ]
-    return finished(options, rows, charts[:8], zebra_motions(names))
+    return finished(rows, charts[:8], zebra_motions(names))
 
 
 DAMPED_TITLE = Text(en="damping", pt_BR="amortecimento")

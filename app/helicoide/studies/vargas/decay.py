@@ -75,4 +75,4 @@ def decays(options: Any, aiming: Aiming, by: Way, dt: float, figures: str, progr
         rates_chart(filtered, soft.title),
         way_chart({WISHED: wished, **ways}, "x, ℓ", "y, ℓ"),
     )
-    return finished(options, rows, charts, planar_motions(shown))
+    return finished(rows, charts, planar_motions(shown))

@@ -8,20 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import analysed
-from helicoide.studies.study import Chart, Fitted, Line, Progress, Result, Row, Statement, printed
+from helicoide.studies.study import Chart, Fitted, Line, Progress, Reading, Result, Row, Statement, printed
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, places
 from helicoide.studies.vargas.runs import IN_PLANE, Run, Way, compared, largest, tracking, way
 from helicoide.studies.vargas.table import (
-    ERROR_LATER,
+    ERROR_FROM,
     FASTEST,
-    FASTEST_LATER,
+    FASTEST_FROM,
     WISHED,
     Gain,
     Step,
@@ -34,6 +33,7 @@ from helicoide.studies.vargas.table import (
     planar_motions,
     rates_chart,
     row,
+    settled,
     titled,
     way_chart,
 )
@@ -51,9 +51,9 @@ class Values:
     rate: float = 1.0
     damping: float = 0.1
     threshold: float = 1.0
-    gain: float = 60.0
-    coupling: float = 0.25
-    leak: float = 10.0
+    gain: float = 240.0
+    coupling: float = 0.6
+    leak: float = 8.0
 
     @property
     def ways(self) -> dict[str, Way]:
@@ -65,18 +65,19 @@ class Values:
 
 
 VALUES = Values()
-_RATE = Fitted(same("λ"), VALUES.rate, 0.84, 1.2, "1/s")
+_RATE = Fitted(same("λ"), VALUES.rate, 0.909, 1.2, "1/s")
+SINCE = settled(VALUES.rate)
 FITTED: dict[str, tuple[Fitted, ...]] = {
     "damping": (
         _RATE,
-        Fitted(same("δ₀"), VALUES.damping, 0.084, 0.12, "ℓ²"),
-        Fitted(same("w₀"), VALUES.threshold, 0.84, 1.2, "ℓ²"),
+        Fitted(same("δ₀"), VALUES.damping, 0.0833, 0.12, "ℓ²"),
+        Fitted(same("w₀"), VALUES.threshold, 0.833, 1.2, "ℓ²"),
     ),
     "feedback": (
         _RATE,
-        Fitted(same("g"), VALUES.gain, 50.0, 72.0, "1/(ℓ² s)"),
-        Fitted(same("c"), VALUES.coupling, 0.21, 0.3),
-        Fitted(same("α"), VALUES.leak, 8.4, 12.0, "1/s"),
+        Fitted(same("g"), VALUES.gain, 200.0, 288.0, "1/(ℓ² s)"),
+        Fitted(same("c"), VALUES.coupling, 0.546, 0.72),
+        Fitted(same("α"), VALUES.leak, 6.67, 9.6, "1/s"),
     ),
 }
 
@@ -112,35 +113,38 @@ def followers(
     return compared(planar(), ways, tracking(planar(), path, IN_PLANE), rate, start, dt, SECONDS, progress)
 
 
-def of_both(quantity: Text, ours: Mapping[str, float], unit: str, source: Statement | None) -> list[Row]:
-    """A row for each of both methods, with the values that were chosen for it."""
+def of_both(
+    quantity: Text, ours: Mapping[str, float], unit: str, source: Statement, *more: Fitted | Reading
+) -> list[Row]:
+    """A row for each of both methods, with the values that were chosen for it; more: what else was chosen."""
     return [
-        row(quantity, VALUES.ways[key].title, value, unit, source, fitted=FITTED[key]) for key, value in ours.items()
+        row(quantity, VALUES.ways[key].title, value, unit, source, fitted=(*FITTED[key], *more))
+        for key, value in ours.items()
     ]
 
 
-def below(bound: str, place: str, runs: Mapping[str, Run]) -> list[Row]:
+def below(bound: str, place: str, runs: Mapping[str, Run], *more: Reading) -> list[Row]:
     """That no joint of both methods is ever as fast as it is printed."""
-    return of_both(FASTEST, {key: largest(runs[key].rates) for key in COMPARED}, "rad/s", printed(bound, place))
+    fastest = {key: largest(runs[key].rates) for key in COMPARED}
+    return of_both(FASTEST, fastest, "rad/s", printed(bound, place), *more)
 
 
 def ours(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
-    """The fastest joint and the largest error from 5 s on, of the methods that the source does not run here.
+    """The fastest joint and the largest error after the transient, of the methods that the source does not run here.
 
     The pseudoinverse at a singular posture is as fast as its step lets it be, and is left to the charts.
     """
     rows = []
     for key in [key for key in runs if key not in (*COMPARED, "pseudoinverse")]:
-        later = runs[key].t >= 5
+        later = runs[key].t >= SINCE
         rows += [
-            row(FASTEST_LATER, ways[key].title, largest(runs[key].rates, later), "rad/s"),
-            row(ERROR_LATER, ways[key].title, largest(runs[key].size, later), "ℓ"),
+            row(FASTEST_FROM.format(since=SINCE), ways[key].title, largest(runs[key].rates, later), "rad/s"),
+            row(ERROR_FROM.format(since=SINCE), ways[key].title, largest(runs[key].size, later), "ℓ"),
         ]
     return rows
 
 
 def result(
-    options: Any,
     rows: Sequence[Row],
     path: Path,
     ways: Mapping[str, Way],
@@ -166,7 +170,7 @@ def result(
         way_chart({WISHED: wished, **{name: wished - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
         joints_chart(runs["damping"], damped),
     )
-    return finished(options, rows, charts[:8], planar_motions(names))
+    return finished(rows, charts[:8], planar_motions(names))
 
 
 def ellipses(path: Path, run: Run, instants: Sequence[float], size: float = 0.3) -> Chart:

@@ -191,11 +191,6 @@ def sizes(vectors: Array) -> Array:
     return np.asarray(np.linalg.norm(vectors, axis=1))
 
 
-def rms(values: Array) -> float:
-    """√(mean of squares)."""
-    return float(np.sqrt(np.mean(values**2)))
-
-
 def left_at(run: Run, by: float = 0.01) -> float:
     """When some joint has first moved by an angle, rad, from where it began, s; infinite when none has."""
     moved = np.abs(run.q - run.q[0]).max(axis=1) > by

@@ -18,10 +18,13 @@ from helicoide.studies.study import Chart, Progress
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, path_5, places
 from helicoide.studies.vargas.runs import IN_PLANE, Run, record, tracking, way
-from helicoide.studies.vargas.table import over_time
+from helicoide.studies.vargas.table import ERROR_FROM, FASTEST_FROM, over_time, settled
 from helicoide.text import Text
 
-SECONDS = 32.0
+SECONDS, RATE = 32.0, 5.0
+SINCE = settled(RATE)
+FASTEST_LATER, ERROR_LATER = FASTEST_FROM.format(since=SINCE), ERROR_FROM.format(since=SINCE)
+NEAREST_LATER = Text(en="least distance from 2 s on", pt_BR="menor distância a partir de 2 s")
 MODIFIED = "filtered_modified"
 LENGTH = 4.0
 COST = Text(en="cost of the additional row", pt_BR="custo da linha adicional")
@@ -44,7 +47,7 @@ def follow(path: Path) -> Aiming:
 
 def filtered(aiming: Aiming, start: Sequence[float], gain: float, dt: float, progress: Progress, seconds: float) -> Run:
     """A run of the modified law with its γ."""
-    return record(planar(), way(MODIFIED, gain=gain), aiming, 5.0, start, dt, seconds, progress)
+    return record(planar(), way(MODIFIED, gain=gain), aiming, RATE, start, dt, seconds, progress)
 
 
 def cost_chart(runs: Mapping[Text, Run], figure: str) -> Chart:
@@ -71,22 +74,29 @@ def distances(run: Run, points: Callable[[float], Array], every: float = 0.05) -
     return t, np.array(away)
 
 
-def nearest(run: Run, since: float, points: Callable[[float], Array]) -> float:
-    """The least of the distances from a time on, ℓ."""
+def nearest(run: Run, points: Callable[[float], Array]) -> float:
+    """The least of the distances after the transient, ℓ."""
     t, away = distances(run, points)
-    return float(away[t >= since - 1e-9].min())
+    return float(away[t >= SINCE - 1e-9].min())
 
 
 def beside_the_links(
-    mu: tuple[float, float], per_link: int, gain: float, dt: float, seconds: float, progress: Progress = silent
+    mu: tuple[float, float],
+    per_link: int,
+    gain: float,
+    dt: float,
+    seconds: float,
+    progress: Progress = silent,
+    weight: float = 2.0,
 ) -> tuple[Run, float]:
-    """Fig. 4.42: trajectory 5 with an obstacle at μ that so many points of each link see; α = 5, 0 points: no term.
+    """Fig. 4.42: trajectory 5 with an obstacle at μ that so many points of each link see, of height α; 0: no term.
 
-    Returns the run, and the least distance of the arm from μ from 3 s on.
+    Returns the run, and the least distance of the arm from μ after the transient.
     """
     aiming = follow(path_5)
     if per_link:
-        hill = chosen("ellipsoid", x=mu[0], y=mu[1], z=0.0, a=0.2, b=0.2, c=0.2, where="links", per_link=per_link)
+        at = {"x": mu[0], "y": mu[1], "z": 0.0, "a": 0.2, "b": 0.2, "c": 0.2}
+        hill = chosen("ellipsoid", weight=weight, where="links", per_link=per_link, **at)
         aiming = augmented(planar(), hill, aiming)
     run = filtered(aiming, (0.9, -1.2, -0.6), gain, dt, progress, seconds)
-    return run, nearest(run, 3.0, lambda t: np.array([[*mu, 0.0]]))
+    return run, nearest(run, lambda t: np.array([[*mu, 0.0]]))

@@ -9,28 +9,42 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.chain import Array
-from helicoide.studies.study import Chart, Figure, Line, Motion, Relation, Result, Row, Statement, unstated
+from helicoide.studies.study import Chart, Figure, Line, Motion, Relation, Result, Row, Statement
 from helicoide.studies.vargas.arms import LENGTHS
 from helicoide.studies.vargas.runs import Run, Way, digits
 from helicoide.text import Text, same
 
-Gain = Annotated[float, Quantity(Text(en="update gain γ", pt_BR="ganho γ"), 0.1, 1e4, "1/(ℓ² s)", decades=True)]
+# γ counts in the unit of length of the arm, which has no name for the planar one (sources, Vargas 15).
+OF_THE_PLANAR = Text(
+    en="update gain γ (ℓ: unit of length of the planar arm)",
+    pt_BR="ganho γ (ℓ: unidade de comprimento do braço planar)",
+)
+OF_THE_ZEBRA = Text(en="update gain γ", pt_BR="ganho γ")
+Gain = Annotated[float, Quantity(OF_THE_PLANAR, 0.1, 1e4, "1/(ℓ² s)", decades=True)]
+GainInCm = Annotated[float, Quantity(OF_THE_ZEBRA, 0.1, 1e4, "1/(cm² s)", decades=True)]
+GainInDm = Annotated[float, Quantity(OF_THE_ZEBRA, 0.1, 1e4, "1/(dm² s)", decades=True)]
 Step = Annotated[float, Quantity(Text(en="step", pt_BR="passo"), 1e-4, 2e-2, "s", decades=True)]
 
-# What words ask of a number (errata, Vargas 9): an error is "null" below this part of the arm's reach, and "small"
-# below that; a quantity is "much" another when it is five times it.
-NULL, SMALL, MUCH = 0.005, 0.05, 5.0
+# What words ask of a number, the same in all studies (sources, Vargas 9). Parts of the arm's reach: a null error, the
+# error of an arm that tracks, a small one. Times what it is compared with: much; and how far from one time is similar.
+NULL, TRACKED, SMALL = 0.001, 0.01, 0.05
+MUCH, SIMILAR = 5.0, 0.25
+# the correlation of two curves that look alike
+ALIKE = 0.7
+# rad: by so much a joint moves that does move, and by less differ joints that are practically identical
+MOVED = 0.01
 
 SECONDS = Text(en="t, s", pt_BR="t, s")
 WISHED = Text(en="desired", pt_BR="desejado")
 ERRORS = Text(en="error", pt_BR="erro")
 FASTEST = Text(en="fastest joint", pt_BR="junta mais rápida")
-FASTEST_LATER = Text(en="fastest joint from 5 s on", pt_BR="junta mais rápida a partir de 5 s")
-ERROR_LATER = Text(en="largest error from 5 s on", pt_BR="maior erro a partir de 5 s")
-FASTEST_AFTER_3 = Text(en="fastest joint after 3 s", pt_BR="junta mais rápida após 3 s")
-WORST_AFTER_3 = Text(en="largest error after 3 s", pt_BR="maior erro após 3 s")
-NEAREST_AFTER_3 = Text(en="least distance after 3 s", pt_BR="menor distância após 3 s")
-PUSH = Text(en="largest acceleration from 5 s on", pt_BR="maior aceleração a partir de 5 s")
+FASTEST_FROM = Text(en="fastest joint from {since:g} s on", pt_BR="junta mais rápida a partir de {since:g} s")
+ERROR_FROM = Text(en="largest error from {since:g} s on", pt_BR="maior erro a partir de {since:g} s")
+
+
+def settled(rate: float) -> float:
+    """When the transient is over, s: ė = −λe has left e⁻¹⁰ of the error of the start."""
+    return 10 / rate
 
 
 def row(
@@ -42,9 +56,9 @@ def row(
 
 
 def in_steps(what: Text, dt: float) -> Text:
-    """A quantity that hangs on the step dt, s."""
-    ms = digits(f"{1e3 * dt:g}")
-    return Text(en="{what}, in steps of {ms} ms", pt_BR="{what}, em passos de {ms} ms").format(what=what, ms=ms)
+    """A quantity that depends on the step dt, s."""
+    steps = Text(en="{what}, in steps of {ms:g} ms", pt_BR="{what}, em passos de {ms:g} ms")
+    return steps.format(what=what, ms=1e3 * dt)
 
 
 def stated(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
@@ -52,10 +66,9 @@ def stated(en: str, pt_BR: str, place: str, value: float, relation: Relation = "
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
-def finished(options: Any, rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
-    """What a study came to; with other settings than its own every number stands alone."""
-    usual = options == type(options)()
-    return Result(tuple(rows) if usual else unstated(tuple(rows)), tuple(charts), tuple(motions))
+def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
+    """What a study came to."""
+    return Result(tuple(rows), tuple(charts), tuple(motions))
 
 
 def over_time(
@@ -112,8 +125,8 @@ def figures_chart(title: Text, symbol: str, runs: Mapping[Text, Run], unit: str 
 
 
 def way_chart(lines: Mapping[Text, Array], across: str, up: str, figure: str = "") -> Chart:
-    """Ways in a plane, (k, 2) each."""
-    title = Text(en="way of the end effector", pt_BR="percurso do efetuador")
+    """Paths in a plane, (k, 2) each."""
+    title = Text(en="path of the end effector", pt_BR="percurso do efetuador")
     drawn = tuple(Line(name, *thinned(points).T) for name, points in lines.items())
     return Chart(title, same(across), same(up), drawn, figure)
 

@@ -17,6 +17,7 @@ from helicoide.text import Language, Text
 from helicoide.view import html
 from helicoide.view.formula import coefficient_grid, mathml
 from helicoide.view.rows import Choice, Folder, ForSeat, Row, View, Words
+from helicoide.view.stages import stage_rows
 
 TITLE = Text(en="Algebra", pt_BR="Álgebra")
 ORDER = 2
@@ -55,6 +56,7 @@ def rows(robot: Robot) -> list[Row]:
             for kind, title in KINDS.items()
             if robot.panes or kind != "plane"
         ),
+        stage_rows(),
     ]
 
 

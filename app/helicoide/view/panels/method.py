@@ -18,6 +18,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 from helicoide.view import html
 from helicoide.view.instruments import instrument_table
+from helicoide.view.modes import MODES, mode_table
 from helicoide.view.objective import objective_rows
 from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, View, Words
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
@@ -47,6 +48,7 @@ def rows(robot: Robot) -> list[Row]:
             Text(en="Settings", pt_BR="Ajustes"),
             Changing(lambda view: view.state.request.drive.method, partial(_settings, robot)),
         ),
+        Folder(MODES, [Words(mode_table, computed=True)], open=False),
         Folder(
             Text(en="Settings of the other one", pt_BR="Ajustes do outro"),
             Changing(_beside, partial(_settings, robot)),

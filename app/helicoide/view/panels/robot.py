@@ -6,20 +6,17 @@ import numpy as np
 from markupsafe import Markup
 from viser import Icon
 
-from helicoide import gate
-from helicoide.command import Along, ToJoints, ToPose
+from helicoide import gate, readout
+from helicoide.command import ToJoints
 from helicoide.geometry import rotation
-from helicoide.ik.goal import tool_pose
-from helicoide.kinematics.chain import Array
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State
 from helicoide.text import Text, same
 from helicoide.view import html, layers
 from helicoide.view.enclosure import plane_rows
 from helicoide.view.followed import path_rows
 from helicoide.view.mapping import workspace_rows
+from helicoide.view.postures import posture_rows
 from helicoide.view.rows import (
     Button,
     Choice,
@@ -57,6 +54,7 @@ def rows(robot: Robot) -> list[Row]:
         Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.variables))]),
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
+        posture_rows(robot),
         path_rows(robot),
         teaching_rows(robot),
         *([ball_rows(robot)] if gate.can_grasp(robot) else []),
@@ -130,19 +128,6 @@ def _gripper() -> Slider:
     )
 
 
-def target_pose(state: State) -> Array:
-    """The pose that is asked for, T_world_target (4, 4), m: that of the tool where nothing else is."""
-    match state.request.command:
-        case ToPose(T):
-            return T
-        case Along(path, s):
-            return path.pose(s)
-        case ToJoints(q):
-            return tool_pose(state.problem, link_poses(state.robot.chain, q))
-        case _:
-            return state.T_world_tool
-
-
 def _target() -> list[Row]:
     return [
         Triple(Text(en="x y z [mm]", pt_BR="x y z [mm]"), 1.0, _position, _set_position),
@@ -156,19 +141,19 @@ def _target() -> list[Row]:
 
 
 def _position(view: View) -> tuple[float, float, float]:
-    x, y, z = (round(1000 * float(value), 1) for value in target_pose(view.state)[:3, 3])
+    x, y, z = (round(1000 * float(value), 1) for value in readout.target_pose(view.state)[:3, 3])
     return x, y, z
 
 
 def _angles(view: View) -> tuple[float, float, float]:
     """Angles about z, y, x: Roll, Pitch and Yaw in the naming of Cerbaro 2022, eqs. 53–55."""
-    angles = rotation.roll_pitch_yaw_zyx(target_pose(view.state)[:3, :3])
+    angles = rotation.roll_pitch_yaw_zyx(readout.target_pose(view.state)[:3, :3])
     z, y, x = (round(float(np.degrees(angle)), 1) + 0.0 for angle in angles)
     return z, y, x
 
 
 def _set_position(view: View, millimetres: tuple[float, float, float]) -> Wish:
-    quat = rotation.from_matrix(target_pose(view.state)[:3, :3])
+    quat = rotation.from_matrix(readout.target_pose(view.state)[:3, :3])
     return ForArm(gate.set_target(np.asarray(millimetres) / 1000, quat))
 
 
@@ -177,7 +162,7 @@ def _set_angles(view: View, degrees: tuple[float, float, float]) -> Wish:
         rotation.from_axis_angle(axis, np.radians(angle)) for axis, angle in zip(np.eye(3)[::-1], degrees, strict=True)
     )
     quat = rotation.multiply(rotation.multiply(z, y), x)
-    return ForArm(gate.set_target(target_pose(view.state)[:3, 3], quat))
+    return ForArm(gate.set_target(readout.target_pose(view.state)[:3, 3], quat))
 
 
 def _shows() -> list[Row]:

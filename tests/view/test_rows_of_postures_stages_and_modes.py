@@ -1,0 +1,143 @@
+"""Postures of a goal, the arm joint by joint, and the modes of a filtered inverse, as the page writes them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tests.driving import after
+
+from helicoide import gate, readout
+from helicoide.export import stage_table
+from helicoide.ik import methods
+from helicoide.kinematics.library import load
+from helicoide.kinematics.stages import STAGES, Kind
+from helicoide.seat import Seat
+from helicoide.session.postures import postures
+from helicoide.state import State, initial
+from helicoide.text import LANGUAGES, Language
+from helicoide.view.modes import mode_table
+from helicoide.view.panels import algebra, method, robot
+from helicoide.view.postures import posture_rows
+from helicoide.view.rows import Choice, Folder, ForArm, ForSeat, ListPostures, Row, View, Words
+
+
+def inside(folder: Folder) -> Iterator[Row]:
+    assert not isinstance(folder.rows, tuple)
+    for row in folder.rows:  # type: ignore[union-attr]
+        yield row
+        if isinstance(row, Folder):
+            yield from inside(row)
+
+
+def written(folder: Folder, view: View) -> str:
+    return " ".join(row.html(view) for row in inside(folder) if isinstance(row, Words))
+
+
+def folder(rows: list[Row], english: str) -> Folder:
+    return next(row for row in rows if isinstance(row, Folder) and row.label.en == english)
+
+
+@pytest.fixture
+def puma() -> State:
+    return initial(load("puma560"))
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_list_names_every_posture_and_marks_the_one_that_the_arm_has(puma: State, language: Language) -> None:
+    rows = folder(robot.rows(puma.robot), "Postures for the target")
+    assert not rows.open
+    view = View(puma, Seat("", language))
+    assert "<li" not in written(rows, view)
+    (button,) = [row for row in inside(rows) if type(row).__name__ == "Button"]
+    assert button.wish(view) == ListPostures()  # type: ignore[union-attr]
+    view = replace(view, state=postures(puma)(puma))
+    said = written(rows, view)
+    listed = view.state.postures.listed
+    assert listed is not None
+    assert all(row.branch.name[language] in said for row in listed.rows)
+    assert said.count("<li") == 8
+    assert said.index("class='here'") < said.index(listed.rows[1].branch.name[language])
+    assert said.count({"en": "the arm is here", "pt_BR": "o braço está nesta"}[language]) == 1
+    assert {"en": "−70.0°", "pt_BR": "−70,0°"}[language] in said
+    moved = replace(view, state=after(gate.set_joint(0, 0.5)(view.state), 1.0))
+    assert "class='here'" not in written(rows, moved)
+
+
+def test_a_posture_is_chosen_from_the_list(puma: State) -> None:
+    rows = posture_rows(puma.robot)
+    (choice,) = [row for row in inside(rows) if isinstance(row, Choice)]
+    view = View(postures(puma)(puma), Seat("", "en"))
+    assert callable(choice.options)
+    assert len(choice.options(View(puma, view.seat))) == 1
+    assert len(choice.options(view)) == 9
+    wish = choice.wish("1")
+    assert isinstance(wish, ForArm)
+    gone = after(wish.update(view.state), 12.0)
+    assert "shoulder right, elbow up</b> the arm is here" in written(rows, replace(view, state=gone))
+
+
+@pytest.mark.parametrize("kind", STAGES)
+@pytest.mark.parametrize("name", ["movemaster", "dia10"])
+def test_the_arm_joint_by_joint_as_the_command_line_prints_it(name: str, kind: Kind) -> None:
+    state = initial(load(name))
+    rows = folder(algebra.rows(state.robot), "Joint by joint")
+    assert not rows.open
+    (choice,) = [row for row in inside(rows) if isinstance(row, Choice)]
+    seat = Seat("", "pt_BR")
+    assert "<td" not in written(rows, View(state, seat))
+    wish = choice.wish(kind)
+    assert isinstance(wish, ForSeat)
+    said = written(rows, View(state, wish.update(seat)))
+    table = stage_table.table(state.robot, state.arm.q, kind, as_source=True)
+    assert all(text.pt_BR in said for text in (table.head, table.end, *(named for named, _ in table.joints)))
+    cells = [cell.pt_BR.replace("-", "−") for _, matrix in table.joints for row in matrix for cell in row]
+    assert [part.split("<")[0] for part in said.split("<td>")[1:]] == cells
+    hidden = choice.wish("")
+    assert isinstance(hidden, ForSeat)
+    assert hidden.update(wish.update(seat)).stages is None
+    forged = choice.wish("nothing of this kind")
+    assert isinstance(forged, ForSeat)
+    assert forged.update(seat).stages is None
+
+
+def test_a_table_of_an_arm_that_has_not_moved_is_not_written_again(
+    puma: State, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows = folder(algebra.rows(puma.robot), "Joint by joint")
+    view = View(puma, replace(Seat("", "en"), stages="screws"))
+    once = written(rows, view)
+    monkeypatch.setattr("helicoide.view.stages.table", None)
+    assert written(rows, replace(view, state=replace(puma, t=1.0))) == once
+
+
+@pytest.mark.parametrize("name", ["filtered", "filtered_modified", "filtered_normal"])
+def test_the_modes_come_to_the_inverse_of_each_singular_value(puma: State, name: str) -> None:
+    """σᵢ dᵢ is 1 in the end, also with unequal gains; a small σ takes longer."""
+    assert "<table" not in mode_table(View(puma, Seat("", "en")))
+    state = gate.choose_method(name)(puma)
+    if name != "filtered_normal":
+        state = gate.set_option(name, "ratio", 4.0)(state)
+    state = gate.set_target(state.T_world_tool[:3, 3] + [0.02, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0])(state)
+    view = View(after(state, 10.0), Seat("", "pt_BR"))
+    found, said = readout.modes(view.state), mode_table(view)
+    assert found is not None
+    learnt = found.rates.diagonal() > 2
+    assert learnt.sum() >= 3
+    np.testing.assert_allclose((found.sigma * found.d)[learnt], 1, atol=1e-3)
+    assert (np.diff(found.rates.diagonal()) < 0).all()
+    assert said.count("<tr>") == 1 + 6
+    assert "Resíduos" in said
+    numbers = said[said.index("<table") : said.index("</table>")]
+    assert "." not in numbers.rpartition("</th>")[2]
+
+
+def test_other_methods_have_no_modes(puma: State) -> None:
+    rows = folder(method.rows(puma.robot), "Modes of Θ")
+    for name in set(methods.names()) - {"filtered", "filtered_modified", "filtered_normal"}:
+        asked = gate.set_target(puma.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(gate.choose_method(name)(puma))
+        state = after(asked, 0.1)
+        said = [written(rows, View(state, Seat("", language))) for language in LANGUAGES]
+        assert all("<table" not in words and "<p" in words for words in said)

@@ -5,9 +5,12 @@ It ends with 2 for wrong input, and with 141 when the reader of what it prints h
 
 from __future__ import annotations
 
+import ast
 import importlib
 import pkgutil
 import sys
+from collections.abc import Callable
+from pathlib import Path
 
 import tyro
 
@@ -29,11 +32,27 @@ def main() -> None:
 
 
 def _run(arguments: list[str]) -> None:
-    """Import the command that is asked for, and no other: fk needs no browser, serve no tests."""
+    """Import the command that is asked for, and no other: fk needs no browser, and --help none of them."""
     names = [module.name for module in pkgutil.iter_modules(commands.__path__)]
-    chosen = [name for name in names if name == arguments[0]] or names
-    functions = {name: importlib.import_module(f"{commands.__name__}.{name}").run for name in chosen}
+    functions = {name: _run_of(name) if name == arguments[0] else _told(name) for name in names}
     tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", description=ABOUT, args=arguments)
+
+
+def _run_of(name: str) -> Callable[..., None]:
+    run: Callable[..., None] = importlib.import_module(f"{commands.__name__}.{name}").run
+    return run
+
+
+def _told(name: str) -> Callable[[], None]:
+    """What --help says of a command: the docstring of its `run`, read and not imported."""
+    text = (Path(commands.__path__[0]) / f"{name}.py").read_text("utf-8")
+    (run,) = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name == "run")
+
+    def told() -> None:
+        raise AssertionError(f"{name} was not imported")
+
+    told.__doc__ = ast.get_docstring(run)
+    return told
 
 
 if __name__ == "__main__":

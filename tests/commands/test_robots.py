@@ -123,13 +123,11 @@ def test_a_range_that_is_ours_is_marked_and_said_once(
     assert table["ours"] == ["limits"]
 
 
-@pytest.mark.parametrize("command", [["robots"], ["fk", "--q", "0", "0"]])
 @pytest.mark.parametrize(("spoken", "said"), [("C.UTF-8", "cannot be read"), ("pt_BR.UTF-8", "não dá para ler")])
 def test_a_mesh_that_cannot_be_drawn_is_said_once(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capfd: pytest.CaptureFixture[str],
-    command: list[str],
     spoken: str,
     said: str,
 ) -> None:
@@ -137,7 +135,7 @@ def test_a_mesh_that_cannot_be_drawn_is_said_once(
     path = write(tmp_path, '<link name="upper"/>', f'<link name="upper">{visual}</link>')
     (tmp_path / "upper.glb").write_bytes(b"nothing")
     monkeypatch.setenv("LC_ALL", spoken)
-    monkeypatch.setattr(sys, "argv", ["helicoide", command[0], str(path), *command[1:]])
+    monkeypatch.setattr(sys, "argv", ["helicoide", "robots", str(path)])
     __main__.main()
     [line] = capfd.readouterr().err.splitlines()
     assert "upper.glb" in line

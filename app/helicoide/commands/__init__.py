@@ -92,15 +92,15 @@ def ends(robot: Robot) -> Text:
     return ENDS.format(base=robot.base_link, tip=robot.tool_link)
 
 
-def remark(robot: Robot, lang: Language | None = None) -> None:
-    """Say on the error output how a robot's file was read where it leaves something open, and what is not drawn."""
-    for text in robot.all_remarks:
+def remark(robot: Robot, drawn: bool = False, lang: Language | None = None) -> None:
+    """Say on the error output how a robot's file was read where it leaves something open; drawn: and what is not."""
+    for text in robot.all_remarks if drawn else robot.remarks:
         print(f"{robot.name}: {text[lang or language()]}", file=sys.stderr)
 
 
-def described_ends(robot: Robot) -> dict[str, object]:
+def described_ends(robot: Robot, drawn: bool = False) -> dict[str, object]:
     """The same for --json: the links where the arm begins and ends, and what is to be said of its file."""
-    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in robot.all_remarks]
+    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in (robot.all_remarks if drawn else robot.remarks)]
     return {"base": robot.base_link, "tip": robot.tool_link, "remarks": remarks}
 
 

@@ -40,7 +40,7 @@ def described(robot: Robot) -> dict[str, Any]:
         "name": robot.name,
         "title": robot.title.en,
         "source": robot.source,
-        **described_ends(robot),
+        **described_ends(robot, drawn=True),
         "ours": list(robot.ours),
         "reach": robot.stretched,
         "disagreement": max(disagreement(robot, q) for q in postures),
@@ -84,7 +84,7 @@ def run(
         return
     spoken = language()
     for robot in robots:
-        remark(robot)
+        remark(robot, drawn=True)
         print("\n".join(_lines(robot, spoken)))
     if not names:
         print(PACKAGED.format(names=", ".join(sorted(packaged())) or NONE)[spoken])

@@ -55,7 +55,7 @@ def run(
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
-    remark(arm, lang)
+    remark(arm, drawn=True, lang=lang)
     while not stopped.wait(LOOK):  # without an end to it, Windows would not tell of Ctrl+C
         pass
     _end(lab)

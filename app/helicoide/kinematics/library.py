@@ -11,7 +11,6 @@ from pathlib import Path
 from helicoide import content
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_chain import from_urdf
 from helicoide.text import HelicoideError, Text
 
 PACKAGES = ("example-robot-data", "rtb-data")
@@ -45,6 +44,13 @@ def _from_package(name: str, tip: str | None, base: str | None) -> Robot:
 
 @lru_cache(maxsize=32)
 def _of_package(file: Path, tip: str | None, base: str | None) -> Robot:
+    return _from_urdf(file, tip, base)
+
+
+def _from_urdf(file: Path, tip: str | None, base: str | None) -> Robot:
+    """Imported when a URDF is asked for: its reader takes as long to import as all the rest that `fk` needs."""
+    from helicoide.kinematics.urdf_chain import from_urdf
+
     return from_urdf(file, tip, base)
 
 
@@ -105,7 +111,7 @@ def load(robot: str, tip: str | None = None, settings: Sequence[str] = (), base:
     is_file = robot.lower().endswith((".urdf", ".xml", ".xacro"))
     if is_file or (robot not in folders and robot in packaged()):
         _refuse(settings, robot, "--set")
-        return from_urdf(Path(robot), tip, base) if is_file else _from_package(robot, tip, base)
+        return _from_urdf(Path(robot), tip, base) if is_file else _from_package(robot, tip, base)
     if robot in folders:
         _refuse(tip, robot, "--tip")
         _refuse(base, robot, "--base")

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from helicoide.kinematics.actuators import Actuators
 from helicoide.kinematics.chain import Array, Chain, Joint, Variable, chain_of, frozen, spread
 from helicoide.kinematics.dh import DhTable
-from helicoide.kinematics.urdf_file import not_drawn, read, root_of
+from helicoide.kinematics.urdf_xml import root_link
 from helicoide.text import HelicoideError, Text
 
 # Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
@@ -140,6 +140,8 @@ class Robot:
     @cached_property
     def all_remarks(self) -> tuple[Text, ...]:
         """The remarks, and what of the robot is not drawn, and why, for which its meshes are read."""
+        from helicoide.kinematics.urdf_file import not_drawn  # who does not ask does not wait for the reader of meshes
+
         left_out = not_drawn(self.urdf, self.parameters)
         return self.remarks if left_out is None else (*self.remarks, left_out)
 
@@ -239,7 +241,7 @@ class Robot:
     @cached_property
     def base_link(self) -> str:
         """The URDF link that stands still, from where the chain begins."""
-        return self.base or root_of(read(self.urdf, self.parameters).robot)
+        return self.base or root_link(self.urdf, self.parameters)
 
     def check_joints(self, q: ArrayLike) -> Array:
         """The joint values as a read-only array (n,); raises HelicoideError unless there are n finite numbers."""

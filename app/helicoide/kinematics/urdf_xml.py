@@ -69,6 +69,13 @@ def tree(path: Path, parameters: Mapping[str, float] = PLAIN) -> Element:
     return builder.close()
 
 
+def root_link(path: Path, parameters: Mapping[str, float] = PLAIN) -> str:
+    """The link of a URDF that is no joint's child. Raises HelicoideError as `tree`."""
+    root = tree(path, parameters)
+    children = {child.get("link") for child in root.findall("joint/child")}
+    return next(name for link in root.findall("link") if (name := link.get("name", "")) not in children)
+
+
 def _text(path: Path) -> str:
     """What a file says, in the encoding of its byte order mark, else of its declaration, else in UTF-8 or Latin-1."""
     try:

@@ -72,7 +72,7 @@ svg { width: 100%; height: auto; font-size: 12px; fill: #1c2430; } svg.swatch { 
 .frame { fill: none; stroke: #8a94a0; } .grid { stroke: #e3e7ec; fill: none; }
 .line { fill: none; stroke-width: 1.6; stroke-linejoin: round; }
 @media (max-width: 40rem) { table { display: block; } thead, tbody { display: block; }
-  tr { display: grid; grid-template-columns: 2fr 3fr 3fr; border-bottom: 1px solid #e3e7ec; padding: 0.3rem 0; }
+  tr { display: grid; grid-template-columns: 3fr 2fr; border-bottom: 1px solid #e3e7ec; padding: 0.3rem 0; }
   th, td { border: 0; padding: 0 0.4rem 0 0; } th:first-child, th:last-child { display: none; }
   td:first-child, td:last-child { grid-column: 1 / -1; } td:first-child { font-weight: 600; }
   td:nth-child(3) { white-space: normal; }

@@ -106,12 +106,28 @@ class Tree:
         return there
 
     def beyond(self, tip: str, values: Mapping[str, float]) -> float:
-        """How far the joints on the way to a link are beyond their limits at most, rad or m; 0 within them."""
+        """How far the joints on the way to a link are beyond their limits at most, rad or m; 0 within them.
+
+        Limits of a follower that it could keep at no value of its leader count for nothing.
+        """
         excess, there = [0.0], self.settled(values)
         for joint in (joint for joint in self.way(tip) if joint.moves and joint.kind != "continuous"):
-            x = there[joint.name]
-            excess += [joint.lower - x, x - joint.upper]
+            least, most = self._led(joint)
+            if max(least, joint.lower) < min(most, joint.upper):
+                x = there[joint.name]
+                excess += [joint.lower - x, x - joint.upper]
         return max(excess)
+
+    def _led(self, joint: Joint) -> tuple[float, float]:
+        """Where a joint can stand by the limits of the one that it follows in the end; by its own if it is free."""
+        known, ratio, shift = {one.name: one for one in self.above.values()}, 1.0, 0.0
+        for _ in known:
+            if joint.follows is None or joint.follows[0] not in known:
+                break
+            name, times, plus = joint.follows
+            joint, shift, ratio = known[name], shift + ratio * plus, ratio * times
+        least, most = sorted(ratio * end + shift for end in (joint.lower, joint.upper))
+        return least, most
 
 
 def apart(T_a: Array, T_b: Array) -> float:

@@ -99,39 +99,17 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     unchanged = stated(
         "amplitude of q̇ not significantly changed", "amplitude de q̇ sem mudança significativa", PLACE, 1.0, "=", SIMILAR
     )
+    ratios = (
+        (TO_DAMPED, AFTER, back(small) / back(damped), similar, (SIMILAR_THEN, EXACT_STEP, EXPONENT)),
+        (TO_DAMPED, PUSH, push(small) / push(damped), smoother, (EXACT_STEP, EXPONENT)),
+        (TO_SMALLER, AFTER, back(large) / back(small), detour, (SMALL_THEN, EXACT_STEP)),
+        (TO_SMALLER, FASTEST_LATER, fastest(large) / fastest(small), unchanged, (EXACT_STEP,)),
+    )
     rows = [
         row(dip, None, float(dips(large)[0].size + dips(small)[0].size), "", swings, fitted=(EXACT_STEP,)),
-        row(
-            in_steps(TO_DAMPED.format(what=AFTER), dt),
-            None,
-            back(small) / back(damped),
-            "",
-            similar,
-            fitted=(SIMILAR_THEN, EXACT_STEP, EXPONENT),
-        ),
-        row(
-            in_steps(TO_DAMPED.format(what=PUSH), dt),
-            None,
-            push(small) / push(damped),
-            "",
-            smoother,
-            fitted=(EXACT_STEP, EXPONENT),
-        ),
-        row(
-            in_steps(TO_SMALLER.format(what=AFTER), dt),
-            None,
-            back(large) / back(small),
-            "",
-            detour,
-            fitted=(SMALL_THEN, EXACT_STEP),
-        ),
-        row(
-            in_steps(TO_SMALLER.format(what=FASTEST_LATER), dt),
-            None,
-            fastest(large) / fastest(small),
-            "",
-            unchanged,
-            fitted=(EXACT_STEP,),
+        *(
+            row(in_steps(of.format(what=what), dt), None, value, "", said, fitted=chosen)
+            for of, what, value, said, chosen in ratios
         ),
     ]
     if dt <= 1e-3:  # how near to 0 it comes, a longer step does not tell

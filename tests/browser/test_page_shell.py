@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
-from time import sleep
+from threading import Event
 
 import latex2mathml.converter
 import numpy as np
 import pytest
 import viser
 from playwright.sync_api import Browser, Error, Locator, Page, expect
-from tests.browser.conftest import SIZES, OpenPage, window
+from tests.browser.conftest import PATIENCE_MS, SIZES, OpenPage, window
 from tests.browser.lab import until
 from viser import uplot
 
@@ -249,13 +249,16 @@ def test_a_lost_server_is_told_and_a_stop_outlives_it(control: Control, open_pag
 
 
 def test_a_stuck_server_is_told(control: Control, open_page: OpenPage) -> None:
-    served = open_lab(control)
+    """It is stuck until the page has said so: a slow page would not see a pause that ends by itself."""
+    served, seen = open_lab(control), Event()
     try:
         page = open_page(served.get_port())
-        served.get_event_loop().call_soon_threadsafe(sleep, 5.0)
+        served.get_event_loop().call_soon_threadsafe(seen.wait, PATIENCE_MS / 1000)
         page.wait_for_selector("#helicoide-stop[data-link=lost]")
+        seen.set()
         page.wait_for_selector("#helicoide-stop[data-link=up]")
     finally:
+        seen.set()
         served.stop()
 
 

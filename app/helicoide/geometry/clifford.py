@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy import empty
 from numpy.typing import NDArray
 
+from helicoide.geometry.products import Product, straight
 from helicoide.geometry.signature import Array, Signature, Table
 from helicoide.kernels import kernel
 from helicoide.text import HelicoideError, Text
@@ -36,14 +37,6 @@ def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
         out[k] = total
 
 
-@kernel
-def conjugated(tables: Places, a: Array, b: Array, out: Array) -> None:
-    """Product a b a* by the tables of x y and of x y*."""
-    half = np.empty(out.size)
-    multiply(tables[0], a, b, half)
-    multiply(tables[1], half, a, out)
-
-
 @dataclass(frozen=True)
 class Algebra(Signature):
     """The operations of Cl(p, q, r) on arrays.
@@ -55,10 +48,14 @@ class Algebra(Signature):
     def product(self, a: Array, b: Array) -> Array:
         """Geometric product a b of shapes (..., 2ⁿ) (Cerbaro 2022, eqs. 73–74)."""
         if a.ndim == b.ndim == 1:
-            out = empty(self.count)
-            multiply(self._table, a, b, out)
-            return out
+            return self.product_of_two(a, b)
         return self._combine(self._geometric, a, b)
+
+    def product_of_two(self, a: Array, b: Array) -> Array:
+        """The same of shapes (2ⁿ,)."""
+        out = empty(self.count)
+        self._product(a, b, out)
+        return out
 
     def outer(self, a: Array, b: Array) -> Array:
         """Outer product a ∧ b of shapes (..., 2ⁿ): the part of a b in which the grades add up."""
@@ -80,10 +77,6 @@ class Algebra(Signature):
 
         Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes.
         """
-        if a.ndim == b.ndim == 1:
-            out = empty(self.count)
-            conjugated(self._sandwich_tables, a, b, out)
-            return out
         return self.product(self.product(a, b), self.conjugate(a))
 
     def grade(self, a: Array, k: int) -> Array:
@@ -176,15 +169,9 @@ class Algebra(Signature):
         return self.table(lambda a, b: True)
 
     @cached_property
-    def _table(self) -> Places:
-        return self._geometric.whole
-
-    @cached_property
-    def _sandwich_tables(self) -> Places:
-        """For products x y, and for x y* with the signs of the conjugate drawn into the factors."""
-        conjugating = self._table.copy()
-        conjugating[0] *= self._conjugate_signs.astype(int)
-        return np.stack([self._table, conjugating])
+    def _product(self) -> Product:
+        """The kernel of the product of two."""
+        return straight(self) or partial(multiply, self._geometric.whole)
 
     @cached_property
     def _outer(self) -> Table:

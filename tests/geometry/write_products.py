@@ -1,4 +1,4 @@
-"""Write the straight-line product of each algebra in use: `python -m tests.geometry.write_products`."""
+"""Write the straight-line products of each algebra in use: `python -m tests.geometry.write_products`."""
 
 from __future__ import annotations
 
@@ -8,18 +8,22 @@ from textwrap import wrap
 import numpy as np
 
 from helicoide.geometry import products
-from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS, Algebra
+from helicoide.geometry.clifford import CL031, PGA, Algebra
 
-IN_USE = CL031, PGA, QUATERNIONS
+IN_USE = CL031, PGA  # of four blades, as quaternions, the table is almost as quick
 FOLDER = Path(products.__file__).parent
 WIDTH = 120
 TIMES = "\N{NO-BREAK SPACE}*\N{NO-BREAK SPACE}"  # a line is not broken within a product
-SOURCE = '''"""The geometric product of {algebra}, written out; made by `python -m tests.geometry.write_products`."""
+SOURCE = '''"""The products of {algebra}, written out by `python -m tests.geometry.write_products`."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from helicoide.geometry.signature import Array
 from helicoide.kernels import kernel
+
+CONJUGATE = {signs}
 
 
 # fmt: off
@@ -29,6 +33,16 @@ def product(a: Array, b: Array, out: Array) -> None:
     if a.size != {count} or b.size != {count} or out.size != {count}:
         raise ValueError("each multivector needs as many coefficients as the algebra has blades")
 {lines}
+
+
+@kernel
+def sandwich(a: Array, b: Array, out: Array) -> None:
+    """Write a b a* into out, each ({count},), with the Clifford conjugate a*."""
+    half, turned = np.empty({count}), np.empty({count})
+    product(a, b, half)
+    for k in range({count}):
+        turned[k] = CONJUGATE[k] * a[k]
+    product(half, turned, out)
 '''
 
 
@@ -43,7 +57,9 @@ def source_of(algebra: Algebra) -> str:
     for k in range(algebra.count):
         of_k = places[:, 0] == k
         lines.append(f"out[{k}] = {total(places[of_k, 1:], factors[of_k])}")
-    return SOURCE.format(algebra=algebra, count=algebra.count, lines="\n".join(map(broken, lines)).replace(TIMES, " * "))
+    sums = "\n".join(map(broken, lines)).replace(TIMES, " * ")
+    signs = tuple(algebra.conjugate(np.ones(algebra.count)).tolist())
+    return SOURCE.format(algebra=algebra, count=algebra.count, signs=signs, lines=sums)
 
 
 def assigned(left: str, right: str, count: int) -> str:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy import empty
 from numpy.typing import NDArray
 
-from helicoide.geometry.products import Product, straight
+from helicoide.geometry.products import Into, OfTwo, written_out
 from helicoide.geometry.signature import Array, Signature, Table
-from helicoide.kernels import kernel
+from helicoide.kernels import entry, kernel
 from helicoide.text import HelicoideError, Text
 
 __all__ = ["CL031", "PGA", "QUATERNIONS", "Algebra", "Array"]
@@ -48,14 +48,10 @@ class Algebra(Signature):
     def product(self, a: Array, b: Array) -> Array:
         """Geometric product a b of shapes (..., 2ⁿ) (Cerbaro 2022, eqs. 73–74)."""
         if a.ndim == b.ndim == 1:
-            return self.product_of_two(a, b)
+            out = empty(self.count)
+            self.of_two.product(a, b, out)
+            return out
         return self._combine(self._geometric, a, b)
-
-    def product_of_two(self, a: Array, b: Array) -> Array:
-        """The same of shapes (2ⁿ,)."""
-        out = empty(self.count)
-        self._product(a, b, out)
-        return out
 
     def outer(self, a: Array, b: Array) -> Array:
         """Outer product a ∧ b of shapes (..., 2ⁿ): the part of a b in which the grades add up."""
@@ -77,6 +73,10 @@ class Algebra(Signature):
 
         Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes.
         """
+        if a.ndim == b.ndim == 1:
+            out = empty(self.count)
+            self.of_two.sandwich(a, b, out)
+            return out
         return self.product(self.product(a, b), self.conjugate(a))
 
     def grade(self, a: Array, k: int) -> Array:
@@ -144,6 +144,32 @@ class Algebra(Signature):
             )
         return inverse
 
+    @cached_property
+    def of_two(self) -> OfTwo:
+        """What multiplies two into a third: written out where `products` has the algebra, else by its table."""
+        return written_out(self) or self._by_table
+
+    @cached_property
+    def own_product(self) -> Into:
+        """That of two for contiguous arrays (2ⁿ,) of float64, which is not checked: multivectors hold no others."""
+        return entry(self.of_two.product, *[np.zeros(self.count)] * 3)
+
+    @cached_property
+    def own_sandwich(self) -> Into:
+        """Likewise."""
+        return entry(self.of_two.sandwich, *[np.zeros(self.count)] * 3)
+
+    @cached_property
+    def _by_table(self) -> OfTwo:
+        times = partial(multiply, self._geometric.whole)
+
+        def sandwich(a: Array, b: Array, out: Array) -> None:
+            half = empty(self.count)
+            times(a, b, half)
+            times(half, self.conjugate(a), out)
+
+        return OfTwo(times, sandwich)
+
     def _combine(self, table: Table, a: Array, b: Array) -> Array:
         """Two by the kernel; of many, turn the smaller operand into its matrix, so that a motor builds only one."""
         left, right, partner, whole = table
@@ -167,11 +193,6 @@ class Algebra(Signature):
     @cached_property
     def _geometric(self) -> Table:
         return self.table(lambda a, b: True)
-
-    @cached_property
-    def _product(self) -> Product:
-        """The kernel of the product of two."""
-        return straight(self) or partial(multiply, self._geometric.whole)
 
     @cached_property
     def _outer(self) -> Table:

@@ -1,18 +1,25 @@
-"""Straight-line products of the algebras in use: a file for each, which `python -m tests.geometry.write_products` writes.
-
-An algebra without a file is multiplied by its table, which takes some two to four times as long.
-"""
+"""Products of the algebras in use, written out: a file for each, made by `python -m tests.geometry.write_products`."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
 from importlib.util import find_spec
-from typing import cast
+from typing import NamedTuple
 
 from helicoide.geometry.signature import Array, Signature
 
-Product = Callable[[Array, Array, Array], None]
+Into = Callable[[Array, Array, Array], None]
+
+
+class OfTwo(NamedTuple):
+    """What multiplies two multivectors a and b, each (2ⁿ,), into a third."""
+
+    product: Into
+    """The geometric product a b."""
+
+    sandwich: Into
+    """The sandwich a b a* with the Clifford conjugate."""
 
 
 def module_of(algebra: Signature) -> str:
@@ -20,7 +27,10 @@ def module_of(algebra: Signature) -> str:
     return f"cl_{algebra.p}_{algebra.q}_{algebra.r}"
 
 
-def straight(algebra: Signature) -> Product | None:
-    """The kernel that writes a b into a third array, each of shape (2ⁿ,); None where no file holds one."""
+def written_out(algebra: Signature) -> OfTwo | None:
+    """The kernels of an algebra; None where no file holds them."""
     name = f"{__name__}.{module_of(algebra)}"
-    return cast(Product, import_module(name).product) if find_spec(name) else None
+    if find_spec(name) is None:
+        return None
+    module = import_module(name)
+    return OfTwo(module.product, module.sandwich)

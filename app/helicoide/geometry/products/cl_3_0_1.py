@@ -1,9 +1,13 @@
-"""The geometric product of Cl(3,0,1), written out; made by `python -m tests.geometry.write_products`."""
+"""The products of Cl(3,0,1), written out by `python -m tests.geometry.write_products`."""
 
 from __future__ import annotations
 
+import numpy as np
+
 from helicoide.geometry.signature import Array
 from helicoide.kernels import kernel
+
+CONJUGATE = (1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
 
 
 # fmt: off
@@ -58,3 +62,13 @@ def product(a: Array, b: Array, out: Array) -> None:
         a15 * b0 - a14 * b1 + a13 * b2 - a12 * b3 + a11 * b4 + a10 * b5 - a9 * b6 + a8 * b7 + a7 * b8 - a6 * b9 +
         a5 * b10 - a4 * b11 + a3 * b12 - a2 * b13 + a1 * b14 + a0 * b15
     )
+
+
+@kernel
+def sandwich(a: Array, b: Array, out: Array) -> None:
+    """Write a b a* into out, each (16,), with the Clifford conjugate a*."""
+    half, turned = np.empty(16), np.empty(16)
+    product(a, b, half)
+    for k in range(16):
+        turned[k] = CONJUGATE[k] * a[k]
+    product(half, turned, out)

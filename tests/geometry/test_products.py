@@ -1,4 +1,4 @@
-"""Products of blades by their definition, in every algebra; those that are written out are what is generated for them."""
+"""Products of blades by their definition, in every algebra; what is written out is what is generated."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from tests.geometry.write_products import FOLDER, IN_USE, file_of, source_of
 
 from helicoide.geometry.clifford import Algebra, Array
 from helicoide.geometry.products import OfTwo, written_out
-from helicoide.geometry.signature import MAX_GENERATORS
 from helicoide.kernels import plain
 
-SIGNATURES = [pqr for pqr in product(range(MAX_GENERATORS + 1), repeat=3) if sum(pqr) <= MAX_GENERATORS]
-SMALL = [pqr for pqr in SIGNATURES if sum(pqr) <= 4]
+SMALL = [(p, q, r) for p, q, r in product(range(5), repeat=3) if p + q + r <= 4]
 LARGE = [(4, 1, 0), (2, 2, 1), (0, 3, 2), (6, 0, 0), (3, 2, 1), (1, 1, 4)]
 
 

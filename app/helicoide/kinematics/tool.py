@@ -1,13 +1,14 @@
-"""The tool's pose and Jacobian in one call: kernels for scripts, which the page leaves alone.
+"""The tool's pose and Jacobian in one call: for scripts; the page leaves them alone.
 
-They take the arm as the one array of `packed`. Those named `_into` write into an array of the caller's and are for
-loops: an array costs as much as half the mathematics where it goes in, and more than all of it where it comes out.
+They take the arm as the one array of `packed`. The kernels, named `_into`, write into an array of the caller's: numba
+takes longer to hand out an array than they take for the mathematics, which is why the others make it before they call.
 Shapes are not checked. A frame is held as three rows (R, p) of four numbers, which stay in registers.
 """
 
 from __future__ import annotations
 
 import numpy as np
+from numpy import empty
 
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
@@ -150,25 +151,23 @@ def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
             J[a, j] += v[a]
 
 
-@kernel
 def tool_pose(arm: Array, q: Array) -> Array:
     """Tool pose in a posture: T = (Πᵢ Tr(s₀ᵢ − s₀ᵢ₋₁ + xᵢ sᵢ) Rot(sᵢ, θᵢ)) T_link_tool.
 
     Args: arm of `packed`; q (n,), rad or m. Returns T_world_tool (4, 4), m.
     Source: Cerbaro 2022, App. D, with the link frames of `forward.link_poses`.
     """
-    T = np.empty((4, 4))
+    T = empty((4, 4))
     tool_pose_into(arm, q, T)
     return T
 
 
-@kernel
 def tool_jacobian(arm: Array, q: Array) -> Array:
     """Geometric Jacobian of the tool in a posture: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
 
     Args: arm of `packed`; q (n,), rad or m. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
     Source: Cerbaro 2022, eq. 67; Vargas 2013, eqs. 2.16–2.21.
     """
-    J = np.empty((6, q.size))
+    J = empty((6, q.size))
     tool_jacobian_into(arm, q, J)
     return J

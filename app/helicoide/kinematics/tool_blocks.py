@@ -147,7 +147,6 @@ def tool_jacobians_into(arm: Array, qs: Array, Js: Array) -> None:
                     Js[first + k, a, j] = columns[j, a * BLOCK + k]
 
 
-@kernel
 def tool_poses(arm: Array, qs: Array) -> Array:
     """Tool poses of many postures: `tool_pose` of each row of qs (k, n); returns Ts_world_tool (k, 4, 4), m."""
     Ts = np.empty((qs.shape[0], 4, 4))
@@ -155,7 +154,6 @@ def tool_poses(arm: Array, qs: Array) -> Array:
     return Ts
 
 
-@kernel
 def tool_jacobians(arm: Array, qs: Array) -> Array:
     """Jacobians of many postures: `tool_jacobian` of each row of qs (k, n); returns Js_world (k, 6, n)."""
     Js = np.empty((qs.shape[0], 6, qs.shape[1]))

@@ -21,13 +21,13 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.geometry.signature import Array
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 
 CONJUGATE = {signs}
 
 
 # fmt: off
-@kernel
+@kernel_into
 def product(a: Array, b: Array, out: Array) -> None:
     """Write a b into out, each ({count},), the blades in the order of `{algebra}`: (a b)ₖ = Σ ± aᵢ bⱼ."""
     if a.size != {count} or b.size != {count} or out.size != {count}:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from helicoide.geometry.products import Into, OfTwo, written_out
 from helicoide.geometry.signature import Array, Signature, Table
-from helicoide.kernels import entry, kernel
+from helicoide.kernels import entry, kernel_into
 from helicoide.text import HelicoideError, Text
 
 __all__ = ["CL031", "PGA", "QUATERNIONS", "Algebra", "Array"]
@@ -23,7 +23,7 @@ WORST_CONDITION = 1e12
 INVERSE_TOLERANCE = 1e-6
 
 
-@kernel
+@kernel_into
 def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
     """Product of two multivectors by a `Table.whole`, factors and partners: outₖ = Σⱼ factors[k, j] a[partner] b[j]."""
     count = out.size
@@ -49,7 +49,7 @@ class Algebra(Signature):
         """Geometric product a b of shapes (..., 2ⁿ) (Cerbaro 2022, eqs. 73–74)."""
         if a.ndim == b.ndim == 1:
             out = empty(self.count)
-            self.of_two.product(a, b, out)
+            self.product_into(a, b, out)
             return out
         return self._combine(self._geometric, a, b)
 
@@ -75,7 +75,7 @@ class Algebra(Signature):
         """
         if a.ndim == b.ndim == 1:
             out = empty(self.count)
-            self.of_two.sandwich(a, b, out)
+            self.sandwich_into(a, b, out)
             return out
         return self.product(self.product(a, b), self.conjugate(a))
 
@@ -145,19 +145,23 @@ class Algebra(Signature):
         return inverse
 
     @cached_property
-    def of_two(self) -> OfTwo:
-        """What multiplies two into a third: written out where `products` has the algebra, else by its table."""
+    def product_into(self) -> Into:
+        """Writes the product of two, each (2ⁿ,), into a third: written out where `products` has it, else by the table."""
+        return self._of_two.product
+
+    @cached_property
+    def product_of_own(self) -> Into:
+        """The same for contiguous arrays of float64 alone, which it does not check: multivectors hold no others."""
+        return entry(self.product_into, *np.zeros((3, self.count)))
+
+    @cached_property
+    def sandwich_into(self) -> Into:
+        """Writes the sandwich of two, each (2ⁿ,), into a third."""
+        return self._of_two.sandwich
+
+    @cached_property
+    def _of_two(self) -> OfTwo:
         return written_out(self) or self._by_table
-
-    @cached_property
-    def own_product(self) -> Into:
-        """That of two for contiguous arrays (2ⁿ,) of float64, which is not checked: multivectors hold no others."""
-        return entry(self.of_two.product, *[np.zeros(self.count)] * 3)
-
-    @cached_property
-    def own_sandwich(self) -> Into:
-        """Likewise."""
-        return entry(self.of_two.sandwich, *[np.zeros(self.count)] * 3)
 
     @cached_property
     def _by_table(self) -> OfTwo:

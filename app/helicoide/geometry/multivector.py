@@ -81,12 +81,12 @@ class Multivector:
         if not isinstance(other, Multivector):
             return self._make(self._number(other) * self._own)
         if other._algebra is not algebra:
-            return self._into(algebra.own_product, other)
+            return self._into(algebra.product_of_own, other)
         # What `_into` does, without the calls: formulas are made of this.
         made = _new(Multivector)
         made._algebra = algebra
         made._own = out = empty(algebra.count)
-        algebra.own_product(self._own, other._own, out)
+        algebra.product_of_own(self._own, other._own, out)
         return made
 
     def __rmul__(self, other: float) -> Multivector:
@@ -123,7 +123,7 @@ class Multivector:
 
     def __rshift__(self, other: Multivector | float) -> Multivector:
         """Sandwich M >> X = M X M* with the Clifford conjugate: X_a = M_a_b >> X_b."""
-        return self._into(self._algebra.own_sandwich, other)
+        return self._into(self._algebra.sandwich_into, other)
 
     def __invert__(self) -> Multivector:
         """Reverse ~a."""

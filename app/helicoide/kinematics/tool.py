@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy import empty
 
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
@@ -116,7 +116,7 @@ def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tu
     return (v[0] + slide * s[0], v[1] + slide * s[1], v[2] + slide * s[2]), w
 
 
-@kernel
+@kernel_into
 def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
     """Write the pose of `tool_pose` into T (4, 4)."""
     x, y, z = X, Y, Z
@@ -127,7 +127,7 @@ def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
     write(T, ending(x, tool), ending(y, tool), ending(z, tool))
 
 
-@kernel
+@kernel_into
 def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
     """Write the Jacobian of `tool_jacobian` into J (6, n).
 

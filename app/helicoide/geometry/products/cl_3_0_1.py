@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.geometry.signature import Array
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 
 CONJUGATE = (1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
 
 
 # fmt: off
-@kernel
+@kernel_into
 def product(a: Array, b: Array, out: Array) -> None:
     """Write a b into out, each (16,), the blades in the order of `Cl(3,0,1)`: (a b)ₖ = Σ ± aᵢ bⱼ."""
     if a.size != 16 or b.size != 16 or out.size != 16:

@@ -146,7 +146,7 @@ class Algebra(Signature):
 
     @cached_property
     def product_into(self) -> Into:
-        """Writes the product of two, each (2ⁿ,), into a third: written out where `products` has it, else by the table."""
+        """Writes the product of two, each (2ⁿ,), into a third: by its file in `products`, where it has one."""
         return self._of_two.product
 
     @cached_property

@@ -24,7 +24,7 @@ def tasks_of(urdf: str, tool: str, postures: Rows) -> list[Task]:
         Task("pose, no new array", REFERENCE, "pose(q)", names),
         Task("pose", POSE, "pose(q)", names),
         Task("Jacobian", JACOBIAN, f"[{JACOBIAN} for q in qs[:100]]", names),
-        Task("10,000 poses", f"for q in qs: {REFERENCE}", "[pose(q) for q in qs]", names),
+        Task("10,000 poses", f"for q in qs: {POSE}", "[pose(q) for q in qs]", names),
     ]
 
 

@@ -166,7 +166,7 @@ class Multivector:
         return f"{self} in {self._algebra}"
 
     def _make(self, values: Array) -> Multivector:
-        """One of the same algebra that keeps this array itself: it must be new, or another multivector's."""
+        """One of the same algebra that keeps this array itself: a new contiguous one of float64, or a multivector's."""
         made = _new(Multivector)
         made._own, made._algebra = values, self._algebra
         return made

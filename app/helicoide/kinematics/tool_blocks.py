@@ -29,7 +29,7 @@ from helicoide.kinematics.tool import (
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 # A block holds the twelve numbers of the frame, then x and θ of the joint, each for so many postures.
-BLOCK = 64
+BLOCK = 128
 SLID, TURNED, NUMBERS = 12 * BLOCK, 13 * BLOCK, 14 * BLOCK
 
 

@@ -76,7 +76,7 @@ GIVEN: dict[str, Array] = {
 
 @pytest.mark.parametrize("kind", GIVEN)
 def test_products_are_the_same_whatever_array_was_given(kind: str) -> None:
-    """The kernel under a * b reads numbers that lie side by side, and looks at nothing: all others are copied before."""
+    """The kernel under a * b reads numbers that lie side by side, and looks at nothing: all else is copied before."""
     given, other = GIVEN[kind], random(6)
     m, expected = Multivector(given, CL031), np.asarray([float(value) for value in given])
     np.testing.assert_array_equal((m * other).values, CL031.product(expected, other.values))

@@ -114,7 +114,7 @@ def write(T: Array, x: Row, y: Row, z: Row) -> None:
 
 @kernel
 def twist(p: Triple, s: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
-    """A joint's twist (v, ω) at the base's origin for q̇ = 1: ω = TURN s and v = SLIDE s + p × ω, its axis s through p."""
+    """A joint's twist (v, ω) at the base's origin for q̇ = 1: ω = TURN s and v = SLIDE s + p × ω, p on its axis s."""
     w = (turn * s[0], turn * s[1], turn * s[2])
     v = cross(p, w)
     return (v[0] + slide * s[0], v[1] + slide * s[1], v[2] + slide * s[2]), w

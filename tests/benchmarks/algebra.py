@@ -15,7 +15,7 @@ TITLE = "Products and sandwiches beside clifford and kingdon; ratios are ours/pe
 PEERS = Peer("clifford", "with_clifford.py"), Peer("kingdon", "with_kingdon.py")
 MANY = 10_000
 GOALS = {
-    "product, operators": 0.333,
+    "product, operators": 0.2,
     "product, bare functions": 0.333,
     "sandwich, operators": 0.333,
     "sandwich, bare functions": 0.333,

@@ -63,6 +63,46 @@ def test_results_cannot_be_changed_and_change_no_operand(algebra: Algebra) -> No
     np.testing.assert_array_equal([a.values, b.values], before)
 
 
+GIVEN: dict[str, Array] = {
+    "whole numbers": np.arange(16),
+    "of single precision": np.arange(16, dtype=np.float32),
+    "every second of others": np.arange(32.0)[::2],
+    "backwards": np.arange(16.0)[::-1],
+    "a column": np.asfortranarray(np.arange(48.0).reshape(3, 16))[1],
+    "in the other order of bytes": np.arange(16, dtype=">f8"),
+    "read-only": np.broadcast_to(np.float64(3), 16),
+}
+
+
+@pytest.mark.parametrize("kind", GIVEN)
+def test_products_are_the_same_whatever_array_was_given(kind: str) -> None:
+    """The kernel under a * b reads numbers that lie side by side, and looks at nothing: all else is copied before."""
+    given, other = GIVEN[kind], random(6)
+    m, expected = Multivector(given, CL031), np.asarray([float(value) for value in given])
+    np.testing.assert_array_equal((m * other).values, CL031.product(expected, other.values))
+    np.testing.assert_array_equal((other * m).values, CL031.product(other.values, expected))
+
+
+def test_coefficients_always_lie_side_by_side() -> None:
+    a, b = random(7), random(8)
+    made = [operator(a, b) for operator, _ in BINARY.values()] + [operator(a) for operator, _ in UNARY.values()]
+    made += [operator(a, 3) for operator, _ in BINARY.values()]
+    made += [a + b, a - 1, 1 - a, -a, 2 * a, a * np.float32(2), a.grade(2), a**0, a**3, a**-1]
+    made += [Multivector(given, CL031) for given in GIVEN.values()]
+    for m in made:
+        assert m.values.flags.c_contiguous
+        assert m.values.dtype == np.dtype("=f8")
+        assert m.values.shape == (16,)
+
+
+@pytest.mark.parametrize("number", [2, 2.5, np.float32(0.5), np.int64(-3), True])
+def test_a_number_scales_as_the_multiple_of_one_does(number: float) -> None:
+    a = random(9)
+    expected = CL031.product(a.values, float(number) * CL031.blade("1"))
+    np.testing.assert_array_equal((a * number).values, expected)
+    np.testing.assert_array_equal((number * a).values, expected)
+
+
 def test_operands_of_another_algebra_or_shape_are_refused() -> None:
     other = Algebra(3, 0, 1)
     with pytest.raises(HelicoideError, match=r"Cl\(0,3,1\) meets one of Cl\(3,0,1\)"):

@@ -5,14 +5,17 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from itertools import product
 from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
+import pytest
+from numba.core.errors import NumbaError
 from numpy.typing import NDArray
 
-from helicoide.kernels import Kernel, counted, kernel, plain
+from helicoide.kernels import Kernel, counted, entry, kernel, kernel_into, plain
 
 Array = NDArray[np.float64]
 ROOT = Path(__file__).parents[2]
@@ -71,6 +74,50 @@ def test_what_a_kernel_returns_of_what_it_was_given_stays_as_it_was() -> None:
 
 def itself(a: Array) -> Array:
     return a
+
+
+def into(a: Array, out: Array) -> None:
+    for i in range(a.size):
+        out[i] = 2 * a[i]
+
+
+def makes(a: Array, out: Array) -> None:
+    half = np.empty(a.size)
+    half[:] = a
+    out[:] = 2 * half
+
+
+@kernel
+def doubled(a: Array) -> Array:
+    out = np.empty_like(a)
+    writing(a, out)
+    return out
+
+
+writing = kernel_into(into)
+
+
+def test_a_kernel_that_only_writes_does_so_alone_and_within_another() -> None:
+    a, out = array(1.5, writable=False), np.empty(3)
+    writing(a, out)
+    np.testing.assert_array_equal(out, 3.0)
+    np.testing.assert_array_equal(doubled(a), 3.0)
+    before = sys.getrefcount(a)
+    for _ in range(100):
+        writing(a, out)
+    assert sys.getrefcount(a) == before
+
+
+def test_a_kernel_that_is_to_write_only_may_make_no_array() -> None:
+    with pytest.raises(NumbaError):
+        kernel_into(makes)(np.ones(3), np.empty(3))
+
+
+@pytest.mark.parametrize("made", [kernel, kernel_into, lambda function: function], ids=["kernel", "into", "plain"])
+def test_an_entry_is_what_the_kernel_does(made: Callable[[Any], Any]) -> None:
+    out = np.empty(3)
+    entry(made(into), np.ones(3), out)(array(1.5, writable=False), out)
+    np.testing.assert_array_equal(out, 3.0)
 
 
 def test_the_python_function_is_there() -> None:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy import empty
 from numpy.typing import NDArray
 
+from helicoide.geometry.products import Into, OfTwo, written_out
 from helicoide.geometry.signature import Array, Signature, Table
-from helicoide.kernels import kernel
+from helicoide.kernels import entry, kernel_into
 from helicoide.text import HelicoideError, Text
 
 __all__ = ["CL031", "PGA", "QUATERNIONS", "Algebra", "Array"]
@@ -22,7 +23,7 @@ WORST_CONDITION = 1e12
 INVERSE_TOLERANCE = 1e-6
 
 
-@kernel
+@kernel_into
 def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
     """Product of two multivectors by a `Table.whole`, factors and partners: outₖ = Σⱼ factors[k, j] a[partner] b[j]."""
     count = out.size
@@ -34,14 +35,6 @@ def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
             # An unsigned place saves the question whether it counts from the end.
             total += table[0, k, j] * (a[np.uintp(table[1, k, j])] * b[j])
         out[k] = total
-
-
-@kernel
-def conjugated(tables: Places, a: Array, b: Array, out: Array) -> None:
-    """Product a b a* by the tables of x y and of x y*."""
-    half = np.empty(out.size)
-    multiply(tables[0], a, b, half)
-    multiply(tables[1], half, a, out)
 
 
 @dataclass(frozen=True)
@@ -56,7 +49,7 @@ class Algebra(Signature):
         """Geometric product a b of shapes (..., 2ⁿ) (Cerbaro 2022, eqs. 73–74)."""
         if a.ndim == b.ndim == 1:
             out = empty(self.count)
-            multiply(self._table, a, b, out)
+            self.product_into(a, b, out)
             return out
         return self._combine(self._geometric, a, b)
 
@@ -82,7 +75,7 @@ class Algebra(Signature):
         """
         if a.ndim == b.ndim == 1:
             out = empty(self.count)
-            conjugated(self._sandwich_tables, a, b, out)
+            self.sandwich_into(a, b, out)
             return out
         return self.product(self.product(a, b), self.conjugate(a))
 
@@ -151,6 +144,36 @@ class Algebra(Signature):
             )
         return inverse
 
+    @cached_property
+    def product_into(self) -> Into:
+        """Writes the product of two, each (2ⁿ,), into a third: by its file in `products`, where it has one."""
+        return self._of_two.product
+
+    @cached_property
+    def product_of_own(self) -> Into:
+        """The same for contiguous arrays of float64 alone, which it does not check: multivectors hold no others."""
+        return entry(self.product_into, *np.zeros((3, self.count)))
+
+    @cached_property
+    def sandwich_into(self) -> Into:
+        """Writes the sandwich of two, each (2ⁿ,), into a third."""
+        return self._of_two.sandwich
+
+    @cached_property
+    def _of_two(self) -> OfTwo:
+        return written_out(self) or self._by_table
+
+    @cached_property
+    def _by_table(self) -> OfTwo:
+        times = partial(multiply, self._geometric.whole)
+
+        def sandwich(a: Array, b: Array, out: Array) -> None:
+            half = empty(self.count)
+            times(a, b, half)
+            times(half, self.conjugate(a), out)
+
+        return OfTwo(times, sandwich)
+
     def _combine(self, table: Table, a: Array, b: Array) -> Array:
         """Two by the kernel; of many, turn the smaller operand into its matrix, so that a motor builds only one."""
         left, right, partner, whole = table
@@ -174,17 +197,6 @@ class Algebra(Signature):
     @cached_property
     def _geometric(self) -> Table:
         return self.table(lambda a, b: True)
-
-    @cached_property
-    def _table(self) -> Places:
-        return self._geometric.whole
-
-    @cached_property
-    def _sandwich_tables(self) -> Places:
-        """For products x y, and for x y* with the signs of the conjugate drawn into the factors."""
-        conjugating = self._table.copy()
-        conjugating[0] *= self._conjugate_signs.astype(int)
-        return np.stack([self._table, conjugating])
 
     @cached_property
     def _outer(self) -> Table:

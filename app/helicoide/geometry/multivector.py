@@ -5,9 +5,11 @@ from __future__ import annotations
 from numbers import Real
 
 import numpy as np
+from numpy import empty
 
 from helicoide.geometry import notation
 from helicoide.geometry.clifford import Algebra, Array
+from helicoide.geometry.products import Into
 from helicoide.text import HelicoideError, Text
 
 _new = object.__new__
@@ -75,7 +77,17 @@ class Multivector:
 
     def __mul__(self, other: Multivector | float) -> Multivector:
         """Geometric product; a number scales."""
-        return self._make(self._algebra.product(self._own, self._coefficients(other)))
+        algebra = self._algebra
+        if not isinstance(other, Multivector):
+            return self._make(self._number(other) * self._own)
+        if other._algebra is not algebra:
+            return self._into(algebra.product_of_own, other)
+        # What `_into` does, without the calls: formulas are made of this.
+        made = _new(Multivector)
+        made._algebra = algebra
+        made._own = out = empty(algebra.count)
+        algebra.product_of_own(self._own, other._own, out)
+        return made
 
     def __rmul__(self, other: float) -> Multivector:
         """Scale by a number."""
@@ -111,7 +123,7 @@ class Multivector:
 
     def __rshift__(self, other: Multivector | float) -> Multivector:
         """Sandwich M >> X = M X M* with the Clifford conjugate: X_a = M_a_b >> X_b."""
-        return self._make(self._algebra.sandwich(self._own, self._coefficients(other)))
+        return self._into(self._algebra.sandwich_into, other)
 
     def __invert__(self) -> Multivector:
         """Reverse ~a."""
@@ -154,25 +166,24 @@ class Multivector:
         return f"{self} in {self._algebra}"
 
     def _make(self, values: Array) -> Multivector:
-        """One of the same algebra that keeps this array itself: it must be new, or another multivector's."""
+        """One of the same algebra that keeps this array itself: a new contiguous one of float64, or a multivector's."""
         made = _new(Multivector)
         made._own, made._algebra = values, self._algebra
         return made
 
+    def _into(self, of_two: Into, other: Multivector | float) -> Multivector:
+        """One of the same algebra that is made of this and another."""
+        made = _new(Multivector)
+        made._algebra = self._algebra
+        made._own = out = empty(self._own.size)
+        of_two(self._own, self._coefficients(other), out)
+        return made
+
     def _coefficients(self, other: Multivector | float) -> Array:
         """Coefficients of an operand of the same algebra; a number is a multiple of 1."""
-        if isinstance(other, Multivector) and other._algebra is self._algebra:
-            return other._own
-        if isinstance(other, Real):
-            return float(other) * self._algebra.blade("1")
         if not isinstance(other, Multivector):
-            raise HelicoideError(
-                Text(
-                    en=f"a multivector of {self._algebra} meets {other!r}: use another of its algebra, or a number",
-                    pt_BR=f"um multivetor de {self._algebra} encontra {other!r}: use um da mesma álgebra ou número",
-                )
-            )
-        if other._algebra != self._algebra:
+            return self._number(other) * self._algebra.blade("1")
+        if other._algebra is not self._algebra and other._algebra != self._algebra:
             raise HelicoideError(
                 Text(
                     en=f"a multivector of {self._algebra} meets one of {other._algebra}: both must be of one algebra",
@@ -180,3 +191,14 @@ class Multivector:
                 )
             )
         return other._own
+
+    def _number(self, other: float) -> float:
+        """An operand that is no multivector."""
+        if not isinstance(other, Real):
+            raise HelicoideError(
+                Text(
+                    en=f"a multivector of {self._algebra} meets {other!r}: use another of its algebra, or a number",
+                    pt_BR=f"um multivetor de {self._algebra} encontra {other!r}: use um da mesma álgebra ou número",
+                )
+            )
+        return float(other)

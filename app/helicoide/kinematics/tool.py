@@ -1,15 +1,16 @@
-"""The tool's pose and Jacobian in one call: kernels for scripts, which the page leaves alone.
+"""The tool's pose and Jacobian in one call: for scripts; the page leaves them alone.
 
-They take the arm as the one array of `packed`. Those named `_into` write into an array of the caller's and are for
-loops: an array costs as much as half the mathematics where it goes in, and more than all of it where it comes out.
+They take the arm as the one array of `packed`. The kernels, named `_into`, write into an array of the caller's: numba
+takes longer to hand out an array than they take for the mathematics, which is why the others make it before they call.
 Shapes are not checked. A frame is held as three rows (R, p) of four numbers, which stay in registers.
 """
 
 from __future__ import annotations
 
 import numpy as np
+from numpy import empty
 
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
@@ -71,11 +72,16 @@ def carried(row: Row, axis: Triple, way: Triple, x: float, c: float, s: float) -
 
 
 @kernel
+def standing(joint: Array, q: float) -> tuple[float, float, float]:
+    """The slide of a joint whose variable stands at q, and the cosine and the sine of its turn."""
+    c, s = cosine_and_sine(joint[TURN] * q + joint[TURN_SHIFT])
+    return joint[SLIDE] * q + joint[SLIDE_SHIFT], c, s
+
+
+@kernel
 def behind(x: Row, y: Row, z: Row, joint: Array, q: float) -> tuple[Row, Row, Row]:
     """The frame behind a joint whose variable stands at q."""
-    axis, way = line(joint)
-    slid = joint[SLIDE] * q + joint[SLIDE_SHIFT]
-    c, s = cosine_and_sine(joint[TURN] * q + joint[TURN_SHIFT])
+    (axis, way), (slid, c, s) = line(joint), standing(joint, q)
     return carried(x, axis, way, slid, c, s), carried(y, axis, way, slid, c, s), carried(z, axis, way, slid, c, s)
 
 
@@ -107,26 +113,37 @@ def write(T: Array, x: Row, y: Row, z: Row) -> None:
 
 
 @kernel
-def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
-    """A joint's twist (v, ω) at the base's origin for q̇ = 1: ω = TURN s and v = SLIDE s + p × ω."""
-    s = (along(x, axis), along(y, axis), along(z, axis))
+def twist(p: Triple, s: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
+    """A joint's twist (v, ω) at the base's origin for q̇ = 1: ω = TURN s and v = SLIDE s + p × ω, p on its axis s."""
     w = (turn * s[0], turn * s[1], turn * s[2])
-    v = cross((x[3], y[3], z[3]), w)
+    v = cross(p, w)
     return (v[0] + slide * s[0], v[1] + slide * s[1], v[2] + slide * s[2]), w
 
 
 @kernel
+def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
+    """The same by the frame behind the joint, which turns its axis as the one before it does."""
+    return twist((x[3], y[3], z[3]), (along(x, axis), along(y, axis), along(z, axis)), turn, slide)
+
+
+@kernel_into
 def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
     """Write the pose of `tool_pose` into T (4, 4)."""
     x, y, z = X, Y, Z
     last = arm.shape[0] - 1
     for i in range(last):
-        x, y, z = behind(x, y, z, arm[i], q[int(arm[i, DRIVER])])
+        # What `behind` does: called here, LLVM hands frames over in memory, and the whole takes a tenth longer.
+        (axis, way), (slid, c, s) = line(arm[i]), standing(arm[i], q[int(arm[i, DRIVER])])
+        x, y, z = (
+            carried(x, axis, way, slid, c, s),
+            carried(y, axis, way, slid, c, s),
+            carried(z, axis, way, slid, c, s),
+        )
     tool = rows_of(arm[last])
     write(T, ending(x, tool), ending(y, tool), ending(z, tool))
 
 
-@kernel
+@kernel_into
 def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
     """Write the Jacobian of `tool_jacobian` into J (6, n).
 
@@ -137,8 +154,14 @@ def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
     last = arm.shape[0] - 1
     for i in range(last):
         j = int(arm[i, DRIVER])
-        x, y, z = behind(x, y, z, arm[i], q[j])
-        v, w = swept(x, y, z, line(arm[i])[0], arm[i, TURN], arm[i, SLIDE])
+        (axis, way), (slid, c, s) = line(arm[i]), standing(arm[i], q[j])
+        turned = (along(x, axis), along(y, axis), along(z, axis))
+        x, y, z = (
+            carried(x, axis, way, slid, c, s),
+            carried(y, axis, way, slid, c, s),
+            carried(z, axis, way, slid, c, s),
+        )
+        v, w = twist((x[3], y[3], z[3]), turned, arm[i, TURN], arm[i, SLIDE])
         for a in range(3):
             J[a, j] += v[a]
             J[3 + a, j] += w[a]
@@ -150,25 +173,23 @@ def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
             J[a, j] += v[a]
 
 
-@kernel
 def tool_pose(arm: Array, q: Array) -> Array:
     """Tool pose in a posture: T = (Πᵢ Tr(s₀ᵢ − s₀ᵢ₋₁ + xᵢ sᵢ) Rot(sᵢ, θᵢ)) T_link_tool.
 
     Args: arm of `packed`; q (n,), rad or m. Returns T_world_tool (4, 4), m.
     Source: Cerbaro 2022, App. D, with the link frames of `forward.link_poses`.
     """
-    T = np.empty((4, 4))
+    T = empty((4, 4))
     tool_pose_into(arm, q, T)
     return T
 
 
-@kernel
 def tool_jacobian(arm: Array, q: Array) -> Array:
     """Geometric Jacobian of the tool in a posture: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
 
     Args: arm of `packed`; q (n,), rad or m. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
     Source: Cerbaro 2022, eq. 67; Vargas 2013, eqs. 2.16–2.21.
     """
-    J = np.empty((6, q.size))
+    J = empty((6, len(q)))
     tool_jacobian_into(arm, q, J)
     return J

@@ -29,7 +29,7 @@ from helicoide.kinematics.tool import (
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 # A block holds the twelve numbers of the frame, then x and θ of the joint, each for so many postures.
-BLOCK = 64
+BLOCK = 128
 SLID, TURNED, NUMBERS = 12 * BLOCK, 13 * BLOCK, 14 * BLOCK
 
 
@@ -147,7 +147,6 @@ def tool_jacobians_into(arm: Array, qs: Array, Js: Array) -> None:
                     Js[first + k, a, j] = columns[j, a * BLOCK + k]
 
 
-@kernel
 def tool_poses(arm: Array, qs: Array) -> Array:
     """Tool poses of many postures: `tool_pose` of each row of qs (k, n); returns Ts_world_tool (k, 4, 4), m."""
     Ts = np.empty((qs.shape[0], 4, 4))
@@ -155,7 +154,6 @@ def tool_poses(arm: Array, qs: Array) -> Array:
     return Ts
 
 
-@kernel
 def tool_jacobians(arm: Array, qs: Array) -> Array:
     """Jacobians of many postures: `tool_jacobian` of each row of qs (k, n); returns Js_world (k, 6, n)."""
     Js = np.empty((qs.shape[0], 6, qs.shape[1]))

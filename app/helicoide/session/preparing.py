@@ -78,6 +78,7 @@ def _look(state: State) -> None:
     """What is asked now and then: multivectors, distances, postures, clouds and maps."""
     robot, T, q = state.robot, state.T_world_tool, state.arm.q
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
+    CL031.outer(rigid.point(T[:3, 3]), rigid.point(T[:3, 3]))
     distances(*state.problem.plane_arrays[:2], state.guarded_points)
     numeric.posture(robot, T, q)
     left(robot, q, T)

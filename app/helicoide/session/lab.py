@@ -91,16 +91,20 @@ class Lab:
         self._tidy()
 
     async def _start(self) -> None:
-        """Prepare while the page is up, then let the arms live."""
+        """Prepare while the page is up; the arms live as soon as they may."""
         try:
-            await prepare(self.shared.workcell.state.robot, self._compilation, self._say)
+            await prepare(self.shared.workcell.state.robot, self._compilation, self._say, self._meanwhile)
         except Exception:
             log.exception("the kernels could not be prepared")
             self._say(FAILED)
             return
         self.ready = True
-        self.clock.start()
+        self.clock.live()
         self._news()
+
+    def _meanwhile(self, alive: bool) -> None:
+        """The kernels are not there yet: the arms live by Python, or wait."""
+        self.clock.live(plain=True, halted=not alive)
 
     def _say(self, text: Text) -> None:
         """Show a sentence in every window, also in those that open later, while the arms do not live yet."""

@@ -58,7 +58,7 @@ def test_what_is_on_disk_is_loaded_and_nothing_is_said(robot: Robot, monkeypatch
     alive: list[bool] = []
     monkeypatch.setattr(preparing, "exercise", lambda: None)
     assert said(robot, Apart(fails), meanwhile=alive.append) == []
-    assert alive == []
+    assert alive == [True], "by Python, as long as they are loaded"
 
 
 def test_what_is_not_on_disk_is_compiled_apart(robot: Robot, exercised: list[str]) -> None:

@@ -11,7 +11,7 @@ import numba
 from numba.core import event, sigutils, types
 
 from helicoide.kernels import folder
-from helicoide.kernels.interpreted import Interpretable, by_machine_code
+from helicoide.kernels.interpreted import Interpretable, as_python, by_machine_code
 from helicoide.kernels.kept import Kept, NotKept, only_kept, read
 
 __all__ = [
@@ -21,6 +21,7 @@ __all__ = [
     "Kept",
     "Kernel",
     "NotKept",
+    "as_python",
     "by_machine_code",
     "counted",
     "is_cached",

@@ -21,18 +21,18 @@ class Interpretable(CPUDispatcher):
     Calls go through C, and cost nothing more, unless `interpret` has put a method of Python in their way.
     """
 
-    @classmethod
-    def interpret(cls, plain: bool) -> None:
+    @staticmethod
+    def interpret(plain: bool) -> None:
         """Run every kernel as Python from now on, but in threads that are `by_machine_code`; or as ever again."""
-        if plain and not cls.interpreted():
-            cls.__call__ = _interpreted  # type: ignore[method-assign, assignment]
-        elif not plain and cls.interpreted():
-            del cls.__call__
+        if plain and not Interpretable.interpreted():
+            Interpretable.__call__ = _interpreted  # type: ignore[method-assign, assignment]
+        elif not plain and Interpretable.interpreted():
+            del Interpretable.__call__
 
-    @classmethod
-    def interpreted(cls) -> bool:
+    @staticmethod
+    def interpreted() -> bool:
         """Whether kernels run as Python."""
-        return "__call__" in vars(cls)
+        return "__call__" in vars(Interpretable)
 
 
 def _interpreted(kernel: Any, *args: Any) -> Any:
@@ -47,3 +47,14 @@ def by_machine_code() -> Iterator[None]:
         yield
     finally:
         _by_machine_code.reset(before)
+
+
+@contextmanager
+def as_python() -> Iterator[None]:
+    """Within, kernels run as Python, for what is done in less time than their machine code takes to load."""
+    before = Interpretable.interpreted()
+    Interpretable.interpret(True)
+    try:
+        yield
+    finally:
+        Interpretable.interpret(before)

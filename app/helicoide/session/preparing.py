@@ -137,8 +137,8 @@ async def prepare(robot: Robot, compilation: Apart, say: Say, meanwhile: Meanwhi
 
 
 def _prepare(robot: Robot, compilation: Apart, say: Say, live: Meanwhile) -> None:
+    live(True)
     if not _loaded():
-        live(True)
         _compile_apart(compilation, say)
         if compilation.stopped:
             return

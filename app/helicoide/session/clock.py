@@ -48,7 +48,8 @@ class Clock(Thread):
         """Let no more time pass."""
         self._ended = True
         self.wake()
-        self.join()
+        if self.is_alive():
+            self.join()
 
     def run(self) -> None:
         """Until the end: no catching up after a delay."""
@@ -74,7 +75,7 @@ class Clock(Thread):
     def live(self, plain: bool = False, halted: bool = False) -> None:
         """Let time pass from now on, from the next round on as is said here; the thread starts with the first call."""
         self.plain, self.halted = plain, halted
-        if not self.is_alive():
+        if not (self._ended or self.is_alive()):
             self.start()
         self.wake()
 

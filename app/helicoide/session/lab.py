@@ -75,8 +75,7 @@ class Lab:
         self.studies.close()
         for bay in self.bays:
             bay.mapping.close()
-        if self.clock.is_alive():
-            self.clock.end()
+        self.clock.end()
         self.searcher.shutdown(wait=False, cancel_futures=True)
         self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
         self.server.stop()

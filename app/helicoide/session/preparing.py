@@ -1,4 +1,8 @@
-"""What is run so that nothing is compiled in the middle of a motion: before the arm moves, or while it moves by Python."""
+"""What is run so that nothing is compiled in the middle of a motion.
+
+Until every kernel is loaded the arms live by kernels that run as Python. The lab's own process compiles only what
+cannot be had otherwise, and no arm moves meanwhile.
+"""
 
 from __future__ import annotations
 
@@ -123,7 +127,7 @@ def compiling(done: int, words: Text = COMPILING) -> Text:
 async def prepare(robot: Robot, compilation: Apart, say: Say, meanwhile: Meanwhile) -> None:
     """Load the kernels in a thread; where one is not on disk, have them compiled first, and say how far that is.
 
-    `meanwhile` is told when the arms may live by kernels that run as Python, and when they may no longer.
+    `meanwhile` is told that the arms may live by kernels that run as Python, and when they may no longer.
     """
     loop = asyncio.get_running_loop()
 

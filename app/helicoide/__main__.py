@@ -6,6 +6,7 @@ It ends with 2 for wrong input, and with 141 when the reader of what it prints h
 from __future__ import annotations
 
 import ast
+import gc
 import importlib
 import pkgutil
 import sys
@@ -39,8 +40,14 @@ def _run(arguments: list[str]) -> None:
 
 
 def _run_of(name: str) -> Callable[..., None]:
-    run: Callable[..., None] = importlib.import_module(f"{commands.__name__}.{name}").run
-    return run
+    """What runs a command. Nothing of what is imported is garbage, and looking for it takes a sixth of the time."""
+    gc.disable()
+    try:
+        run: Callable[..., None] = importlib.import_module(f"{commands.__name__}.{name}").run
+        return run
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 def _told(name: str) -> Callable[[], None]:

@@ -35,7 +35,7 @@ class Listener(event.Listener):
 
 if __name__ == "__main__":
     with event.install_listener("numba:compile", Listener()):
-        asyncio.run(prepare(load("movemaster"), Apart(compiled), lambda text: None))
+        asyncio.run(prepare(load("movemaster"), Apart(compiled), lambda text: None, lambda alive: None))
         print("left out:", *[name for name in kernels.KERNELS if not kernels.is_cached(name)])
         server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
         for name in sys.argv[1:]:

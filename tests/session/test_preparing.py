@@ -38,25 +38,34 @@ def exercised(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
     return asked
 
 
-def said(robot: Robot, compilation: Apart, hear: Callable[[Text], None] = lambda text: None) -> Words:
+def said(
+    robot: Robot,
+    compilation: Apart,
+    hear: Callable[[Text], None] = lambda text: None,
+    meanwhile: Callable[[bool], object] = lambda alive: None,
+) -> Words:
     words: Words = []
 
     def say(text: Text) -> None:
         words.append(text)
         hear(text)
 
-    asyncio.run(prepare(robot, compilation, say))
+    asyncio.run(prepare(robot, compilation, say, meanwhile))
     return words
 
 
 def test_what_is_on_disk_is_loaded_and_nothing_is_said(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
+    alive: list[bool] = []
     monkeypatch.setattr(preparing, "exercise", lambda: None)
-    assert said(robot, Apart(fails)) == []
+    assert said(robot, Apart(fails), meanwhile=alive.append) == []
+    assert alive == [True], "by Python, as long as they are loaded"
 
 
 def test_what_is_not_on_disk_is_compiled_apart(robot: Robot, exercised: list[str]) -> None:
-    assert said(robot, Apart(counts, 3)) == [compiling(0), compiling(1), compiling(2)]
+    alive: list[bool] = []
+    assert said(robot, Apart(counts, 3), meanwhile=alive.append) == [compiling(0), compiling(1), compiling(2)]
     assert exercised == ["load", "rest"]
+    assert alive == [True], "the arms live by Python meanwhile"
 
 
 def test_a_preparation_that_is_killed_begins_again(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
@@ -93,8 +102,8 @@ def test_one_that_is_stopped_leaves_it_at_that(robot: Robot, exercised: list[str
 def test_what_is_compiled_here_is_counted_and_why_is_said(
     robot: Robot, exercised: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Without room on the disk it happens at every start, and the page says so."""
-    beginning = preparing.exercise
+    """Without room on the disk it happens at every start, and the page says so; then no arm moves."""
+    beginning, alive = preparing.exercise, list[bool]()
 
     def exercise() -> None:
         beginning()
@@ -102,7 +111,8 @@ def test_what_is_compiled_here_is_counted_and_why_is_said(
         kernels.Kernel(twice)(1.0)
 
     monkeypatch.setattr(preparing, "exercise", exercise)
-    assert said(robot, Apart(fails)) == [compiling(0), compiling(1, NOT_KEPT)]
+    assert said(robot, Apart(fails), meanwhile=alive.append) == [compiling(0), compiling(1, NOT_KEPT)]
+    assert alive == [True, False]
     for language in LANGUAGES:
         assert str(kernels.CACHE_FOLDER) in compiling(1, NOT_KEPT)[language]
 

@@ -14,6 +14,7 @@ from helicoide.commands import described_ends, ends, language, remark
 from helicoide.export import stage_table
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
+from helicoide.kernels import as_python
 from helicoide.kinematics.chain import Array, Variable
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
@@ -65,6 +66,7 @@ def outside(robot: Robot, q: Array) -> list[tuple[Variable, float]]:
     return [(joint, x) for joint, x in pairs if not joint.lower - ROUNDING <= x <= joint.upper + ROUNDING]
 
 
+@as_python()
 def run(
     robot: tyro.conf.Positional[str],
     q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values: rad, or m where a joint slides")],

@@ -9,9 +9,9 @@ from typing import Any, TypeVar, cast
 
 import numba
 from numba.core import event, sigutils, types
-from numba.core.registry import CPUDispatcher
 
 from helicoide.kernels import folder
+from helicoide.kernels.interpreted import Interpretable, as_python, by_machine_code
 from helicoide.kernels.kept import Kept, NotKept, only_kept, read
 
 __all__ = [
@@ -21,6 +21,8 @@ __all__ = [
     "Kept",
     "Kernel",
     "NotKept",
+    "as_python",
+    "by_machine_code",
     "counted",
     "entry",
     "is_cached",
@@ -38,8 +40,9 @@ os.environ["NUMBA_CACHE_DIR"] = str(CACHE_FOLDER)
 KERNELS: dict[str, Kernel] = {}
 
 
-class Kernel(CPUDispatcher):
-    """A compiled function, whose machine code is the same whether or not the arrays that it is given may be written.
+class Kernel(Interpretable):
+    """A compiled function, whose machine code is the same whether or not the arrays that it is given may be written,
+    and whether or not a number is known beforehand.
 
     numba by itself compiles anew for each combination of the two, of which four arrays have sixteen; one that is met
     for the first time in the middle of a motion would stop it for seconds. A kernel that writes into an array must
@@ -67,7 +70,8 @@ class Kernel(CPUDispatcher):
 
 
 def _writable(kind: Any) -> Any:
-    """The type of the same arguments when their arrays may be written."""
+    """The type of the same arguments when their arrays may be written, and no number is a constant."""
+    kind = types.unliteral(kind)
     if isinstance(kind, types.Array):
         return kind.copy(readonly=False)
     if isinstance(kind, types.BaseTuple):

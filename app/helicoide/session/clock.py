@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from threading import Condition, Thread
 from time import monotonic
 
+from helicoide.kernels import Kernel
 from helicoide.session.workcell import TICK, Workcell
 
 # s: for how long Python lets another thread run on, once this one is due
@@ -19,13 +20,15 @@ class Clock(Thread):
     """Drains, ticks and foresees; sleeps while every arm rests.
 
     workcells: those there are; changed: told after each round, in this thread. gap: the longest time between two ticks
-    that should have been one apart, s, since `forget_gap`.
+    that should have been one apart, s, since `forget_gap`. plain: whether kernels run as Python, in which there is no
+    time to foresee anything; halted: no arm lives, whatever is asked.
     """
 
     def __init__(self, workcells: Callable[[], Sequence[Workcell]], changed: Callable[[], None]) -> None:
         super().__init__(name="helicoide clock", daemon=True)
         self.workcells, self.changed = workcells, changed
         self.gap = 0.0
+        self.plain, self.halted = False, False
         self._condition = Condition()
         self._woken, self._ended = False, False
         self._turn = 0
@@ -45,7 +48,8 @@ class Clock(Thread):
         """Let no more time pass."""
         self._ended = True
         self.wake()
-        self.join()
+        if self.is_alive():
+            self.join()
 
     def run(self) -> None:
         """Until the end: no catching up after a delay."""
@@ -54,6 +58,7 @@ class Clock(Thread):
         due, before = monotonic(), None
         while not self._ended:
             self._wait(due if self._awake() else None)
+            Kernel.interpret(self.plain)
             for workcell in self.workcells():
                 workcell.drain()
             if (now := monotonic()) >= due and (awake := self._awake()):
@@ -62,10 +67,21 @@ class Clock(Thread):
                     workcell.tick()
                 due = max(due + TICK, now)
                 before = now if self._awake() else None
-                self._foresee(monotonic() + FORESIGHT * TICK)
+                if not self.plain:
+                    self._foresee(monotonic() + FORESIGHT * TICK)
             self.changed()
+        Kernel.interpret(False)
+
+    def live(self, plain: bool = False, halted: bool = False) -> None:
+        """Let time pass from now on, from the next round on as is said here; the thread starts with the first call."""
+        self.plain, self.halted = plain, halted
+        if not (self._ended or self.is_alive()):
+            self.start()
+        self.wake()
 
     def _awake(self) -> list[Workcell]:
+        if self.halted:
+            return []
         return [workcell for workcell in self.workcells() if not (workcell.resting or workcell.paused)]
 
     def _wait(self, due: float | None) -> None:

@@ -75,8 +75,7 @@ class Lab:
         self.studies.close()
         for bay in self.bays:
             bay.mapping.close()
-        if self.clock.is_alive():
-            self.clock.end()
+        self.clock.end()
         self.searcher.shutdown(wait=False, cancel_futures=True)
         self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
         self.server.stop()
@@ -91,16 +90,20 @@ class Lab:
         self._tidy()
 
     async def _start(self) -> None:
-        """Prepare while the page is up, then let the arms live."""
+        """Prepare while the page is up; the arms live as soon as they may."""
         try:
-            await prepare(self.shared.workcell.state.robot, self._compilation, self._say)
+            await prepare(self.shared.workcell.state.robot, self._compilation, self._say, self._meanwhile)
         except Exception:
             log.exception("the kernels could not be prepared")
             self._say(FAILED)
             return
         self.ready = True
-        self.clock.start()
+        self.clock.live()
         self._news()
+
+    def _meanwhile(self, alive: bool) -> None:
+        """The kernels are not there yet: the arms live by Python, or wait."""
+        self.clock.live(plain=True, halted=not alive)
 
     def _say(self, text: Text) -> None:
         """Show a sentence in every window, also in those that open later, while the arms do not live yet."""

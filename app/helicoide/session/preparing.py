@@ -1,4 +1,8 @@
-"""What is run before the arm does, so that nothing is compiled in the middle of a motion."""
+"""What is run so that nothing is compiled in the middle of a motion.
+
+Until every kernel is loaded the arms live by kernels that run as Python. The lab's own process compiles only what
+cannot be had otherwise, and no arm moves meanwhile.
+"""
 
 from __future__ import annotations
 
@@ -36,25 +40,26 @@ from helicoide.state import State, commanded, initial
 from helicoide.text import Text
 
 COMPILING = Text(
-    en="Preparing the kernels: {done} of {total}. This happens once.",
-    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só.",
+    en="Preparing the kernels: {done} of {total}. This happens once; the arm moves already.",
+    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só; o braço já se move.",
 )
 AGAIN = Text(
     en="The preparation was ended from outside, perhaps for want of memory; it begins again.",
     pt_BR="A preparação foi encerrada de fora, talvez por falta de memória; ela recomeça.",
 )
 HERE = Text(
-    en="Preparing the kernels: {done} of {total}. The page is slow meanwhile.",
-    pt_BR="Preparando os kernels: {done} de {total}. Enquanto isso, a página fica lenta.",
+    en="Preparing the kernels: {done} of {total}. The arm waits, and the page is slow meanwhile.",
+    pt_BR="Preparando os kernels: {done} de {total}. Enquanto isso, o braço espera e a página fica lenta.",
 )
 NOT_KEPT = Text(
     en="Preparing the kernels: {done} of {total}. They cannot be kept in {folder}, so this happens at every start; the "
-    "page is slow meanwhile.",
+    "arm waits, and the page is slow meanwhile.",
     pt_BR="Preparando os kernels: {done} de {total}. Não é possível guardá-los em {folder}, então isso acontece a cada "
-    "início; enquanto isso, a página fica lenta.",
+    "início; enquanto isso, o braço espera e a página fica lenta.",
 )
 log = logging.getLogger("helicoide")
 Say = Callable[[Text], None]
+Meanwhile = Callable[[bool], None]
 
 
 def exercise(robot_name: str = "movemaster") -> None:
@@ -120,29 +125,39 @@ def compiling(done: int, words: Text = COMPILING) -> Text:
     return words.format(done=done, total=len(kernels.KERNELS), folder=kernels.CACHE_FOLDER)
 
 
-async def prepare(robot: Robot, compilation: Apart, say: Say) -> None:
-    """Load the kernels in a thread; where one is not on disk, have them compiled first, and say how far that is."""
+async def prepare(robot: Robot, compilation: Apart, say: Say, meanwhile: Meanwhile) -> None:
+    """Load the kernels in a thread; where one is not on disk, have them compiled first, and say how far that is.
+
+    `meanwhile` is told that the arms may live by kernels that run as Python, and when they may no longer.
+    """
     loop = asyncio.get_running_loop()
 
     def tell(text: Text) -> None:
         loop.call_soon_threadsafe(say, text)
 
-    await asyncio.to_thread(_prepare, robot, compilation, tell)
+    def live(alive: bool) -> None:
+        loop.call_soon_threadsafe(meanwhile, alive)
+
+    await asyncio.to_thread(_prepare, robot, compilation, tell, live)
 
 
-def _prepare(robot: Robot, compilation: Apart, say: Say) -> None:
+def _prepare(robot: Robot, compilation: Apart, say: Say, live: Meanwhile) -> None:
+    live(True)
     if not _loaded():
         _compile_apart(compilation, say)
         if compilation.stopped:
             return
-        _compile_here(say)
-    rehearse(robot)
+        if not _loaded():
+            live(False)
+            _compile_here(say)
+    with kernels.by_machine_code():
+        rehearse(robot)
 
 
 def _loaded() -> bool:
     """Load every kernel; false as soon as one is not on disk, or damaged there."""
     try:
-        with kernels.only_kept():
+        with kernels.by_machine_code(), kernels.only_kept():
             exercise()
     except kernels.NotKept:
         return False
@@ -165,12 +180,12 @@ def _compile_apart(compilation: Apart, say: Say) -> None:
 
 
 def _compile_here(say: Say) -> None:
-    """Load what was compiled apart, and compile what was not, or could not be kept."""
+    """Compile what was not compiled apart, or could not be kept."""
 
     def told(done: int) -> None:
         say(compiling(done, HERE if kernels.Kept.refusal is None else NOT_KEPT))
 
-    with kernels.counted(told):
+    with kernels.by_machine_code(), kernels.counted(told):
         exercise()
     if kernels.Kept.refusal is not None:
         log.warning("the kernels cannot be kept: %s", kernels.Kept.refusal)

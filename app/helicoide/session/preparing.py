@@ -16,7 +16,7 @@ from helicoide.confinement.planes import distances
 from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
-from helicoide.ik.closed import puma560
+from helicoide.ik.families import puma_arm
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.nearest import nearest
@@ -85,7 +85,7 @@ def _look(state: State) -> None:
     postures(state)(state)
     tool.tool_pose(tool.packed(robot), q)
     tool.tool_jacobian(tool.packed(robot), q)
-    puma560.postures(np.ones(4), T, np.zeros(6))
+    puma_arm.postures(np.ones(4), T, np.zeros(6))
     find(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
     unpacked(bytes(2), 1)
     walked([Column("", "<u1")], 1, bytes(1), 0)

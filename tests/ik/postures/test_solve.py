@@ -10,7 +10,8 @@ import pytest
 from tests.kinematics.arms import arm, postures
 
 from helicoide.ik import closed, methods
-from helicoide.ik.postures.branch import Answer, between, tool_at, wrap
+from helicoide.ik.postures.answer import Answer
+from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.ik.postures.solve import EXACT, NUMERIC, solve, solve_by, status, ways
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load

@@ -43,6 +43,7 @@ HOPELESS = 0.02  # a search ends where a step promises less than this share of e
 SETTLED = 1e-14  # and the approach to what cannot be reached where it promises less than this
 
 Error = tuple[float, float, float, float, float, float]
+Memory = tuple[Array, Array, Array]
 
 
 @kernel
@@ -159,7 +160,7 @@ def unwind(ranges: Array, q: Array) -> None:
 
 
 @kernel
-def memory_of(n: int) -> tuple[Array, Array, Array]:
+def memory_of(n: int) -> Memory:
     """Room for the columns (n, 6), H (n, n) and g (n,) of a search."""
     return np.empty((n, 6)), np.empty((n, n)), np.empty(n)
 
@@ -173,7 +174,7 @@ def descend(
     tolerances: tuple[float, float],
     iterations: int,
     q: Array,
-    memory: tuple[Array, Array, Array],
+    memory: Memory,
 ) -> tuple[int, float, float]:
     """One search, from q and in q; λ = 0.1 e². Returns the number of steps, negative if in vain, and both errors."""
     columns, H, g = memory
@@ -201,7 +202,7 @@ def settle(
     iterations: int,
     q: Array,
     trial: Array,
-    memory: tuple[Array, Array, Array],
+    memory: Memory,
 ) -> float:
     """One search for the least e² from q and in q, and that e²; a step that does not lower it is not taken.
 

@@ -158,7 +158,7 @@ def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
 
 @kernel
 def joint_values(arms: Chain, arm: Array, free: Array, T_world_tool: Array, q: Array) -> Array:
-    """Every posture for a tool pose (4, 4), m, polished, verified, each once: q, rad, and what `postures` notes, (k, 9).
+    """Every posture for a tool pose (4, 4), m, polished, verified, each once: q, rad, and what `postures` notes.
 
     Args: arms (1,) of PIEPER; arm and free as in `polished`; q (6,), rad: kept where a joint is free.
     """

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple, Protocol
@@ -138,9 +138,14 @@ class Answer:
             return values
         return tuple(values[int(number)] for number in listing.column(self.rows, listing.NUMBER))
 
+    @property
+    def nearest(self) -> Answer:
+        """The answer with its first posture alone."""
+        return Answer(self.rows[:1], self.found)
+
     def only(self, places: Sequence[int]) -> Answer:
         """The answer with no postures but those in these places."""
-        return replace(self, rows=_kept(self.rows[list(places)]))
+        return Answer(_kept(self.rows[list(places)]), self.found)
 
 
 def in_order(robot: Robot, found: Found, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Answer:

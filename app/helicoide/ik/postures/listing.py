@@ -106,6 +106,7 @@ def listed(
     n, k = joints.shape[0], found.shape[0]
     rows = np.empty((k, n + 7))
     wished, goal = stand_of(asked), stand_of(solved)
+    as_asked = wished == goal
     turns = 1.0 if with_orientation else 0.0
     for i in range(k):
         row = rows[i]
@@ -120,7 +121,8 @@ def listed(
             row[j] = x
         missed, turned = remains(arm, row, wished)
         said[MISSED], said[TURNED], said[WITHIN], said[NUMBER] = missed, turns * turned, within, i
-        missed, turned = remains(arm, row, goal)
+        if not as_asked:
+            missed, turned = remains(arm, row, goal)
         said[LEFT], said[LEFT_TURNED], said[COST] = missed, turns * turned, cost
     if ordered:
         for i in range(1, k):

@@ -111,8 +111,8 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
     answer = in_order(robot, found, T, q, with_orientation)
     if every:
         return answer
-    if len(answer.rows) and answer.rows[0, listing.WITHIN - 1 - listing.COST] and _is_met(answer):
-        return answer.only([0])
+    if _is_met(answer) and answer.within[0]:
+        return answer.nearest
     one = numeric.one(robot, found.T_world_goal, q, with_orientation)
     told = Said(one.told.names, sentences(found.told.words, one.told.words), free=found.told.free)
     one = one._replace(told=told, moved=found.moved, turned=found.turned, short=max(found.short, one.short))

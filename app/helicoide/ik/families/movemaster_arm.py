@@ -7,14 +7,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import atan2, cos, pi, sin, sqrt
+from math import atan2, cos, pi, sin
 from typing import Any
 
 import numpy as np
 
-from helicoide.ik.families import elbow
+from helicoide.ik.families.elbow import EDGE, Annulus
 from helicoide.ik.families.pointing import into_plane
 from helicoide.ik.families.turret import Turret, normal_of, turret
+from helicoide.ik.families.two_links import bent, elbows
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
 from helicoide.kinematics.robot import Robot
@@ -50,9 +51,9 @@ class Side:
     packed: Chain
 
     @property
-    def links(self) -> elbow.Annulus:
+    def links(self) -> Annulus:
         """The upper arm and the forearm."""
-        return elbow.Annulus(abs(self.packed[0]["l1"]), abs(self.packed[0]["l2"]))
+        return Annulus(abs(self.packed[0]["l1"]), abs(self.packed[0]["l2"]))
 
 
 @lru_cache(maxsize=64)
@@ -72,21 +73,6 @@ def side_of(robot: Robot) -> Side | None:
     packed["shoulder"], packed["l1"], packed["l2"] = shoulder, elbow_0 - shoulder, wrist - elbow_0
     packed["l3"], packed["over"] = tip - wrist, arm.over
     return Side(arm, packed)
-
-
-@kernel
-def elbows(x: complex, l1: float, l2: float) -> tuple[int, float, bool]:
-    """How many elbows bring two links to a point, m: 0, 1 or 2; the cosine of the bend there; whether they are folded.
-
-    cos = (|x|² − l₁² − l₂²) / 2l₁l₂, exactly ±1 on the edges. The rules are those of `elbow.Annulus`.
-    """
-    r, inner, outer = abs(x), abs(l1 - l2), l1 + l2
-    cosine, edge = (r * r - l1 * l1 - l2 * l2) / (2 * l1 * l2), elbow.EDGE * outer
-    if max(r - outer, inner - r) > edge:
-        return 0, cosine, False
-    if min(abs(r - outer), abs(r - inner)) <= edge:
-        return 1, np.sign(cosine), r <= edge and inner <= edge
-    return 2, cosine, False
 
 
 @kernel
@@ -140,23 +126,21 @@ def joint_values(arms: Chain, T_world_tool: Array, q: Array) -> tuple[Array, Arr
         for j in range(3):
             T[i, j] = R[i, j]
             goal[i, j] = base[0, i] * R[0, j] + base[1, i] * R[1, j] + base[2, i] * R[2, j]
+    turned = abs(atan2(sine, cosine))
     M, over = normal_of(T, hand, arm["over"], q[0])
-    size1, size2, upper, fore = abs(l1), abs(l2), atan2(l1.imag, l1.real), l2 / l1
     rows, k, folded = np.empty((4, 7)), 0, False
     for back in range(2):
         theta1 = atan2(-M[0], M[1]) + back * pi
         _, alpha, wrist = seen(arm, T, theta1)
-        count, cosine3, centred = elbows(wrist, size1, size2)
+        count, cosine, centred = elbows(wrist, l1, l2, EDGE)
         folded = folded or centred
         theta5 = roll(arm, T, theta1, alpha)
         for elbow_of in range(count):
             bend = 1.0 - 2.0 * elbow_of
-            sine3 = bend * sqrt(max(1.0 - cosine3 * cosine3, 0.0))
-            middle = atan2(wrist.imag, wrist.real) - atan2(size2 * sine3, size1 + size2 * cosine3)
-            theta2 = signs[0] * q[1] if centred else middle - upper
-            theta3 = atan2(sine3, cosine3) - atan2(fore.imag, fore.real)
+            theta2, theta3 = bent(wrist, l1, l2, cosine, bend)
+            theta2 = signs[0] * q[1] if centred else theta2
             row = rows[k]
             row[0], row[1], row[2] = theta1, signs[0] * theta2, signs[1] * theta3
             row[3], row[4], row[BACK], row[BEND] = signs[2] * (alpha - theta2 - theta3), theta5, back, bend
             k += 1
-    return rows[:k], goal, np.array([abs(atan2(sine, cosine)), over, folded])
+    return rows[:k], goal, np.array([turned, over, folded])

@@ -171,10 +171,10 @@ def joint_values(
     """The rows of `postures`, polished, verified, each once; arm and free as in `polished`."""
     rows, there, memory, k = postures(base, tool, links, signs, aside, T_world_tool, q), np.empty(6), memory_of(6), 0
     for row in rows:
-        there[:] = row[:6]
+        for i in range(6):
+            there[i] = row[i]
         if polished(arm, free, T_world_tool, there, memory) < ACCEPTED and not is_known(rows, k, there):
-            for i in range(LEFT, LOOSE + 1):
-                rows[k, i] = row[i]
-            rows[k, :6] = there
+            for i in range(LOOSE + 1):
+                rows[k, i] = there[i] if i < LEFT else row[i]
             k += 1
     return rows[:k]

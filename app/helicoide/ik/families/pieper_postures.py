@@ -123,7 +123,9 @@ def postures(arm: Any, T: Array, kept: Array) -> Array:
             g1, g2 = c2 * f1 - s2 * f2 + arm["a"][0], ca1 * (s2 * f1 + c2 * f2) - sa1 * (f3 + arm["d"][1])
             over = hypot(g1, g2) < FREE
             theta1 = kept[0] if over else atan2(py, px) - atan2(g2, g1)
-            M[:] = T[:3, :3]
+            for i in range(3):
+                for j in range(3):
+                    M[i, j] = T[i, j]
             undo(M, theta1, alpha[0])
             undo(M, theta2, alpha[1])
             undo(M, theta3, alpha[2])
@@ -175,6 +177,8 @@ def joint_values(arms: Chain, arm: Array, free: Array, T_world_tool: Array, q: A
         if polished(arm, free, T_world_tool, there, memory) < ACCEPTED and not is_known(rows, k, there):
             number += int(row[ARM] != last)
             last = row[ARM]
-            rows[k, :6], rows[k, ARM], rows[k, FLIPPED], rows[k, LOOSE] = there, number, row[FLIPPED], row[LOOSE]
+            for i in range(6):
+                rows[k, i] = there[i]
+            rows[k, ARM], rows[k, FLIPPED], rows[k, LOOSE] = number, row[FLIPPED], row[LOOSE]
             k += 1
     return rows[:k]

@@ -117,7 +117,9 @@ def fill(ranges: Array, q: Array, e: Error, columns: Array, damping: float, H: A
     for i in range(q.shape[0]):
         pushed = (q[i] <= ranges[i, LOWER] and g[i] < 0.0) or (q[i] >= ranges[i, UPPER] and g[i] > 0.0)
         if pushed and ranges[i, HELD] > 0.0:
-            H[i, :i], H[i + 1 :, i], H[i, i], g[i] = 0.0, 0.0, 1.0, 0.0
+            for j in range(q.shape[0]):
+                H[max(i, j), min(i, j)] = 1.0 if i == j else 0.0
+            g[i] = 0.0
 
 
 @kernel

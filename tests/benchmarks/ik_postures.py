@@ -12,6 +12,7 @@ from tests.benchmarks.peers import Child, Peer
 from helicoide.ik.families import movemaster_arm, parallel_postures, puma_arm
 from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.postures.branch import between
+from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.numeric import searcher
 from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.chain import Array
@@ -53,7 +54,7 @@ def _bare(robot: Robot) -> tuple[Callable[[Array], Array], str]:
         return lambda T: puma_arm.joint_values(*given, T, start), "puma_arm.joint_values(…, T, q)"
     if (parallel := parallel_arm(robot)) is not None:
         of, arm = searcher(robot), parallel
-        axes = arm.base, arm.tool, arm.links, arm.signs, arm.aside, of.arm, of.unbounded
+        axes = arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded
         return lambda T: parallel_postures.joint_values(*axes, T, start), "parallel_postures.joint_values(…, T, q)"
     side = movemaster_arm.side_of(robot)
     assert side is not None

@@ -246,7 +246,11 @@ class Robot:
 
     def check_joints(self, q: ArrayLike) -> Array:
         """The joint values as a read-only array (n,); raises HelicoideError unless there are n finite numbers."""
-        values = np.array(q, dtype=np.float64, ndmin=1)
+        return frozen(self.joints_of(q))
+
+    def joints_of(self, q: ArrayLike) -> Array:
+        """The same as it is given where it is an array, for who keeps no more than its numbers."""
+        values = np.ascontiguousarray(q, dtype=np.float64)
         if values.shape != (len(self.variables),) or not all(map(isfinite, values.tolist())):
             raise HelicoideError(
                 Text(
@@ -259,7 +263,6 @@ class Robot:
                     given=", ".join(f"{value:g}" for value in values.ravel()),
                 )
             )
-        values.setflags(write=False)
         return values
 
 

@@ -18,7 +18,7 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.families import parallel_postures
 from helicoide.ik.postures import numeric
-from helicoide.ik.postures.measure import left
+from helicoide.ik.postures.measure import left, measured
 from helicoide.ik.postures.nearest import nearest
 from helicoide.ik.postures.solve import solve
 from helicoide.ik.postures.subspace import project
@@ -99,7 +99,7 @@ def _list_postures() -> None:
         robot = load(name)
         solve(robot, robot.T_world_tool_0, robot.poses["ready"], every=True)
     of, frame = numeric.searcher(robot), np.eye(5, 3)
-    arm = (frame[:4], frame, np.ones(4, dtype=np.complex128), np.ones(2), 0.0, of.arm, of.unbounded)
+    arm = (frame[:4], frame, np.ones(4, dtype=np.complex128), np.ones(2), 0.0, measured(robot), of.arm, of.unbounded)
     parallel_postures.joint_values(*arm, robot.T_world_tool_0, robot.poses["ready"])
 
 

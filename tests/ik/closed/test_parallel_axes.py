@@ -18,6 +18,7 @@ from helicoide.ik.closed import parallel_axes
 from helicoide.ik.families import parallel_arm, parallel_postures
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.branch import tool_at, wrap
+from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.solve import solve, solve_by
 from helicoide.kernels import plain
 from helicoide.kinematics import dh
@@ -212,7 +213,7 @@ def test_the_kernel_is_its_plain_function(tmp_path: Path) -> None:
     robot = ur("ur10e", tmp_path)
     arm, of = parallel_arm.parallel_arm(robot), numeric.searcher(robot)
     assert arm is not None
-    given_arm = (arm.base, arm.tool, arm.links, arm.signs, arm.aside, of.arm, of.unbounded)
+    given_arm = (arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded)
     for q in [*np.random.default_rng(5).uniform(-pi, pi, (5, 6)), HERE]:
         rows, expected = (f(*given_arm, tool_at(robot, q), q) for f in (_kernel, plain(_kernel)))
         np.testing.assert_allclose(wrap(rows[:, :6] - expected[:, :6]), 0, atol=1e-7)

@@ -11,7 +11,7 @@ import numpy as np
 
 from helicoide.ik.families import elbow
 from helicoide.ik.families.movemaster_arm import BACK, BEND, Side, joint_values, seen, side_of
-from helicoide.ik.families.two_links import elbows
+from helicoide.ik.families.two_links import elbows, two_links
 from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.ik.postures.branch import check_pose, sentences, wrap
 from helicoide.ik.postures.subspace import Projection
@@ -122,7 +122,9 @@ class Words:
         """What the equations gave on the way to each posture, by symbol; angles about the y of the base, rad and m."""
         for row, (zeta, alpha, wrist) in zip(self.rows, self._seen(self.rows[:, 0]), strict=True):
             theta = row[:5] * [1.0, *self.arm.packed[0]["signs"], 1.0]
-            _, cosine, _ = elbows(wrist, self.arm.packed[0]["l1"], self.arm.packed[0]["l2"], elbow.EDGE)
+            _, cosine, _ = elbows(
+                wrist, two_links(*(complex(self.arm.packed[0][name]) for name in ("l1", "l2"))), elbow.EDGE
+            )
             yield {
                 "u": zeta.real, "p_z": -zeta.imag, "α": alpha, "u_W": wrist.real, "z_W": -wrist.imag,
                 "cos(θ₃ + δ)": cosine, **{f"θ{'₁₂₃₄₅'[i]}": float(wrap(theta[i])) for i in range(5)},

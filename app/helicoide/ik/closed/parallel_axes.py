@@ -32,10 +32,11 @@ from helicoide.ik.families.parallel_postures import (
     rotated,
     triple,
 )
-from helicoide.ik.families.two_links import elbows
+from helicoide.ik.families.two_links import elbows, two_links
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.ik.postures.branch import check_pose, sentences, wrap
+from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.numeric import searcher
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
@@ -76,7 +77,9 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     if (arm := parallel_arm(robot)) is None:
         raise HelicoideError(ELSE)
     of = searcher(robot)
-    rows = joint_values(arm.base, arm.tool, arm.links, arm.signs, arm.aside, of.arm, of.unbounded, T_world_tool, q)
+    rows = joint_values(
+        arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded, T_world_tool, q
+    )
     short = 0.0 if len(rows) else subspace.beyond(robot, T_world_tool, q)
     return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
 
@@ -134,7 +137,7 @@ class Words:
             phi = float(theta[1:4].sum())
             seen = complex(x @ v, np.cross(h, x) @ v)
             wrist = complex(seen - links[SHOULDER] - links[HAND] * np.exp(1j * phi))
-            _, cosine, _ = elbows(wrist, links[UPPER], links[FORE], 0.0)
+            _, cosine, _ = elbows(wrist, two_links(links[UPPER], links[FORE]), 0.0)
             yield {
                 "h · (W − p₁)": self.arm.aside, "u": seen.real, "φ": float(wrap(phi)), "u_W": wrist.real,
                 "z_W": -wrist.imag, "cos(θ₃ + δ)": cosine,

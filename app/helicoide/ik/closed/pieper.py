@@ -23,6 +23,7 @@ from helicoide.ik.families.pieper_postures import (
 )
 from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.ik.postures.branch import check_pose, sentences
+from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.numeric import searcher
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
@@ -62,7 +63,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     if isinstance(arm := arm_of(robot), Text):
         raise HelicoideError(arm)
     of = searcher(robot)
-    rows = joint_values(arm.packed, of.arm, of.unbounded, T_world_tool, q)
+    rows = joint_values(arm.packed, measured(robot), of.arm, of.unbounded, T_world_tool, q)
     told = Words(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 

@@ -15,7 +15,7 @@ import numpy as np
 from helicoide.ik.families.elbow import EDGE, Annulus
 from helicoide.ik.families.pointing import into_plane
 from helicoide.ik.families.turret import Turret, normal_of, turret
-from helicoide.ik.families.two_links import bent, elbows
+from helicoide.ik.families.two_links import bent, elbows, two_links
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
 from helicoide.kinematics.robot import Robot
@@ -115,7 +115,7 @@ def joint_values(arms: Chain, T_world_tool: Array, q: Array) -> tuple[Array, Arr
     """
     arm, goal = arms[0], T_world_tool.copy()
     T = np.zeros((4, 4))
-    base, hand, signs, l1, l2 = arm["T_base_world"], arm["hand"].copy(), arm["signs"], arm["l1"], arm["l2"]
+    base, hand, signs, two = arm["T_base_world"], arm["hand"].copy(), arm["signs"], two_links(arm["l1"], arm["l2"])
     for i in range(3):
         for j in range(4):
             for k in range(4):
@@ -132,12 +132,12 @@ def joint_values(arms: Chain, T_world_tool: Array, q: Array) -> tuple[Array, Arr
     for back in range(2):
         theta1 = atan2(-M[0], M[1]) + back * pi
         _, alpha, wrist = seen(arm, T, theta1)
-        count, cosine, centred = elbows(wrist, l1, l2, EDGE)
+        count, cosine, centred = elbows(wrist, two, EDGE)
         folded = folded or centred
         theta5 = roll(arm, T, theta1, alpha)
         for elbow_of in range(count):
             bend = 1.0 - 2.0 * elbow_of
-            theta2, theta3 = bent(wrist, l1, l2, cosine, bend)
+            theta2, theta3 = bent(wrist, two, cosine, bend)
             theta2 = signs[0] * q[1] if centred else theta2
             row = rows[k]
             row[0], row[1], row[2] = theta1, signs[0] * theta2, signs[1] * theta3

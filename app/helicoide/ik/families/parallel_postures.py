@@ -23,11 +23,13 @@ from helicoide.ik.families.parallel_arm import (
     WAIST,
 )
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
-from helicoide.ik.families.two_links import bent, elbows
+from helicoide.ik.families.two_links import bent, elbows, two_links
 from helicoide.ik.postures.descent import memory_of
+from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Triple, cross
+from helicoide.kinematics.trigonometry import cosine_and_sine
 
 ACCEPTED = 1e-9  # what a posture may miss, m and rad
 SLACK = 1e-6  # how far beyond its edge, of its reach, the elbow is tried: axes may be parallel inexactly
@@ -52,7 +54,8 @@ def dot(a: Triple, b: Triple) -> float:
 @kernel
 def rotated(axis: Triple, theta: float, v: Triple) -> Triple:
     """v turned about a unit axis by θ, rad (Rodrigues)."""
-    c, s, w = cos(theta), sin(theta), cross(axis, v)
+    c, s = cosine_and_sine(theta)
+    w = cross(axis, v)
     along = (1.0 - c) * dot(axis, v)
     return (
         c * v[0] + s * w[0] + along * axis[0],
@@ -126,7 +129,7 @@ def postures(
     """
     rows, k = np.empty((8, 10)), 0
     s1, v = triple(base[WAIST]), centre_from_waist(base, tool, T)
-    upper, fore, kept = links[UPPER], links[FORE], (q[0], q[5])
+    two, kept = two_links(links[UPPER], links[FORE]), (q[0], q[5])
     waists, first, second = waist_angles(base, aside, v, kept[0])
     for waist in range(waists):
         theta1 = first if waist == 0 else second
@@ -141,10 +144,10 @@ def postures(
             ahead = out_of(T, rotated(triple(tool[SIXTH]), -theta6, ahead))
             phi = atan2(dot(y, ahead), dot(x, ahead))
             wrist = centre - links[SHOULDER] - links[HAND] * (cos(phi) + 1j * sin(phi))
-            count, cosine, folded = elbows(wrist, upper, fore, SLACK)
+            count, cosine, folded = elbows(wrist, two, SLACK)
             for elbow in range(count):
                 bend = 1.0 - 2.0 * elbow
-                theta2, theta3 = bent(wrist, upper, fore, cosine, bend)
+                theta2, theta3 = bent(wrist, two, cosine, bend)
                 theta2 = q[1] if folded else theta2
                 row = rows[k]
                 row[0], row[1], row[2], row[4], row[5] = theta1, theta2, signs[0] * theta3, theta5, theta6
@@ -163,17 +166,21 @@ def joint_values(
     links: NDArray[np.complex128],
     signs: Array,
     aside: float,
+    links_at_zero: Array,
     arm: Array,
     free: Array,
     T_world_tool: Array,
     q: Array,
 ) -> Array:
-    """The rows of `postures`, polished, verified, each once; arm and free as in `polished`."""
+    """The rows of `postures`, polished, verified, each once; links_at_zero, arm and free as in `polished`."""
+    goal = stand_of(T_world_tool)
     rows, there, memory, k = postures(base, tool, links, signs, aside, T_world_tool, q), np.empty(6), memory_of(6), 0
     for row in rows:
         for i in range(6):
             there[i] = row[i]
-        if polished(arm, free, T_world_tool, there, memory) < ACCEPTED and not is_known(rows, k, there):
+        if polished(links_at_zero, arm, free, T_world_tool, goal, there, memory) < ACCEPTED and not is_known(
+            rows, k, there
+        ):
             for i in range(LOOSE + 1):
                 rows[k, i] = there[i] if i < LEFT else row[i]
             k += 1

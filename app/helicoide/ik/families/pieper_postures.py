@@ -12,6 +12,7 @@ from helicoide.ik.families.pieper_arm import NONE
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
 from helicoide.ik.families.roots import zeros
 from helicoide.ik.postures.descent import memory_of
+from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
 
@@ -159,12 +160,12 @@ def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
 
 
 @kernel
-def joint_values(arms: Chain, arm: Array, free: Array, T_world_tool: Array, q: Array) -> Array:
+def joint_values(arms: Chain, links: Array, arm: Array, free: Array, T_world_tool: Array, q: Array) -> Array:
     """Every posture for a tool pose (4, 4), m, polished, verified, each once: q, rad, and what `postures` notes.
 
-    Args: arms (1,) of PIEPER; arm and free as in `polished`; q (6,), rad: kept where a joint is free.
+    Args: arms (1,) of PIEPER; links, arm and free as in `polished`; q (6,), rad: kept where a joint is free.
     """
-    form, memory = arms[0], memory_of(6)
+    form, memory, goal = arms[0], memory_of(6), stand_of(T_world_tool)
     shifts, backwards = form["shifts"], form["backwards"]
     kept, there = np.empty(6), np.empty(6)
     for i in range(6):
@@ -174,7 +175,7 @@ def joint_values(arms: Chain, arm: Array, free: Array, T_world_tool: Array, q: A
     for row in rows:
         for i in range(6):
             there[5 - i if backwards else i] = row[i] - shifts[i]
-        if polished(arm, free, T_world_tool, there, memory) < ACCEPTED and not is_known(rows, k, there):
+        if polished(links, arm, free, T_world_tool, goal, there, memory) < ACCEPTED and not is_known(rows, k, there):
             number += int(row[ARM] != last)
             last = row[ARM]
             for i in range(6):

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from math import atan2, sqrt
 
-import numpy as np
-
-from helicoide.ik.postures.descent import Memory, descend, linearised, squares
+from helicoide.ik.postures.descent import Memory, descend
 from helicoide.ik.postures.listing import wrapped
+from helicoide.ik.postures.measure import Stand, remains
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import DRIVER, X, Y, Z, behind, ending, rows_of
 
 # What a posture may miss without polish, m and rad, and how many steps there are; sines, or lengths in m, that leave an
 # angle free; what rounding takes from a radicand, of its largest value; postures nearer than MERGED, rad, are one.
@@ -35,32 +33,18 @@ def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float
 
 
 @kernel
-def off(arm: Array, T_world_tool: Array, q: Array) -> float:
-    """By how much the tool is off a pose (4, 4), in the number that differs most, 1 and m."""
-    x, y, z = X, Y, Z
-    last = arm.shape[0] - 1
-    for i in range(last):
-        x, y, z = behind(x, y, z, arm[i], q[int(arm[i, DRIVER])])
-    tool = rows_of(arm[last])
-    x, y, z, most = ending(x, tool), ending(y, tool), ending(z, tool), 0.0
-    for j in range(4):
-        apart = max(abs(x[j] - T_world_tool[0, j]), abs(y[j] - T_world_tool[1, j]), abs(z[j] - T_world_tool[2, j]))
-        most = max(most, apart)
-    return most
+def polished(
+    links: Array, arm: Array, free: Array, T_world_tool: Array, goal: Stand, q: Array, memory: Memory
+) -> float:
+    """What is left of a pose, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
 
-
-@kernel
-def polished(arm: Array, free: Array, T_world_tool: Array, q: Array, memory: Memory) -> float:
-    """What is left of a pose (4, 4), m, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
-
-    Args: arm of `tool.packed`; free (n, 6): the joints without limits, as `descent` takes them.
+    Args: links of `measure.measured` and arm of `tool.packed`; free (n, 6): the joints without limits, as `descent`
+    takes them; T_world_tool (4, 4), m, and the same as `measure.stand_of` gives it.
     """
-    if off(arm, T_world_tool, q) < EXACT:
-        return EXACT
-    _, missed, turned = descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory)
-    if missed == np.inf:
-        p, r = squares(linearised(arm, q, T_world_tool, (1.0, 1.0), memory[0]))
-        missed, turned = np.sqrt(p), np.sqrt(r)
+    missed, turned = remains(links, q, goal)
+    if max(missed, turned) > EXACT:
+        descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory)
+        missed, turned = remains(links, q, goal)
     return max(missed, turned)
 
 
@@ -68,9 +52,9 @@ def polished(arm: Array, free: Array, T_world_tool: Array, q: Array, memory: Mem
 def is_known(rows: Array, k: int, q: Array) -> bool:
     """Whether one of the first k rows has the posture q (n,), rad."""
     for i in range(k):
-        far = 0.0
-        for j in range(q.shape[0]):
-            far = max(far, abs(wrapped(rows[i, j] - q[j])))
-        if far < MERGED:
+        j = 0
+        while j < q.shape[0] and abs(wrapped(rows[i, j] - q[j])) < MERGED:
+            j += 1
+        if j == q.shape[0]:
             return True
     return False

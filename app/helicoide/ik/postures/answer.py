@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from helicoide.ik.postures import listing
 from helicoide.ik.postures.branch import Branch, check_pose
-from helicoide.kinematics.chain import Array
+from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
@@ -94,7 +94,9 @@ class Answer:
     @property
     def T_world_goal(self) -> Array:
         """What was solved for, (4, 4), m."""
-        return self.found.T_world_goal
+        goal = self.found.T_world_goal.view()
+        goal.setflags(write=False)
+        return goal
 
     @property
     def moved(self) -> float:
@@ -126,7 +128,7 @@ class Answer:
         """The postures with their names."""
         names, said = self.found.told.names, self.rows[:, -1 - listing.COST :]
         return tuple(
-            Branch(names[int(row[listing.NUMBER])], q, float(row[0]), float(row[1]), bool(row[listing.WITHIN]))
+            Branch(names[int(row[listing.NUMBER])], frozen(q), float(row[0]), float(row[1]), bool(row[listing.WITHIN]))
             for q, row in zip(self.q, said, strict=True)
         )
 
@@ -145,29 +147,23 @@ class Answer:
 
     def only(self, places: Sequence[int]) -> Answer:
         """The answer with no postures but those in these places."""
-        return Answer(_kept(self.rows[list(places)]), self.found)
+        return Answer(self.rows[list(places)], self.found)
 
 
 def in_order(robot: Robot, found: Found, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Answer:
     """The answer with the postures in the order of `listing.in_order`, measured against the asked pose (4, 4), m."""
-    rows = listing.in_order(robot, found.q, T_world_tool, found.T_world_goal, q, with_orientation)
-    return Answer(_kept(rows), found)
+    return Answer(listing.in_order(robot, found.q, T_world_tool, found.T_world_goal, q, with_orientation), found)
 
 
 def as_found(robot: Robot, found: Found, T_world_tool: Array, with_orientation: bool = True) -> Answer:
     """The answer with the postures in the order in which they were found."""
-    rows = listing.as_found(robot, found.q, check_pose(T_world_tool), found.T_world_goal, with_orientation)
-    return Answer(_kept(rows), found)
+    T = check_pose(T_world_tool)
+    return Answer(listing.as_found(robot, found.q, T, found.T_world_goal, with_orientation), found)
 
 
 def rows_of(postures: Sequence[Array], n: int) -> Array:
     """Postures (n,) as rows (k, n), also where there are none."""
     return np.array(postures, dtype=np.float64).reshape(len(postures), n)
-
-
-def _kept(rows: Array) -> Array:
-    rows.setflags(write=False)
-    return rows
 
 
 class Form(Protocol):

@@ -57,6 +57,13 @@ def sentences(*parts: Text | None) -> Text:
 
 def check_pose(T: ArrayLike) -> Array:
     """A pose as a read-only array (4, 4), m; raises HelicoideError unless it is a finite rotation and translation."""
+    pose = pose_of(T)
+    pose.setflags(write=False)
+    return pose
+
+
+def pose_of(T: ArrayLike) -> Array:
+    """The same as a copy that may be written."""
     pose = np.array(T, dtype=np.float64, order="C")
     if pose.shape != (4, 4) or not is_pose(pose):
         raise HelicoideError(
@@ -65,7 +72,6 @@ def check_pose(T: ArrayLike) -> Array:
                 pt_BR="Um alvo é uma pose 4 × 4 de números finitos: rotação, posição e a última linha 0, 0, 0, 1.",
             )
         )
-    pose.setflags(write=False)
     return pose
 
 

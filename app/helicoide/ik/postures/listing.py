@@ -68,6 +68,8 @@ def into_limits(joint: Array, x: float) -> float:
     if joint[WHOLE] == 0.0:
         return x
     angle = wrapped(x)
+    if keeps(joint, angle):
+        return angle
     turns = max(np.ceil((joint[LOWER] - ON_LIMIT - angle) / (2 * np.pi)), 0.0)
     turns += min(np.floor((joint[UPPER] + ON_LIMIT - angle) / (2 * np.pi)), 0.0)
     moved = angle + 2 * np.pi * turns

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from math import atan2, hypot, sqrt
+from math import atan2, sqrt
 
 import numpy as np
 
@@ -103,4 +103,4 @@ def remains(arm: Array, q: Array, goal: Stand) -> tuple[float, float]:
     vy = g * y + gx * z - gy * w - gz * x
     vz = g * z - gx * y + gy * x - gz * w
     missed = sqrt((px - goal[0]) ** 2 + (py - goal[1]) ** 2 + (pz - goal[2]) ** 2)
-    return missed, 2 * atan2(hypot(hypot(vx, vy), vz), abs(cosine))
+    return missed, 2 * atan2(sqrt(vx * vx + vy * vy + vz * vz), abs(cosine))

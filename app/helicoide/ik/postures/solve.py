@@ -12,7 +12,7 @@ from helicoide.ik.converge import Tolerance, by_method, converged
 from helicoide.ik.method import Method, Task
 from helicoide.ik.postures import listing, numeric, subspace
 from helicoide.ik.postures.answer import Answer, Form, Found, Said, as_found, in_order
-from helicoide.ik.postures.branch import check_pose, sentences
+from helicoide.ik.postures.branch import check_pose, pose_of, sentences
 from helicoide.ik.postures.choice import Ranked, ranked, touching
 from helicoide.ik.postures.measure import left
 from helicoide.kinematics.chain import Array
@@ -47,7 +47,7 @@ def solve(
     than six joints gets the nearest goal that it can take. Where no posture within the limits reaches the goal, the
     one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
     """
-    T, q = check_pose(T_world_tool), robot.check_joints(q)
+    T, q = pose_of(T_world_tool), robot.joints_of(q)
     for form in closed.of(robot).values():
         if with_orientation or form.OF_POINTS:
             return _by_form(robot, form, T, q, every, with_orientation)

@@ -24,7 +24,6 @@ from helicoide.ik.families.parallel_arm import (
 )
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
 from helicoide.ik.families.two_links import bent, elbows, two_links
-from helicoide.ik.postures.descent import memory_of
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
@@ -174,13 +173,11 @@ def joint_values(
 ) -> Array:
     """The rows of `postures`, polished, verified, each once; links_at_zero, arm and free as in `polished`."""
     goal = stand_of(T_world_tool)
-    rows, there, memory, k = postures(base, tool, links, signs, aside, T_world_tool, q), np.empty(6), memory_of(6), 0
+    rows, there, k = postures(base, tool, links, signs, aside, T_world_tool, q), np.empty(6), 0
     for row in rows:
         for i in range(6):
             there[i] = row[i]
-        if polished(links_at_zero, arm, free, T_world_tool, goal, there, memory) < ACCEPTED and not is_known(
-            rows, k, there
-        ):
+        if polished(links_at_zero, arm, free, T_world_tool, goal, there) < ACCEPTED and not is_known(rows, k, there):
             for i in range(LOOSE + 1):
                 rows[k, i] = there[i] if i < LEFT else row[i]
             k += 1

@@ -11,7 +11,6 @@ from helicoide.ik.families.frames import framed
 from helicoide.ik.families.pieper_arm import NONE
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
 from helicoide.ik.families.roots import zeros
-from helicoide.ik.postures.descent import memory_of
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
@@ -165,7 +164,7 @@ def joint_values(arms: Chain, links: Array, arm: Array, free: Array, T_world_too
 
     Args: arms (1,) of PIEPER; links, arm and free as in `polished`; q (6,), rad: kept where a joint is free.
     """
-    form, memory, goal = arms[0], memory_of(6), stand_of(T_world_tool)
+    form, goal = arms[0], stand_of(T_world_tool)
     shifts, backwards = form["shifts"], form["backwards"]
     kept, there = np.empty(6), np.empty(6)
     for i in range(6):
@@ -175,7 +174,7 @@ def joint_values(arms: Chain, links: Array, arm: Array, free: Array, T_world_too
     for row in rows:
         for i in range(6):
             there[5 - i if backwards else i] = row[i] - shifts[i]
-        if polished(links, arm, free, T_world_tool, goal, there, memory) < ACCEPTED and not is_known(rows, k, there):
+        if polished(links, arm, free, T_world_tool, goal, there) < ACCEPTED and not is_known(rows, k, there):
             number += int(row[ARM] != last)
             last = row[ARM]
             for i in range(6):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import atan2, sqrt
 
-from helicoide.ik.postures.descent import Memory, descend
+from helicoide.ik.postures.descent import descend, memory_of
 from helicoide.ik.postures.listing import wrapped
 from helicoide.ik.postures.measure import Stand, remains
 from helicoide.kernels import kernel
@@ -33,9 +33,7 @@ def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float
 
 
 @kernel
-def polished(
-    links: Array, arm: Array, free: Array, T_world_tool: Array, goal: Stand, q: Array, memory: Memory
-) -> float:
+def polished(links: Array, arm: Array, free: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
     """What is left of a pose, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
 
     Args: links of `measure.measured` and arm of `tool.packed`; free (n, 6): the joints without limits, as `descent`
@@ -43,7 +41,7 @@ def polished(
     """
     missed, turned = remains(links, q, goal)
     if max(missed, turned) > EXACT:
-        descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory)
+        descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory_of(q.shape[0]))
         missed, turned = remains(links, q, goal)
     return max(missed, turned)
 

@@ -141,6 +141,14 @@ class Answer:
         return tuple(values[int(number)] for number in listing.column(self.rows, listing.NUMBER))
 
     @property
+    def is_solved(self) -> bool:
+        """Whether the first posture reaches what was solved for and keeps the limits."""
+        if not len(self.rows):
+            return False
+        said = self.rows[0, -1 - listing.COST :].tolist()
+        return bool(said[listing.WITHIN] and max(said[listing.LEFT], said[listing.LEFT_TURNED]) <= listing.REACHED)
+
+    @property
     def nearest(self) -> Answer:
         """The answer with its first posture alone."""
         return Answer(self.rows[:1], self.found)

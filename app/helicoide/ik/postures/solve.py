@@ -111,7 +111,7 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
     answer = in_order(robot, found, T, q, with_orientation)
     if every:
         return answer
-    if _is_met(answer) and answer.within[0]:
+    if answer.is_solved:
         return answer.nearest
     one = numeric.one(robot, found.T_world_goal, q, with_orientation)
     told = Said(one.told.names, sentences(found.told.words, one.told.words), free=found.told.free)

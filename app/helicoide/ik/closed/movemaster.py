@@ -48,9 +48,8 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     if (arm := side_of(robot)) is None:
         raise HelicoideError(ELSE)
     rows, goal, noted = joint_values(arm.packed, T_world_tool, q)
-    turned, over, folded = noted.tolist()
-    told = Words(arm, goal, rows, turned, (0,) * bool(over) + (1,) * bool(folded), float(q[0]))
-    return Found(rows, goal, told, turned=turned, short=0.0 if len(rows) else arm.links.beyond(told.nearer))
+    told = Words(arm, goal, rows, noted, float(q[0]))
+    return Found(rows, goal, told, turned=float(noted[0]), short=0.0 if len(rows) else arm.links.beyond(told.nearer))
 
 
 def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
@@ -66,7 +65,7 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
 
 @dataclass(frozen=True, eq=False)
 class Words:
-    """What is said of the postures in the rows of `joint_values` for a goal (4, 4), m, to which the pose was turned.
+    """What is said of what `joint_values` found and noted for a goal (4, 4), m, to which the pose was turned.
 
     theta1: that of the posture before, rad, which gives the plane where the goal leaves it open.
     """
@@ -74,8 +73,7 @@ class Words:
     arm: Side
     T_world_goal: Array
     rows: Array
-    turned: float
-    free: tuple[int, ...]
+    noted: Array
     theta1: float
 
     @cached_property
@@ -91,7 +89,7 @@ class Words:
     def words(self) -> Text:
         """How many there are, or how far the goal lies beyond reach, and which joints are free."""
         return sentences(
-            Projection(self.T_world_goal, 0.0, self.turned).words,
+            Projection(self.T_world_goal, 0.0, float(self.noted[0])).words,
             COUNTED.format(n=len(self.rows)) if len(self.rows) else self.arm.links.words(self.nearer),
             OVER if 0 in self.free else None,
             FOLDED if 1 in self.free else None,
@@ -101,6 +99,12 @@ class Words:
     def values(self) -> Sequence[Mapping[str, float]]:
         """What the equations gave on the way to each posture, by symbol."""
         return list(self._values())
+
+    @property
+    def free(self) -> tuple[int, ...]:
+        """The joints that are not determined."""
+        _, over, folded = self.noted
+        return (0,) * bool(over) + (1,) * bool(folded)
 
     @property
     def nearer(self) -> float:

@@ -15,7 +15,7 @@ from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.drive import Drive
 from helicoide.ik.goal import Goal, tool_pose
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import Ranked
 from helicoide.kernels import plain
 from helicoide.kinematics.ball import Ball

@@ -17,7 +17,7 @@ from tests.benchmarks.corpus_tree import Tree, apart
 
 from helicoide.commands.ik import described
 from helicoide.confinement import Obstacles
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import alike
 from helicoide.ik.postures.solve import chosen, reached, solve, status
 from helicoide.kinematics.chain import Array

@@ -1,14 +1,20 @@
-"""All postures of the PUMA 560 for a pose, by our closed form and by EAIK's."""
+"""All postures for a pose of the PUMA 560, a UR5 and the Movemaster, by our closed forms and by EAIK's."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from tests.benchmarks.children.turns import Numbers, timed
-from tests.benchmarks.ik_turns import Run, faster, in_turn, judged, line, or_left_out, taking_part, turn_of
+from tests.benchmarks.ik_turns import Run, Turn, faster, in_turn, judged, line, or_left_out, taking_part, turn_of
 from tests.benchmarks.peers import Child, Peer
 
-from helicoide.ik.closed.puma560 import lengths_of, postures
+from helicoide.ik.families import movemaster_arm, parallel_postures, puma_arm
+from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.postures.branch import between
+from helicoide.ik.postures.measure import measured
+from helicoide.ik.postures.numeric import searcher
+from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -16,10 +22,11 @@ from helicoide.kinematics.tool import packed, tool_pose
 
 PEERS = (Peer("eaik", "with_eaik_ik.py"),)
 POSES, LENGTH, ROUNDS = 1000, 50, 7
-FASTER = 1.0
+BARE, WORDED = 1.0, 0.5  # times as fast as theirs: the kernel, and the answer of which words can be read
 ALIKE, MISSED = 1e-6, 1e-9
 HOW = (
-    "The same 1,000 poses for both, as 4 × 4 arrays; theirs is the bare call, without the making of arrays from its Q."
+    "The same 1,000 poses for both, as 4 × 4 arrays; theirs is the bare call, without the making of arrays from its Q.",
+    "EAIK takes arms of six joints: the Movemaster stands beside its time for the poses of the PUMA.",
 )
 
 
@@ -39,36 +46,69 @@ def _worst(arm: Array, poses: list[Array], run: Run) -> float:
     )
 
 
-def _measure(robot: Robot, child: Child) -> None:
-    rng, arm = np.random.default_rng(0), packed(robot)
-    poses = [tool_pose(arm, q) for q in rng.uniform(robot.lower, robot.upper, (POSES, 6))]
-    before, behind = np.linalg.inv(robot.dh.T_world_dh), np.linalg.inv(robot.dh.T_dh_tool)
-    wrists = [np.ascontiguousarray(before @ pose @ behind) for pose in poses]
-    lengths, shifts = lengths_of(robot).copy(), np.array([row.theta for row in robot.dh.rows])
-    start = robot.poses["ready"] + shifts
+def _bare(robot: Robot) -> tuple[Callable[[Array], Array], str]:
+    """The kernel of a robot's closed form, and what is called."""
+    start = robot.poses["ready"].copy()
+    if (puma := puma_arm.puma(robot)) is not None:
+        given = puma.lengths, puma.frames, puma.shifts
+        return lambda T: puma_arm.joint_values(*given, T, start), "puma_arm.joint_values(…, T, q)"
+    if (parallel := parallel_arm(robot)) is not None:
+        of, arm = searcher(robot), parallel
+        axes = arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded
+        return lambda T: parallel_postures.joint_values(*axes, T, start), "parallel_postures.joint_values(…, T, q)"
+    side = movemaster_arm.side_of(robot)
+    assert side is not None
+    return lambda T: movemaster_arm.joint_values(side.packed, T, start)[0], "movemaster_arm.joint_values(…, T, q)"
 
-    def turn(first: int, beyond: int) -> tuple[list[float], Numbers]:
-        seconds, found = timed(lambda k: postures(lengths, wrists[k], start), range(first, beyond))
-        return seconds, [theta[exists] - shifts for theta, exists in found]
 
+def _given(robot: Robot, poses: list[Array]) -> dict[str, object]:
+    """An arm of six joints and its poses as EAIK takes them."""
     ways = np.diff([np.zeros(3), *robot.points, robot.T_world_tool_0[:3, 3]], axis=0)
     axes = {"directions": robot.directions.tolist(), "ways": ways.tolist()}
-    tool = robot.T_world_tool_0[:3, :3].tolist()
-    child.ask({"given": {**axes, "tool_turn": tool, "poses": [pose.tolist() for pose in poses]}})
-    ours, theirs = in_turn(turn, turn_of(child), POSES, LENGTH, ROUNDS)
-    for who, run, said in (("ours", ours, "postures(lengths, T, q)"), (child.name, theirs, "robot.calculate_IK(T)")):
-        count = np.mean([len(found) for found in run.answers])
-        line(who, run, f"{count:.3f} postures, the worst misses {_worst(arm, poses, run):.1e}  {said}")
-    alike = [_same(mine, others) for mine, others in zip(ours.answers, theirs.answers, strict=True)]
-    judged(f"{robot.name}, {100 * np.mean(alike):.2f} % of the sets of postures the same", all(alike))
-    judged(f"{robot.name}, ours miss at most {MISSED:.0e}", _worst(arm, poses, ours) <= MISSED)
-    faster(f"{robot.name}, all postures beside {child.name}", ours, theirs, FASTER)
+    return {**axes, "tool_turn": robot.T_world_tool_0[:3, :3].tolist(), "poses": [pose.tolist() for pose in poses]}
+
+
+def _poses(robot: Robot) -> list[Array]:
+    rng, arm = np.random.default_rng(0), packed(robot)
+    return [tool_pose(arm, q) for q in rng.uniform(robot.lower, robot.upper, (POSES, len(robot.variables)))]
+
+
+def _measure(robot: Robot, child: Child, beside: Robot) -> None:
+    """Ours for a robot and theirs for the one beside it, which is the same where they take it."""
+    arm, poses, n = packed(robot), _poses(robot), len(robot.variables)
+    start, (bare, called) = robot.poses["ready"], _bare(robot)
+    child.ask({"given": _given(beside, _poses(beside))})
+
+    def by_kernel(first: int, beyond: int) -> tuple[list[float], Numbers]:
+        seconds, found = timed(lambda k: bare(poses[k]), range(first, beyond))
+        return seconds, [rows[:, :n] for rows in found]
+
+    def by_answer(first: int, beyond: int) -> tuple[list[float], Numbers]:
+        seconds, found = timed(lambda k: solve(robot, poses[k], start, every=True), range(first, beyond))
+        return seconds, [answer.q for answer in found]
+
+    ways: tuple[tuple[str, Turn, float], ...] = (
+        (called, by_kernel, BARE),
+        ("solve(robot, T, q, every=True)", by_answer, WORDED),
+    )
+    for statement, turn, goal in ways:
+        ours, theirs = in_turn(turn, turn_of(child), POSES, LENGTH, ROUNDS)
+        worst, count = _worst(arm, poses, ours), np.mean([len(found) for found in ours.answers])
+        line("ours", ours, f"{count:.3f} postures, the worst misses {worst:.1e}  {statement}")
+        count = np.mean([len(found) for found in theirs.answers])
+        line(child.name, theirs, f"{count:.3f} postures of {beside.name}  robot.calculate_IK(T)")
+        judged(f"{robot.name}, {statement}, misses at most {MISSED:.0e}", worst <= MISSED)
+        if robot is beside:
+            alike = [_same(mine, others) for mine, others in zip(ours.answers, theirs.answers, strict=True)]
+            judged(f"{robot.name}, {100 * np.mean(alike):.2f} % of the sets of postures the same", all(alike))
+        faster(f"{robot.name}, {statement} beside {child.name}", ours, theirs, goal)
 
 
 def run() -> None:
-    print(f"  {HOW}")
+    print("\n".join(f"  {said}" for said in HOW))
     with taking_part(PEERS) as children:
         for child in children:
-            print("  puma560, all postures")
-            with or_left_out(child, "all postures"):
-                _measure(load("puma560"), child)
+            for name, beside in (("puma560", "puma560"), ("ur5", "ur5"), ("movemaster", "puma560")):
+                print(f"  {name}, all postures")
+                with or_left_out(child, f"all postures of {name}"):
+                    _measure(load(name), child, load(beside))

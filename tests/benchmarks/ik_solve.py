@@ -4,12 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 from tests.benchmarks.children.turns import Numbers, timed
-from tests.benchmarks.ik_turns import Run, faster, in_turn, judged, line, or_left_out, taking_part, turn_of
+from tests.benchmarks.ik_turns import (
+    Run,
+    Turn,
+    faster,
+    faster_on_average,
+    in_turn,
+    judged,
+    line,
+    or_left_out,
+    taking_part,
+    turn_of,
+)
 from tests.benchmarks.kinematics import urdf_of
 from tests.benchmarks.peers import Child, Peer
 
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.numeric import posture
+from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -18,7 +30,7 @@ from helicoide.kinematics.tool import packed, tool_pose
 PEERS = (Peer("roboticstoolbox-python", "with_toolbox_ik.py"),)
 ROBOTS = ("puma560", "ur5", "panda", "movemaster")
 POSES, LENGTH, ROUNDS = 1000, 50, 5
-TOLERANCE, FASTER = 1e-6, 4.0
+TOLERANCE, FASTER, SOLVED = 1e-6, 8.0, 3.0
 ROUNDING = 1e-12
 HOW = (
     "1,000 poses of postures drawn within the limits; from `ready`, then from drawn postures, up to 100 searches of",
@@ -46,25 +58,45 @@ def _said(run: Run, solved: Array) -> str:
     )
 
 
-def _measure(name: str, child: Child) -> None:
-    robot = load(name)
-    rng, arm, start = np.random.default_rng(0), packed(robot), robot.poses["ready"]
-    qs = rng.uniform(robot.lower, robot.upper, (POSES, len(robot.variables)))
-    poses = [tool_pose(arm, q) for q in qs]
+def _searched(robot: Robot, poses: list[Array], start: Array) -> Turn:
+    """The turns of our search."""
 
     def turn(first: int, beyond: int) -> tuple[list[float], Numbers]:
         seconds, found = timed(lambda k: posture(robot, poses[k], start), range(first, beyond))
         return seconds, [(q[:-4], q[-1]) for q in found]
 
+    return turn
+
+
+def _answered(robot: Robot, poses: list[Array], start: Array) -> Turn:
+    """The turns of our front door."""
+
+    def turn(first: int, beyond: int) -> tuple[list[float], Numbers]:
+        seconds, found = timed(lambda k: solve(robot, poses[k], start), range(first, beyond))
+        return seconds, [(answer.q[0], 1) for answer in found]
+
+    return turn
+
+
+def _measure(name: str, child: Child) -> None:
+    robot = load(name)
+    rng, arm, start = np.random.default_rng(0), packed(robot), robot.poses["ready"]
+    qs = rng.uniform(robot.lower, robot.upper, (POSES, len(robot.variables)))
+    poses = [tool_pose(arm, q) for q in qs]
     limits = {"lower": robot.lower.tolist(), "upper": robot.upper.tolist()}
     goals = {"poses": [pose.tolist() for pose in poses], "start": start.tolist(), "tolerance": TOLERANCE}
     child.ask({"given": {"urdf": urdf_of(robot), **limits, **goals}})
-    ours, theirs = in_turn(turn, turn_of(child), POSES, LENGTH, ROUNDS)
-    solved = _solved(robot, poses, ours)
-    line("ours", ours, f"{_said(ours, solved)}  posture(robot, T, q)")
-    line(child.name, theirs, f"{_said(theirs, _solved(robot, poses, theirs))}  ets.ik_LM(T, q0, …)")
-    judged(f"{name}, every pose solved", bool(solved.all()))
-    faster(f"{name}, one posture beside {child.name}", ours, theirs, FASTER)
+    for statement, turns, goal in (
+        ("posture(robot, T, q)", _searched(robot, poses, start), FASTER),
+        ("solve(robot, T, q)", _answered(robot, poses, start), SOLVED),
+    ):
+        ours, theirs = in_turn(turns, turn_of(child), POSES, LENGTH, ROUNDS)
+        solved = _solved(robot, poses, ours)
+        line("ours", ours, f"{_said(ours, solved)}  {statement}")
+        line(child.name, theirs, f"{_said(theirs, _solved(robot, poses, theirs))}  ets.ik_LM(T, q0, …)")
+        judged(f"{name}, {statement}, every pose solved", bool(solved.all()))
+        faster(f"{name}, {statement} beside {child.name}", ours, theirs, goal)
+        faster_on_average(f"{name}, {statement} beside {child.name}", ours, theirs, goal)
 
 
 def run() -> None:

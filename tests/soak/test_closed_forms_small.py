@@ -10,7 +10,8 @@ from tests.ik.closed.rows import worst
 from tests.ik.closed.small_arms import recovered
 
 from helicoide.ik.closed import polar
-from helicoide.ik.postures.branch import Answer, tool_at
+from helicoide.ik.postures.answer import Answer
+from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

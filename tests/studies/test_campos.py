@@ -147,11 +147,11 @@ def mirrored(axis: paden_kahan.Axis, p: Array, q: Array, kept: float) -> float:
     return -TURN_TO(axis, p, q, kept)
 
 
-def without_flip(lengths: Array, T: Array, q: Array) -> tuple[Array, Any]:
+def without_flip(*arm_and_goal: Any) -> Array:
     """The PUMA without θ₅' = −θ₅."""
-    theta, exists = POSTURES(lengths, T, q)
-    theta[1::2, 4] *= -1
-    return theta, exists
+    rows = POSTURES(*arm_and_goal)
+    rows[rows[:, 6] % 2 == 1, 4] *= -1
+    return rows
 
 
 def unweighted(robot: Any, branches: Any, q: Array, weights: Any, collides: Any = lambda q: False) -> Any:
@@ -184,7 +184,7 @@ def turned_further(robot: Any, T: Array, q: Array) -> Any:
 
 
 SHARE, POINTED = campos_dexterous.share_of_two, motoman_l3.pointed
-GEOMETRIC, TURN_TO, POSTURES, RANKED = elbow.geometric, paden_kahan.turn_to, puma560.postures, choice.ranked
+GEOMETRIC, TURN_TO, POSTURES, RANKED = elbow.geometric, paden_kahan.turn_to, puma560.joint_values, choice.ranked
 HALVES = dual_quaternions.halves
 
 MUTATIONS = [
@@ -198,7 +198,7 @@ MUTATIONS = [
         one_sided,
         "PUMA: postures for each goal by the family that finds the fewest",
     ),
-    ("campos_puma", puma560, "postures", without_flip, "postures of ten poses that only one"),
+    ("campos_puma", puma560, "joint_values", without_flip, "postures of ten poses that only one"),
     ("campos_projection", subspace, "project", no_projection, "random goals that the arm takes as they are"),
     ("campos_workspaces", elbow.Annulus, "elbows", two_everywhere, "postures on the outer edge"),
     ("campos_dexterous", campos_dexterous, "share_of_two", short_of_two, "dexterous points of two equal links"),

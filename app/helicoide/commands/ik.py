@@ -5,7 +5,6 @@ from __future__ import annotations
 import json as json_format
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from math import isfinite
 from typing import Annotated, Any
 
@@ -16,7 +15,7 @@ from helicoide.commands import NOT_REACHED, described_ends, ends, language, rema
 from helicoide.confinement import Obstacles
 from helicoide.geometry import euler, rotation
 from helicoide.ik.postures import solvability
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
 from helicoide.ik.postures.solve import chosen, reached, solve, solve_by, status
 from helicoide.kinematics.chain import Array, frozen
@@ -87,7 +86,7 @@ def run(
     ranking = chosen(arm, answer, q, alike(arm) if weights is None else weights, _sphere(obstacle), R is not None)
     free = [row for row in ranking if row.dropped is not COLLIDES]
     shown = ranking if all else free[: 1 if choosing else None] or ranking
-    told = replace(answer, branches=tuple(replace(row.branch, q=row.q) for row in free))
+    told = answer.only([answer.branches.index(row.branch) for row in free])
     said = ALL_COLLIDE if answer.branches and not free else status(told)
     if json:
         print(json_format.dumps(described(arm, told, said, shown, T, R is not None), indent=1))

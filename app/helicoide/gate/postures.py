@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from helicoide.command import ToJoints
 from helicoide.gate.check import checked, driven, finite
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import OUT_OF_LIMITS, alike, barrier
 from helicoide.ik.postures.solve import chosen
 from helicoide.kinematics.chain import Array, frozen

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
+from math import isfinite
 from pathlib import Path
 
 import numpy as np
@@ -245,8 +246,12 @@ class Robot:
 
     def check_joints(self, q: ArrayLike) -> Array:
         """The joint values as a read-only array (n,); raises HelicoideError unless there are n finite numbers."""
-        values = np.atleast_1d(np.asarray(q, dtype=np.float64))
-        if values.shape != (len(self.variables),) or not np.isfinite(values).all():
+        return frozen(self.joints_of(q))
+
+    def joints_of(self, q: ArrayLike) -> Array:
+        """The same as it is given where it is an array, for who keeps no more than its numbers."""
+        values = np.ascontiguousarray(q, dtype=np.float64)
+        if values.shape != (len(self.variables),) or not all(map(isfinite, values.tolist())):
             raise HelicoideError(
                 Text(
                     en="{robot} takes {n} finite joint values ({names}), not {given}.",
@@ -258,7 +263,7 @@ class Robot:
                     given=", ".join(f"{value:g}" for value in values.ravel()),
                 )
             )
-        return frozen(values)
+        return values
 
 
 def _between_guarded_points(robot: Robot) -> tuple[Capsule, ...]:

@@ -20,10 +20,11 @@ from helicoide.confinement.planes import distances
 from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
-from helicoide.ik.closed import puma560
+from helicoide.ik.families import parallel_postures
 from helicoide.ik.postures import numeric
-from helicoide.ik.postures.measure import left
+from helicoide.ik.postures.measure import left, measured
 from helicoide.ik.postures.nearest import nearest
+from helicoide.ik.postures.solve import solve
 from helicoide.ik.postures.subspace import project
 from helicoide.jobs.apart import Apart, Failed, Killed
 from helicoide.kinematics import tool, workspace
@@ -91,11 +92,21 @@ def _look(state: State) -> None:
     postures(state)(state)
     tool.tool_pose(tool.packed(robot), q)
     tool.tool_jacobian(tool.packed(robot), q)
-    puma560.postures(np.ones(4), T, np.zeros(6))
+    _list_postures()
     find(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
     unpacked(bytes(2), 1)
     walked([Column("", "<u1")], 1, bytes(1), 0)
     workspace.counted(workspace.planned(robot, "reachable", 1), 0)
+
+
+def _list_postures() -> None:
+    """Closed forms of other arms than the one that drives."""
+    for name in ("puma560", "zebra_zero"):
+        robot = load(name)
+        solve(robot, robot.T_world_tool_0, robot.poses["ready"], every=True)
+    of, frame = numeric.searcher(robot), np.eye(5, 3)
+    arm = (frame[:4], frame, np.ones(4, dtype=np.complex128), np.ones(2), 0.0, measured(robot), of.arm, of.unbounded)
+    parallel_postures.joint_values(*arm, robot.T_world_tool_0, robot.poses["ready"])
 
 
 def compiled(report: Callable[[int], None]) -> None:

@@ -14,7 +14,8 @@ from helicoide.ik.clik import to_pose
 from helicoide.ik.converge import Report, by_method, converged
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import numeric
-from helicoide.ik.postures.branch import Answer, tool_at, wrap
+from helicoide.ik.postures.answer import Answer
+from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.solve import EXACT
 from helicoide.kinematics.chain import Array, frozen

@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.closed import puma560
+from helicoide.ik.families import puma_arm
 from helicoide.ik.postures import numeric, solvability
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.chain import Array, frozen
@@ -49,10 +50,10 @@ def there_and_back(
 
     Then the least and the largest number of postures.
     """
-    lengths, missed, apart, counts = puma560.lengths_of(arm).copy(), 0.0, 0.0, list[int]()
+    lengths, missed, apart, counts = puma_arm.lengths_of(arm).copy(), 0.0, 0.0, list[int]()
     for done, q in enumerate(np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))):
         T = tool_at(arm, q)
-        found, exists = puma560.postures(lengths, T, np.zeros(6))
+        found, exists = puma_arm.postures(lengths, T, np.zeros(6))
         counts.append(int(exists.sum()))
         missed = max(missed, *(float(np.abs(tool_at(arm, row) - T).max()) for row in found[exists]))
         apart = max(apart, float(np.abs(wrap(found[exists] - q)).max(axis=1).min()))

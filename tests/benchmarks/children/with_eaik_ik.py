@@ -1,4 +1,7 @@
-"""EAIK's closed form of a 6R arm: every posture of a pose, from the axes and the points on them."""
+"""EAIK's closed form of a 6R arm: every posture of a pose, from the axes and the points on them.
+
+What it gives as the nearest by least squares, where there is no posture, is left out.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,9 @@ def prepared(directions: Numbers, ways: Numbers, tool_turn: Numbers, poses: Numb
 
     def turn(first: int, beyond: int) -> tuple[list[float], Numbers]:
         seconds, found = timed(lambda k: arm.calculate_IK(targets[k]), range(first, beyond))
-        return seconds, [answer.Q for answer in found]
+        return seconds, [
+            [q for q, nearest in zip(answer.Q, answer.is_LS, strict=True) if not nearest] for answer in found
+        ]
 
     return turn
 

@@ -12,7 +12,8 @@ from tests.ik.closed.small_arms import moved, reversed_axes
 
 from helicoide.geometry import euler
 from helicoide.ik import closed
-from helicoide.ik.postures.branch import Answer, tool_at, wrap
+from helicoide.ik.postures.answer import Answer
+from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -10,6 +10,7 @@ from tests.ik.closed.rows import distance, worst
 
 from helicoide.geometry import rotation
 from helicoide.ik.closed import motoman_l3, movemaster
+from helicoide.ik.families.movemaster_arm import side_of
 from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
@@ -144,7 +145,7 @@ def test_out_of_reach_by_how_much(robot: Robot) -> None:
 
 def test_what_is_too_near_the_shoulder_is_reached_turned_back(robot: Robot) -> None:
     """The hole is 50 mm wide, and the shoulder then stands 240 mm away on the other side of the waist."""
-    assert movemaster.side_of(robot).links.inner == pytest.approx(0.05)  # type: ignore[union-attr]
+    assert side_of(robot).links.inner == pytest.approx(0.05)  # type: ignore[union-attr]
     answer = movemaster.solve(robot, beside_an_edge(robot, 180, -0.03), HERE)
     assert ["turned back" in branch.name.en for branch in answer.branches] == [True, True]
     assert worst(robot, answer) < 1e-9

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import pi
+from pathlib import Path
 
 import numpy as np
 import pytest
 from tests.ik.closed.rows import backwards, distance, worst
 from tests.kinematics.test_packages import packaged_arm
 
+from helicoide.ik import closed
 from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import pieper_arm
 from helicoide.ik.postures.branch import tool_at, wrap
+from helicoide.ik.postures.solve import solve, solve_by
+from helicoide.kinematics import dh
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import dh_frames
 from helicoide.kinematics.library import load
@@ -100,6 +104,60 @@ def test_the_puma_by_both_forms(lengths: tuple[float, ...]) -> None:
         one, other = pieper.solve(robot, T, HERE), puma560.solve(robot, T, HERE)
         assert len(one.branches) == len(other.branches) == 8
         assert max(distance(one, branch.q) for branch in other.branches) < 1e-8
+
+
+@pytest.mark.parametrize("lengths", LENGTHS)
+def test_rows_that_are_mirrored_have_the_postures_of_the_puma(lengths: tuple[float, ...]) -> None:
+    """Shoulder and elbow counted the other way, as the Robotics Toolbox has them: θ₂ and θ₃ with other signs."""
+    signs = np.array([1, -1, -1, 1, 1, 1])
+    robot = puma(*lengths)
+    joints = tuple(
+        replace(joint, direction=frozen(sign * joint.direction))
+        for joint, sign in zip(robot.joints, signs, strict=True)
+    )
+    mirrored = replace(robot, joints=joints, dh=dh.recovered(joints, robot.T_world_tool_0))
+    assert puma560.applies(mirrored) is not None
+    assert next(iter(closed.of(mirrored))) == "pieper"
+    for q in np.random.default_rng(8).uniform(-pi, pi, (20, 6)):
+        T = tool_at(mirrored, q)
+        one, other = pieper.solve(mirrored, T, HERE), puma560.solve(robot, T, HERE)
+        assert len(one.branches) == len(other.branches) == 8
+        assert max(distance(one, signs * branch.q) for branch in other.branches) < 1e-8
+
+
+URDF = """<robot name="kr6"><link name="link0"/>{joints}<link name="tool0"/><joint name="flange" type="fixed">
+<parent link="link6"/><child link="tool0"/><origin xyz="0.08 0 0" rpy="0 1.5707963 0"/></joint></robot>"""
+JOINT = """<link name="link{n}"/><joint name="joint{n}" type="revolute"><parent link="link{before}"/>
+<child link="link{n}"/><origin xyz="{place}"/><axis xyz="{axis}"/>
+<limit lower="{low}" upper="{high}" velocity="3" effort="1"/></joint>"""
+# KUKA KR 6 R900 sixx, as its ROS package has it: axes that count either way, m and rad.
+KR6 = [
+    ("0 0 0.4", "0 0 -1", -2.967, 2.967),
+    ("0.025 0 0", "0 1 0", -3.316, 0.785),
+    ("0.455 0 0", "0 1 0", -2.094, 2.723),
+    ("0 0 0.035", "-1 0 0", -3.229, 3.229),
+    ("0.42 0 0", "0 1 0", -2.094, 2.094),
+    ("0 0 0", "-1 0 0", -6.108, 6.108),
+]
+
+
+def test_an_arm_from_a_file_whose_axes_count_either_way(tmp_path: Path) -> None:
+    joints = "".join(
+        JOINT.format(n=i + 1, before=i, place=place, axis=axis, low=low, high=high)
+        for i, (place, axis, low, high) in enumerate(KR6)
+    )
+    (tmp_path / "kr6.urdf").write_text(URDF.format(joints=joints))
+    robot = load(str(tmp_path / "kr6.urdf"))
+    missed, apart, counts = there_and_back([robot], np.random.default_rng(10), poses=40)
+    assert missed < 1e-9
+    assert apart < 1e-8
+    assert counts <= {4, 8}
+    assert next(iter(closed.of(robot))) == "pieper"
+    for q in np.random.default_rng(11).uniform(robot.lower, robot.upper, (20, 6)):
+        answer = solve(robot, tool_at(robot, q), q, every=True)
+        np.testing.assert_allclose(answer.branches[0].q, q, atol=1e-8)
+        expected = solve_by("numeric", robot, tool_at(robot, q), q, every=True)
+        assert len(expected.branches) == len(answer.branches) == len({branch.name.en for branch in answer.branches})
 
 
 @pytest.mark.parametrize("family", FAMILIES)

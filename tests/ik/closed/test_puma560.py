@@ -9,6 +9,7 @@ import pytest
 from tests.ik.closed.rows import distance, worst
 
 from helicoide.ik.closed import pieper, puma560
+from helicoide.ik.families import puma_arm
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kernels import plain
 from helicoide.kinematics.chain import Array
@@ -43,7 +44,7 @@ def arm() -> Robot:
 
 def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Array:
     """Postures of the kernel for the pose at θ."""
-    found, exists = puma560.postures(np.array(lengths), wrist(lengths, theta), now)
+    found, exists = puma_arm.postures(np.array(lengths), wrist(lengths, theta), now)
     return found[exists]
 
 
@@ -109,8 +110,8 @@ def test_the_kernel_is_its_plain_function() -> None:
     lengths = np.array(LENGTHS[1])
     for theta in [*np.random.default_rng(4).uniform(-pi, pi, (20, 6)), HERE]:
         T = wrist(LENGTHS[1], theta)
-        found, exists = puma560.postures(lengths, T, theta)
-        expected, expected_exists = plain(puma560.postures)(lengths, T, theta)
+        found, exists = puma_arm.postures(lengths, T, theta)
+        expected, expected_exists = plain(puma_arm.postures)(lengths, T, theta)
         assert (exists == expected_exists).all()
         np.testing.assert_allclose(found[exists], expected[exists], rtol=0, atol=1e-12)
 
@@ -240,7 +241,7 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
 
 
 def test_the_range_of_the_source() -> None:
-    assert np.round(puma560.wrist_range(np.array(LENGTHS[0])), 4).tolist() == [0.0005, 0.8641]
+    assert np.round(puma_arm.wrist_range(np.array(LENGTHS[0])), 4).tolist() == [0.0005, 0.8641]
 
 
 def test_two_of_the_eight_keep_the_limits(arm: Robot) -> None:
@@ -272,7 +273,7 @@ def test_the_form_is_known_by_its_rows(arm: Robot) -> None:
     for lengths in LENGTHS:
         robot = puma(*lengths)
         assert puma560.applies(robot) is None
-        np.testing.assert_array_equal(puma560.lengths_of(robot), lengths)
+        np.testing.assert_array_equal(puma_arm.lengths_of(robot), lengths)
 
 
 def test_what_the_equations_gave_on_the_way(arm: Robot) -> None:

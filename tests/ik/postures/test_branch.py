@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.ik.postures.branches import branch_of
 
 from helicoide.geometry import euler
-from helicoide.ik.postures.branch import branch_of, check_pose, sentences, tool_at, wrap
+from helicoide.ik.postures.branch import check_pose, sentences, tool_at, wrap
 from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.studies._campos_arms import limited

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -17,7 +16,8 @@ from helicoide import content
 from helicoide.geometry import rotation
 from helicoide.ik import closed
 from helicoide.ik.postures import solve as front
-from helicoide.ik.postures.branch import Answer, between
+from helicoide.ik.postures.answer import Answer, Found
+from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.solve import EXACT, reached, solve, solve_by, status, ways
 from helicoide.kinematics.chain import Array, frozen
@@ -101,12 +101,12 @@ def test_a_form_that_is_wrong_is_found_out(monkeypatch: pytest.MonkeyPatch) -> N
     T = tool_by_dual_quaternions(robot, q)
     form = closed.of(robot)["puma560"]
 
-    def wrong(robot: Robot, T: Array, q: Array) -> Answer:
-        answer = form.solve(robot, T, q)
-        return replace(answer, branches=tuple(replace(one, q=frozen(one.q + 0.1)) for one in answer.branches))
+    def wrong(robot: Robot, T: Array, q: Array) -> Found:
+        found = form.find(robot, T, q)
+        return found._replace(q=found.q + 0.1)
 
     lies = SimpleNamespace(**{name: getattr(form, name) for name in ("TITLE", "SOURCE", "EQUATIONS", "applies")})
-    lies.solve = wrong
+    lies.find = wrong
     monkeypatch.setattr(front.closed, "of", lambda robot: {"lies": lies})
     every = solve(robot, T, q, every=True)
     assert not reached(every)

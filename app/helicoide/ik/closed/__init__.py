@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from functools import cache
+from collections.abc import Mapping
+from functools import cache, lru_cache
+from types import MappingProxyType
 from typing import cast
 
-from helicoide.ik.postures.branch import Form
+from helicoide.ik.postures.answer import Form
 from helicoide.kinematics.robot import Robot
 
 
@@ -18,7 +20,8 @@ def found() -> dict[str, Form]:
     return {name: cast(Form, importlib.import_module(f"{__name__}.{name}")) for name in names}
 
 
-def of(robot: Robot) -> dict[str, Form]:
+@lru_cache(maxsize=64)
+def of(robot: Robot) -> Mapping[str, Form]:
     """The closed forms that apply to a robot, the one that is chosen first."""
     known = {name: form for name, form in found().items() if form.applies(robot) is None}
-    return dict(sorted(known.items(), key=lambda one: (one[1].RANK, one[0])))
+    return MappingProxyType(dict(sorted(known.items(), key=lambda one: (one[1].RANK, one[0]))))

@@ -15,10 +15,10 @@ from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.incidence import point_line_distance
 from helicoide.ik.families.elbow_wrist import ElbowWrist
-from helicoide.ik.families.listed import Found, theta
+from helicoide.ik.families.listed import Steps, theta
 from helicoide.ik.families.six_or_five import refusal, solved
 from helicoide.ik.families.turret import Turret
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import joint_motor
 from helicoide.kinematics.robot import Robot
@@ -46,12 +46,17 @@ def applies(robot: Robot) -> Text | None:
     return refusal(robot)
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """Every posture for a tool pose (4, 4), m; q (n,), rad: kept where a joint is free.
 
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
     return solved(robot, T_world_tool, q, _six, _five)
+
+
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def halves(L: Array, measure: Callable[[Array], float], kept: float) -> list[float]:
@@ -84,7 +89,7 @@ def turning(L: Array, X: Array, Y: Array, kept: float) -> float:
     return atan2(-2 * (a @ b), b @ b - a @ a)
 
 
-def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Found]:
+def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
     """Waist and elbow by quadratic forms, shoulder by a linear one, wrist by half sums of its angles."""
     lines, Q, s = _lines(robot), _displacement(robot, T), robot.directions
     W_0, plane = rigid.point(arm.wrist), rigid.plane(s[1], s[1] @ arm.wrist)
@@ -97,7 +102,7 @@ def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Found]:
                 yield theta(theta1, theta2, theta3, theta4, theta5, theta6, k=level)
 
 
-def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Found]:
+def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
     """Waist by a linear form, roll from the rotor, elbow by a quadratic form, shoulder and bend by linear ones."""
     lines, Q, R, s = _lines(robot), _displacement(robot, T), arm.T_world_base, robot.directions
     y, M = R[:3, 1], R[:3, :3] @ arm.normal(arm.seen(T), float(q[0]))[0]

@@ -10,8 +10,8 @@ import numpy as np
 from helicoide.geometry import rotation
 from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_wrist import ELSE, ElbowWrist, elbow_wrist
-from helicoide.ik.families.listed import Found, answer, theta
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.families.listed import Steps, listed, theta
+from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -37,17 +37,22 @@ def applies(robot: Robot) -> Text | None:
     return ELSE if elbow_wrist(robot) is None else None
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """Every posture for a tool pose (4, 4), m; q (6,), rad: kept where a joint is free.
 
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
     if (arm := elbow_wrist(robot)) is None:
         raise HelicoideError(ELSE)
-    return answer(robot, T_world_tool, q, lambda T, now: _postures(robot, arm, T, now))
+    return listed(robot, T_world_tool, q, lambda T, now: _postures(robot, arm, T, now))
 
 
-def _postures(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Found]:
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
+
+
+def _postures(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
     """From above: a right triangle with the side d; from the side: upper arm and forearm as sides l₁ and l₂."""
     g, base, s = T @ np.linalg.inv(robot.T_world_tool_0), arm.T_world_shoulder, robot.directions
     (e_x, _, e_z), (w_x, d, w_z) = (_seen(base, p) for p in (robot.points[2], arm.wrist))

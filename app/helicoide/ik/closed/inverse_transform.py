@@ -11,9 +11,9 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 import numpy as np
 
 from helicoide.ik.families.elbow import Annulus
-from helicoide.ik.families.listed import Found, answer, theta
+from helicoide.ik.families.listed import Steps, listed, theta
 from helicoide.ik.families.turret import turret
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -56,17 +56,22 @@ def applies(robot: Robot) -> Text | None:
     return None if fits else _ELSE
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """Every posture for a tool pose (4, 4), m; q (5,), rad: kept where a joint is free.
 
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
     if (reason := applies(robot)) is not None:
         raise HelicoideError(reason)
-    return answer(robot, T_world_tool, q, lambda T, now: _postures(robot, T, now))
+    return listed(robot, T_world_tool, q, lambda T, now: _postures(robot, T, now))
 
 
-def _postures(robot: Robot, T_world_tool: Array, q: Array) -> Iterator[Found]:
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
+
+
+def _postures(robot: Robot, T_world_tool: Array, q: Array) -> Iterator[Steps]:
     """The equations in their order, for a pose of the subspace; n, o, a, p are the columns of T."""
     shifts = np.array([row.theta for row in robot.dh.rows])
     (d1, a1), (_, a2), (_, a3), _, (d5, _) = ((row.d, row.a) for row in robot.dh.rows)

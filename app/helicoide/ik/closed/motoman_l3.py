@@ -11,7 +11,8 @@ from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_turret import ElbowTurret, elbow_turret
 from helicoide.ik.families.pointing import Pointing
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose, sentences, wrap
+from helicoide.ik.postures.answer import Answer, Found, Said, as_found, rows_of
+from helicoide.ik.postures.branch import check_pose, sentences, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -71,7 +72,7 @@ def pointed(robot: Robot, T_world_tool: Array, q: Array) -> Pointing:
     return arm.turret.pointed(check_pose(T_world_tool), float(robot.check_joints(q)[0]))[0]
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """Every posture for a tool pose (4, 4), m, whose pointing axis is first turned into the plane of the arm.
 
     q (5,), rad: θ₁ is kept where the hand stands upright over the waist, θ₂ where equal links fold onto the shoulder.
@@ -87,19 +88,21 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     found = [(side, steps) for side in (0, 1) for steps in _steps(arm.links, T, heading + side * pi, kept)]
     p_x, p_y, p_z = map(float, T[:3, 3])
     start = {"θ": pointed(robot, T_world_tool, q).angle, "p_x": p_x, "p_y": p_y, "p_z": p_z}
-    return Answer(
-        branches=tuple(_branch(robot, arm, side, steps, T_world_tool) for side, steps in found),
-        T_world_goal=goal.T_world_goal,
+    told = Said(
+        names=[_name(arm, side, steps) for side, steps in found],
         words=sentences(
             goal.words, arm.links.words(r) or (_TWO if arm.links.on_edge(r) else _FOUR), _FREE if free else None
         ),
-        moved=goal.moved,
-        turned=goal.turned,
-        short=arm.links.beyond(r),
+        values=[{**start, **steps} for _, steps in found] or [{**start, "c₃": elbow.cosine_of_elbow(r, 0, arm.links)}],
         free=tuple(joint for joint, is_free in ((0, free), (1, arm.links.at_centre(r))) if is_free),
-        values=tuple({**start, **steps} for _, steps in found)
-        or ({**start, "c₃": elbow.cosine_of_elbow(r, 0, arm.links)},),
     )
+    rows = rows_of([_joints(arm, steps) for _, steps in found], 5)
+    return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short=arm.links.beyond(r))
+
+
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def _steps(links: elbow.Annulus, T: Array, theta1: float, kept: float) -> list[dict[str, float]]:
@@ -125,9 +128,9 @@ def _steps(links: elbow.Annulus, T: Array, theta1: float, kept: float) -> list[d
     ]
 
 
-def _branch(robot: Robot, arm: ElbowTurret, side: int, steps: Mapping[str, float], T_world_goal: Array) -> Branch:
+def _joints(arm: ElbowTurret, steps: Mapping[str, float]) -> Array:
     theta = np.array([steps[symbol] for symbol in ("θ₁", "θ₂", "θ₃", "θ₄", "θ₅")])
-    return branch_of(robot, _name(arm, side, steps), arm.signs * (theta - arm.shifts), T_world_goal)
+    return np.asarray(arm.signs * (theta - arm.shifts))
 
 
 def _name(arm: ElbowTurret, side: int, steps: Mapping[str, float]) -> Text:

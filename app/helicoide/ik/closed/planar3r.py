@@ -9,7 +9,8 @@ import numpy as np
 from helicoide.ik.families import elbow
 from helicoide.ik.families.planar import planar
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.branch import Answer, branch_of, sentences, wrap
+from helicoide.ik.postures.answer import Answer, Found, Said, as_found, rows_of
+from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -37,7 +38,7 @@ def applies(robot: Robot) -> Text | None:
     return arm if isinstance(arm, Text) else None
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """Every posture for a tool pose (4, 4), m, of which the tilt and the height are left out.
 
     The frame {E} on the third axis has (x, y, φ); q (n,), rad: θ₁ is kept where that frame leaves it free.
@@ -51,20 +52,20 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     thetas = [_with_wrist(one.algebraic, phi) for one in found]
     start = {"x": x, "y": y, "φ": phi}
     r = hypot(x, y)
-    return Answer(
-        branches=tuple(
-            branch_of(robot, one.name, arm.joints(theta), T_world_tool)
-            for one, theta in zip(found, thetas, strict=True)
-        ),
-        T_world_goal=goal.T_world_goal,
+    told = Said(
+        names=[one.name for one in found],
         words=sentences(goal.words, arm.links.words(r) or elbow.free_or_edge(x, y, arm.links) or _TWO),
-        moved=goal.moved,
-        turned=goal.turned,
-        short=arm.links.beyond(r),
+        values=[{**start, **one.values, "θ₃": float(theta[2])} for one, theta in zip(found, thetas, strict=True)]
+        or [{**start, "c₂": elbow.cosine_of_elbow(x, y, arm.links)}],
         free=(0,) if arm.links.at_centre(r) else (),
-        values=tuple({**start, **one.values, "θ₃": float(theta[2])} for one, theta in zip(found, thetas, strict=True))
-        or ({**start, "c₂": elbow.cosine_of_elbow(x, y, arm.links)},),
     )
+    rows = rows_of([arm.joints(theta) for theta in thetas], 3)
+    return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short=arm.links.beyond(r))
+
+
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def _with_wrist(two: elbow.Algebraic, phi: float) -> Array:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from math import atan2, hypot
 
+import numpy as np
+
 from helicoide.ik.families.polar_arm import polar_arm
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.branch import Answer, branch_of, sentences
+from helicoide.ik.postures.answer import Answer, Found, Said, as_found
+from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -46,7 +49,7 @@ def applies(robot: Robot) -> Text | None:
     return _ELSE if polar_arm(robot) is None else None
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """The posture for a tool pose (4, 4), m, of which (x, y) is kept; q (2,), rad and m: θ₁ is kept at ρ = 0.
 
     Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.31–34.
@@ -61,12 +64,15 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     slide = rho - arm.stretch
     beyond = max(slide - robot.upper[1], robot.lower[1] - slide)
     stroke = _STROKE.format(far=1000 * beyond) if beyond > ON_AXIS else None
-    return Answer(
-        branches=(branch_of(robot, _DRAWN_IN if on_axis else _NAME, [theta1, slide], T_world_tool),),
-        T_world_goal=goal.T_world_goal,
+    told = Said(
+        names=(_DRAWN_IN if on_axis else _NAME,),
         words=sentences(goal.words, _UNDEFINED if on_axis else _ONE, stroke),
-        moved=goal.moved,
-        turned=goal.turned,
-        free=(0,) if on_axis else (),
         values=({"x": x, "y": y, "ρ": rho, "θ₁": theta1, "d₂": rho},),
+        free=(0,) if on_axis else (),
     )
+    return Found(np.array([[theta1, slide]]), goal.T_world_goal, told, goal.moved, goal.turned)
+
+
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from math import hypot, pi
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
-from helicoide.ik.postures.branch import Answer, branch_of, check_pose, sentences
-from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.ik.families.frames import framed
+from helicoide.ik.families.puma_arm import FREE, Puma, beyond, is_folded, joint_values, puma, wrist_range
+from helicoide.ik.postures.answer import Answer, Found, as_found
+from helicoide.ik.postures.branch import check_pose, sentences
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
@@ -32,154 +35,91 @@ EQUATIONS = (
     r"\theta_4' = \theta_4 + 180°, \quad \theta_5' = -\theta_5, \quad \theta_6' = \theta_6 + 180°",
 )
 
-# Modified rows without what is free: α, and which of a and d may differ from zero.
-TWISTS = (0.0, -pi / 2, 0.0, -pi / 2, pi / 2, -pi / 2)
-LENGTHS = ((False, False), (False, False), (True, True), (True, True), (False, False), (False, False))
-SAME = 1e-9
-# What rounding may take from a radicand, m²; the angle, rad, below which two postures are one; sines and, in m, lengths
-# that count as zero.
-ROUNDING, MERGED, FREE = 1e-12, 1e-6, 1e-10
-
 
 def applies(robot: Robot) -> Text | None:
     """To arms whose modified DH rows are those of the PUMA, with any a₂ ≠ 0, a₃, d₃ and d₄."""
-    rows = robot.dh.rows
-    fits = (
-        robot.dh.convention == "modified"
-        and len(rows) == len(TWISTS)
-        and all(abs(row.alpha - twist) < SAME for row, twist in zip(rows, TWISTS, strict=True))
-        and all(
-            (a or abs(row.a) < SAME) and (d or abs(row.d) < SAME) for row, (a, d) in zip(rows, LENGTHS, strict=True)
-        )
-        and rows[2].a > SAME
-        and not any(joint.slides or joint.mimic for joint in robot.joints)
-    )
-    return (
-        None
-        if fits
-        else Text(
-            en="The form is for arms with the DH rows of the PUMA 560 (modified): α = 0, −90°, 0, −90°, 90°, −90°.",
-            pt_BR="A forma vale para braços com as linhas DH modificadas do PUMA 560: α = 0, −90°, 0, −90°, 90°, −90°.",
-        )
-    )
+    return ELSE if puma(robot) is None else None
 
 
-def lengths_of(robot: Robot) -> Array:
-    """a₂, a₃, d₃, d₄, (4,), m, of the robot's rows."""
-    upper, fore = robot.dh.rows[2:4]
-    return frozen([upper.a, fore.a, upper.d, fore.d])
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
+    """Every posture for a tool pose (4, 4), m; q (6,), rad: kept where a joint is free.
 
-
-@kernel
-def is_folded(side: float, pz: float, d3: float) -> bool:
-    """Whether the wrist centre is on the axis of the shoulder, by px² + py² − d₃², m², and pz, m: θ2 is then free."""
-    return abs(pz) < FREE and side < FREE * (FREE + 2.0 * abs(d3))
-
-
-@kernel
-def postures(lengths: Array, T_base_wrist: Array, q: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """All θ (8, 6), rad, and which exist (8,): shoulder +, −, in each elbow +, −, in each the wrist and its flip.
-
-    Of postures that are one the first counts. Where θ1, θ2 or θ4 is free, that of q is kept, and no wrist flipped.
-    Args: lengths: a₂, a₃, d₃, d₄ (4,), m; T_base_wrist (4, 4), m, of DH frame 6; q (6,): DH angles now, rad.
-    Source: Campos 1998, s.55, after Craig.
+    Raises HelicoideError for another kind of arm.
     """
-    theta, exists = np.empty((8, 6)), np.zeros(8, np.bool_)
-    a2, a3, d3, d4 = lengths[0], lengths[1], lengths[2], lengths[3]
-    T = T_base_wrist
-    px, py, pz, r13, r23, r33 = T[0, 3], T[1, 3], T[2, 3], T[0, 2], T[1, 2], T[2, 2]
-    across, fore = px * px + py * py, a3 * a3 + d4 * d4
-    K = (across + pz * pz - a2 * a2 - fore - d3 * d3) / (2 * a2)
-    side, bend = across - d3 * d3, fore - K * K
-    if side < -ROUNDING or bend < -ROUNDING:
-        return theta, exists
-    folded = is_folded(side, pz, d3)
-    side, bend = (0.0, 0.0) if folded else (np.sqrt(max(side, 0.0)), np.sqrt(max(bend, 0.0)))
-    heading, slant = np.arctan2(py, px), np.arctan2(a3, d4)
-    over = across < FREE * FREE
-    shoulders = 2 if side > MERGED * abs(d3) and not over else 1
-    elbows = 2 if bend > MERGED * abs(K) else 1
-    for shoulder in range(shoulders):
-        theta1 = q[0] if over else heading - np.arctan2(d3, side if shoulder == 0 else -side)
-        c1, s1 = np.cos(theta1), np.sin(theta1)
-        u, along, beside = c1 * px + s1 * py, c1 * r13 + s1 * r23, c1 * r23 - s1 * r13
-        for elbow in range(elbows):
-            theta3 = slant - np.arctan2(K, bend if elbow == 0 else -bend)
-            c3, s3 = np.cos(theta3), np.sin(theta3)
-            y = (-a3 - a2 * c3) * pz - u * (d4 - a2 * s3)
-            x = (a2 * s3 - d4) * pz + (a3 + a2 * c3) * u
-            theta23 = q[1] + theta3 if folded else np.arctan2(y, x)
-            c23, s23 = np.cos(theta23), np.sin(theta23)
-            y, x = beside, r33 * s23 - along * c23
-            s5, c5 = np.sqrt(x * x + y * y), -along * s23 - r33 * c23
-            singular = s5 < FREE
-            theta4 = q[3] if singular else np.arctan2(y, x)
-            c4, s4 = (np.cos(theta4), np.sin(theta4)) if singular else (x / s5, y / s5)
-            x11, x21 = c1 * T[0, 0] + s1 * T[1, 0], c1 * T[1, 0] - s1 * T[0, 0]
-            s6 = -x21 * c4 - (x11 * c23 - T[2, 0] * s23) * s4
-            c6 = ((x11 * c23 - T[2, 0] * s23) * c4 - x21 * s4) * c5 - (x11 * s23 + T[2, 0] * c23) * s5
-            row = 4 * shoulder + 2 * elbow
-            theta5, theta6 = np.arctan2(s5, c5), np.arctan2(s6, c6)
-            theta[row, 0], theta[row, 1], theta[row, 2] = theta1, theta23 - theta3, theta3
-            theta[row, 3], theta[row, 4], theta[row, 5] = theta4, theta5, theta6
-            theta[row + 1, 0], theta[row + 1, 1], theta[row + 1, 2] = theta1, theta23 - theta3, theta3
-            theta[row + 1, 3], theta[row + 1, 4], theta[row + 1, 5] = theta4 + np.pi, -theta5, theta6 + np.pi
-            exists[row], exists[row + 1] = True, not singular
-    return theta, exists
+    if (arm := puma(robot)) is None:
+        raise HelicoideError(ELSE)
+    rows = joint_values(arm.lengths, arm.frames, arm.shifts, T_world_tool, q)
+    told = Words(arm, T_world_tool, rows)
+    return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
 def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """Every posture for a tool pose (4, 4), m; q (6,), rad: kept where a joint is free.
+    """The same as an answer, in the order in which they were found.
 
     Raises HelicoideError for what is no pose, for another kind of arm, and unless q has six finite values.
     """
     if (reason := applies(robot)) is not None:
         raise HelicoideError(reason)
-    goal, lengths, shifts = check_pose(T_world_tool), lengths_of(robot), np.array([row.theta for row in robot.dh.rows])
-    T = np.linalg.inv(robot.dh.T_world_dh) @ goal @ np.linalg.inv(robot.dh.T_dh_tool)
-    theta, exists = postures(lengths.copy(), T, robot.check_joints(q) + shifts)
-    rows = np.flatnonzero(exists)
-    branches = tuple(branch_of(robot, name(int(row), lengths[2]), theta[row] - shifts, goal) for row in rows)
-    short = 0.0 if branches else beyond(lengths, T[:3, 3])
-    free = _free(T, theta[rows], lengths)
-    return Answer(
-        branches=branches,
-        T_world_goal=goal,
-        words=sentences(
-            COUNTED.format(n=len(rows)) if branches else _outside(lengths, short),
-            *(FREE_WORDS[joint] for joint in free if joint in FREE_WORDS),
-        ),
-        short=short,
-        free=free,
-        values=tuple(_values(lengths, T, theta[row]) for row in rows),
+    T = check_pose(T_world_tool)
+    return as_found(robot, find(robot, T, robot.check_joints(q)), T)
+
+
+@dataclass(frozen=True, eq=False)
+class Words:
+    """What is said of the postures in the rows of `joint_values`."""
+
+    arm: Puma
+    T_world_tool: Array
+    rows: Array
+
+    @cached_property
+    def names(self) -> Sequence[Text]:
+        """Of each posture."""
+        every = names(bool(self.arm.lengths[2] >= 0))
+        return [every[int(row)] for row in self.rows[:, 6]]
+
+    @cached_property
+    def words(self) -> Text:
+        """How many there are, or how far the goal lies beyond reach, and which joints are free."""
+        return sentences(
+            COUNTED.format(n=len(self.rows)) if len(self.rows) else _outside(self.arm.lengths, self.short),
+            *(FREE_WORDS[joint] for joint in self.free if joint in FREE_WORDS),
+        )
+
+    @cached_property
+    def values(self) -> Sequence[Mapping[str, float]]:
+        """What the equations gave on the way to each posture, by symbol."""
+        return [_values(self.arm.lengths, self.T, theta) for theta in self.theta]
+
+    @cached_property
+    def free(self) -> tuple[int, ...]:
+        """The joints that are not determined."""
+        return _free(self.T, self.theta, self.arm.lengths)
+
+    @property
+    def short(self) -> float:
+        """How far the wrist centre lies from where the arm brings it, m."""
+        return beyond(self.arm.lengths, self.T[:3, 3])
+
+    @property
+    def theta(self) -> Array:
+        """θ of the postures, (k, 6), rad."""
+        return np.asarray(self.rows[:, :6] + self.arm.shifts)
+
+    @cached_property
+    def T(self) -> Array:
+        """The wrist in the base of the rows, (4, 4), m."""
+        return framed(self.arm.frames[0], self.T_world_tool, self.arm.frames[1])
+
+
+@cache
+def names(passes_left: bool) -> tuple[Text, ...]:
+    """Of the rows of `postures`: the upper arm passes the waist at d₃, to its left where that is positive."""
+    left_and_up = [((row < 4) == passes_left, (row < 4) == (row % 4 < 2)) for row in range(8)]
+    return tuple(
+        NAME.format(shoulder=SHOULDER[left], elbow=ELBOW[up], wrist=WRIST[row % 2])
+        for row, (left, up) in enumerate(left_and_up)
     )
-
-
-def name(row: int, d3: float) -> Text:
-    """The posture in a row of `postures`: the upper arm passes the waist at d₃, to its left where that is positive."""
-    left, up = (row < 4) == (d3 >= 0), (row < 4) == (row % 4 < 2)
-    return NAME.format(shoulder=SHOULDER[left], elbow=ELBOW[up], wrist=WRIST[row % 2])
-
-
-def beyond(lengths: Array, p: Array) -> float:
-    """How far the wrist centre (3,), m, lies from where the arm brings it, m: a shell without a tube about the waist.
-
-    √(px² + py²) ≥ |d₃| and |a₂ − ρ| ≤ √(|p|² − d₃²) ≤ a₂ + ρ with ρ² = a₃² + d₄². Source: Campos 1998, s.55 (ranges).
-    """
-    tube = abs(float(lengths[2]))
-    inner, outer = wrist_range(lengths)
-    out, up = hypot(p[0], p[1]), abs(p[2])
-    size = hypot(out, up)
-    onto = min(max(size, hypot(inner, tube)), hypot(outer, tube)) / size if size else 0.0
-    if onto * out < tube or not size:
-        return hypot(out - tube, up - min(max(up, inner), outer))
-    return abs(onto - 1) * size
-
-
-def wrist_range(lengths: Array) -> tuple[float, float]:
-    """Least and largest distance of the wrist centre from the shoulder in the plane of the arm: |a₂ − ρ|, a₂ + ρ, m."""
-    a2, rho = float(lengths[0]), hypot(lengths[1], lengths[3])
-    return abs(a2 - rho), a2 + rho
 
 
 def _free(T: Array, theta: Array, lengths: Array) -> tuple[int, ...]:
@@ -211,6 +151,10 @@ def _outside(lengths: Array, short: float) -> Text:
     return OUTSIDE.format(short=1000 * short, side=1000 * abs(lengths[2]), inner=1000 * inner, outer=1000 * outer)
 
 
+ELSE = Text(
+    en="The form is for arms with the DH rows of the PUMA 560 (modified): α = 0, −90°, 0, −90°, 90°, −90°.",
+    pt_BR="A forma vale para braços com as linhas DH modificadas do PUMA 560: α = 0, −90°, 0, −90°, 90°, −90°.",
+)
 NAME = Text(en="{shoulder}, {elbow}{wrist}", pt_BR="{shoulder}, {elbow}{wrist}")
 SHOULDER = {
     True: Text(en="shoulder left", pt_BR="ombro à esquerda"),

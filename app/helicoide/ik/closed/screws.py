@@ -11,11 +11,11 @@ import numpy as np
 
 from helicoide.geometry import rotation
 from helicoide.ik.families.elbow_wrist import ElbowWrist
-from helicoide.ik.families.listed import Found, theta
+from helicoide.ik.families.listed import Steps, theta
 from helicoide.ik.families.paden_kahan import Axis, axis_of, turn_to, turns_to, turns_to_distance
 from helicoide.ik.families.six_or_five import refusal, solved
 from helicoide.ik.families.turret import Turret
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Answer, Found, as_found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import screw_transform
 from helicoide.kinematics.robot import Robot
@@ -43,7 +43,7 @@ def applies(robot: Robot) -> Text | None:
     return refusal(robot)
 
 
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """Every posture for a tool pose (4, 4), m; q (n,), rad: kept where a joint is free.
 
     Raises HelicoideError for what is no pose and for another kind of arm.
@@ -51,7 +51,12 @@ def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
     return solved(robot, T_world_tool, q, _six, _five)
 
 
-def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Found]:
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found."""
+    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
+
+
+def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
     """Elbow by subproblem 3, waist and shoulder by 2, wrist by 2 and 1. Source: Murray, Li and Sastry 1994, §3.3.2."""
     axes, g, W = [axis_of(joint) for joint in robot.joints], T @ np.linalg.inv(robot.T_world_tool_0), arm.wrist
     s5, s6, there = axes[4].direction, axes[5].direction, _moved(g, W)
@@ -66,7 +71,7 @@ def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Found]:
                 yield theta(theta1, theta2, theta3, theta4, theta5, theta6, δ=far)
 
 
-def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Found]:
+def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
     """Waist, hand and roll by subproblem 1 on directions, elbow by 3, shoulder and bend by 1."""
     axes, g, R = [axis_of(joint) for joint in robot.joints], T @ np.linalg.inv(robot.T_world_tool_0), arm.T_world_base
     s, y, M = robot.directions, R[:3, 1], R[:3, :3] @ arm.normal(arm.seen(T), float(q[0]))[0]

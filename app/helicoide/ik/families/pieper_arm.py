@@ -10,7 +10,7 @@ import numpy as np
 
 from helicoide.ik.postures.solvability import meeting_point
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.kinematics.chain import Array, Chain, Joint, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
@@ -18,6 +18,23 @@ from helicoide.text import Text
 NONE = 1e-6
 # The step of differences, rad, and the part of the arm's size, cubed, below which they are zero.
 STEP, STILL = 1e-5, 1e-9
+
+
+# What the kernels take of an arm.
+PIEPER = np.dtype(
+    [
+        ("alpha", "f8", 5),
+        ("a", "f8", 3),
+        ("d", "f8", 4),
+        ("f", "f8", (3, 3)),
+        ("size", "f8", 3),
+        ("k", "f8", (2, 3)),
+        ("shifts", "f8", 6),
+        ("frames", "f8", (2, 4, 4)),
+        ("backwards", "?"),
+    ],
+    align=True,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +62,15 @@ class Arm:
     def turned(self, q: Array) -> Array:
         """q in the order of this arm: its own inverse."""
         return q[::-1] if self.backwards else q
+
+    @cached_property
+    def packed(self) -> Chain:
+        """All of it in an array (1,) of PIEPER."""
+        packed = np.zeros(1, PIEPER)
+        for name in ("alpha", "a", "d", "f", "size", "k", "shifts", "backwards"):
+            packed[name] = getattr(self, name)
+        packed["frames"] = [self.T_base_world, self.T_tool_wrist]
+        return packed
 
     @cached_property
     def f(self) -> Array:

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from helicoide.ik.families.elbow_wrist import ElbowWrist, elbow_wrist
-from helicoide.ik.families.listed import Found, answer
+from helicoide.ik.families.listed import Steps, listed
 from helicoide.ik.families.turret import Turret, turret
-from helicoide.ik.postures.branch import Answer
+from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
-Six = Callable[[Robot, ElbowWrist, Array, Array], Iterator[Found]]
-Five = Callable[[Robot, Turret, Array, Array], Iterator[Found]]
+Six = Callable[[Robot, ElbowWrist, Array, Array], Iterator[Steps]]
+Five = Callable[[Robot, Turret, Array, Array], Iterator[Steps]]
 OR_FIVE = Text(
     en="This form is for arms as the PUMA (six turning joints: shoulder square to the waist that it crosses, elbow "
     "alongside it, a spherical wrist with right angles) or as the Movemaster (five: shoulder, elbow and bend alongside "
@@ -29,13 +29,13 @@ def refusal(robot: Robot) -> Text | None:
     return OR_FIVE if elbow_wrist(robot) is None and turret(robot) is None else None
 
 
-def solved(robot: Robot, T_world_tool: Array, q: Array, by_six: Six, by_five: Five) -> Answer:
+def solved(robot: Robot, T_world_tool: Array, q: Array, by_six: Six, by_five: Five) -> Found:
     """Every posture for a tool pose (4, 4), m, by the steps for the kind of arm; q (n,), rad: kept where one is free.
 
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
     if (six := elbow_wrist(robot)) is not None:
-        return answer(robot, T_world_tool, q, lambda T, now: by_six(robot, six, T, now))
+        return listed(robot, T_world_tool, q, lambda T, now: by_six(robot, six, T, now))
     if (five := turret(robot)) is not None:
-        return answer(robot, T_world_tool, q, lambda T, now: by_five(robot, five, T, now))
+        return listed(robot, T_world_tool, q, lambda T, now: by_five(robot, five, T, now))
     raise HelicoideError(OR_FIVE)

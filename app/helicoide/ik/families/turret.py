@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from helicoide.ik.families.pointing import Pointing, turned_into_plane
+from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 
@@ -34,7 +35,7 @@ class Turret:
 
     def seen(self, T_world_tool: Array) -> Array:
         """The tool (4, 4), m, from the base."""
-        return np.asarray(np.linalg.inv(self.T_world_base) @ T_world_tool)
+        return np.ascontiguousarray(np.linalg.inv(self.T_world_base) @ T_world_tool)
 
     def normal(self, T_base_tool: Array, theta1: float) -> tuple[Array, bool]:
         """M = (−p_y, p_x, 0)/√(p_x² + p_y²), (3,), and whether the first joint is free.
@@ -42,23 +43,33 @@ class Turret:
         Where the tool stands over the first axis, the plane is the one in which it points; if it points along the axis
         too, the one of θ₁, rad, as it is. Source: Campos 1998, s.55; Craig, ch. 4.
         """
-        out, along = T_base_tool[:2, 3], (T_base_tool[:3, :3] @ self.hand)[:2]
-        over, upright = bool(np.linalg.norm(out) < self.over), bool(np.linalg.norm(along) < SQUARE)
-        if over:
-            out = np.array([np.cos(theta1), np.sin(theta1)]) if upright else along
-        x, y = out / np.linalg.norm(out)
-        return np.array([-y, x, 0.0]), over and upright
+        return normal_of(T_base_tool, self.hand, self.over, theta1)
 
     def pointed(self, T_world_tool: Array, theta1: float) -> tuple[Pointing, Array]:
         """How a pose (4, 4), m, is turned about its own point into the subspace, seen from the base, and the pose."""
         T = self.seen(T_world_tool)
-        turn = turned_into_plane(T[:3, :3], self.hand, self.normal(T, theta1)[0], np.array([0.0, 0.0, 1.0]))
+        turn = turned_into_plane(T, self.hand, self.normal(T, theta1)[0])
         goal = T_world_tool.copy()
         goal[:3, :3] = self.T_world_base[:3, :3] @ turn.R
         return turn, goal
 
 
-@lru_cache(maxsize=16)
+@kernel
+def normal_of(T: Array, hand: Array, over: float, theta1: float) -> tuple[Array, bool]:
+    """The normal of `Turret.normal`, (3,), for a tool (4, 4), m, seen from the base."""
+    x, y = T[0, 3], T[1, 3]
+    upright = False
+    if np.sqrt(x * x + y * y) < over:
+        x = T[0, 0] * hand[0] + T[0, 1] * hand[1] + T[0, 2] * hand[2]
+        y = T[1, 0] * hand[0] + T[1, 1] * hand[1] + T[1, 2] * hand[2]
+        upright = bool(np.sqrt(x * x + y * y) < SQUARE)
+        if upright:
+            x, y = np.cos(theta1), np.sin(theta1)
+    size = np.sqrt(x * x + y * y)
+    return np.array([-y / size, x / size, 0.0]), upright
+
+
+@lru_cache(maxsize=64)
 def turret(robot: Robot) -> Turret | None:
     """The robot as such an arm, or None: its last axis carries the tool point and lies in the plane of the arm."""
     if len(robot.joints) != 5 or any(joint.slides or joint.mimic for joint in robot.joints):

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from helicoide.confinement import Obstacles, Zones, planes_of
 from helicoide.ik import NEAR, Limits, Problem, Reason, reason_of
 from helicoide.ik.guard.collision import clearances
-from helicoide.ik.postures.branch import ON_LIMIT, Branch, wrap
+from helicoide.ik.postures.branch import Branch, wrap
+from helicoide.ik.postures.listing import ON_LIMIT
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot

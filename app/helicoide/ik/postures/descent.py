@@ -43,6 +43,7 @@ HOPELESS = 0.02  # a search ends where a step promises less than this share of e
 SETTLED = 1e-14  # and the approach to what cannot be reached where it promises less than this
 
 Error = tuple[float, float, float, float, float, float]
+Memory = tuple[Array, Array, Array]
 
 
 @kernel
@@ -116,7 +117,9 @@ def fill(ranges: Array, q: Array, e: Error, columns: Array, damping: float, H: A
     for i in range(q.shape[0]):
         pushed = (q[i] <= ranges[i, LOWER] and g[i] < 0.0) or (q[i] >= ranges[i, UPPER] and g[i] > 0.0)
         if pushed and ranges[i, HELD] > 0.0:
-            H[i, :i], H[i + 1 :, i], H[i, i], g[i] = 0.0, 0.0, 1.0, 0.0
+            for j in range(q.shape[0]):
+                H[max(i, j), min(i, j)] = 1.0 if i == j else 0.0
+            g[i] = 0.0
 
 
 @kernel
@@ -159,7 +162,7 @@ def unwind(ranges: Array, q: Array) -> None:
 
 
 @kernel
-def memory_of(n: int) -> tuple[Array, Array, Array]:
+def memory_of(n: int) -> Memory:
     """Room for the columns (n, 6), H (n, n) and g (n,) of a search."""
     return np.empty((n, 6)), np.empty((n, n)), np.empty(n)
 
@@ -173,7 +176,7 @@ def descend(
     tolerances: tuple[float, float],
     iterations: int,
     q: Array,
-    memory: tuple[Array, Array, Array],
+    memory: Memory,
 ) -> tuple[int, float, float]:
     """One search, from q and in q; λ = 0.1 e². Returns the number of steps, negative if in vain, and both errors."""
     columns, H, g = memory
@@ -201,7 +204,7 @@ def settle(
     iterations: int,
     q: Array,
     trial: Array,
-    memory: tuple[Array, Array, Array],
+    memory: Memory,
 ) -> float:
     """One search for the least e² from q and in q, and that e²; a step that does not lower it is not taken.
 

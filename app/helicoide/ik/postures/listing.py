@@ -1,19 +1,136 @@
-"""Postures in the order in which people look at them."""
+"""Postures as people look at them: turned into the limits, measured, and in order: kernels."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from functools import lru_cache
 
-from helicoide.ik.postures.branch import Branch
-from helicoide.ik.postures.choice import alike, ranked
+import numpy as np
+
+from helicoide.ik.postures.measure import measured, remains, stand_of
+from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
+# Columns of a joint: its limits, whether it stands alike after a turn, and what its motion costs, 1/rad or 1/m.
+LOWER, UPPER, WHOLE, WEIGHT = range(4)
+# Columns of a posture behind its q: what its tool leaves of the asked pose, m and rad; whether every joint keeps its
+# limits; its number among those that were found; what it leaves of the pose that was solved for; the cost of the way.
+MISSED, TURNED, WITHIN, NUMBER, LEFT, LEFT_TURNED, COST = range(7)
+ON_LIMIT = 1e-9  # what rounding may add to a joint that rests on its limit, rad or m
+REACHED = 1e-5  # what may be left of a goal that counts as reached, m and rad
 
-def nearest_first(robot: Robot, branches: Sequence[Branch], q: Array) -> tuple[Branch, ...]:
-    """Those within the limits first, and of these the one with the least motion from q (n,), rad or m.
 
-    Joints count alike, a slide in units of the reach. Each turns the shorter way from q where its limits allow it.
+@lru_cache(maxsize=64)
+def joints_of(robot: Robot) -> Array:
+    """The variables as the kernel takes them, (n, 4); they count alike, a slide in units of the reach."""
+    joints = np.empty((len(robot.variables), 4))
+    joints[:, LOWER], joints[:, UPPER], joints[:, WHOLE] = robot.lower, robot.upper, robot.turns_whole
+    joints[:, WEIGHT] = [1.0 / robot.reach if joint.slides else 1.0 for joint in robot.variables]
+    return joints
+
+
+def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, with_orientation: bool) -> Array:
+    """Postures, the nearest first: those that reach what was solved for, of them those within the limits, then by cost.
+
+    Each joint turns the shorter way from q where its limits allow it. Args: found (k, ≥ n): q of each, rad or m; asked,
+    solved (4, 4), m; q (n,): from where motion counts. Returns (k, n + 7), as the columns of this file say.
     """
-    return tuple(replace(row.branch, q=row.q) for row in ranked(robot, branches, q, alike(robot)))
+    return listed(measured(robot), joints_of(robot), found, asked, solved, q, with_orientation, True)
+
+
+def as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
+    """The same postures in the order in which they were found, with angles in (−π, π] where the limits allow it."""
+    arm, joints = measured(robot), joints_of(robot)
+    return listed(arm, joints, found, asked, solved, np.zeros(len(joints)), with_orientation, False)
+
+
+def column(rows: Array, which: int) -> Array:
+    """A column behind the q of rows, (k,)."""
+    return rows[:, which - 1 - COST]
+
+
+@kernel
+def wrapped(x: float) -> float:
+    """The same angle in (−π, π]."""
+    y = x - 2 * np.pi * np.ceil((x - np.pi) / (2 * np.pi))
+    return y if y > -np.pi else np.pi
+
+
+@kernel
+def keeps(joint: Array, x: float) -> bool:
+    """Whether a value is within a joint's limits."""
+    return bool(joint[LOWER] - ON_LIMIT <= x <= joint[UPPER] + ON_LIMIT)
+
+
+@kernel
+def into_limits(joint: Array, x: float) -> float:
+    """An angle in (−π, π], or 2πk away where only that lies within the joint's limits; a slide as it is."""
+    if joint[WHOLE] == 0.0:
+        return x
+    angle = wrapped(x)
+    if keeps(joint, angle):
+        return angle
+    turns = max(np.ceil((joint[LOWER] - ON_LIMIT - angle) / (2 * np.pi)), 0.0)
+    turns += min(np.floor((joint[UPPER] + ON_LIMIT - angle) / (2 * np.pi)), 0.0)
+    moved = angle + 2 * np.pi * turns
+    return moved if keeps(joint, moved) else angle
+
+
+@kernel
+def way_to(joint: Array, x: float, now: float) -> float:
+    """The way of a joint from where it stands to a value, the shorter one where it turns whole."""
+    return wrapped(x - now) if joint[WHOLE] > 0.0 else x - now
+
+
+@kernel
+def follows(one: Array, other: Array) -> bool:
+    """Whether a posture comes behind another one in the list, by its columns behind q."""
+    far = max(one[LEFT], one[LEFT_TURNED]) > REACHED
+    if far != (max(other[LEFT], other[LEFT_TURNED]) > REACHED):
+        return bool(far)
+    if one[WITHIN] != other[WITHIN]:
+        return bool(one[WITHIN] < other[WITHIN])
+    return bool(one[COST] > other[COST])
+
+
+@kernel
+def listed(
+    arm: Array,
+    joints: Array,
+    found: Array,
+    asked: Array,
+    solved: Array,
+    now: Array,
+    with_orientation: bool,
+    ordered: bool,
+) -> Array:
+    """The rows of `in_order`, or those of `as_found`. Source: Campos 1998, s.17 (the choice of the nearest)."""
+    n, k = joints.shape[0], found.shape[0]
+    rows = np.empty((k, n + 7))
+    wished, goal = stand_of(asked), stand_of(solved)
+    as_asked = wished == goal
+    turns = 1.0 if with_orientation else 0.0
+    for i in range(k):
+        row = rows[i]
+        said, within, cost = row[n:], True, 0.0
+        for j in range(n):
+            x = into_limits(joints[j], found[i, j])
+            within = within and keeps(joints[j], x)
+            if ordered:
+                way = way_to(joints[j], x, now[j])
+                cost += joints[j, WEIGHT] * abs(way)
+                x = now[j] + way if keeps(joints[j], now[j] + way) else x
+            row[j] = x
+        missed, turned = remains(arm, row, wished)
+        said[MISSED], said[TURNED], said[WITHIN], said[NUMBER] = missed, turns * turned, within, i
+        if not as_asked:
+            missed, turned = remains(arm, row, goal)
+        said[LEFT], said[LEFT_TURNED], said[COST] = missed, turns * turned, cost
+    if ordered:
+        for i in range(1, k):
+            for j in range(i, 0, -1):
+                if not follows(rows[j - 1, n:], rows[j, n:]):
+                    break
+                for a in range(n + 7):
+                    rows[j - 1, a], rows[j, a] = rows[j, a], rows[j - 1, a]
+    return rows

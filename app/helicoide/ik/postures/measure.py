@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from math import atan2, hypot, sqrt
+from math import atan2, sqrt
 
 import numpy as np
 
-from helicoide.geometry import rotation
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain, frozen
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.trigonometry import cosine_and_sine
+
+# A place (three) and a turn as a quaternion (four).
+Stand = tuple[float, float, float, float, float, float, float]
+
+# Columns of a joint: its axis s (three), the way to it (three), the number of the variable that drives it, ratio and
+# shift, and whether it slides. The last row is the tool on the last link: its place and its quaternion.
+AXIS, WAY, DRIVER, RATIO, SHIFT, SLIDES = 0, 3, 6, 7, 8, 9
+COLUMNS = 10
 
 
 def left(robot: Robot, q: Array, T_world_goal: Array, with_orientation: bool = True) -> tuple[float, float]:
@@ -19,44 +27,66 @@ def left(robot: Robot, q: Array, T_world_goal: Array, with_orientation: bool = T
     The angle is 0 where the orientation does not count. Searches follow poses as matrices and closed forms solve for
     angles; here quaternions turn the links, so that no fault of theirs is repeated.
     """
-    place, turn = _goal(T_world_goal)
-    missed, turned = _left(robot.chain, *_tool(robot), np.ascontiguousarray(q), place, turn)
+    missed, turned = left_of(measured(robot), np.ascontiguousarray(q), np.ascontiguousarray(T_world_goal))
     return missed, turned if with_orientation else 0.0
 
 
-def _goal(T: Array) -> tuple[Array, Array]:
-    return np.ascontiguousarray(T[:3, 3]), rotation.from_matrix(T[:3, :3])
-
-
 @lru_cache(maxsize=64)
-def _tool(robot: Robot) -> tuple[Array, Array]:
-    """The tool in the frame of the last link: its place (3,), m, and its quaternion (4,)."""
-    place, turn = _goal(robot.T_link_tool)
-    return frozen(place), frozen(turn)
+def measured(robot: Robot) -> Array:
+    """The joints and the tool of a robot as the kernels here take them, (m + 1, 10), at q = 0, rad and m."""
+    chain, arm = robot.chain, np.zeros((len(robot.joints) + 1, COLUMNS))
+    joints = arm[:-1]
+    joints[:, AXIS:WAY], joints[:, WAY:DRIVER], joints[:, DRIVER] = chain["direction"], chain["offset"], chain["driver"]
+    joints[:, RATIO], joints[:, SHIFT], joints[:, SLIDES] = chain["ratio"], chain["shift"], chain["slides"]
+    arm[-1, :7] = stand_of(robot.T_link_tool)
+    return arm
 
 
 @kernel
-def _left(chain: Chain, place: Array, turn: Array, q: Array, goal: Array, goal_turn: Array) -> tuple[float, float]:
+def stand_of(T: Array) -> Stand:
+    """Where a pose (4, 4), m, stands, and its quaternion, from the largest of w, x, y and z. Source: Shepperd 1978."""
+    xx, yy, zz = T[0, 0], T[1, 1], T[2, 2]
+    x, y, z = T[2, 1] - T[1, 2], T[0, 2] - T[2, 0], T[1, 0] - T[0, 1]
+    if xx + yy + zz >= max(xx, yy, zz):
+        w = 1.0 + xx + yy + zz
+    elif xx >= yy and xx >= zz:
+        w, x, y, z = x, 1.0 + xx - yy - zz, T[1, 0] + T[0, 1], T[0, 2] + T[2, 0]
+    elif yy >= zz:
+        w, x, y, z = y, T[1, 0] + T[0, 1], 1.0 - xx + yy - zz, T[2, 1] + T[1, 2]
+    else:
+        w, x, y, z = z, T[0, 2] + T[2, 0], T[2, 1] + T[1, 2], 1.0 - xx - yy + zz
+    size = sqrt(w * w + x * x + y * y + z * z)
+    return T[0, 3], T[1, 3], T[2, 3], w / size, x / size, y / size, z / size
+
+
+@kernel
+def left_of(arm: Array, q: Array, T_world_goal: Array) -> tuple[float, float]:
+    """What `remains` of a pose (4, 4), m."""
+    return remains(arm, q, stand_of(T_world_goal))
+
+
+@kernel
+def remains(arm: Array, q: Array, goal: Stand) -> tuple[float, float]:
     """‖p − p_g‖ and 2 atan2(‖v‖, |w|) of h̄_g h, with h ← h (cos ½x, sin ½x s) and p ← p + h o h̄ along the chain.
 
-    Args: chain (m,) of `chain.CHAIN`; place (3,), m, and turn (4,): the tool on the last link; q (n,), rad or m; goal
-    (3,), m, and goal_turn (4,). Joint i stands at x = ratio · q[driver] + shift; where it slides, o takes x s up.
+    Args: arm of `measured`; q (n,), rad or m; goal of `stand_of`. Joint i stands at x = ratio · q[driver] + shift;
+    where it slides, o takes x s up.
     """
     w, x, y, z = 1.0, 0.0, 0.0, 0.0
     px, py, pz = 0.0, 0.0, 0.0
-    for i in range(chain.shape[0] + 1):
-        if i < chain.shape[0]:
-            joint = chain[i]
-            value = joint["ratio"] * q[joint["driver"]] + joint["shift"]
-            sx, sy, sz = joint["direction"][0], joint["direction"][1], joint["direction"][2]
-            ox, oy, oz = joint["offset"][0], joint["offset"][1], joint["offset"][2]
-            if joint["slides"]:
+    last = arm.shape[0] - 1
+    for i in range(last + 1):
+        if i < last:
+            value = arm[i, RATIO] * q[int(arm[i, DRIVER])] + arm[i, SHIFT]
+            sx, sy, sz = arm[i, 0], arm[i, 1], arm[i, 2]
+            ox, oy, oz = arm[i, 3], arm[i, 4], arm[i, 5]
+            if arm[i, SLIDES] > 0.0:
                 ox, oy, oz, value = ox + value * sx, oy + value * sy, oz + value * sz, 0.0
-            c, s = np.cos(0.5 * value), np.sin(0.5 * value)
+            c, s = cosine_and_sine(0.5 * value)
             b, bx, by, bz = c, s * sx, s * sy, s * sz
         else:
-            ox, oy, oz = place[0], place[1], place[2]
-            b, bx, by, bz = turn[0], turn[1], turn[2], turn[3]
+            ox, oy, oz = arm[i, 0], arm[i, 1], arm[i, 2]
+            b, bx, by, bz = arm[i, 3], arm[i, 4], arm[i, 5], arm[i, 6]
         tx, ty, tz = 2 * (y * oz - z * oy), 2 * (z * ox - x * oz), 2 * (x * oy - y * ox)
         px += ox + w * tx + y * tz - z * ty
         py += oy + w * ty + z * tx - x * tz
@@ -67,10 +97,10 @@ def _left(chain: Chain, place: Array, turn: Array, q: Array, goal: Array, goal_t
             w * by - x * bz + y * b + z * bx,
             w * bz + x * by - y * bx + z * b,
         )
-    g, gx, gy, gz = goal_turn[0], goal_turn[1], goal_turn[2], goal_turn[3]
+    g, gx, gy, gz = goal[3], goal[4], goal[5], goal[6]
     cosine = g * w + gx * x + gy * y + gz * z
     vx = g * x - gx * w - gy * z + gz * y
     vy = g * y + gx * z - gy * w - gz * x
     vz = g * z - gx * y + gy * x - gz * w
     missed = sqrt((px - goal[0]) ** 2 + (py - goal[1]) ** 2 + (pz - goal[2]) ** 2)
-    return missed, 2 * atan2(hypot(hypot(vx, vy), vz), abs(cosine))
+    return missed, 2 * atan2(sqrt(vx * vx + vy * vy + vz * vz), abs(cosine))

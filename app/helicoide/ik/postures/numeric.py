@@ -5,18 +5,21 @@ What cannot be reached is approached by least squares, ‖Δp‖² + (w ℓ θ)�
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import lru_cache
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.ik.postures.branch import Answer, Branch, branch_of, check_pose
+from helicoide.ik.postures import listing
+from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Said, in_order
+from helicoide.ik.postures.branch import check_pose
 from helicoide.ik.postures.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER
-from helicoide.ik.postures.listing import nearest_first
+from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.restarts import approach, draw, search
 from helicoide.ik.task import ORIENTATION_LENGTH
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import packed, tool_jacobian
 from helicoide.text import Text
@@ -55,12 +58,13 @@ LIMITED = Text(
 class Searcher:
     """A robot as the searches take it: its joints and tool; ranges (n, 6) that keep the limits, and that do not.
 
-    Without limits a joint that turns is searched over a full turn.
+    Without limits a joint that turns is searched over a full turn; unbounded, it may be any number of turns away.
     """
 
     arm: Array
     ranges: Array
     wide: Array
+    unbounded: Array
     reach: float
 
 
@@ -77,7 +81,9 @@ def searcher(robot: Robot) -> Searcher:
     ranges[:, UNIT] = [robot.reach if joint.slides else 1.0 for joint in robot.variables]
     wide = ranges.copy()
     wide[turns, LOWER], wide[turns, UPPER], wide[:, HELD] = -np.pi, np.pi, 0.0
-    return Searcher(packed(robot), ranges, wide, robot.reach)
+    unbounded = wide.copy()
+    unbounded[:, PERIOD] = 0.0
+    return Searcher(packed(robot), ranges, wide, unbounded, robot.reach)
 
 
 def strides(n: int) -> Array:
@@ -109,36 +115,58 @@ def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation:
     Args: T_world_tool (4, 4), m; without orientation its position counts alone. Raises HelicoideError unless the pose
     is a pose and q has n finite values.
     """
-    goal, start = check_pose(T_world_tool).copy(), robot.check_joints(q)
-    found = posture(robot, goal, start, with_orientation)
-    if np.isfinite(found[-4]):
-        searches = int(found[-1])
-        words = REACHED.format(searches=searches, es="es"[: 2 * (searches > 1)], s="s"[: searches > 1])
-        branch = _branch(robot, found[:-4], goal, with_orientation)
-        return Answer(nearest_first(robot, [branch], start), frozen(goal), words)
-    return _nearest(robot, goal, start, with_orientation)
+    goal, start = check_pose(T_world_tool), robot.check_joints(q)
+    return in_order(robot, one(robot, goal, start, with_orientation), goal, start, with_orientation)
 
 
 def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
-    """Every posture that restarts find, within the limits or not, to 10⁻⁹ m and rad, in the order of `nearest_first`.
+    """Every posture that restarts find, within the limits or not, to 10⁻⁹ m and rad, the nearest first.
 
     Where there are infinitely many, some of them; where there is none, the one within the limits that comes nearest.
     Arguments and errors as in `solve`.
     """
-    goal, start = check_pose(T_world_tool).copy(), robot.check_joints(q)
+    goal, start = check_pose(T_world_tool), robot.check_joints(q)
+    return in_order(robot, every(robot, goal, start, with_orientation), goal, start, with_orientation)
+
+
+def one(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
+    """What `solve` answers, found; unchecked."""
+    found = posture(robot, goal, start, with_orientation)
+    if found[-4] == np.inf:
+        return _nearest(robot, goal, start, with_orientation)
+    return Found(found[None], goal, Reached(int(found[-1])))
+
+
+def every(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
+    """What `branches` answers, found; unchecked."""
     rows, searches = gathered(searcher(robot), goal, start, with_orientation, MOST)
     if not len(rows):
         return _nearest(robot, goal, start, with_orientation)
-    postures = [_branch(robot, row, goal, with_orientation) for row in rows]
-    ordered = nearest_first(robot, postures, start)
-    named = tuple(replace(branch, name=POSTURE.format(n=n)) for n, branch in enumerate(ordered, 1))
     endless = any(_is_endless(robot, row, goal, with_orientation) for row in rows)
     words = (ENDLESS if endless else FOUND).format(n=len(rows), s="s"[: len(rows) > 1], searches=searches)
-    return Answer(named, frozen(goal), words)
+    ordered = listing.in_order(robot, rows, goal, goal, start, with_orientation)
+    rows = rows[listing.column(ordered, listing.NUMBER).astype(int)]
+    return Found(rows, goal, Said([POSTURE.format(n=n + 1) for n in range(len(rows))], words))
 
 
-def _branch(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> Branch:
-    return branch_of(robot, POSTURE.format(n=1), q, goal, with_orientation)
+@dataclass(frozen=True)
+class Reached:
+    """What is said of one posture, found in so many searches."""
+
+    searches: int
+    values: Sequence[Mapping[str, float]] = (NO_VALUES,)
+    free: tuple[int, ...] = ()
+
+    @cached_property
+    def names(self) -> Sequence[Text]:
+        """Of the one posture."""
+        return (POSTURE.format(n=1),)
+
+    @cached_property
+    def words(self) -> Text:
+        """In how many searches."""
+        more = self.searches > 1
+        return REACHED.format(searches=self.searches, es="es"[: 2 * more], s="s"[:more])
 
 
 def gathered(of: Searcher, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
@@ -173,15 +201,15 @@ def _is_known(of: Searcher, q: Array, found: Array, apart: float = APART) -> boo
     return bool((np.abs(ways) < apart * of.wide[:, UNIT]).all(axis=1).any())
 
 
-def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Answer:
+def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
     """The posture within the limits that comes nearest, and whether others would reach the goal."""
     of = searcher(robot)
     weights = (1.0 / of.reach, ORIENTATION_LENGTH * with_orientation)
-    q = approach(of.arm, of.ranges, goal, start.copy(), weights, APPROACH_STEPS, APPROACHES)
-    branch = _branch(robot, q, goal, with_orientation)
+    q = approach(of.arm, of.ranges, goal, start, weights, APPROACH_STEPS, APPROACHES)
+    missed, turned = left(robot, q, goal, with_orientation)
     beyond_limits = len(gathered(of, goal, start, with_orientation, 1)[0]) > 0
-    words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * branch.missed, degrees=np.degrees(branch.turned))
-    return Answer((branch,), frozen(goal), words, short=branch.missed)
+    words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * missed, degrees=np.degrees(turned))
+    return Found(q[None], goal, Said((POSTURE.format(n=1),), words), short=missed)
 
 
 def _is_endless(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> bool:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -12,17 +10,17 @@ from helicoide.ik import Limits, Problem, closed, methods
 from helicoide.ik.clik import Aiming, asked, to_pose
 from helicoide.ik.converge import Tolerance, by_method, converged
 from helicoide.ik.method import Method, Task
-from helicoide.ik.postures import numeric, subspace
-from helicoide.ik.postures.branch import Answer, Form, branch_of, check_pose, sentences
+from helicoide.ik.postures import listing, numeric, subspace
+from helicoide.ik.postures.answer import Answer, Form, Found, Said, as_found, in_order
+from helicoide.ik.postures.branch import check_pose, pose_of, sentences
 from helicoide.ik.postures.choice import Ranked, ranked, touching
-from helicoide.ik.postures.listing import nearest_first
 from helicoide.ik.postures.measure import left
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
 NUMERIC = "numeric"
-EXACT = Tolerance(1e-5, 1e-5)  # what may be left of a goal that counts as reached
+EXACT = Tolerance(listing.REACHED, listing.REACHED)  # what may be left of a goal that counts as reached
 FACTOR, PERIOD, STEPS = 0.5, 0.1, 1000  # of an iteration: step factor, how long a step lasts, s, and how many
 
 REACHED = Text(en="reached", pt_BR="alcançado")
@@ -49,11 +47,11 @@ def solve(
     than six joints gets the nearest goal that it can take. Where no posture within the limits reaches the goal, the
     one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
     """
-    T, q = check_pose(T_world_tool), robot.check_joints(q)
-    forms = _forms(robot, with_orientation)
-    if not forms:
-        return _searched(robot, T, q, every, with_orientation)
-    return _by_form(robot, next(iter(forms.values())), T, q, every, with_orientation)
+    T, q = pose_of(T_world_tool), robot.joints_of(q)
+    for form in closed.of(robot).values():
+        if with_orientation or form.OF_POINTS:
+            return _by_form(robot, form, T, q, every, with_orientation)
+    return _searched(robot, T, q, every, with_orientation)
 
 
 def solve_by(
@@ -101,23 +99,6 @@ def _refused(robot: Robot, why: Text, with_orientation: bool) -> HelicoideError:
     return HelicoideError(sentences(why, valid.format(robot=robot.name, ways=known)))
 
 
-def _measured(robot: Robot, answer: Answer, T: Array, with_orientation: bool = True) -> Answer:
-    """The answer with what each of its branches leaves of the pose (4, 4), m, that was asked for.
-
-    Those come first that reach what was solved for; among them, as before, the nearest within the limits.
-    """
-    solved = [left(robot, branch.q, answer.T_world_goal, with_orientation) for branch in answer.branches]
-    order = sorted(range(len(solved)), key=lambda k: not EXACT.holds(*solved[k]))
-    branches = []
-    for branch in (answer.branches[k] for k in order):
-        missed, turned = left(robot, branch.q, T, with_orientation)
-        branches.append(replace(branch, missed=missed, turned=turned))
-    values = answer.values
-    if len(values) == len(order):
-        values = tuple(values[k] for k in order)
-    return replace(answer, branches=tuple(branches), values=values, left=solved[order[0]] if order else None)
-
-
 def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
     """The answer of a closed form; where one posture is asked for and none keeps the limits, the nearest that does.
 
@@ -126,39 +107,31 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
     if not with_orientation:
         T = T.copy()
         T[:3, :3] = subspace.project_point(robot, T, q).T_world_goal[:3, :3]
-    answer = _measured(robot, _ordered(robot, form.solve(robot, T, q), q), T, with_orientation)
+    found = form.find(robot, T, q)
+    answer = in_order(robot, found, T, q, with_orientation)
     if every:
         return answer
-    if answer.left is not None and EXACT.holds(*answer.left) and answer.branches[0].within:
-        return replace(answer, branches=answer.branches[:1], values=answer.values[:1])
-    found = numeric.solve(robot, answer.T_world_goal, q, with_orientation)
-    words = sentences(answer.words, found.words)
-    answer = replace(answer, branches=found.branches, words=words, short=max(answer.short, found.short))
-    return _measured(robot, answer, T, with_orientation)
+    if answer.is_solved:
+        return answer.nearest
+    one = numeric.one(robot, found.T_world_goal, q, with_orientation)
+    told = Said(one.told.names, sentences(found.told.words, one.told.words), free=found.told.free)
+    one = one._replace(told=told, moved=found.moved, turned=found.turned, short=max(found.short, one.short))
+    return in_order(robot, one, T, q, with_orientation)
 
 
 def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
     """The answer of the searches; a goal that an arm with fewer than six joints cannot take is projected first."""
-    find = numeric.branches if every else numeric.solve
-    answer = _measured(robot, find(robot, T, q, with_orientation), T, with_orientation)
+    find = numeric.every if every else numeric.one
+    answer = in_order(robot, find(robot, T, q, with_orientation), T, q, with_orientation)
     if _is_met(answer) or len(robot.variables) >= 6:
         return answer
     goal = (subspace.project if with_orientation else subspace.project_point)(robot, T, q)
     if goal.words is None:
         return answer
-    answer = find(robot, goal.T_world_goal, q, with_orientation)
-    words = sentences(goal.words, answer.words)
-    return _measured(robot, replace(answer, moved=goal.moved, turned=goal.turned, words=words), T, with_orientation)
-
-
-def _ordered(robot: Robot, answer: Answer, q: Array) -> Answer:
-    """The same postures, nearest first, and with them their values."""
-    branches = nearest_first(robot, answer.branches, q)
-    names = [branch.name for branch in answer.branches]
-    values = answer.values
-    if len(values) == len(names):
-        values = tuple(values[names.index(branch.name)] for branch in branches)
-    return replace(answer, branches=branches, values=values)
+    found = find(robot, goal.T_world_goal, q, with_orientation)
+    told = Said(found.told.names, sentences(goal.words, found.told.words))
+    found = found._replace(told=told, moved=goal.moved, turned=goal.turned)
+    return in_order(robot, found, T, q, with_orientation)
 
 
 def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation: bool) -> Answer:
@@ -170,10 +143,9 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
         raise _refused(robot, why, with_orientation)
     run = by_method(problem, method, method.Options(), FACTOR, dt=PERIOD)
     report = converged(problem, run, aiming, q, EXACT, STEPS)
-    branch = branch_of(robot, method.TITLE, report.q, T, with_orientation)
-    words = sentences(goal.words, report.words)
-    answer = Answer((branch,), goal.T_world_goal, words, moved=goal.moved, turned=goal.turned)
-    return _measured(robot, answer, T, with_orientation)
+    told = Said((method.TITLE,), sentences(goal.words, report.words))
+    found = Found(report.q[None], goal.T_world_goal, told, goal.moved, goal.turned)
+    return as_found(robot, found, T, with_orientation)
 
 
 def chosen(

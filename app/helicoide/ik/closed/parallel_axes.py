@@ -1,0 +1,190 @@
+"""Three parallel axes, as in the UR family: eight postures, two shoulders × two elbows × the wrist and its flip."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from helicoide.ik.families.parallel_arm import (
+    AHEAD,
+    ALONG,
+    FORE,
+    HAND,
+    SHOULDER,
+    UPPER,
+    WAIST,
+    ParallelArm,
+    parallel_arm,
+)
+from helicoide.ik.families.parallel_postures import (
+    FLIPPED,
+    FREE_SHOULDER,
+    FREE_WAIST,
+    FREE_WRIST,
+    LEFT,
+    LOOSE,
+    UP,
+    centre_from_waist,
+    joint_values,
+    rotated,
+    triple,
+)
+from helicoide.ik.families.two_links import elbows, two_links
+from helicoide.ik.postures import subspace
+from helicoide.ik.postures.answer import Answer, Found, as_found
+from helicoide.ik.postures.branch import check_pose, sentences, wrap
+from helicoide.ik.postures.measure import measured
+from helicoide.ik.postures.numeric import searcher
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.text import HelicoideError, Text
+
+TITLE = Text(en="three parallel axes: eight postures", pt_BR="três eixos paralelos: oito posturas")
+SOURCE = (
+    "Pieper 1968 (three parallel axes); Hawkins 2013, Analytic inverse kinematics for the Universal Robots UR-5/UR-10 "
+    "arms; Elias and Wen 2022, IK-Geo (by the axes, at any angles)"
+)
+RANK, OF_POINTS = 1, False
+EQUATIONS = (
+    r"W = \hat s_5 \cap \hat s_6, \quad v = T W_T - p_1, \quad h \parallel \hat s_2, \hat s_3, \hat s_4",
+    r"h \cdot R_1^T v = h \cdot (W - p_1): \quad"
+    r"\theta_1 = \operatorname{Atan2}(B, A) \pm \operatorname{Atan2}(\sqrt{A^2 + B^2 - C^2}, C)",
+    r"A = h \cdot v - (\hat s_1 \cdot h)(\hat s_1 \cdot v), \quad B = (\hat s_1 \times h) \cdot v, \quad"
+    r"C = h \cdot (W - p_1) - (\hat s_1 \cdot h)(\hat s_1 \cdot v)",
+    r"u = R^T R_1 h, \quad h \cdot R_5 \hat s_6 = \hat s_6 \cdot u: \quad \theta_5 \text{ in the same way}",
+    r"R_6 u = R_5^T h: \quad \theta_6 = \operatorname{Atan2}(\hat s_6 \cdot (u \times R_5^T h),"
+    r"\; u \cdot R_5^T h - (\hat s_6 \cdot u)(\hat s_6 \cdot R_5^T h))",
+    r"R_h(\varphi) = R_1^T R R_6^T R_5^T, \quad \varphi = \theta_2 + \theta_3 + \theta_4",
+    r"\zeta = \zeta_v - \zeta_S - l_3 e^{i\varphi} = l_1 e^{i\theta_2} + l_2 e^{i(\theta_2 + \theta_3)}",
+    r"\cos(\theta_3 + \delta) = \frac{|\zeta|^2 - |l_1|^2 - |l_2|^2}{2 |l_1| |l_2|}, \quad"
+    r"\theta_2 = \arg \frac{\zeta}{l_1 + l_2 e^{i\theta_3}}, \quad \theta_4 = \varphi - \theta_2 - \theta_3",
+)
+
+
+def applies(robot: Robot) -> Text | None:
+    """To six turning joints with axes 2, 3 and 4 parallel, the first one not, and the last two meeting at a point."""
+    return ELSE if parallel_arm(robot) is None else None
+
+
+def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
+    """Every posture for a tool pose (4, 4), m, polished by Newton's method and verified by forward kinematics.
+
+    q (6,), rad: kept where a joint is free. Raises HelicoideError for another kind of arm.
+    """
+    if (arm := parallel_arm(robot)) is None:
+        raise HelicoideError(ELSE)
+    of = searcher(robot)
+    rows = joint_values(
+        arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded, T_world_tool, q
+    )
+    short = 0.0 if len(rows) else subspace.beyond(robot, T_world_tool, q)
+    return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
+
+
+def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
+    """The same as an answer, in the order in which they were found; raises HelicoideError for what is no pose too."""
+    if (reason := applies(robot)) is not None:
+        raise HelicoideError(reason)
+    T = check_pose(T_world_tool)
+    return as_found(robot, find(robot, T, robot.check_joints(q)), T)
+
+
+@dataclass(frozen=True, eq=False)
+class Words:
+    """What is said of the postures in the rows of `joint_values`."""
+
+    arm: ParallelArm
+    T_world_tool: Array
+    rows: Array
+    short: float
+
+    @cached_property
+    def names(self) -> Sequence[Text]:
+        """Of each posture."""
+        return [
+            NAME.format(shoulder=SIDES[bool(row[LEFT])], elbow=ELBOWS[bool(row[UP])], wrist=WRISTS[bool(row[FLIPPED])])
+            for row in self.rows
+        ]
+
+    @cached_property
+    def words(self) -> Text:
+        """How many there are, or how far the goal lies beyond reach, and which joints are free."""
+        count = len(self.rows)
+        said = OUTSIDE.format(short=1000 * self.short) if self.short else TURNED
+        return sentences(COUNTED.format(n=count) if count else said, *(FREE_WORDS[joint] for joint in self.free))
+
+    @cached_property
+    def values(self) -> Sequence[Mapping[str, float]]:
+        """What the equations gave on the way to each posture, by symbol."""
+        return list(self._values())
+
+    @cached_property
+    def free(self) -> tuple[int, ...]:
+        """The joints that are not determined."""
+        loose = int(np.bitwise_or.reduce(self.rows[:, LOOSE].astype(int)))
+        return (0,) * bool(loose & FREE_WAIST) + (1,) * bool(loose & FREE_SHOULDER) + (5,) * bool(loose & FREE_WRIST)
+
+    def _values(self) -> Iterator[Mapping[str, float]]:
+        """Lengths in m, angles in rad; θ₃ and θ₄ about h."""
+        base, links = self.arm.base, self.arm.links
+        v = centre_from_waist(base, self.arm.tool, self.T_world_tool)
+        for row in self.rows:
+            theta = row[:6] * [1.0, 1.0, *self.arm.signs, 1.0, 1.0]
+            h, x = (np.array(rotated(triple(base[WAIST]), theta[0], triple(base[axis]))) for axis in (ALONG, AHEAD))
+            phi = float(theta[1:4].sum())
+            seen = complex(x @ v, np.cross(h, x) @ v)
+            wrist = complex(seen - links[SHOULDER] - links[HAND] * np.exp(1j * phi))
+            _, cosine, _ = elbows(wrist, two_links(links[UPPER], links[FORE]), 0.0)
+            yield {
+                "h · (W − p₁)": self.arm.aside, "u": seen.real, "φ": float(wrap(phi)), "u_W": wrist.real,
+                "z_W": -wrist.imag, "cos(θ₃ + δ)": cosine,
+                **{f"θ{'₁₂₃₄₅₆'[i]}": float(wrap(angle)) for i, angle in enumerate(theta)},
+            }  # fmt: skip
+
+
+NAME = Text(en="{shoulder}, {elbow}{wrist}", pt_BR="{shoulder}, {elbow}{wrist}")
+SIDES = {
+    True: Text(en="shoulder left", pt_BR="ombro à esquerda"),
+    False: Text(en="shoulder right", pt_BR="ombro à direita"),
+}
+ELBOWS = {
+    True: Text(en="elbow up", pt_BR="cotovelo para cima"),
+    False: Text(en="elbow down", pt_BR="cotovelo para baixo"),
+}
+WRISTS = {False: Text(en="", pt_BR=""), True: Text(en=", wrist flipped", pt_BR=", punho virado")}
+COUNTED = Text(
+    en="Postures: {n}; shoulder left or right, elbow up or down, wrist flipped or not.",
+    pt_BR="Posturas: {n}; ombro à esquerda ou à direita, cotovelo para cima ou para baixo, punho virado ou não.",
+)
+OUTSIDE = Text(
+    en="Out of reach by {short:.3g} mm, in whatever orientation.",
+    pt_BR="Fora de alcance por {short:.3g} mm, em qualquer orientação.",
+)
+TURNED = Text(
+    en="The tool can be where it has to be, but the arm cannot give it this orientation there.",
+    pt_BR="O efetuador chega aonde precisa, mas ali o braço não consegue lhe dar esta orientação.",
+)
+FREE_WORDS = {
+    0: Text(
+        en="The wrist stands over the axis of the waist: joint 1 may take any value, and keeps its own.",
+        pt_BR="O punho está sobre o eixo da cintura: a junta 1 aceita qualquer valor e mantém o atual.",
+    ),
+    1: Text(
+        en="The arm is folded onto its shoulder: joint 2 may take any value, and keeps its own.",
+        pt_BR="O braço está dobrado sobre o ombro: a junta 2 aceita qualquer valor e mantém o atual.",
+    ),
+    5: Text(
+        en="The wrist is singular: joint 6 turns about a parallel to joints 2, 3 and 4; it keeps its value.",
+        pt_BR="O punho está singular: a junta 6 gira em torno de uma paralela às juntas 2, 3 e 4; ela mantém o valor "
+        "atual.",
+    ),
+}
+ELSE = Text(
+    en="The form is for six turning joints, the second, third and fourth parallel to each other and not to the first, "
+    "the last two meeting at a point.",
+    pt_BR="A forma vale para seis juntas de revolução: a segunda, a terceira e a quarta paralelas entre si e não à "
+    "primeira, e as duas últimas se cruzando num ponto.",
+)

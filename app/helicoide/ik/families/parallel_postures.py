@@ -1,0 +1,184 @@
+"""Every posture of an arm with three parallel axes, as in the UR family: kernels."""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helicoide.ik.families.parallel_arm import (
+    AHEAD,
+    AHEAD_TOOL,
+    ALONG,
+    ALONG_TOOL,
+    CENTRE,
+    FIFTH,
+    FOOT,
+    FORE,
+    HAND,
+    SHOULDER,
+    SIXTH,
+    UPPER,
+    WAIST,
+)
+from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
+from helicoide.ik.families.two_links import bent, elbows, two_links
+from helicoide.ik.postures.measure import stand_of
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.tool import Triple, cross
+from helicoide.kinematics.trigonometry import cosine_and_sine
+
+ACCEPTED = 1e-9  # what a posture may miss, m and rad
+SLACK = 1e-6  # how far beyond its edge, of its reach, the elbow is tried: axes may be parallel inexactly
+# Columns of a posture behind its q: whether the shoulder is to the left, the elbow up, the wrist flipped, and which
+# joints are free, the sum of these.
+LEFT, UP, FLIPPED, LOOSE = range(6, 10)
+FREE_WAIST, FREE_SHOULDER, FREE_WRIST = 1, 2, 4
+
+
+@kernel
+def triple(row: Array) -> Triple:
+    """Three numbers."""
+    return row[0], row[1], row[2]
+
+
+@kernel
+def dot(a: Triple, b: Triple) -> float:
+    """a · b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@kernel
+def rotated(axis: Triple, theta: float, v: Triple) -> Triple:
+    """v turned about a unit axis by θ, rad (Rodrigues)."""
+    c, s = cosine_and_sine(theta)
+    w = cross(axis, v)
+    along = (1.0 - c) * dot(axis, v)
+    return (
+        c * v[0] + s * w[0] + along * axis[0],
+        c * v[1] + s * w[1] + along * axis[1],
+        c * v[2] + s * w[2] + along * axis[2],
+    )
+
+
+@kernel
+def out_of(T: Array, v: Triple) -> Triple:
+    """R v, for the R of a pose (4, 4)."""
+    return dot(triple(T[0]), v), dot(triple(T[1]), v), dot(triple(T[2]), v)
+
+
+@kernel
+def into(T: Array, v: Triple) -> Triple:
+    """Rᵀ v."""
+    return (
+        T[0, 0] * v[0] + T[1, 0] * v[1] + T[2, 0] * v[2],
+        T[0, 1] * v[0] + T[1, 1] * v[1] + T[2, 1] * v[2],
+        T[0, 2] * v[0] + T[1, 2] * v[1] + T[2, 2] * v[2],
+    )
+
+
+@kernel
+def centre_from_waist(base: Array, tool: Array, T: Array) -> Triple:
+    """v = T W − p₁: where axes 5 and 6 meet, from the foot of the waist, m."""
+    w, foot = out_of(T, triple(tool[CENTRE])), triple(base[FOOT])
+    return w[0] + T[0, 3] - foot[0], w[1] + T[1, 3] - foot[1], w[2] + T[2, 3] - foot[2]
+
+
+@kernel
+def waist_angles(base: Array, aside: float, v: Triple, kept: float) -> tuple[int, float, float]:
+    """θ₁ of h · R₁ᵀ v = h · (W − p₁): the parallel axes keep W in a plane that the waist turns."""
+    s, h = triple(base[WAIST]), triple(base[ALONG])
+    lean, height = dot(s, h), dot(s, v)
+    return linear(dot(h, v) - lean * height, dot(cross(s, h), v), aside - lean * height, kept)
+
+
+@kernel
+def fifth_angles(tool: Array, u: Triple) -> tuple[bool, float, float]:
+    """Whether there is a θ₅ of h · R₅ ŝ₆ = ŝ₆ · u, and both, rad; u = Rᵀ R₁ h is h as the tool has to see it.
+
+    The radicand is that of A cos θ + B sin θ = C, in a form that loses nothing where ŝ₆ comes to lie along h.
+    """
+    s5, s6, h = triple(tool[FIFTH]), triple(tool[SIXTH]), triple(tool[ALONG_TOOL])
+    a, b, x, n = dot(s5, h), dot(s5, s6), dot(u, s6), cross(u, s6)
+    radicand = dot(n, n) - a * a - b * b + 2 * a * b * x
+    middle, aside = atan2(dot(h, cross(s5, s6)), dot(h, s6) - a * b), atan2(sqrt(max(radicand, 0.0)), x - a * b)
+    return bool(radicand > -ROUNDING), middle + aside, middle - aside
+
+
+@kernel
+def sixth_angle(tool: Array, u: Triple, theta5: float, kept: float) -> tuple[float, bool]:
+    """θ₆ of R₆ u = R₅ᵀ h, rad, and whether it is free and kept."""
+    s6 = triple(tool[SIXTH])
+    there = rotated(triple(tool[FIFTH]), -theta5, triple(tool[ALONG_TOOL]))
+    n = cross(s6, there)
+    if dot(n, n) < FREE * FREE:
+        return kept, True
+    return atan2(dot(s6, cross(u, there)), dot(u, there) - dot(s6, u) * dot(s6, there)), False
+
+
+@kernel
+def postures(
+    base: Array, tool: Array, links: NDArray[np.complex128], signs: Array, aside: float, T: Array, q: Array
+) -> Array:
+    """Every posture for a tool pose (4, 4), m, as rows (k, 10): q, rad, and the columns of this file.
+
+    Args: an arm of `ParallelArm`; q (6,), rad: kept where a joint is free.
+    """
+    rows, k = np.empty((8, 10)), 0
+    s1, v = triple(base[WAIST]), centre_from_waist(base, tool, T)
+    two, kept = two_links(links[UPPER], links[FORE]), (q[0], q[5])
+    waists, first, second = waist_angles(base, aside, v, kept[0])
+    for waist in range(waists):
+        theta1 = first if waist == 0 else second
+        h, x = rotated(s1, theta1, triple(base[ALONG])), rotated(s1, theta1, triple(base[AHEAD]))
+        y, u = cross(h, x), into(T, h)
+        centre = dot(x, v) + 1j * dot(y, v)
+        is_there, one, other = fifth_angles(tool, u)
+        for flipped in range(2 if is_there else 0):
+            theta5 = one if flipped == 0 else other
+            theta6, loose = sixth_angle(tool, u, theta5, kept[1])
+            ahead = rotated(triple(tool[FIFTH]), -theta5, triple(tool[AHEAD_TOOL]))
+            ahead = out_of(T, rotated(triple(tool[SIXTH]), -theta6, ahead))
+            phi = atan2(dot(y, ahead), dot(x, ahead))
+            wrist = centre - links[SHOULDER] - links[HAND] * (cos(phi) + 1j * sin(phi))
+            count, cosine, folded = elbows(wrist, two, SLACK)
+            for elbow in range(count):
+                bend = 1.0 - 2.0 * elbow
+                theta2, theta3 = bent(wrist, two, cosine, bend)
+                theta2 = q[1] if folded else theta2
+                row = rows[k]
+                row[0], row[1], row[2], row[4], row[5] = theta1, theta2, signs[0] * theta3, theta5, theta6
+                row[3] = signs[1] * (phi - theta2 - theta3)
+                row[LEFT], row[UP] = (centre.real >= 0.0) == (aside >= 0.0), (bend > 0.0) == (wrist.real >= 0.0)
+                row[FLIPPED] = flipped
+                row[LOOSE] = FREE_WAIST * (waists == 1) + FREE_SHOULDER * folded + FREE_WRIST * loose
+                k += 1
+    return rows[:k]
+
+
+@kernel
+def joint_values(
+    base: Array,
+    tool: Array,
+    links: NDArray[np.complex128],
+    signs: Array,
+    aside: float,
+    links_at_zero: Array,
+    arm: Array,
+    free: Array,
+    T_world_tool: Array,
+    q: Array,
+) -> Array:
+    """The rows of `postures`, polished, verified, each once; links_at_zero, arm and free as in `polished`."""
+    goal = stand_of(T_world_tool)
+    rows, there, k = postures(base, tool, links, signs, aside, T_world_tool, q), np.empty(6), 0
+    for row in rows:
+        for i in range(6):
+            there[i] = row[i]
+        if polished(links_at_zero, arm, free, T_world_tool, goal, there) < ACCEPTED and not is_known(rows, k, there):
+            for i in range(LOOSE + 1):
+                rows[k, i] = there[i] if i < LEFT else row[i]
+            k += 1
+    return rows[:k]

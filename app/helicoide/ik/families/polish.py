@@ -1,0 +1,58 @@
+"""What closed forms share: θ of A cos θ + B sin θ = C, Newton's last steps, whether two postures are one: kernels."""
+
+from __future__ import annotations
+
+from math import atan2, sqrt
+
+from helicoide.ik.postures.descent import descend, memory_of
+from helicoide.ik.postures.listing import wrapped
+from helicoide.ik.postures.measure import Stand, remains
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array
+
+# What a posture may miss without polish, m and rad, and how many steps there are; sines, or lengths in m, that leave an
+# angle free; what rounding takes from a radicand, of its largest value; postures nearer than MERGED, rad, are one.
+EXACT, STEPS = 1e-12, 5
+FREE, ROUNDING, MERGED = 1e-10, 1e-12, 1e-5
+
+
+@kernel
+def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float]:
+    """How many θ there are of A cos θ + B sin θ = C, and both: Atan2(B, A) ± Atan2(√(A² + B² − C²), C).
+
+    The one kept, rad, where every θ solves it.
+    """
+    size = A * A + B * B
+    if size < FREE * FREE:
+        return int(abs(C) < FREE), kept, kept
+    radicand = size - C * C
+    if radicand < -ROUNDING * size:
+        return 0, kept, kept
+    middle, aside = atan2(B, A), atan2(sqrt(max(radicand, 0.0)), C)
+    return 2, middle + aside, middle - aside
+
+
+@kernel
+def polished(links: Array, arm: Array, free: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
+    """What is left of a pose, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
+
+    Args: links of `measure.measured` and arm of `tool.packed`; free (n, 6): the joints without limits, as `descent`
+    takes them; T_world_tool (4, 4), m, and the same as `measure.stand_of` gives it.
+    """
+    missed, turned = remains(links, q, goal)
+    if max(missed, turned) > EXACT:
+        descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory_of(q.shape[0]))
+        missed, turned = remains(links, q, goal)
+    return max(missed, turned)
+
+
+@kernel
+def is_known(rows: Array, k: int, q: Array) -> bool:
+    """Whether one of the first k rows has the posture q (n,), rad."""
+    for i in range(k):
+        j = 0
+        while j < q.shape[0] and abs(wrapped(rows[i, j] - q[j])) < MERGED:
+            j += 1
+        if j == q.shape[0]:
+            return True
+    return False

@@ -1,0 +1,49 @@
+"""Two links in the complex plane, where a turn by θ multiplies by e^(iθ), and the elbow between them: kernels."""
+
+from __future__ import annotations
+
+from math import atan2, sqrt
+
+import numpy as np
+
+from helicoide.ik.families.elbow import EDGE
+from helicoide.kernels import kernel
+
+TwoLinks = tuple[float, float, float, float]
+
+
+@kernel
+def angle_of(z: complex) -> float:
+    """arg z, rad."""
+    return atan2(z.imag, z.real)
+
+
+@kernel
+def two_links(l1: complex, l2: complex) -> TwoLinks:
+    """|l₁|, |l₂|, arg l₁ and arg(l₂/l₁), m and rad."""
+    return abs(l1), abs(l2), angle_of(l1), angle_of(l2 / l1)
+
+
+@kernel
+def elbows(z: complex, links: TwoLinks, slack: float) -> tuple[int, float, bool]:
+    """How many elbows bring the links to z, m: 0, 1 or 2; the cosine of the bend; whether equal links are folded there.
+
+    cos = (|z|² − |l₁|² − |l₂|²) / 2|l₁||l₂|, exactly ±1 on the edges and, by `slack` of the reach, beyond them.
+    The rules are those of `elbow.Annulus`.
+    """
+    l1, l2, _, _ = links
+    r, inner, outer = abs(z), abs(l1 - l2), l1 + l2
+    cosine, edge, beyond = (r * r - l1 * l1 - l2 * l2) / (2 * l1 * l2), EDGE * outer, max(r - outer, inner - r)
+    if beyond > slack * outer:
+        return 0, cosine, False
+    if beyond > 0.0 or min(abs(r - outer), abs(r - inner)) <= edge:
+        return 1, float(np.sign(cosine)), bool(r <= edge and inner <= edge)
+    return 2, cosine, False
+
+
+@kernel
+def bent(z: complex, links: TwoLinks, cosine: float, bend: float) -> tuple[float, float]:
+    """θ₂ and θ₃ of z = l₁ e^(iθ₂) + l₂ e^(i(θ₂ + θ₃)), rad, for a sign of the bend θ₃ + arg(l₂/l₁)."""
+    l1, l2, first, second = links
+    sine = bend * sqrt(max(1.0 - cosine * cosine, 0.0))
+    return angle_of(z) - atan2(l2 * sine, l1 + l2 * cosine) - first, atan2(sine, cosine) - second

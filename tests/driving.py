@@ -12,6 +12,7 @@ from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.ik.guard.collision import clearances
+from helicoide.ik.packing import packed
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -54,9 +55,8 @@ def clear_posture(rng: Random, state: State, clearance: float) -> Array:
 
 def apart(state: State) -> float:
     """What is left until two bodies of the arm are too near, m."""
-    points, _, planes, pairs, _, _ = state.problem.guard
-    left, _, _ = clearances(state.arm.poses.copy(), points, planes, pairs)
-    return float(left[state.guarded_points.shape[0] * len(planes[0]) :].min(initial=np.inf))
+    left = clearances(packed(state.problem), state.arm.q)
+    return float(left[len(state.guarded_points) * len(state.problem.planes.normals) :].min(initial=np.inf))
 
 
 def place(rng: Random) -> Array:

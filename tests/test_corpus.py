@@ -27,7 +27,9 @@ AMPLE = 600.0
 def lying(robot: Robot, T: Array, q: Array) -> Answer:
     """Calls the posture where the arm is an answer that misses nothing."""
     answer = solve(robot, T, q)
-    return replace(answer, branches=tuple(replace(branch, q=q) for branch in answer.branches[:1]))
+    rows = answer.rows[:1].copy()
+    rows[:, : len(q)] = q
+    return replace(answer, rows=rows)
 
 
 def failing(robot: Robot, T: Array, q: Array) -> Answer:

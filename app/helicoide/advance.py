@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import dist, hypot
+from math import dist
 
 import numpy as np
 
 from helicoide.command import Along, Command, GetReady, Hold, Park, Replay, ToJoints, ToPose
 from helicoide.ik import drive as drives
 from helicoide.ik.drive import GUARDED
-from helicoide.ik.goal import allowed_point
 from helicoide.ik.guard.collision import clearances
-from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick
-from helicoide.ik.guard.rows import Indices
+from helicoide.ik.guard.guarded import ONE_LEVEL
+from helicoide.ik.guard.work import Work, work_for
+from helicoide.ik.packing import packed
 from helicoide.ik.rcm.at_work import by_method
-from helicoide.ik.task import EVERY, GAIN, joint_task, pose_task
+from helicoide.ik.step import step, step_task, task_at
+from helicoide.ik.task import EVERY, GAIN, joint_task
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.state import Compared, Held, State
@@ -105,18 +106,29 @@ def _still(state: State) -> State:
     return replace(state, arm=replace(state.arm, speeds=frozen(np.zeros(len(speeds))))) if speeds.any() else state
 
 
-def _stepped(state: State, task: Task, dt: float, begins: Indices = ONE_LEVEL) -> State:
-    """The guarded tick towards a task."""
-    arm = state.arm
-    guard = drives.guard(state.problem, state.request.drive)
-    q, poses, multipliers, _ = guarded_tick(guard, arm.q, arm.speeds, arm.poses, task, begins, dt)
-    held = Held(multipliers, hypot(*(task[2] * task[1])))
-    if np.max(np.abs(q - arm.q)) < IMPERCEPTIBLE:
+def _stepped(state: State, task: Task, dt: float) -> State:
+    """The guarded tick towards a task in the joints."""
+    q, arm = state.arm.q.copy(), drives.packed_arm(state.problem, state.request.drive)
+    work = _from_here(state, arm)
+    step_task(arm, q, *task, ONE_LEVEL, dt, work.memory)
+    return _after(state, q, work)
+
+
+def _from_here(state: State, arm: Array) -> Work:
+    """A work space for the tick."""
+    work = work_for(arm)
+    work.rates[:] = state.arm.speeds
+    return work
+
+
+def _after(state: State, q: Array, work: Work) -> State:
+    """The state after a tick."""
+    arm, held = state.arm, Held(work.held, work.pull)
+    if np.abs(q - arm.q).max() < IMPERCEPTIBLE:
         return _still(replace(state, arm=replace(arm, held=held)))
-    speeds = (q - arm.q) / dt
-    for array in (q, poses, speeds):
+    for array in (q, work.poses, work.rates):
         array.flags.writeable = False
-    return replace(state, arm=replace(arm, q=q, poses=poses, speeds=speeds, held=held))
+    return replace(state, arm=replace(arm, q=q, poses=work.poses, speeds=work.rates, held=held))
 
 
 def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
@@ -129,11 +141,16 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
         state = replace(state, request=replace(request, detour=None))
     if request.drive.method != GUARDED:
         return _by_method(state, T_world_target, ahead, dt)
-    robot, allowed = state.robot, allowed_point(state.problem, T_world_target[:3, 3])
-    tool = (robot.T_link_tool, T_world_target, allowed, request.with_orientation, robot.reach)
-    task = pose_task(arm.poses, robot.chain, tool, ahead, dt)
-    task, begins = drives.levels(state.problem, arm.q, arm.poses, task, request.drive, dt)
-    return _stepped(state, task, dt, begins)
+    drive, problem, q = request.drive, state.problem, arm.q.copy()
+    packed_arm = drives.packed_arm(problem, drive, request.with_orientation)
+    work = _from_here(state, packed_arm)
+    if drive.secondary is None:
+        step(packed_arm, q, T_world_target, ahead, dt, work.memory)
+    else:
+        task, split = task_at(packed_arm, q, T_world_target, ahead, dt), drives.split(drive, request.with_orientation)
+        task, begins = drives.with_objective(problem, arm.q, arm.poses, task, split, drive.secondary, dt)
+        step_task(packed_arm, q, *task, begins, dt, work.memory)
+    return _after(state, q, work)
 
 
 def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
@@ -217,9 +234,7 @@ def _to_ready(state: State, dt: float) -> State:
 
 def _is_clear(state: State, q: Array) -> bool:
     """Whether everything keeps its distance at q: the way back from home ends there exactly."""
-    points, _, planes, pairs, _, _ = state.problem.guard
-    left, _, _ = clearances(link_poses(state.robot.chain, q), points, planes, pairs)
-    return bool((left > -1e-9).all())
+    return bool((clearances(packed(state.problem), q) > -1e-9).all())
 
 
 def _parked(state: State, dt: float) -> State:

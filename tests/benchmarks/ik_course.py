@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -10,51 +10,20 @@ from tests.benchmarks.children.turns import following
 from tests.benchmarks.ik_arm import points_on_links, standard_rows, urdf_with_limits
 from tests.benchmarks.ik_turns import Turn
 
-from helicoide.ik.guard.guarded import guarded_tick, indices
-from helicoide.ik.guard.rows import DAMPER_GAIN, Arm, LimitArrays, PlaneArrays
-from helicoide.ik.task import rotation_vector
-from helicoide.kernels import kernel
-from helicoide.kinematics import jacobian
+from helicoide.confinement import Planes, Zones
+from helicoide.ik import Limits, Problem
+from helicoide.ik.guard.rows import DAMPER_GAIN
+from helicoide.ik.guard.work import work_for
+from helicoide.ik.packing import packed
+from helicoide.ik.step import STILL, step
+from helicoide.ik.task import GAIN
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.robot import Robot
 
 DT, LAP, LAPS, RADIUS = 0.01, 500, 3, 0.1
 STEPS = LAP * LAPS
-GAIN, DAMPING = 0.25, 1e-6
-NO_PAIRS, NOTHING, NOWHERE = indices([], 0, 4), frozen([]), frozen(np.zeros(3))
-NO_ENTRY = (0, NOWHERE, NOWHERE, NOWHERE)
-
-
-@kernel
-def follow(
-    arm: Arm,
-    T_link_tool: Array,
-    q: Array,
-    poses: Array,
-    T_world_target: Array,
-    cost: tuple[float, Array, Array],
-    limits: LimitArrays,
-    planes: PlaneArrays,
-    dt: float,
-) -> tuple[Array, Array]:
-    """The posture and its link poses after one step towards a pose: v is a share of what is missing, world frame."""
-    gain, weights, damping = cost
-    chain = arm[0]
-    last, T, v = poses[-1], np.empty((3, 4)), np.empty(6)
-    for a in range(3):
-        for b in range(4):
-            T[a, b] = last[a, 0] * T_link_tool[0, b] + last[a, 1] * T_link_tool[1, b] + last[a, 2] * T_link_tool[2, b]
-        T[a, 3] += last[a, 3]
-    turned = rotation_vector(T_world_target, T)
-    for a in range(3):
-        v[a] = gain * (T_world_target[a, 3] - T[a, 3])
-        v[3 + a] = gain * turned[a]
-    J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), T[:, 3], chain.shape[0])
-    guard = (arm, limits, planes, (arm[1].shape[0], NO_PAIRS, NOTHING), NO_ENTRY, DAMPER_GAIN)
-    task = (J, v, weights, damping)
-    q_after, poses_after, _, _ = guarded_tick(guard, q, np.zeros(q.size), poses, task, np.empty(0, dtype=np.int64), dt)
-    return q_after, poses_after
+SHARE, DAMPING = 1.0 - np.exp(-GAIN * DT), 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,14 +38,18 @@ class Course:
         return f"{self.robot.name}, one step, {'three planes' if self.is_confined else 'no planes'}"
 
     @cached_property
-    def arm(self) -> Arm:
-        robot = self.robot
-        return robot.chain.copy(), robot.guarded_points.copy(), robot.guarded_joints.copy()
+    def arm(self) -> Array:
+        """The arm, packed: 1 m counts as much as 1 rad, and no bodies are kept apart, as with the peers."""
+        robot, reach = replace(self.robot, self_collision=()), self.robot.reach
+        normals, offsets, _ = self.planes
+        planes = Planes(frozen(normals), frozen(normals * offsets[:, None]))
+        problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes, Zones(critical=0.0))
+        return packed(problem, DAMPING / reach**2, 1.0 / reach)
 
     @cached_property
     def targets(self) -> Array:
         """T_world_target of each step, (steps, 4, 4), m."""
-        T = link_poses(self.arm[0], self.q_start)[-1] @ self.robot.T_link_tool
+        T = link_poses(self.robot.chain, self.q_start)[-1] @ self.robot.T_link_tool
         angles = 2 * np.pi * np.arange(STEPS) / LAP
         targets = np.repeat(T[None], STEPS, axis=0)
         targets[:, 0, 3] += RADIUS * np.sin(angles)
@@ -84,7 +57,7 @@ class Course:
         return targets
 
     @cached_property
-    def planes(self) -> PlaneArrays:
+    def planes(self) -> tuple[Array, Array, float]:
         """Normals (k, 3) into the allowed side, offsets (k,), m, and the distance to be kept, m."""
         if not self.is_confined:
             return np.empty((0, 3)), np.empty(0), 0.0
@@ -94,7 +67,8 @@ class Course:
         return normals, np.array([points[:, 2].min() - 0.1, -x, -y]), 0.0
 
     def points(self, q: Array) -> Array:
-        return np.asarray(carried_points(link_poses(self.arm[0], q), *self.arm[1:]))
+        robot = self.robot
+        return np.asarray(carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints))
 
     def given(self) -> dict[str, object]:
         """What a peer must know."""
@@ -111,25 +85,19 @@ class Course:
             "links": robot.guarded_joints,
         }
         known = {name: array.tolist() for name, array in numbers.items()}
-        law = {"gain": GAIN, "damping": DAMPING, "decay": DAMPER_GAIN * DT, "dt": DT}
+        law = {"gain": float(SHARE), "damping": DAMPING, "decay": DAMPER_GAIN * DT, "dt": DT}
         return {"urdf": urdf_with_limits(robot), "dh": standard_rows(robot), **known, **law}
 
     def turn(self) -> Turn:
         """Our closed loop."""
-        robot, arm, targets, planes = self.robot, self.arm, list(self.targets), self.planes
-        T_link_tool, unlimited = robot.T_link_tool.copy(), np.full(len(robot.variables), np.inf)
-        limits = robot.lower.copy(), robot.upper.copy(), robot.speed.copy(), unlimited
-        cost = GAIN, np.ones(6), np.full(len(robot.variables), DAMPING)
-        q = poses = np.empty(0)
+        arm, targets, work = self.arm, list(self.targets), work_for(self.arm)
+        memory, q = work.memory, self.q_start.copy()
 
         def start() -> None:
-            nonlocal q, poses
-            q = self.q_start.copy()
-            poses = link_poses(arm[0], q)
+            q[:], work.rates[:] = self.q_start, 0.0
 
-        def step(k: int) -> Array:
-            nonlocal q, poses
-            q, poses = follow(arm, T_link_tool, q, poses, targets[k], cost, limits, planes, DT)
-            return q
+        def once(k: int) -> Array:
+            step(arm, q, targets[k], STILL, DT, memory)
+            return q.copy()
 
-        return following(start, step)
+        return following(start, once)

@@ -22,7 +22,7 @@ PEERS = (
 # Franka's own posture to start from, for the one that the URDF of the Panda does not name; None is `ready`.
 STARTS = {"puma560": None, "panda": np.radians([0.0, -45.0, 0.0, -135.0, 0.0, 90.0, 45.0])}
 LENGTH, ROUNDS = 50, 3
-FREE, CONFINED = 10.0, 15.0
+FREE, CONFINED = 20.0, 30.0
 # Theirs may follow another way within the same limits: dqrobotics weighs dual quaternions, not metres and radians.
 ALIKE, ROUNDING = 0.05, 1e-9
 HOW = (

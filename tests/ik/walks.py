@@ -10,11 +10,13 @@ from tests.kinematics.arms import arm
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import clearances
-from helicoide.ik.guard.guarded import guarded_tick
-from helicoide.ik.guard.rows import Guard
-from helicoide.ik.task import joint_task, pose_task
+from helicoide.ik.guard.packed import ACCELERATION, LOWER, ORIENTATION, REACH, SETTING, SPEED, UPPER, parts
+from helicoide.ik.guard.work import REPORT, SHARE, work_for
+from helicoide.ik.packing import packed
+from helicoide.ik.step import step, step_task
+from helicoide.ik.task import joint_task
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.chain import Array, Chain, frozen
 from helicoide.kinematics.forward import carried_points, link_poses
 
 ARMS = ("movemaster", "puma560", "planar3r", "scara", "dia10", "zebra_zero")
@@ -23,8 +25,7 @@ STAY = 60
 
 def left(problem: Problem, q: Array) -> Array:
     """What is left of every clearance at q, m."""
-    poses = link_poses(problem.robot.chain, frozen(q))
-    return clearances(poses, problem.points, problem.plane_arrays, problem.pair_arrays)[0]
+    return clearances(packed(problem), frozen(q))
 
 
 def scene(name: str, seed: int, planes: int = 3, obstacles: int = 2, acceleration: float = np.inf) -> Problem:
@@ -48,34 +49,44 @@ def scene(name: str, seed: int, planes: int = 3, obstacles: int = 2, acceleratio
 
 
 @kernel
-def walk(guard: Guard, q: Array, T_link_tool: Array, reach: float, steps: int, seed: int, figures: Array) -> Array:
-    """Targets that jump and run, ticks of 1 to 50 ms; fills in `Figures` and gives the last joint values."""
+def walk(
+    arm: Array, chain: Chain, q: Array, T_link_tool: Array, turn: float, steps: int, seed: int, memory: Array,
+    figures: Array,
+) -> Array:  # fmt: skip
+    """Targets that jump and run, ticks of 1 to 50 ms; fills in `Figures` and gives the last joint values.
+
+    Args: arm: packed, one that the walk may write into; turn: the weight of orientation, which comes and goes.
+    """
     np.random.seed(seed)
-    (chain, _, _), (lower, upper, speed, acceleration), planes, pairs, _, _ = guard
-    n = q.shape[0]
-    q, rates, poses, dt, kind = q.copy(), np.zeros(n), link_poses(chain, q), 0.01, 0
-    q_target, T, drift = q.copy(), poses[-1].copy(), np.zeros(3)
-    before, _, _ = clearances(poses, guard[0], planes, pairs)
-    for step in range(steps):
-        if step % STAY == 0:
+    at, reach = parts(arm), arm[SETTING, REACH]
+    rates, n, begins = memory[REPORT : REPORT + at.n], at.n, np.empty(0, dtype=np.int64)
+    q, was, before_rates, dt, kind = q.copy(), q.copy(), np.zeros(at.n), 0.01, 0
+    q_target, T, drift = q.copy(), link_poses(chain, q)[-1].copy(), np.zeros(3)
+    before = clearances(arm, q)
+    for k in range(steps):
+        if k % STAY == 0:
             dt, kind = np.exp(np.random.uniform(np.log(0.001), np.log(0.05))), np.random.randint(4)
             for i in range(n):
-                q_target[i] = np.random.uniform(lower[i], upper[i])
+                q_target[i] = np.random.uniform(arm[at.limits + i, LOWER], arm[at.limits + i, UPPER])
             T = link_poses(chain, q_target)[-1] @ T_link_tool
             for a in range(3):
                 drift[a] = np.random.uniform(-0.3, 0.3) * reach * (kind == 1)
                 T[a, 3] += np.random.uniform(-2.0, 2.0) * reach * (kind == 2)
         for a in range(3):
             T[a, 3] += drift[a] * dt
-        tool = (T_link_tool, T, T[:3, 3].copy(), step % (5 * STAY) > STAY, reach)
-        task = joint_task(q, q_target, -1, dt) if kind == 3 else pose_task(poses, chain, tool, drift, dt)
-        q_after, poses, _, share = guarded_tick(guard, q, rates, poses, task, np.empty(0, dtype=np.int64), dt)
-        after, _, _ = clearances(poses, guard[0], planes, pairs)
-        now, sharpest = (q_after - q) / dt, 0.0
+        was[:], before_rates[:] = q, rates
+        arm[SETTING, ORIENTATION] = turn if k % (5 * STAY) > STAY else 0.0
+        if kind == 3:
+            J, v, weights, damping = joint_task(q, q_target, -1, dt)
+            step_task(arm, q, J, v, weights, damping, begins, dt, memory)
+        else:
+            step(arm, q, T, drift, dt, memory)
+        share, after, sharpest = memory[SHARE], clearances(arm, q), 0.0
         for i in range(n):
-            figures[1] = max(figures[1], min(lower[i], q[i]) - q_after[i], q_after[i] - max(upper[i], q[i]))
-            figures[2] = max(figures[2], abs(now[i]) - speed[i])
-            sharpest = max(sharpest, (abs(now[i] - rates[i]) - 1e-9) / (acceleration[i] * dt))
+            limit, now = at.limits + i, (q[i] - was[i]) / dt
+            figures[1] = max(figures[1], min(arm[limit, LOWER], was[i]) - q[i], q[i] - max(arm[limit, UPPER], was[i]))
+            figures[2] = max(figures[2], abs(now) - arm[limit, SPEED])
+            sharpest = max(sharpest, (abs(now - before_rates[i]) - 1e-9) / (arm[limit, ACCELERATION] * dt))
         for r in range(after.shape[0]):
             figures[0] = max(figures[0], min(0.0, before[r]) - after[r])
             figures[7] += after[r] < 1e-3
@@ -84,8 +95,8 @@ def walk(guard: Guard, q: Array, T_link_tool: Array, reach: float, steps: int, s
         figures[5] += share == 0.0
         figures[6] += sharpest > 1.0 + 1e-6 and share == 1.0
         figures[8] = max(figures[8], sharpest if share == 1.0 else 0.0)
-        figures[9] += not np.isfinite(q_after).all()
-        q, rates, before = q_after, now, after
+        figures[9] += not np.isfinite(q).all()
+        before = after
     return q
 
 
@@ -109,5 +120,6 @@ def walked(problem: Problem, steps: int, seed: int) -> Figures:
     """A walk from `ready`, at rest."""
     figures, robot = np.zeros(len(fields(Figures))), problem.robot
     figures[:3] = -np.inf
-    walk(problem.guard, robot.poses["ready"].copy(), robot.T_link_tool.copy(), robot.reach, steps, seed, figures)
+    arm, q, memory = packed(problem).copy(), robot.poses["ready"].copy(), work_for(packed(problem)).memory
+    walk(arm, robot.chain, q, robot.T_link_tool.copy(), float(arm[SETTING, ORIENTATION]), steps, seed, memory, figures)
     return Figures(*map(float, figures))

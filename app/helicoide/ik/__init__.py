@@ -9,19 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.confinement import Obstacles, Planes, Zones
-from helicoide.ik.guard.rows import DAMPER_GAIN, Arm, Entry, Guard, Indices, LimitArrays, Pairs, PlaneArrays
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
 NOTICEABLE = 0.02
 NEAR = 1e-4
-
-
-def _indices(values: ArrayLike, *shape: int) -> Indices:
-    array = np.array(values, dtype=np.int64).reshape(shape)
-    array.flags.writeable = False
-    return array
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,18 +88,8 @@ class Problem:
         return frozen([self.length if joint.slides else 1.0 for joint in self.robot.variables])
 
     @cached_property
-    def arm(self) -> Arm:
-        """Moving axes, guarded points, links that carry them: what the kernels know of the robot."""
-        return self.robot.chain, self.robot.guarded_points, self.robot.guarded_joints
-
-    @cached_property
-    def limit_arrays(self) -> LimitArrays:
-        """Lower, upper, speed and acceleration, for the kernels."""
-        return self.limits.lower, self.limits.upper, self.limits.speed, self.limits.acceleration
-
-    @cached_property
-    def plane_arrays(self) -> PlaneArrays:
-        """Normals, offsets and the critical distance, for the kernels."""
+    def plane_arrays(self) -> tuple[Array, Array, float]:
+        """Normals (k, 3), offsets (k,), m, and the critical distance, m."""
         return self.planes.normals, frozen(self.planes.offsets), self.zones.critical
 
     @cached_property
@@ -118,40 +101,6 @@ class Problem:
         moving = [i for i, body in enumerate(bodies) if max(body.links) > 0]
         behind = range(len(bodies), len(bodies) + len(self.obstacles.radii))
         return *self.robot.self_collision, *((i, j) for i in moving for j in behind)
-
-    @cached_property
-    def points(self) -> Arm:
-        """`arm`, where there are pairs with the ends of all bodies after its points; an obstacle stands on link 0."""
-        if not self.pairs:
-            return self.arm
-        bodies, obstacles = self.robot.bodies, self.obstacles
-        ends = [*self.robot.guarded_points, *(end for body in bodies for end in body.ends)]
-        links = [*self.robot.guarded_joints, *(link for body in bodies for link in body.links)]
-        return (
-            self.robot.chain,
-            frozen([*ends, *obstacles.ends.reshape(-1, 3)]),
-            np.array([*links, *[0] * (2 * len(obstacles.radii))], dtype=np.int64),
-        )
-
-    @cached_property
-    def pair_arrays(self) -> Pairs:
-        """How many points are guarded, the four points of each pair, and how far apart their axes stay, m."""
-        m = len(self.robot.guarded_points)
-        radii = [*(body.radius for body in self.robot.bodies), *self.obstacles.radii]
-        corners = [(m + 2 * a, m + 2 * a + 1, m + 2 * b, m + 2 * b + 1) for a, b in self.pairs]
-        return m, _indices(corners, -1, 4), frozen([radii[a] + radii[b] + self.zones.between for a, b in self.pairs])
-
-    @cached_property
-    def shaft_arrays(self) -> Entry:
-        """The link with the instrument, 0 for none, a point and the direction of its shaft, and the entry point."""
-        if self.entry is None:
-            return 0, frozen(np.zeros(3)), frozen(np.zeros(3)), frozen(np.zeros(3))
-        return self.entry.link, frozen(self.entry.shaft[0]), frozen(self.entry.shaft[1]), self.entry.point
-
-    @cached_property
-    def guard(self) -> Guard:
-        """All of it, as `guarded.guarded_tick` takes it."""
-        return self.points, self.limit_arrays, self.plane_arrays, self.pair_arrays, self.shaft_arrays, DAMPER_GAIN
 
     @cached_property
     def weightless(self) -> Problem:
@@ -220,7 +169,7 @@ Reason = Contact | ObstacleContact | SelfContact | AtLimit | RcmHeld | AtSpeed |
 
 
 def reason_of(problem: Problem, row: int, multiplier: float = 0.0) -> Reason:
-    """What a slot of `guarded.sorted_out` stands for: 2 n limits, then those of `collision.clearances`."""
+    """What a slot of `Outcome.held` stands for: 2 n limits, then those of `collision.clearances`."""
     n, k = len(problem.limits.lower), len(problem.planes.normals)
     points, bodies = k * len(problem.robot.guarded_points), len(problem.robot.bodies)
     joint, row = row % n, row - 2 * n

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from math import hypot
 from types import MappingProxyType
 from typing import Any
 
@@ -17,14 +18,15 @@ from numpy.typing import NDArray
 
 from helicoide.ik import Problem, methods, objectives
 from helicoide.ik.clik import Aim, answered, tool_aim
-from helicoide.ik.guard.guarded import ONE_LEVEL, indices
-from helicoide.ik.guard.rows import Guard, Indices
+from helicoide.ik.guard.guarded import indices
+from helicoide.ik.guard.rows import Indices
 from helicoide.ik.guard.rows import Task as Rows
 from helicoide.ik.limit_gains import clipped
 from helicoide.ik.method import Solution, Task
 from helicoide.ik.objective import Posture
+from helicoide.ik.packing import packed
 from helicoide.ik.postures.subspace import project
-from helicoide.ik.task import DAMPING, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, shortened
+from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.robot import Robot
@@ -86,10 +88,16 @@ def rate(aim: Aim, gains: Gains) -> Array:
     """ν = ẋ_d + Λ e, cut to the speed of the tool: a target that jumps by metres asks for no more than a near one."""
     x, y, z, turn = gains
     asked = aim.ahead.copy()
-    asked[:3] = shortened(aim.ahead[:3] + np.array([x, y, z]) * aim.error[:3], TOOL_SPEED)
+    asked[:3] = _no_faster(aim.ahead[:3] + np.array([x, y, z]) * aim.error[:3], TOOL_SPEED)
     if len(asked) > 3:
-        asked[3:] = shortened(aim.ahead[3:] + turn * aim.error[3:], TOOL_TURN)
+        asked[3:] = _no_faster(aim.ahead[3:] + turn * aim.error[3:], TOOL_TURN)
     return asked
+
+
+def _no_faster(velocity: Array, most: float) -> Array:
+    """A velocity (3,), cut to a length of at most `most`."""
+    length = hypot(*velocity)
+    return velocity * (most / length) if length > most else velocity
 
 
 @lru_cache(maxsize=32)
@@ -169,35 +177,36 @@ def displacement(wished: Array) -> tuple[Array, Array, Array, Array]:
     return np.eye(n), np.asarray(wished), np.ones(n), np.zeros(n)
 
 
-def guard(problem: Problem, drive: Drive) -> Guard:
-    """The problem's guard, with the gain of the dampers that is set for the guarded step."""
+def packed_arm(problem: Problem, drive: Drive, with_orientation: bool = True) -> Array:
+    """The problem as the kernels take it, with the settings of the guarded step."""
     if GUARDED not in drive.changed:
-        return problem.guard
-    return (*problem.guard[:5], float(drive.options(GUARDED).gain))
+        return packed(problem, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
+    options = drive.options(GUARDED)
+    turn = options.turn if with_orientation else 0.0
+    return packed(problem, options.damping**2, turn, options.gain, options.levels)
 
 
-def levels(problem: Problem, q: Array, poses: Array, task: Rows, drive: Drive, dt: float) -> tuple[Rows, Indices]:
-    """A pose as the guarded step takes it: with its settings, and the secondary objective in a level of its own.
+def split(drive: Drive, with_orientation: bool) -> list[int]:
+    """The rows at which levels of a pose begin, by the settings of the guarded step."""
+    return [3] if with_orientation and drive.options(GUARDED).levels else []
 
-    Args: q (n,), rad or m, and its poses; task: of `pose_task`. Returns the task, and the rows at which levels begin.
+
+def with_objective(
+    problem: Problem, q: Array, poses: Array, task: Rows, begins: list[int], second: Secondary, dt: float
+) -> tuple[Rows, Indices]:
+    """A task with a secondary objective: one more row, or a level of its own behind the others.
+
+    Args: q (n,), rad or m, and its poses; task and the rows at which its levels begin; dt, s.
     """
-    if GUARDED not in drive.changed and drive.secondary is None:
-        return task, ONE_LEVEL
     J, v, weights, damping = task
-    options, reach = drive.options(GUARDED), problem.robot.reach
-    weights[3:] *= options.turn / ORIENTATION_LENGTH
-    damping += (options.damping**2 - DAMPING) * reach**2
-    begins = [3] if options.levels and weights[3] > 0 else []
-    second = drive.secondary
-    if second is None:
-        return (J, v, weights, damping), indices(begins)
     rows = 6 if weights[3] > 0 else 3
     here = Posture(q, poses, problem.obstacles.points)
     cost = objectives.named(second.objective).cost(problem, here, second.options)
     if second.as_row:
-        more, asked, weight = cost.gradient[None] / problem.joint_units, np.array([-cost.value * dt]), reach
+        more, asked = cost.gradient[None] / problem.joint_units, np.array([-cost.value * dt])
+        weight = problem.robot.reach
     else:
-        begins.append(rows)
+        begins = [*begins, rows]
         more, asked, weight = np.eye(len(q)), -second.weight * cost.gradient * problem.joint_units * dt, 1.0
     J, v = np.vstack([J[:rows], more]), np.append(v[:rows], asked)
     return (J, v, np.append(weights[:rows], np.full(len(asked), weight)), damping), indices(begins)

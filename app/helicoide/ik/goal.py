@@ -8,9 +8,10 @@ from math import dist, hypot
 import numpy as np
 
 from helicoide.ik import AtAcceleration, AtSpeed, Problem, Reason, reasons
-from helicoide.ik.guard.qp import SOLVED, project
+from helicoide.ik.guard.work import work_for
+from helicoide.ik.packing import packed
 from helicoide.ik.rollout import are_clear, settle
-from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, rotation_vector
+from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, allowed, rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 
@@ -44,18 +45,6 @@ def tool_pose(problem: Problem, poses: Array) -> Array:
     return frozen(poses[-1] @ problem.robot.T_link_tool)
 
 
-def allowed_point(problem: Problem, wished: Array) -> Array:
-    """The point nearest to a wished one that the planes leave to the tool.
-
-    Args: wished (3,), m. Returns (3,), m; the wished point itself where the planes leave no room at all.
-    """
-    normals, offsets, critical = problem.plane_arrays
-    if (normals @ wished >= offsets + critical).all():
-        return frozen(wished)
-    point, _, verdict = project(normals, offsets + critical, frozen(np.full(len(offsets), np.inf)), wished.copy())
-    return frozen(point if verdict == SOLVED else wished)
-
-
 def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array, tick: float) -> Goal:
     poses = frozen(link_poses(problem.robot.chain, q))
     T = tool_pose(problem, poses)
@@ -69,7 +58,7 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
         q=frozen(q),
         poses=poses,
         T_world_tool=T,
-        reached=dist(allowed_point(problem, wished), T[:3, 3]) < REACHED,
+        reached=dist(allowed(packed(problem), wished), T[:3, 3]) < REACHED,
         short=short,
         turned=turned,
         reasons=tuple(
@@ -87,19 +76,29 @@ def goal_at_pose(
 
     ticks: length in s and number of the steps that are looked ahead.
     """
-    allowed = allowed_point(problem, T_world_target[:3, 3])
-    tool = (problem.robot.T_link_tool, T_world_target, allowed, with_orientation, problem.robot.reach)
-    rest, multipliers = settle(problem.weightless.guard, q, tool, (False, q, EVERY), *ticks)
-    return _goal(problem, rest, T_world_target, multipliers, ticks[0])
+    arm = packed(problem.weightless, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
+    return _rest(problem, arm, q, T_world_target, (False, q, EVERY), ticks)
 
 
 def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = EVERY) -> Goal:
     """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
     robot = problem.robot
     wished = tool_pose(problem, link_poses(robot.chain, q_target))
-    tool = (robot.T_link_tool, wished, frozen(wished[:3, 3]), True, robot.reach)
-    rest, multipliers = settle(problem.weightless.guard, q, tool, (True, q_target, yielding), *_AHEAD)
-    return _goal(problem, rest, wished, multipliers, _AHEAD[0])
+    return _rest(problem, packed(problem.weightless), q, wished, (True, q_target, yielding), _AHEAD)
+
+
+def _rest(
+    problem: Problem,
+    arm: Array,
+    q: Array,
+    T_world_target: Array,
+    joints: tuple[bool, Array, int],
+    ticks: tuple[float, int],
+) -> Goal:
+    """Where a packed arm comes to rest, as in `settle`."""
+    rest, work = q.copy(), work_for(arm)
+    settle(arm, rest, T_world_target, joints, *ticks, work.memory)
+    return _goal(problem, rest, T_world_target, work.held, ticks[0])
 
 
 def _starts(problem: Problem, q: Array) -> list[Array]:
@@ -110,7 +109,7 @@ def _starts(problem: Problem, q: Array) -> list[Array]:
         ratio = (1 + ratio) ** (1 / (n + 1))
     shares = (0.5 + np.outer(np.arange(_DRAWN), ratio ** -np.arange(1.0, n + 1))) % 1.0
     drawn = frozen([problem.robot.poses["ready"], *(limits.lower + shares * (limits.upper - limits.lower))])
-    clear = drawn[are_clear(problem.guard, drawn)][:_STARTS]
+    clear = drawn[are_clear(packed(problem), drawn)][:_STARTS]
     return [frozen(start) for start in sorted(clear, key=lambda start: float(np.abs(start - q).max()))]
 
 

@@ -9,9 +9,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kernels import kernel
-from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array, Chain
+from helicoide.ik.guard.packed import CRITICAL, FIRST, OFFSET, ORIENTATION, REACH, SETTING, TOOL, At, parts
+from helicoide.ik.guard.packed import DAMPING as LEAST_DAMPING
+from helicoide.ik.guard.qp import SOLVED, project
+from helicoide.ik.guard.rows import Task, Vector, moved
+from helicoide.kernels import kernel, kernel_into
+from helicoide.kinematics.chain import Array
+from helicoide.kinematics.tool import DRIVER, TURN, Row, ending, rows_of, turn_to
 
 GAIN = 12.5
 TOOL_SPEED = 0.6
@@ -24,88 +28,126 @@ EVERY = -1
 
 @kernel
 def rotation_vector(R_to: Array, R_from: Array) -> Array:
-    """Rotation vector of R_to R_fromᵀ, the shorter way: θ a with 0 ≤ θ ≤ π, world frame.
+    """Rotation vector of R_to R_fromᵀ, the shorter way: θ a with 0 ≤ θ ≤ π, world frame; (3,).
 
-    Args: rotations (3, 3), both in the world frame. Near π the axis is read from the symmetric part.
+    Args: rotations (3, 3), or poses, both in the world frame. Source: `descent.turn_to`.
     """
-    E = np.zeros((3, 3))
-    for a in range(3):
-        for b in range(3):
-            for c in range(3):
-                E[a, b] += R_to[a, c] * R_from[b, c]
-    vector = np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]]) / 2.0
-    sine = np.sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)
-    cosine = (E[0, 0] + E[1, 1] + E[2, 2] - 1.0) / 2.0
-    angle = np.arctan2(sine, cosine)
-    if sine > 1e-6:
-        return np.asarray(vector * (angle / sine))
-    if cosine > 0.0:
-        return vector
-    largest = np.argmax(np.array([E[0, 0], E[1, 1], E[2, 2]]))
-    axis: Array = (E[largest] + E[:, largest]) / 2.0
-    axis[largest] += 1.0
-    axis *= angle / np.sqrt(axis[0] ** 2 + axis[1] ** 2 + axis[2] ** 2)
-    return axis
+    vector = np.empty(3)
+    vector[0], vector[1], vector[2] = turn_to(R_to, row_of(R_from, 0), row_of(R_from, 1), row_of(R_from, 2))
+    return vector
 
 
-@kernel
-def shortened(vector: Array, longest: float) -> Array:
-    """The vector, scaled down to a length of at most `longest`."""
-    length = np.sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)
-    return np.multiply(vector, min(1.0, longest / length)) if length > 0.0 else vector
+@kernel_into
+def row_of(R: Array, a: int) -> Row:
+    """A row of a rotation, as of a frame in the origin."""
+    return R[a, 0], R[a, 1], R[a, 2], 0.0
 
 
-@kernel
-def levers_damping(J: Array, pull: Array, reach: float) -> Array:
-    """The damping of each joint under a pull on the tool: d = λ² + max(0, v·rᵢ), rᵢ the lever of joint i.
+@kernel_into
+def shortened(x: float, y: float, z: float, longest: float) -> Vector:
+    """A vector, scaled down to a length of at most `longest`."""
+    length = np.sqrt(x * x + y * y + z * z)
+    share = min(1.0, longest / length) if length > 0.0 else 1.0
+    return share * x, share * y, share * z
+
+
+@kernel_into
+def levers_damping(J: Array, pull: Vector, least: float, damping: Array) -> None:
+    """Write the damping of each joint under a pull on the tool: d = λ² + max(0, v·rᵢ), rᵢ the lever of joint i.
 
     v·rᵢ is what the curvature of the tool's way adds to the Hessian; without it a stretched arm that is pulled further
-    trembles. Args: J (6, n) of the tool; pull v (3,), m; reach, m. Returns (n,), m².
+    trembles. Args: J (6, n) of the tool; pull v (3,), m; least: λ², m². Writes (n,), m².
     """
-    n = J.shape[1]
-    damping = np.full(n, DAMPING * reach * reach)
-    for i in range(n):
-        lever = np.cross(J[:3, i], J[3:, i])
-        damping[i] += max(0.0, pull[0] * lever[0] + pull[1] * lever[1] + pull[2] * lever[2])
-    return damping
+    for i in range(J.shape[1]):
+        x = J[1, i] * J[5, i] - J[2, i] * J[4, i]
+        y = J[2, i] * J[3, i] - J[0, i] * J[5, i]
+        z = J[0, i] * J[4, i] - J[1, i] * J[3, i]
+        damping[i] = least + max(0.0, pull[0] * x + pull[1] * y + pull[2] * z)
+
+
+@kernel_into
+def pose_task(
+    arm: Array, at: At, poses: Array, axes: Array, T_world_target: Array, ahead: Array, dt: float, task: Task
+) -> None:
+    """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
+
+    Args: arm: packed; poses and axes of `packed.stand`; T_world_target (4, 4), m; ahead (3,): velocity of the target's
+    point, m/s; dt, s. Writes J (6, n), v (6,), weights (6,), damping (n,), m². Source: Cerbaro 2022, §4.4.2 (CLIK).
+
+    What pulls into a plane is taken up by the plane; only the pull towards the point that the planes allow damps.
+    """
+    J, v, weights, damping = task
+    T, last = rows_of(arm[TOOL]), poses[at.m]
+    x, y, z = placed(last, 0, T), placed(last, 1, T), placed(last, 2, T)
+    jacobian_into(arm, at, poses, axes, x[3], y[3], z[3], J)
+    reach, turning, share = arm[SETTING, REACH], arm[SETTING, ORIENTATION], 1.0 - np.exp(-GAIN * dt)
+    fastest = TOOL_SPEED * reach * dt
+    there = (T_world_target[0, 3], T_world_target[1, 3], T_world_target[2, 3])
+    v[0], v[1], v[2] = shortened(
+        ahead[0] * dt + share * (there[0] - x[3]),
+        ahead[1] * dt + share * (there[1] - y[3]),
+        ahead[2] * dt + share * (there[2] - z[3]),
+        fastest,
+    )
+    angle = turn_to(T_world_target, x, y, z) if turning > 0.0 else (0.0, 0.0, 0.0)
+    v[3], v[4], v[5] = shortened(share * angle[0], share * angle[1], share * angle[2], TOOL_TURN * dt)
+    for s in range(3):
+        weights[s], weights[3 + s] = 1.0, turning * reach
+    near = allowed_point(arm, at, there)
+    pull = shortened(share * (near[0] - x[3]), share * (near[1] - y[3]), share * (near[2] - z[3]), fastest)
+    levers_damping(J, pull, arm[SETTING, LEAST_DAMPING] * reach * reach, damping)
+
+
+@kernel_into
+def placed(pose: Array, a: int, tool: tuple[Row, Row, Row]) -> Row:
+    """Row a of T_world_link T_link_tool."""
+    return ending((pose[a, 0], pose[a, 1], pose[a, 2], pose[a, 3]), tool)
+
+
+@kernel_into
+def jacobian_into(arm: Array, at: At, poses: Array, axes: Array, x: float, y: float, z: float, J: Array) -> None:
+    """Write the geometric Jacobian of a point of the last link, m, world, into J (6, n)."""
+    J[:] = 0.0
+    for i in range(at.m):
+        joint = FIRST + i
+        column, turns, v = int(arm[joint, DRIVER]), arm[joint, TURN], moved(arm, i, poses, axes, x, y, z)
+        for a in range(3):
+            J[a, column] += v[a]
+            J[3 + a, column] += turns * axes[i, a]
+
+
+@kernel_into
+def allowed_point(arm: Array, at: At, point: Vector) -> Vector:
+    """The point nearest to a wished one, m, that the planes leave to the tool; itself where they leave no room."""
+    is_allowed = True
+    for p in range(at.planes, at.pairs):
+        height = arm[p, 0] * point[0] + arm[p, 1] * point[1] + arm[p, 2] * point[2]
+        is_allowed = is_allowed and height >= arm[p, OFFSET] + arm[SETTING, CRITICAL]
+    if is_allowed:
+        return point
+    return nearest_allowed(arm, at, point)
 
 
 @kernel
-def pose_task(
-    poses: Array,
-    chain: Chain,
-    tool: tuple[Array, Array, Array, bool, float],
-    ahead: Array,
-    dt: float,
-) -> tuple[Array, Array, Array, Array]:
-    """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
+def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
+    """The same for a point that lies behind a plane."""
+    k = at.pairs - at.planes
+    normals, bounds, wished = np.empty((k, 3)), np.empty((2, k)), np.empty(3)
+    for p in range(k):
+        for a in range(3):
+            normals[p, a] = arm[at.planes + p, a]
+        bounds[0, p], bounds[1, p] = arm[at.planes + p, OFFSET] + arm[SETTING, CRITICAL], np.inf
+    wished[0], wished[1], wished[2] = point
+    found, _, verdict = project(normals, bounds[0], bounds[1], wished)
+    return (found[0], found[1], found[2]) if verdict == SOLVED else point
 
-    Args: poses (m + 1, 4, 4) of `forward.link_poses`; chain (m,); tool: T_link_tool and T_world_target (4, 4), m, the
-    point nearest to the target that the planes allow (3,), m, whether orientation counts, the arm's reach, m;
-    ahead (3,): velocity of the target's point, m/s; dt, s. Returns J (6, n), v (6,), weights (6,), damping (n,), m².
-    Source: Cerbaro 2022, §4.4.2 (CLIK).
 
-    What pulls into a plane is taken up by the plane; only the pull towards the allowed point damps.
-    """
-    T_link_tool, T_world_target, allowed, with_orientation, reach = tool
-    last = poses[-1]
-    point = last[:3, 3].copy()
-    R_tool = np.zeros((3, 3))
-    for a in range(3):
-        for b in range(3):
-            point[a] += last[a, b] * T_link_tool[b, 3]
-            for c in range(3):
-                R_tool[a, c] += last[a, b] * T_link_tool[b, c]
-    J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), point, chain.shape[0])
-    fastest = TOOL_SPEED * reach * dt
-    share = 1.0 - np.exp(-GAIN * dt)
-    v = np.zeros(6)
-    v[:3] = shortened(ahead * dt + share * (T_world_target[:3, 3] - point), fastest)
-    weights = np.ones(6)
-    weights[3:] = ORIENTATION_LENGTH * reach if with_orientation else 0.0
-    if with_orientation:
-        v[3:] = shortened(share * rotation_vector(T_world_target[:3, :3], R_tool), TOOL_TURN * dt)
-    return J, v, weights, levers_damping(J, shortened(share * (allowed - point), fastest), reach)
+@kernel
+def allowed(arm: Array, point: Array) -> Array:
+    """The same of a packed arm for a point (3,), m; returns (3,), m."""
+    found = np.empty(3)
+    found[0], found[1], found[2] = allowed_point(arm, parts(arm), (point[0], point[1], point[2]))
+    return found
 
 
 @kernel

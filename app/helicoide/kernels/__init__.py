@@ -73,9 +73,10 @@ def _writable(kind: Any) -> Any:
     """The type of the same arguments when their arrays may be written, and no number is a constant."""
     kind = types.unliteral(kind)
     if isinstance(kind, types.Array):
-        return kind.copy(readonly=False)
+        return kind if kind.mutable else kind.copy(readonly=False)
     if isinstance(kind, types.BaseTuple):
-        return types.BaseTuple.from_types([_writable(one) for one in cast(Any, kind)])
+        parts = [_writable(one) for one in cast(Any, kind)]
+        return types.BaseTuple.from_types(parts, getattr(kind, "instance_class", None))
     return kind
 
 
@@ -88,7 +89,8 @@ def kernel_into(function: Function) -> Function:
     """The same of a function that makes no array and returns none, but writes into what it is given.
 
     numba need not count who holds its arrays, which saves 20 to 35 ns of each that a call hands in; where one is made
-    all the same, it refuses to compile.
+    all the same, it refuses to compile. One that returns a tuple of views may be called by its own kind alone: a
+    `kernel` would count them out of memory.
     """
     return _compiled(function, makes_arrays=False)
 

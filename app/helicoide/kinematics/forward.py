@@ -149,16 +149,11 @@ def link_poses(chain: Chain, q: Array) -> Array:
     return poses
 
 
-@kernel
 def carried_points(poses: Array, points: Array, links: NDArray[np.int64]) -> Array:
     """World coordinates of points on links: p' = R p + T.
 
     Args: poses (m + 1, 4, 4) of `link_poses`; points (p, 3), m, each in the frame of its link; links (p,): number of
     the link that carries each, 0 for the base. Returns (p, 3), m.
     """
-    moved = np.empty_like(points)
-    for j in range(points.shape[0]):
-        pose = poses[links[j]]
-        for a in range(3):
-            moved[j, a] = pose[a, 0] * points[j, 0] + pose[a, 1] * points[j, 1] + pose[a, 2] * points[j, 2] + pose[a, 3]
-    return moved
+    carriers = poses[links, :3]
+    return np.asarray(np.einsum("pij,pj->pi", carriers[:, :, :3], points) + carriers[:, :, 3])

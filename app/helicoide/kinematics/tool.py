@@ -121,6 +121,29 @@ def twist(p: Triple, s: Triple, turn: float, slide: float) -> tuple[Triple, Trip
 
 
 @kernel
+def turn_to(goal: Array, x: Row, y: Row, z: Row) -> Triple:
+    """Rotation vector θ a of E = R_goal Rᵀ, 0 ≤ θ ≤ π, from the rows of R; near π the axis is a column of E + 1."""
+    gx, gy = (goal[0, 0], goal[0, 1], goal[0, 2]), (goal[1, 0], goal[1, 1], goal[1, 2])
+    gz = (goal[2, 0], goal[2, 1], goal[2, 2])
+    a, b, c = along(y, gz) - along(z, gy), along(z, gx) - along(x, gz), along(x, gy) - along(y, gx)
+    xx, yy, zz = along(x, gx), along(y, gy), along(z, gz)
+    sine, cosine = np.sqrt(a * a + b * b + c * c), xx + yy + zz - 1.0  # both twice
+    if sine < 1e-6 and cosine > 0.0:
+        return 0.5 * a, 0.5 * b, 0.5 * c
+    length = sine
+    if sine < 1e-6:
+        if xx >= yy and xx >= zz:
+            a, b, c = xx + 1.0, along(x, gy), along(x, gz)
+        elif yy >= zz:
+            a, b, c = along(y, gx), yy + 1.0, along(y, gz)
+        else:
+            a, b, c = along(z, gx), along(z, gy), zz + 1.0
+        length = np.sqrt(a * a + b * b + c * c)
+    angle = np.arctan2(sine, cosine) / length
+    return angle * a, angle * b, angle * c
+
+
+@kernel
 def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
     """The same by the frame behind the joint, which turns its axis as the one before it does."""
     return twist((x[3], y[3], z[3]), (along(x, axis), along(y, axis), along(z, axis)), turn, slide)

@@ -21,11 +21,13 @@ from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.families import parallel_postures
+from helicoide.ik.packing import packed
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.measure import left, measured
 from helicoide.ik.postures.nearest import nearest
 from helicoide.ik.postures.solve import solve
 from helicoide.ik.postures.subspace import project
+from helicoide.ik.step import STILL, task_at
 from helicoide.jobs.apart import Apart, Failed, Killed
 from helicoide.kinematics import tool, workspace
 from helicoide.kinematics.library import load
@@ -78,6 +80,7 @@ def _drive(state: State) -> None:
     asked = search(asked)(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
     foreseen(advance(commanded(asked, ToJoints(state.arm.q)), TICK))
+    task_at(packed(state.problem), state.arm.q.copy(), state.T_world_tool, STILL, TICK)
 
 
 def _look(state: State) -> None:

@@ -7,12 +7,19 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.linalg import norm
 
-from helicoide.ik.guard import qp
-from helicoide.ik.guard.cascade import DEPENDENT, descend, null_space
+from helicoide.ik.guard import cascade, qp
+from helicoide.ik.guard.cascade import DEPENDENT, null_space
 from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)
 Task = tuple[Array, Array, Array, Array]
+
+
+def descend(task: Task, begins: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
+    """What `cascade.descend` writes: x and the multipliers; and its verdict."""
+    x, multipliers = np.empty(task[0].shape[1]), np.empty((len(begins) + 1, len(lower)))
+    verdict = cascade.descend(task, begins, A, lower, upper, x, multipliers)
+    return x, multipliers, verdict
 
 
 def levels(seed: int, n: int, sizes: tuple[int, ...]) -> tuple[Task, Array]:

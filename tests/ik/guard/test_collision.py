@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,11 +14,11 @@ from tests.kinematics.arms import NAMES, arm, derivative
 
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
-from helicoide.ik.guard.collision import apart, clearances, closest_shares, witness_row
-from helicoide.ik.guard.rows import DAMPER_GAIN, add_point, damper, unfelt
+from helicoide.ik.guard.collision import apart, closest_shares, gap, place, witness_row
+from helicoide.ik.guard.packed import GUARDED, LEAST, LINK, POINTS, SETTING, parts, stand
+from helicoide.ik.guard.rows import DAMPER_GAIN, FAR, add_point, damper, unfelt
+from helicoide.ik.packing import packed
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.jacobian import joint_axes
 
 seeds = st.integers(0, 2**32 - 1)
 NONE = Planes(frozen(np.zeros((0, 3))), frozen(np.zeros((0, 3))))
@@ -56,28 +58,37 @@ def test_no_points_of_two_pieces_are_nearer(seed: int) -> None:
     assert distance(ends, found) ** 2 <= searched.fun + 1e-9
 
 
+def standing(table: Array, q: Array) -> tuple[Array, Array]:
+    """Link poses and axes of a packed arm in a posture."""
+    m = parts(table).m
+    poses, axes = np.empty((m + 1, 4, 4)), np.empty((m, 4))
+    stand(table, m, q, poses, axes)
+    return poses, axes
+
+
 @settings(max_examples=30)
 @given(seed=seeds, name=st.sampled_from(ARMS))
 def test_a_row_is_the_derivative_of_the_distance_of_its_witnesses(seed: int, name: str) -> None:
     problem = scene(name, seed % 7, planes=0)
-    rng, chain = np.random.default_rng(seed), problem.robot.chain
-    q = rng.uniform(problem.limits.lower, problem.limits.upper)
-    pair = int(rng.integers(len(problem.pairs)))
+    rng, table = np.random.default_rng(seed), packed(problem)
+    q, at = rng.uniform(problem.limits.lower, problem.limits.upper), parts(table)
+    which = int(rng.integers(len(problem.pairs)))
+    pair = at.pairs + which
 
     def here(q: Array) -> tuple[Array, Array, Array]:
-        poses = link_poses(chain, frozen(q))
-        return poses, *clearances(poses, problem.points, problem.plane_arrays, problem.pair_arrays)[1:]
+        poses, axes = standing(table, q)
+        points = np.empty((at.planes - at.points, 4))
+        place(table, at, poses, points)
+        return poses, axes, points
 
-    poses, shares, points = here(q)
-    row, corners = np.empty((1, len(q))), problem.pair_arrays[1]
-    there = witness_row(
-        row, 0, points, problem.points[2], problem.pair_arrays, pair, *shares[pair], poses, chain,
-        joint_axes(poses, chain),
-    )  # fmt: skip
-    assert there == pytest.approx(left(problem, q)[pair], abs=1e-12)
-    if there + problem.pair_arrays[2][pair] > 1e-2:
-        by_differences = derivative(lambda q: np.array(apart(here(q)[2], corners, pair, *shares[pair])[0]), q, 1e-4)
-        np.testing.assert_allclose(row[0], by_differences, rtol=0, atol=1e-6)
+    poses, axes, points = here(q)
+    _, s, t = gap(table, pair, points)
+    rows = np.empty((2, len(q)))
+    there = witness_row(rows, 1, table, at, pair, points, s, t, poses, axes)
+    assert there == pytest.approx(left(problem, q)[which], abs=1e-12)
+    if there + table[pair, LEAST] > 1e-2:
+        by_differences = derivative(lambda q: np.array(apart(table, pair, here(q)[2], s, t)[0]), q, 1e-4)
+        np.testing.assert_allclose(rows[1], by_differences, rtol=0, atol=1e-6)
 
 
 def test_a_gap_is_what_is_left_between_surfaces() -> None:
@@ -136,18 +147,23 @@ def test_what_is_not_watched_could_not_have_held_a_tick(
 ) -> None:
     """From the room of `unfelt` on, the fastest approach in any direction is one that the damper allows."""
     rng, robot = np.random.default_rng(seed), arm(name)
-    chain, n = robot.chain.copy(), len(robot.variables)
-    poses = link_poses(chain, rng.uniform(robot.lower, robot.upper))
     links = rng.integers(1, len(robot.joints) + 1, 6)
-    points = poses[links, :3, 3] + rng.normal(size=(6, 3)) * 0.2 * robot.reach
-    speed, accelerations = robot.speed.copy(), np.full(n, acceleration)
-    far = unfelt(chain, links, speed, accelerations, gain, poses, points, dt)
-    axes = joint_axes(poses, chain)
-    for k, (link, point) in enumerate(zip(links, points, strict=True)):
+    limits = Limits(robot.lower, robot.upper, robot.speed, frozen(np.full(len(robot.variables), acceleration)))
+    bare = packed(Problem(replace(robot, self_collision=()), limits, NONE), gain=gain)
+    table = np.vstack([bare[: parts(bare).points], np.zeros((6, bare.shape[1]))])
+    table[-6:, :3], table[-6:, LINK] = rng.normal(size=(6, 3)) * 0.2 * robot.reach, links
+    table[SETTING, [POINTS, GUARDED]] = 6
+    at = parts(table)
+    poses, axes = standing(table, rng.uniform(robot.lower, robot.upper))
+    points = np.empty((6, 4))
+    place(table, at, poses, points)
+    unfelt(table, at, poses, points, dt, np.empty((at.m + 1, 4)))
+    for k, link in enumerate(links):
         normal = rng.normal(size=3)
         normal /= np.linalg.norm(normal)
-        row = np.zeros((1, n))
-        add_point(row, 0, tuple(normal), tuple(point), link, poses, chain, axes)
-        fastest = float(np.abs(row[0]) @ speed * dt)
-        assert -damper(far[k], row, 0, accelerations, gain, dt) >= fastest * (1 - 1e-9)
-        assert far[k] < 50 * robot.reach * max(1.0, 1.0 / (gain * dt)) * max(1.0, 10 / acceleration)
+        row = np.zeros((1, at.n))
+        add_point(row, 0, tuple(normal), tuple(points[k, :3]), 0, int(link), table, poses, axes)
+        fastest = float(np.abs(row[0]) @ robot.speed * dt)
+        far = points[k, FAR]
+        assert -damper(far, row, 0, table, at, dt) >= fastest * (1 - 1e-9)
+        assert far < 50 * robot.reach * max(1.0, 1.0 / (gain * dt)) * max(1.0, 10 / acceleration)

@@ -24,10 +24,14 @@ from helicoide.ik import (
     reasons,
 )
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
-from helicoide.ik.guard.guarded import ONE_LEVEL, Task, guarded_tick, indices
+from helicoide.ik.guard.guarded import ONE_LEVEL, indices
+from helicoide.ik.guard.rows import Task
+from helicoide.ik.guard.work import work_for
 from helicoide.ik.method import Task as MethodTask
 from helicoide.ik.methods import guarded as method
-from helicoide.ik.task import joint_task, pose_task, rotation_vector
+from helicoide.ik.packing import packed
+from helicoide.ik.step import STILL, step_task, task_at
+from helicoide.ik.task import ORIENTATION_LENGTH, joint_task, rotation_vector
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.differential import point_jacobian
 from helicoide.kinematics.forward import link_poses
@@ -48,19 +52,18 @@ def free(name: str, acceleration: float = np.inf) -> Problem:
 
 def towards(problem: Problem, q: Array, T: Array, with_orientation: bool = True, dt: float = DT) -> Task:
     """The task of a tool pose (4, 4)."""
-    robot = problem.robot
-    tool = (robot.T_link_tool, frozen(T), frozen(T[:3, 3]), with_orientation, robot.reach)
-    return pose_task(link_poses(robot.chain, q), robot.chain, tool, np.zeros(3), dt)
+    arm = packed(problem, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
+    return task_at(arm, q, T, STILL, dt)
 
 
 def ticked(
     problem: Problem, q: Array, task: Task, rates: Array | None = None, begins: Array = ONE_LEVEL, dt: float = DT
 ) -> tuple[Array, Array, float]:
     """The posture after one tick, its multipliers and the share taken."""
-    rates = np.zeros(len(q)) if rates is None else rates
-    poses = link_poses(problem.robot.chain, q)
-    after, _, held, share = guarded_tick(problem.guard, q.copy(), rates.copy(), poses, task, begins, dt)
-    return after, held, share
+    after, work = q.copy(), work_for(packed(problem))
+    work.rates[:] = 0.0 if rates is None else rates
+    step_task(packed(problem), after, *task, begins, dt, work.memory)
+    return after, work.held, work.share
 
 
 def turned(q: Array, angle: float) -> Array:
@@ -211,7 +214,7 @@ def test_the_task_gives_way_to_the_entry_point_and_it_is_said() -> None:
 
 def test_the_entry_point_gives_way_to_acceleration() -> None:
     problem = with_rod()
-    limits = Limits(*problem.limit_arrays[:3], frozen(np.full(7, 1.0)))
+    limits = replace(problem.limits, acceleration=frozen(np.full(7, 1.0)))
     problem = replace(problem, limits=limits)
     q = problem.robot.poses["ready"].copy()
     rates = np.array([0.5, -0.4, 0.3, 0.2, -0.5, 0.4, 0.1])

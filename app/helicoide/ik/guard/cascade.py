@@ -12,19 +12,22 @@ import numpy as np
 
 from helicoide.ik.guard import qp
 from helicoide.ik.guard.rows import Indices, Task
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
 
 DEPENDENT = 1e-6
 NEGLIGIBLE = 1e-9
 
 
-@kernel
-def normal_equations(task: Task, first: int, end: int) -> tuple[Array, Array]:
-    """H = Jᵀ W² J + diag(d) and g = Jᵀ W² v of the rows of a task from `first` to before `end`."""
+@kernel_into
+def normal_equations(task: Task, first: int, end: int, H: Array, g: Array) -> None:
+    """Write H = Jᵀ W² J + diag(d) and g = Jᵀ W² v of the rows of a task from `first` to before `end`."""
     J, v, weights, damping = task
     n = J.shape[1]
-    H, g = np.zeros((n, n)), np.zeros(n)
+    for a in range(n):
+        g[a] = 0.0
+        for c in range(a + 1):
+            H[a, c] = damping[a] if a == c else 0.0
     for s in range(first, end):
         square = weights[s] * weights[s]
         for a in range(n):
@@ -33,10 +36,8 @@ def normal_equations(task: Task, first: int, end: int) -> tuple[Array, Array]:
             for c in range(a + 1):
                 H[a, c] += pull * J[s, c]
     for a in range(n):
-        H[a, a] += damping[a]
         for c in range(a):
             H[c, a] = H[a, c]
-    return H, g
 
 
 @kernel
@@ -135,8 +136,10 @@ def within_rest(
 
     Where rounding leaves no room, x stays.
     """
-    H, g = normal_equations(task, first, end)
-    HZ, (n, free) = times(H, Z), Z.shape
+    n, free = Z.shape
+    H, g = np.empty((n, n)), np.empty(n)
+    normal_equations(task, first, end, H, g)
+    HZ = times(H, Z)
     H_rest, g_rest = np.zeros((free, free)), np.zeros(free)
     for i in range(n):
         slope = g[i] - qp.dot(H[i], x)
@@ -154,26 +157,39 @@ def within_rest(
     return moved, multipliers
 
 
+@kernel_into
+def first_level(
+    task: Task, end: int, A: Array, lower: Array, upper: Array, H: Array, x: Array, multipliers: Array, spare: Array
+) -> int:
+    """Write the displacement x that serves the rows of a task before `end`, within lower ≤ [I; A] x ≤ upper.
+
+    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); H (n + 1, n): room for what is solved; the others, and
+    what is returned, as in `qp.solve_into`.
+    """
+    n = x.shape[0]
+    normal_equations(task, 0, end, H[:n], H[n])
+    return qp.solve_into(H[:n], H[n], A, lower, upper, x, multipliers, spare)
+
+
 @kernel
-def descend(task: Task, begins: Indices, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
-    """The displacement that serves the levels in their order, within lower ≤ [I; A] x ≤ upper.
+def descend(task: Task, begins: Indices, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array) -> int:
+    """Write the displacement x that serves the levels in their order, within lower ≤ [I; A] x ≤ upper.
 
     Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which another level begins, none
-    where all rows are one level; A, lower, upper as in `qp.solve`. Returns x (n,), multipliers (levels, b + m) and the
-    verdict on the first level.
+    where all rows are one level; A, lower, upper as in `qp.solve_into`. Writes x (n,) and the multipliers (levels,
+    b + m); returns the verdict on the first level.
     """
     (r, n), count = task[0].shape, begins.shape[0]
     end = begins[0] if count > 0 else r
-    H, g = normal_equations(task, 0, end)
-    x, alone, verdict = qp.solve(H, g, A, lower, upper)
-    if count == 0:
-        return x, alone.reshape(1, -1), verdict
-    multipliers, Z, first = np.zeros((count + 1, lower.shape[0])), np.eye(n), 0
-    multipliers[0] = alone
+    verdict = first_level(task, end, A, lower, upper, np.empty((n + 1, n)), x, multipliers[0], np.empty(qp.room(n)))
     for k in range(1, count + 1):
-        Z = narrowed(task, first, end, Z)
-        if Z.shape[1] == 0 or verdict != qp.SOLVED:
-            break
-        first, end = end, begins[k] if k < count else r
-        x, multipliers[k] = within_rest(task, first, end, Z, x, A, lower, upper)
-    return x, multipliers, verdict
+        multipliers[k] = 0.0
+    if count > 0 and verdict == qp.SOLVED:
+        Z, first = np.eye(n), 0
+        for k in range(1, count + 1):
+            Z = narrowed(task, first, end, Z)
+            if Z.shape[1] == 0:
+                break
+            first, end = end, begins[k] if k < count else r
+            x[:], multipliers[k] = within_rest(task, first, end, Z, x, A, lower, upper)
+    return verdict

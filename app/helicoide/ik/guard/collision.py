@@ -10,25 +10,30 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik.guard.rows import Arm, Guard, Indices, Pairs, PlaneArrays, Vector, add_point, at, unfelt
-from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain
-from helicoide.kinematics.forward import carried_points
+from helicoide.ik.guard.packed import CRITICAL, GUARDED, LEAST, LINK, OFFSET, SETTING, At, parts, stand
+from helicoide.ik.guard.rows import FAR, Vector, add_point, at_row, unfelt
+from helicoide.kernels import kernel, kernel_into
+from helicoide.kinematics.chain import Array
+
+# Columns of what is watched: the number of a clearance and what is left of it, m; then of a point and a plane, their
+# rows in `points` and in the arm, of a pair the shares of its witnesses.
+NUMBER, LEFT, POINT, PLANE, WATCHED = range(5)
+S, T = POINT, PLANE
 
 
-@kernel
+@kernel_into
 def inner(a: Vector, b: Vector) -> float:
     """a·b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@kernel
+@kernel_into
 def along(a: Vector, b: Vector, s: float) -> Vector:
     """a + s b."""
     return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
 
 
-@kernel
+@kernel_into
 def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, float]:
     """Where two straight pieces are nearest: a + s (b − a) and c + t (d − c), 0 ≤ s, t ≤ 1.
 
@@ -52,129 +57,162 @@ def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, f
     return s, t
 
 
-@kernel
-def apart(points: Array, corners: Indices, pair: int, s: float, t: float) -> tuple[float, Vector]:
+@kernel_into
+def place(arm: Array, at: At, poses: Array, points: Array) -> None:
+    """Write where the points of an arm are, m, world, into points (p, 4); poses (m + 1, 4, 4) of `packed.stand`."""
+    for j in range(points.shape[0]):
+        x, y, z = at_row(arm, at.points + j)
+        pose = poses[int(arm[at.points + j, LINK])]
+        for a in range(3):
+            points[j, a] = pose[a, 0] * x + pose[a, 1] * y + pose[a, 2] * z + pose[a, 3]
+
+
+@kernel_into
+def ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vector, Vector]:
+    """Where the axes of the two bodies of a pair, a row of the arm, begin and end, m, world."""
+    return (
+        at_row(points, int(arm[pair, 0])),
+        at_row(points, int(arm[pair, 1])),
+        at_row(points, int(arm[pair, 2])),
+        at_row(points, int(arm[pair, 3])),
+    )
+
+
+@kernel_into
+def apart(arm: Array, pair: int, points: Array, s: float, t: float) -> tuple[float, Vector]:
     """How far the points at s and t of the axes of a pair are apart, m, and the way to the first, not yet a unit.
 
-    Args: points (m, 3), m, world; corners (p, 4).
+    Args: pair: a row of the arm; points (p, 4), m, world.
     """
-    a, b = at(points, corners[pair, 0]), at(points, corners[pair, 1])
-    c, d = at(points, corners[pair, 2]), at(points, corners[pair, 3])
+    a, b, c, d = ends(arm, pair, points)
     way = along(along(a, along(b, a, -1.0), s), along(c, along(d, c, -1.0), t), -1.0)
     return float(np.sqrt(inner(way, way))), way
 
 
-@kernel
-def gap(points: Array, corners: Indices, pair: int) -> tuple[float, float, float]:
-    """The distance of the axes of a pair, m, and where its witnesses are.
-
-    Args: points (m, 3), m, world; corners (p, 4).
-    """
-    a, b = at(points, corners[pair, 0]), at(points, corners[pair, 1])
-    c, d = at(points, corners[pair, 2]), at(points, corners[pair, 3])
+@kernel_into
+def gap(arm: Array, pair: int, points: Array) -> tuple[float, float, float]:
+    """What is left between the bodies of a pair, m, and where its witnesses are; arguments as in `apart`."""
+    a, b, c, d = ends(arm, pair, points)
     s, t = closest_shares(a, b, c, d)
-    return apart(points, corners, pair, s, t)[0], s, t
+    return apart(arm, pair, points, s, t)[0] - arm[pair, LEAST], s, t
+
+
+@kernel_into
+def height(arm: Array, plane: int, points: Array, point: int) -> float:
+    """What is left between a point and a plane, a row of the arm, m; points (p, 4)."""
+    over = arm[plane, 0] * points[point, 0] + arm[plane, 1] * points[point, 1] + arm[plane, 2] * points[point, 2]
+    return float(over - arm[plane, OFFSET] - arm[SETTING, CRITICAL])
 
 
 @kernel
-def clearances(poses: Array, arm: Arm, planes: PlaneArrays, pairs: Pairs) -> tuple[Array, Array, Array]:
-    """All that is left: guarded points to planes, point after point, then the pairs of bodies.
+def clearances(arm: Array, q: Array) -> Array:
+    """All that is left in a posture: guarded points to planes, point after point, then the pairs of bodies.
 
-    Args: poses (j + 1, 4, 4) of `link_poses`. Returns (g k + p,), m; the shares of the witnesses (p, 2); and the points
-    where they are (m, 3), m.
+    Args: arm of `packing.packed`; q (n,), rad or m. Returns (g k + b,), m.
     """
-    (normals, offsets, critical), (guarded, corners, least) = planes, pairs
-    points, first = carried_points(poses, arm[1], arm[2]), guarded * normals.shape[0]
-    left, shares = np.empty(first + corners.shape[0]), np.empty((corners.shape[0], 2))
-    for r in range(first):
-        p = r % normals.shape[0]
-        left[r] = inner(at(normals, p), at(points, r // normals.shape[0])) - offsets[p] - critical
-    for i in range(corners.shape[0]):
-        length, shares[i, 0], shares[i, 1] = gap(points, corners, i)
-        left[first + i] = length - least[i]
-    return left, shares, points
+    at = parts(arm)
+    poses, axes, points = np.empty((at.m + 1, 4, 4)), np.empty((at.m, 3)), np.empty((at.planes - at.points, 4))
+    stand(arm, at.m, q, poses, axes)
+    place(arm, at, poses, points)
+    every, number = np.empty(at.clearances), 0
+    for point in range(int(arm[SETTING, GUARDED])):
+        for plane in range(at.planes, at.pairs):
+            every[number] = height(arm, plane, points, point)
+            number += 1
+    for pair in range(at.pairs, at.end):
+        every[number] = gap(arm, pair, points)[0]
+        number += 1
+    return every
 
 
-@kernel
-def watch(guard: Guard, poses: Array, dt: float) -> tuple[Indices, Array, Array]:
+@kernel_into
+def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Array, ways: Array) -> int:
     """Which clearances can hold this tick: all but those with more room than the arm could take in it.
 
-    Returns their numbers (w,); what is left, m, and the shares of the witnesses, (w, 3); and the points (m, 3), m.
+    Writes them into near (total, 4), and the points, m, world, with `unfelt` behind them, into points (p, 4). Returns
+    how many there are. Args: ways (m + 1, 4): room for `unfelt`.
     """
-    chain, local, links = guard[0]
-    normals, offsets, critical = guard[2]
-    guarded, corners, least = guard[3]
-    k, count = normals.shape[0], 0
-    total = guarded * k + corners.shape[0]
-    watched, near = np.empty(total, dtype=np.int64), np.empty((total, 3))
-    if total == 0:
-        return watched, near, near
-    points = carried_points(poses, local, links)
-    far = unfelt(chain, links, guard[1][2], guard[1][3], guard[5], poses, points, dt)
-    for r in range(guarded):
-        for p in range(k):
-            left = inner(at(normals, p), at(points, r)) - offsets[p] - critical
-            if not left > far[r]:
-                watched[count], near[count, 0], near[count, 1], near[count, 2] = r * k + p, left, 0.0, 0.0
+    number, count = 0, 0
+    place(arm, at, poses, points)
+    unfelt(arm, at, poses, points, dt, ways)
+    for point in range(int(arm[SETTING, GUARDED])):
+        for plane in range(at.planes, at.pairs):
+            room = height(arm, plane, points, point)
+            if not room > points[point, FAR]:
+                near[count, NUMBER], near[count, LEFT], near[count, POINT], near[count, PLANE] = (
+                    number,
+                    room,
+                    point,
+                    plane,
+                )
                 count += 1
-    for i in range(corners.shape[0]):
-        length, s, t = gap(points, corners, i)
-        a, b, c, d = corners[i, 0], corners[i, 1], corners[i, 2], corners[i, 3]
-        if not length - least[i] > max(far[a], far[b]) + max(far[c], far[d]):
-            watched[count], near[count, 0], near[count, 1], near[count, 2] = guarded * k + i, length - least[i], s, t
+            number += 1
+    for pair in range(at.pairs, at.end):
+        room, s, t = gap(arm, pair, points)
+        a, b, c, d = int(arm[pair, 0]), int(arm[pair, 1]), int(arm[pair, 2]), int(arm[pair, 3])
+        if not room > max(points[a, FAR], points[b, FAR]) + max(points[c, FAR], points[d, FAR]):
+            near[count, NUMBER], near[count, LEFT], near[count, S], near[count, T] = number, room, s, t
             count += 1
-    return watched[:count], near[:count], points
-
-
-@kernel
-def measured(guard: Guard, poses: Array, watched: Indices) -> Array:
-    """What is left of the watched clearances, m, and the shares of the witnesses, (w, 3)."""
-    near = np.zeros((watched.shape[0], 3))
-    if watched.shape[0] > 0:
-        normals, offsets, critical = guard[2]
-        guarded, corners, least = guard[3]
-        points, k = carried_points(poses, guard[0][1], guard[0][2]), normals.shape[0]
-        for j in range(watched.shape[0]):
-            pair = watched[j] - guarded * k
-            if pair < 0:
-                p = watched[j] % k
-                near[j, 0] = inner(at(normals, p), at(points, watched[j] // k)) - offsets[p] - critical
-            else:
-                length, near[j, 1], near[j, 2] = gap(points, corners, pair)
-                near[j, 0] = length - least[pair]
-    return near
-
-
-@kernel
-def between_bodies(guard: Guard, watched: Indices) -> int:
-    """How many of the watched clearances, the last ones, are between two bodies."""
-    first, count = guard[3][0] * guard[2][0].shape[0], 0
-    for j in range(watched.shape[0]):
-        count += watched[j] >= first
+        number += 1
     return count
 
 
-@kernel
-def witness_row(
-    rows: Array, which: int, points: Array, links: Indices, pairs: Pairs, pair: int, s: float, t: float, poses: Array,
-    chain: Chain, axes: Array,
-) -> float:  # fmt: skip
-    """Fill one of rows (m, n), by which the distance of two witnesses of a pair changes with q; gives what is left, m.
-
-    Args: points (m, 3), m, world, on links (m,); s, t: where the witnesses are; poses (j + 1, 4, 4); axes (j, 3) of
-    `joint_axes`. The row is zero where the two coincide.
-    """
-    _, corners, least = pairs
-    length, way = apart(points, corners, pair, s, t)
-    for i in range(rows.shape[1]):
-        rows[which, i] = 0.0
-    for end in range(2 if length > 1e-9 else 0):
-        a, b, share = corners[pair, 2 * end], corners[pair, 2 * end + 1], t if end else s
-        normal = along((0.0, 0.0, 0.0), way, (-1.0 if end else 1.0) / length)
-        start, whole = at(points, a), along(at(points, b), at(points, a), -1.0)
-        if links[a] == links[b]:
-            add_point(rows, which, normal, along(start, whole, share), links[a], poses, chain, axes)
+@kernel_into
+def measure(arm: Array, at: At, poses: Array, points: Array, near: Array, after: Array) -> None:
+    """Write what is left of the watched clearances near (w, 4) at other poses into after (w, 4); points (p, 4)."""
+    place(arm, at, poses, points)
+    for j in range(near.shape[0]):
+        number = int(near[j, NUMBER])
+        if number < at.by_planes:
+            after[j, LEFT] = height(arm, int(near[j, PLANE]), points, int(near[j, POINT]))
         else:
-            add_point(rows, which, along(normal, normal, -share), start, links[a], poses, chain, axes)
-            add_point(rows, which, along(normal, normal, share - 1.0), at(points, b), links[b], poses, chain, axes)
-    return float(length - least[pair])
+            after[j, LEFT], after[j, S], after[j, T] = gap(arm, at.pairs + number - at.by_planes, points)
+
+
+@kernel_into
+def between_bodies(at: At, near: Array) -> int:
+    """How many of the watched clearances near (w, 4), the last ones, are between two bodies."""
+    count = 0
+    for j in range(near.shape[0]):
+        count += near[j, NUMBER] >= at.by_planes
+    return count
+
+
+@kernel_into
+def witness_row(
+    rows: Array,
+    which: int,
+    arm: Array,
+    at: At,
+    pair: int,
+    points: Array,
+    s: float,
+    t: float,
+    poses: Array,
+    axes: Array,
+) -> float:
+    """Write one of rows (r, n), by which the distance of two witnesses of a pair changes with q; gives what is left, m.
+
+    A joint before both bodies moves them as one. One that moves both ends of a body moves its witness w as a point of a
+    link; one that moves only the end b, at the share t of the way from a to b, moves w by t times what it moves b.
+    Args: pair: a row of the arm; points (p, 4), m, world; s, t: where the witnesses are; poses and axes of
+    `packed.stand`. The row is zero where the two coincide.
+    """
+    length, way = apart(arm, pair, points, s, t)
+    for i in range(at.n):
+        rows[which, i] = 0.0
+    first = at.m
+    for end in range(4):
+        first = min(first, int(arm[at.points + int(arm[pair, end]), LINK]))
+    for body in range(2 if length > 1e-9 else 0):
+        a, b, share = int(arm[pair, 2 * body]), int(arm[pair, 2 * body + 1]), t if body else s
+        link_a, link_b = int(arm[at.points + a, LINK]), int(arm[at.points + b, LINK])
+        both, beyond = min(link_a, link_b), max(link_a, link_b)
+        normal = along((0.0, 0.0, 0.0), way, (-1.0 if body else 1.0) / length)
+        witness = along(at_row(points, a), along(at_row(points, b), at_row(points, a), -1.0), share)
+        add_point(rows, which, normal, witness, first, both, arm, poses, axes)
+        if both < beyond:
+            lever, tip = (share, b) if link_b > link_a else (1.0 - share, a)
+            part = along((0.0, 0.0, 0.0), normal, lever)
+            add_point(rows, which, part, at_row(points, tip), both, beyond, arm, poses, axes)
+    return float(length - arm[pair, LEAST])

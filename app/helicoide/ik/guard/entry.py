@@ -12,10 +12,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.ik.guard.rows import Entry, add_point, at
+from helicoide.ik.guard.packed import CARRIER, DIRECTION, ENTRY, INSTRUMENT, SETTING, SHAFT
+from helicoide.ik.guard.rows import add_point, at_row
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain
-from helicoide.kinematics.jacobian import columns, joint_axes
+from helicoide.kinematics.chain import Array
 
 GAIN = 12.5
 AT_ONCE = 0.2e-3
@@ -24,17 +24,19 @@ FIRM = 10.0
 
 
 @kernel
-def nearest_of_shaft(poses: Array, entry: Entry) -> tuple[Array, Array]:
+def nearest_of_shaft(arm: Array, poses: Array) -> tuple[Array, Array]:
     """The point of the shaft nearest to the entry point, (3,), m, and the shaft's direction, (3,), both world."""
-    link, point, direction, there = entry
-    pose = poses[link]
-    c, d = np.empty(3), np.empty(3)
-    along = 0.0
+    instrument, pose = arm[INSTRUMENT], poses[int(arm[SETTING, CARRIER])]
+    c, d, along = np.empty(3), np.empty(3), 0.0
     for a in range(3):
-        c[a] = pose[a, 0] * point[0] + pose[a, 1] * point[1] + pose[a, 2] * point[2] + pose[a, 3]
-        d[a] = pose[a, 0] * direction[0] + pose[a, 1] * direction[1] + pose[a, 2] * direction[2]
-        along += d[a] * (there[a] - c[a])
-    return c + along * d, d
+        c[a], d[a] = pose[a, 3], 0.0
+        for b in range(3):
+            c[a] += pose[a, b] * instrument[SHAFT + b]
+            d[a] += pose[a, b] * instrument[DIRECTION + b]
+        along += d[a] * (instrument[ENTRY + a] - c[a])
+    for a in range(3):
+        c[a] += along * d[a]
+    return c, d
 
 
 @kernel
@@ -56,25 +58,26 @@ def across(direction: Array) -> Array:
 
 
 @kernel
-def miss(poses: Array, entry: Entry, pair: Array) -> Array:
+def miss(arm: Array, poses: Array, pair: Array) -> Array:
     """How far the entry point lies beside the shaft, along two directions (2, 3): (2,), m."""
-    c, _ = nearest_of_shaft(poses, entry)
+    c, _ = nearest_of_shaft(arm, poses)
     away = np.zeros(2)
     for i in range(2):
         for a in range(3):
-            away[i] += pair[i, a] * (entry[3][a] - c[a])
+            away[i] += pair[i, a] * (arm[INSTRUMENT, ENTRY + a] - c[a])
     return away
 
 
 @kernel
-def entry_rows(poses: Array, chain: Chain, entry: Entry, dt: float) -> tuple[Array, Array, Array, Array]:
+def entry_rows(arm: Array, n: int, poses: Array, axes: Array, dt: float) -> tuple[Array, Array, Array, Array]:
     """The two rows (2, n) of the shaft, what they ask (2,), m, the directions across it (2, 3), the miss (2,), m."""
-    c, d = nearest_of_shaft(poses, entry)
-    pair, axes = across(d), joint_axes(poses, chain)
-    rows = np.zeros((2, columns(chain)))
+    c, d = nearest_of_shaft(arm, poses)
+    pair, rows, asked = across(d), np.zeros((2, n)), np.empty(2)
     for i in range(2):
-        add_point(rows, i, at(pair, i), (c[0], c[1], c[2]), entry[0], poses, chain, axes)
-    away = miss(poses, entry, pair)
+        add_point(rows, i, at_row(pair, i), (c[0], c[1], c[2]), 0, int(arm[SETTING, CARRIER]), arm, poses, axes)
+    away = miss(arm, poses, pair)
     far = np.sqrt(away[0] ** 2 + away[1] ** 2)
     share = max(1.0 - np.exp(-GAIN * dt), AT_ONCE / max(far, AT_ONCE))
-    return rows, share * away, pair, away
+    for i in range(2):
+        asked[i] = share * away[i]
+    return rows, asked, pair, away

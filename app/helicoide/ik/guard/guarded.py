@@ -20,28 +20,39 @@ from typing import Any
 import numpy as np
 
 from helicoide.ik.guard import cascade, collision, qp
-from helicoide.ik.guard.entry import FIRM, entry_rows, miss
+from helicoide.ik.guard.collision import LEFT, NUMBER, PLANE, POINT, S, T
+from helicoide.ik.guard.packed import FIRST, LINK, LOWER, SPEED, UPPER, At, stand
 from helicoide.ik.guard.rows import (
-    Guard,
+    BOX,
+    BY_POSITION,
+    DOWN,
+    DOWN_BY,
+    HARD_DOWN,
+    HARD_UP,
+    UP,
     Indices,
-    LimitArrays,
     Task,
-    add_point,
-    at,
     damper,
     motion_box,
+    moved,
 )
-from helicoide.kernels import kernel
-from helicoide.kinematics import jacobian
+from helicoide.ik.guard.work import (
+    BEFORE,
+    PULL,
+    REACHED,
+    ROWS,
+    SHARE,
+    SOLUTION,
+    STOOD,
+    Room,
+    parts_of_spots,
+)
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.tool import DRIVER
 
 SMALLEST_SHARE = 1e-6
-# How near to the entry point the curvature of a step is settled, m; how often this is tried before the task is halved,
-# and how often it is halved.
-SETTLED, TRIES, HALVINGS = 1e-6, 5, 6
 ROUNDING = 1e-10
-LEAST_DAMPING = 1e-9
 
 
 def indices(values: Any, *shape: int) -> Indices:
@@ -54,227 +65,285 @@ def indices(values: Any, *shape: int) -> Indices:
 ONE_LEVEL = indices([])
 
 
-@kernel
+@kernel_into
 def hard_rows(
-    guard: Guard, poses: Array, watched: Indices, near: Array, points: Array, box: Array, dt: float
-) -> tuple[Array, Array, Array]:
-    """Rows lower ≤ [I; A] Δq ≤ upper: the n joints, dampers of the w watched clearances, p spare for second witnesses.
+    arm: Array, at: At, poses: Array, axes: Array, near: Array, points: Array, box: Array, dt: float,
+    A: Array, lower: Array, upper: Array, moves: Array,
+) -> None:  # fmt: skip
+    """Write the rows lower ≤ [I; A] Δq ≤ upper: the n joints, dampers of w clearances, spare ones for second witnesses.
 
-    Args: watched, near, points of `collision.watch`, p of them between bodies; box of `motion_box`. Returns
-    A (w + p, n), lower and upper (n + w + p,).
+    Args: poses and axes of `packed.stand`; near (w, 4) and points (p, 4) of `collision.watch`; box of `motion_box`;
+    moves (n, 4): room for the motion of a point.
     """
-    (chain, _, links), (_, _, _, acceleration), (normals, _, _), pairs, _, gain = guard
-    n, w, k = acceleration.shape[0], watched.shape[0], normals.shape[0]
-    rows = w + collision.between_bodies(guard, watched)
-    A, lower, upper = np.zeros((rows, n)), np.empty(n + rows), np.empty(n + rows)
+    n, swept = at.n, -1
     for i in range(n):
-        lower[i], upper[i] = box[0, i], box[1, i]
-    for i in range(n, n + rows):
+        lower[i], upper[i] = box[DOWN, i], box[UP, i]
+    for i in range(n, lower.shape[0]):
         lower[i], upper[i] = -np.inf, np.inf
-    if w > 0:
-        axes = jacobian.joint_axes(poses, chain)
-        for j in range(w):
-            pair = watched[j] - pairs[0] * k
-            if pair < 0:
-                r, p = watched[j] // k, watched[j] % k
-                add_point(A, j, at(normals, p), at(points, r), links[r], poses, chain, axes)
-            else:
-                s, t = near[j, 1], near[j, 2]
-                collision.witness_row(A, j, points, links, pairs, pair, s, t, poses, chain, axes)
-            lower[n + j] = damper(near[j, 0], A, j, acceleration, gain, dt)
-    return A, lower, upper
+    for j in range(near.shape[0]):
+        number = int(near[j, NUMBER])
+        if number < at.by_planes:
+            point, plane = int(near[j, POINT]), int(near[j, PLANE])
+            if point != swept:
+                sweep(arm, at, poses, axes, points, point, moves)
+                swept = point
+            for i in range(n):
+                A[j, i] = arm[plane, 0] * moves[i, 0] + arm[plane, 1] * moves[i, 1] + arm[plane, 2] * moves[i, 2]
+        else:
+            pair = at.pairs + number - at.by_planes
+            collision.witness_row(A, j, arm, at, pair, points, near[j, S], near[j, T], poses, axes)
+        lower[n + j] = damper(near[j, LEFT], A, j, arm, at, dt)
 
 
-@kernel
+@kernel_into
+def sweep(arm: Array, at: At, poses: Array, axes: Array, points: Array, which: int, moves: Array) -> None:
+    """Write J_pᵀ into moves (n, 4) of one of the points (p, 4), m, world; poses and axes of `packed.stand`."""
+    x, y, z = points[which, 0], points[which, 1], points[which, 2]
+    moves[:] = 0.0
+    for i in range(int(arm[at.points + which, LINK])):
+        column, v = int(arm[FIRST + i, DRIVER]), moved(arm, i, poses, axes, x, y, z)
+        moves[column, 0] += v[0]
+        moves[column, 1] += v[1]
+        moves[column, 2] += v[2]
+
+
+@kernel_into
 def shortfall(near: Array, after: Array) -> float:
     """By how much the worst came closer than it may: the least distance, or where it was if that is nearer; m."""
     worst = 0.0
     for j in range(near.shape[0]):
-        worst = max(worst, min(0.0, near[j, 0]) - after[j, 0])
+        worst = max(worst, min(0.0, near[j, LEFT]) - after[j, LEFT])
     return worst
 
 
-@kernel
+@kernel_into
 def raise_by_loss(
-    guard: Guard, A: Array, lower: Array, step: Array, watched: Indices, near: Array, after: Array, points: Array,
-    poses: Array,
+    arm: Array, at: At, A: Array, lower: Array, step: Array, near: Array, after: Array, points: Array, poses: Array,
+    axes: Array,
 ) -> None:  # fmt: skip
     """Add to the row of what came too close what its linear prediction lost, and a tenth for the rest.
 
     Bodies may be nearest elsewhere after the step: these witnesses have a row of their own.
     """
-    (chain, _, links), _, planes, pairs, _, _ = guard
-    n, spare = A.shape[1], collision.between_bodies(guard, watched)
-    axes = jacobian.joint_axes(poses, chain)
-    for j in range(watched.shape[0]):
-        allowed, pair = min(0.0, near[j, 0]), watched[j] - pairs[0] * planes[0].shape[0]
-        if after[j, 0] >= allowed:
+    n, spare = at.n, collision.between_bodies(at, near)
+    for j in range(near.shape[0]):
+        allowed, number = min(0.0, near[j, LEFT]), int(near[j, NUMBER])
+        if after[j, LEFT] >= allowed:
             continue
-        if pair < 0:
-            lower[n + j] += 1.1 * (near[j, 0] + qp.dot(A[j], step) - after[j, 0])
+        if number < at.by_planes:
+            lower[n + j] += 1.1 * (near[j, LEFT] + qp.dot(A[j], step) - after[j, LEFT])
             continue
-        row, s, t = j + spare, after[j, 1], after[j, 2]
-        there = collision.witness_row(A, row, points, links, pairs, pair, s, t, poses, chain, axes)
-        lower[n + row] = allowed - there + 1.1 * (there + qp.dot(A[row], step) - after[j, 0])
+        row, pair = j + spare, at.pairs + number - at.by_planes
+        there = collision.witness_row(A, row, arm, at, pair, points, after[j, S], after[j, T], poses, axes)
+        lower[n + row] = allowed - there + 1.1 * (there + qp.dot(A[row], step) - after[j, LEFT])
 
 
-@kernel
-def within(q: Array, step: Array, share: float, limits: LimitArrays, dt: float) -> Array:
-    """q and a share of Δq, cut to the limits to the last bit; a joint that is outside keeps its place as its limit.
+@kernel_into
+def within(arm: Array, at: At, q: Array, step: Array, share: float, dt: float, reached: Array) -> None:
+    """Write q and a share of Δq, cut to the limits to the last bit; a joint outside keeps its place as its limit.
 
     What is no number is no step.
     """
-    lower, upper, speed, _ = limits
-    moved = np.empty_like(q)
-    for i in range(q.shape[0]):
-        way = share * step[i] if np.isfinite(step[i]) else 0.0
-        value = q[i] + min(max(way, -speed[i] * dt), speed[i] * dt)
-        moved[i] = min(max(value, min(lower[i], q[i])), max(upper[i], q[i]))
-    return moved
+    for i in range(at.n):
+        limit, way = at.limits + i, share * step[i] if np.isfinite(step[i]) else 0.0
+        most = arm[limit, SPEED] * dt
+        value = q[i] + min(max(way, -most), most)
+        reached[i] = min(max(value, min(arm[limit, LOWER], q[i])), max(arm[limit, UPPER], q[i]))
 
 
 @kernel
-def given_way(
-    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float
-) -> tuple[Array, Array, int]:
-    """`cascade.descend`; where acceleration leaves no point, its bounds are first widened to the nearest that there is.
+def give_way(
+    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
+    multipliers: Array,
+) -> int:  # fmt: skip
+    """`cascade.descend` once more where acceleration leaves no point: its bounds are widened to the nearest there is.
 
     Nearest to going on as before, Δq = q̇ dt. Args: lower, upper (m,): opened in place; box of `motion_box`.
     """
-    step, multipliers, verdict = cascade.descend(task, begins, A, lower, upper)
-    if verdict == qp.SOLVED:
-        return step, multipliers, verdict
     n = rates.shape[0]
-    before = lower[:n].copy(), upper[:n].copy()
-    lower[:n], upper[:n] = box[2], box[3]
-    nearest, _, verdict = qp.project(A, lower, upper, rates * dt)
-    if verdict != qp.SOLVED:
-        return np.zeros(n), multipliers, verdict
+    before, going_on = np.empty((2, n)), np.empty(n)
     for i in range(n):
-        lower[i] = max(box[2, i], min(before[0][i], nearest[i] - ROUNDING))
-        upper[i] = min(box[3, i], max(before[1][i], nearest[i] + ROUNDING))
-    step, multipliers, verdict = cascade.descend(task, begins, A, lower, upper)
-    return (step if verdict == qp.SOLVED else nearest), multipliers, qp.SOLVED
+        before[0, i], before[1, i], going_on[i] = lower[i], upper[i], rates[i] * dt
+        lower[i], upper[i] = box[HARD_DOWN, i], box[HARD_UP, i]
+    nearest, _, verdict = qp.project(A, lower, upper, going_on)
+    if verdict != qp.SOLVED:
+        x[:] = 0.0
+        return verdict
+    for i in range(n):
+        lower[i] = max(box[HARD_DOWN, i], min(before[0, i], nearest[i] - ROUNDING))
+        upper[i] = min(box[HARD_UP, i], max(before[1, i], nearest[i] + ROUNDING))
+    if cascade.descend(task, begins, A, lower, upper, x, multipliers) != qp.SOLVED:
+        x[:] = nearest
+    return qp.SOLVED
 
 
-@kernel
-def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[Task, Indices]:
-    """The same task after a first level of two rows (2, n) that ask for a displacement (2,), m.
+@kernel_into
+def sort_out(at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, held: Array) -> None:
+    """Write the multipliers by what holds, as in `work.Work`; the pull of the entry point comes last.
 
-    Two rows alone do not hold all joints: each is damped, if only a little.
+    Args: multipliers (levels, n + w + b), from level `own` on, behind that of the entry; box of `motion_box`; near (w,
+    4) of `collision.watch`.
     """
-    J, v, weights, damping = task
-    damping = np.maximum(damping, LEAST_DAMPING)
-    r, levels = v.shape[0], np.empty(begins.shape[0] + 1, dtype=np.int64)
-    levels[0] = 2
-    for k in range(begins.shape[0]):
-        levels[k + 1] = begins[k] + 2
-    stacked, wished, firm = np.empty((r + 2, J.shape[1])), np.empty(r + 2), np.full(r + 2, FIRM)
-    for i in range(r + 2):
-        wished[i] = asked[i] if i < 2 else v[i - 2]
-        for k in range(J.shape[1]):
-            stacked[i, k] = rows[i, k] if i < 2 else J[i - 2, k]
-        if i >= 2:
-            firm[i] = weights[i - 2]
-    return (stacked, wished, firm, damping), levels
-
-
-@kernel
-def bend(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bool:
-    """Ask of the first two rows what the curvature ℓ of a step takes as well; whether that changes nothing more.
-
-    ℓ = e' − e + J Δq. Args: asked, away: e, and after: e', (2,), m, of `entry_rows` and `miss`.
-    """
-    J, v, _, _ = task
-    settled = True
-    for i in range(2):
-        bent = asked[i] + after[i] - away[i] + qp.dot(J[i], step)
-        settled = settled and abs(bent - v[i]) < SETTLED
-        v[i] = bent
-    return settled
-
-
-@kernel
-def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: Array) -> float:
-    """How hard the first two rows hold the level after them back: ‖λ‖, J₁ᵀ W² (v₁ − J₁ x) − d x + Aᵀ μ = J₀ᵀ λ."""
-    J = task[0]
-    H, g = cascade.normal_equations(task, 2, begins[1] if begins.shape[0] > 1 else J.shape[0])
-    for i in range(step.shape[0]):
-        g[i] -= qp.dot(H[i], step)
-        g[i] += multipliers[1, i]
-        for r in range(A.shape[0]):
-            g[i] += A[r, i] * multipliers[1, J.shape[1] + r]
-    a, b, c = qp.dot(J[0], J[0]), qp.dot(J[0], J[1]), qp.dot(J[1], J[1])
-    s, t = qp.dot(J[0], g), qp.dot(J[1], g)
-    determinant = max(a * c - b * b, 1e-12 * a * c)
-    return float(np.sqrt((c * s - b * t) ** 2 + (a * t - b * s) ** 2) / determinant) if determinant > 0.0 else 0.0
-
-
-@kernel
-def sorted_out(guard: Guard, multipliers: Array, kinds: Indices, watched: Indices, pull: float) -> Array:
-    """The multipliers by what holds: 2 n position limits, clearances, 2 n speed limits, 2 n accelerations, the entry.
-
-    Args: multipliers (levels, n + w + p), the entry's own level first where there is one; kinds (2, n) of `motion_box`;
-    watched (w,) of `collision.watch`.
-    """
-    n, w, clear = kinds.shape[1], watched.shape[0], guard[3][0] * guard[2][0].shape[0] + guard[3][1].shape[0]
-    held, spare = np.zeros(6 * n + clear + 1), multipliers.shape[1] - n - w
-    for k in range(1 if guard[4][0] > 0 else 0, multipliers.shape[0]):
+    n, w = at.n, near.shape[0]
+    spare = multipliers.shape[1] - n - w
+    held[:] = 0.0
+    for k in range(own, multipliers.shape[0]):
         for i in range(n):
             side = 0 if multipliers[k, i] > 0.0 else 1
-            kind = kinds[side, i]
-            start = clear + 2 * n * kind if kind > 0 else 0
+            by = int(box[DOWN_BY + side, i])
+            start = at.clearances + 2 * n * by if by != BY_POSITION else 0
             held[start + side * n + i] += abs(multipliers[k, i])
         for j in range(w):
-            held[2 * n + watched[j]] += multipliers[k, n + j]
+            held[2 * n + int(near[j, NUMBER])] += multipliers[k, n + j]
         for j in range(spare):
-            held[2 * n + watched[w - spare + j]] += multipliers[k, n + w + j]
+            held[2 * n + int(near[w - spare + j, NUMBER])] += multipliers[k, n + w + j]
     held[-1] = pull
-    return held
+
+
+@kernel_into
+def pulled(task: Task) -> float:
+    """‖W v‖ of a task."""
+    square = 0.0
+    for s in range(task[1].shape[0]):
+        square += (task[2][s] * task[1][s]) ** 2
+    return float(np.sqrt(square))
+
+
+@kernel_into
+def prepare(arm: Array, at: At, q: Array, dt: float, room: Room) -> tuple[int, int]:
+    """Write all that bounds a step from q into a work space, with the links where they are.
+
+    Returns how many clearances are watched, and how many rows there are besides the joints' own.
+    """
+    poses, spots, box = room.frames[0], room.spots, room.table[:BOX]
+    a, b, c, d = parts_of_spots(at)
+    axes, points, near, rest = spots[: at.m], spots[a:b], spots[b:c], spots[d:]
+    w = collision.watch(arm, at, poses, points, dt, near, rest) if at.clearances > 0 else 0
+    near = near[:w]
+    rows = w + collision.between_bodies(at, near)
+    lower, upper = room.bounds[0, : at.n + rows], room.bounds[1, : at.n + rows]
+    A = room.table[ROWS : ROWS + rows]
+    for j in range(w, rows):
+        for i in range(at.n):
+            A[j, i] = 0.0
+    motion_box(arm, at, q, room.rates, dt, box)
+    hard_rows(arm, at, poses, axes, near, points, box, dt, A, lower, upper, rest)
+    return w, rows
+
+
+@kernel_into
+def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, room: Room) -> bool:
+    """Work out where a share of a step leads; whether nothing comes closer there than it may."""
+    reached, spots = room.table[REACHED], room.spots
+    within(arm, at, q, x, share, dt, reached)
+    stand(arm, at.m, reached, room.frames[1], spots[at.m : 2 * at.m])
+    a, b, c, _ = parts_of_spots(at)
+    near, after = spots[b : b + w], spots[c : c + w]
+    if w > 0:
+        collision.measure(arm, at, room.frames[1], spots[a:b], near, after)
+    return shortfall(near, after) <= 0.0
+
+
+@kernel_into
+def learn(arm: Array, at: At, x: Array, w: int, rows: int, room: Room) -> None:
+    """Raise the rows of what came too close in the step x that was tried, by what its linear prediction lost."""
+    a, b, c, _ = parts_of_spots(at)
+    poses, spots, points = room.frames[0], room.spots, room.spots[a:b]
+    near, after = spots[b : b + w], spots[c : c + w]
+    A, lower = room.table[ROWS : ROWS + rows], room.bounds[0, : at.n + rows]
+    collision.place(arm, at, poses, points)
+    raise_by_loss(arm, at, A, lower, x, near, after, points, poses, spots[: at.m])
+
+
+@kernel_into
+def take(at: At, q: Array, share: float, dt: float, room: Room) -> None:
+    """Take the step that was tried, or none where the share is 0: q, the rates and the links are those after it."""
+    table, frames, axes = room.table, room.frames, room.spots
+    room.report[SHARE] = share
+    for i in range(at.n):
+        now = table[REACHED, i] if share > 0.0 else q[i]
+        room.rates[i], q[i], table[STOOD, i] = (now - q[i]) / dt, now, now
+    for i in range(at.m + 1 if share > 0.0 else 0):
+        for a in range(3):
+            for b in range(4):
+                frames[0, i, a, b] = frames[1, i, a, b]
+    for i in range(at.m if share > 0.0 else 0):
+        for a in range(3):
+            axes[i, a] = axes[at.m + i, a]
+
+
+@kernel_into
+def arrive(arm: Array, at: At, q: Array, room: Room) -> None:
+    """Write where the links stand at q (n,), unless they stand there since the last step."""
+    stood = True
+    for i in range(at.n):
+        stood = stood and room.table[STOOD, i] == q[i]
+    if not stood:
+        stand(arm, at.m, q, room.frames[0], room.spots[: at.m])
+
+
+@kernel_into
+def solve_one(
+    task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, H: Array, x: Array,
+    multipliers: Array, spare: Array,
+) -> bool:  # fmt: skip
+    """`cascade.first_level` of all rows of a task; where acceleration leaves no point, it gives way."""
+    verdict = cascade.first_level(task, task[1].shape[0], A, lower, upper, H, x, multipliers, spare)
+    if verdict != qp.SOLVED:
+        verdict = give_way_one(task, A, lower, upper, box, rates, dt, x, multipliers)
+    return verdict == qp.SOLVED
 
 
 @kernel
-def guarded_tick(
-    guard: Guard, q: Array, rates: Array, poses: Array, task: Task, begins: Indices, dt: float
-) -> tuple[Array, Array, Array, float]:
-    """One guarded tick from q towards a task.
+def give_way_one(
+    task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array, multipliers: Array
+) -> int:
+    """`give_way` for a task of one level."""
+    begins, one = np.empty(0, dtype=np.int64), multipliers.reshape(1, multipliers.shape[0])
+    return give_way(task, begins, A, lower, upper, box, rates, dt, x, one)
 
-    Args: guard: `Problem.guard`; q (n,), rad, and its `link_poses`; rates (n,) of the tick before, rad/s; task:
-    J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,); begins: the rows at which further levels
-    begin; dt, s.
-    Returns q' (n,), its link poses, the multipliers of `sorted_out`, and the share of the step that was taken.
+
+@kernel_into
+def solve_again(
+    task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, H: Array, x: Array,
+    multipliers: Array, before: Array, multipliers_before: Array, spare: Array,
+) -> bool:  # fmt: skip
+    """`solve_one` once more; where it has no solution, x and the multipliers are those before."""
+    qp.copy(x, before)
+    qp.copy(multipliers, multipliers_before)
+    is_solved = solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
+    if not is_solved:
+        qp.copy(before, x)
+        qp.copy(multipliers_before, multipliers)
+    return is_solved
+
+
+@kernel_into
+def tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: Room) -> None:
+    """One guarded tick from q towards a task of one level, in place: q and the work space are those after it.
+
+    Args: q (n,), rad or m; task: J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,); dt, s; room:
+    after `arrive` at q, with the rates of the tick before.
     """
-    chain, limits, entry, through = guard[0][0], guard[1], guard[4], guard[4][0] > 0
-    watched, near, points = collision.watch(guard, poses, dt)
-    box, kinds = motion_box(q, rates, limits, dt)
-    A, lower, upper = hard_rows(guard, poses, watched, near, points, box, dt)
-    levels, asked, pair, away = begins, rates, box, rates
-    if through:
-        rows, asked, pair, away = entry_rows(poses, chain, entry, dt)
-        task, levels = with_entry(task, begins, rows, asked)
-    step, multipliers, verdict = given_way(task, levels, A, lower, upper, box, rates, dt)
-    share, tries, halvings = 1.0, 0, 0
-    while share > SMALLEST_SHARE:
-        q_after = within(q, step, share, limits, dt)
-        poses_after = link_poses(chain, q_after)
-        after = collision.measured(guard, poses_after, watched)
-        clear, straight = shortfall(near, after) <= 0.0, True
-        if through and share == 1.0:
-            straight = bend(task, step, asked, away, miss(poses_after, entry, pair))
-        if clear and not straight and tries == TRIES and halvings < HALVINGS:
-            tries, halvings = 0, halvings + 1
-            task[1][:2] = asked
-            task[1][2:] *= 0.5
-        if clear and (straight or tries == TRIES):
-            pull = entry_pull(task, levels, A, step, multipliers) if through else 0.0
-            return q_after, poses_after, sorted_out(guard, multipliers, kinds, watched, pull), share
-        if tries < (TRIES if through else 1):
-            tries += 1
-            if not clear:
-                raise_by_loss(guard, A, lower, step, watched, near, after, points, poses)
-            again, multipliers_again, verdict = given_way(task, levels, A, lower, upper, box, rates, dt)
-            if verdict == qp.SOLVED:
-                step, multipliers = again, multipliers_again
-                continue
-        share *= 0.5
-    return q.copy(), poses, sorted_out(guard, multipliers, kinds, watched, 0.0), 0.0
+    n, table, rates, spare = at.n, room.table, room.rates, room.spare
+    w, rows = prepare(arm, at, q, dt, room)
+    lower, upper, multipliers = room.bounds[0, : n + rows], room.bounds[1, : n + rows], room.bounds[2, : n + rows]
+    A, H, x, box = table[ROWS : ROWS + rows], table[table.shape[0] - n - 1 :], table[SOLUTION], table[:BOX]
+    room.report[PULL] = pulled(task)
+    solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
+    share, is_new = 1.0, True
+    while share > SMALLEST_SHARE and not try_step(arm, at, q, x, share, dt, w, room):
+        if is_new:
+            learn(arm, at, x, w, rows, room)
+            before, multipliers_before = table[BEFORE], room.bounds[3, : n + rows]
+            if not solve_again(
+                task, A, lower, upper, box, rates, dt, H, x, multipliers, before, multipliers_before, spare
+            ):
+                share *= 0.5
+            is_new = False
+        else:
+            share *= 0.5
+    first = parts_of_spots(at)[1]
+    near = room.spots[first : first + w]
+    sort_out(at, multipliers.reshape(1, n + rows), 0, box, near, 0.0, room.held)
+    take(at, q, share if share > SMALLEST_SHARE else 0.0, dt, room)

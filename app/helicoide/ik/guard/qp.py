@@ -12,14 +12,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
 
 SOLVED, INFEASIBLE = 0, 1
 ROUNDING = 1e-12
 
 
-@kernel
+@kernel_into
 def dot(a: Array, b: Array) -> float:
     """a·b, without the call into BLAS that costs more than the work for a handful of numbers."""
     total = 0.0
@@ -28,21 +28,25 @@ def dot(a: Array, b: Array) -> float:
     return total
 
 
-@kernel
-def cholesky(H: Array) -> Array:
-    """Lower triangular L with L Lᵀ = H, for H (n, n) positive definite; on its diagonal stand 1/Lᵢᵢ."""
-    n = H.shape[0]
-    L = np.empty((n, n))
-    for i in range(n):
+@kernel_into
+def copy(a: Array, b: Array) -> None:
+    """Write a (n,) into b."""
+    for i in range(a.shape[0]):
+        b[i] = a[i]
+
+
+@kernel_into
+def cholesky(H: Array) -> None:
+    """Turn H (n, n), positive definite, into L with L Lᵀ = H, below its diagonal; on the diagonal stand 1/Lᵢᵢ."""
+    for i in range(H.shape[0]):
         for j in range(i + 1):
             total = H[i, j]
             for k in range(j):
-                total -= L[i, k] * L[j, k]
-            L[i, j] = 1.0 / np.sqrt(total) if i == j else total * L[j, j]
-    return L
+                total -= H[i, k] * H[j, k]
+            H[i, j] = 1.0 / np.sqrt(total) if i == j else total * H[j, j]
 
 
-@kernel
+@kernel_into
 def forward_substitution(L: Array, a: Array) -> None:
     """Turn a (n,) into L⁻¹ a, for L of `cholesky`."""
     n = L.shape[0]
@@ -56,7 +60,7 @@ def forward_substitution(L: Array, a: Array) -> None:
         a[i] = total * L[i, i]
 
 
-@kernel
+@kernel_into
 def back_substitution(L: Array, y: Array, x: Array) -> None:
     """Fill x with L⁻ᵀ y, for y (n,) and L of `cholesky`."""
     n = L.shape[0]
@@ -67,7 +71,7 @@ def back_substitution(L: Array, y: Array, x: Array) -> None:
         x[i] = total * L[i, i]
 
 
-@kernel
+@kernel_into
 def rounding(L: Array, y: Array, x: Array) -> float:
     """How far x = L⁻ᵀ y may be off: of the order of ε (1 + ‖x‖ + ‖y‖ / minᵢ Lᵢᵢ), with a wide margin."""
     softest = 0.0
@@ -76,7 +80,7 @@ def rounding(L: Array, y: Array, x: Array) -> float:
     return float(ROUNDING * (1.0 + np.sqrt(dot(x, x)) + softest * np.sqrt(dot(y, y))))
 
 
-@kernel
+@kernel_into
 def most_violated(A: Array, lower: Array, upper: Array, x: Array, sides: Array, excess: float) -> tuple[int, int]:
     """The row not yet active that is violated most, over its length and by more than `excess`, and its side, or −1.
 
@@ -104,7 +108,7 @@ def most_violated(A: Array, lower: Array, upper: Array, x: Array, sides: Array, 
     return worst, side
 
 
-@kernel
+@kernel_into
 def transform(L: Array, A: Array, row: int, side: int, c: Array) -> None:
     """Fill c (n,) with side L⁻¹ a, for the row a of [I; A] that is counted from the first of A."""
     n = L.shape[0]
@@ -115,7 +119,7 @@ def transform(L: Array, A: Array, row: int, side: int, c: Array) -> None:
     forward_substitution(L, c)
 
 
-@kernel
+@kernel_into
 def split(c: Array, Q: Array, R: Array, count: int, z: Array, r: Array) -> float:
     """A row as a combination of the active rows and the rest z that is orthogonal to them: c = Σ rⱼ cⱼ + z; gives ‖z‖².
 
@@ -139,7 +143,7 @@ def split(c: Array, Q: Array, R: Array, count: int, z: Array, r: Array) -> float
     return dot(z, z)
 
 
-@kernel
+@kernel_into
 def append(Q: Array, R: Array, count: int, z: Array) -> None:
     """One more active row, as `split` gives it."""
     length = np.sqrt(dot(z, z))
@@ -148,7 +152,7 @@ def append(Q: Array, R: Array, count: int, z: Array) -> None:
     R[count, count] = length
 
 
-@kernel
+@kernel_into
 def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, count: int, z: Array, r: Array) -> None:
     """Take the active row `out` from `count` of them; those after it move up, and so does the one about to enter."""
     for j in range(out, count):
@@ -160,32 +164,43 @@ def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, co
             append(Q, R, j, z)
 
 
-@kernel
-def active_set(L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Array, multipliers: Array) -> int:
+@kernel_into
+def room(n: int) -> int:
+    """How many numbers `solve_into` needs room for."""
+    return 4 * n * n + 8 * n + 4
+
+
+@kernel_into
+def active_set(
+    L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Array, multipliers: Array, spare: Array
+) -> int:
     """Move y, x = L⁻ᵀ y to the nearest y where lower ≤ [I; A] x ≤ upper; fill the multipliers, zeros before.
 
     While it works, the multipliers hold the sides of the active rows, and `force` how hard these hold: c = side L⁻¹ a.
+    Args: spare (`room`,).
     """
     n, bounds, count = L.shape[0], lower.shape[0] - A.shape[0], 0
     p, side = most_violated(A, lower, upper, x, multipliers, ROUNDING)
     if p < 0:
         return SOLVED
     excess = rounding(L, y, x)
-    C, Q, R = np.empty((n + 1, n)), np.empty((n, n)), np.empty((n + 1, n + 1))
-    z, r, force, active = np.empty(n), np.empty(n), np.empty(n + 1), np.empty(n + 1, dtype=np.int64)
+    a, b = (n + 1) * n, (2 * n + 1) * n
+    c = b + (n + 1) * (n + 1)
+    C, Q, R = spare[:a].reshape(n + 1, n), spare[a:b].reshape(n, n), spare[b:c].reshape(n + 1, n + 1)
+    z, r, force, active = spare[c : c + n], spare[c + n :], spare[c + 2 * n :], spare[c + 3 * n + 1 :]
     for _ in range(10 * (lower.shape[0] + n)):
         transform(L, A, p - bounds, side, C[count])
         bound = lower[p] if side > 0 else -upper[p]
         multipliers[p], active[count], force[count] = side, p, 0.0
         while True:
-            c = C[count]
-            curvature = split(c, Q, R, count, z, r)
+            entering = C[count]
+            curvature = split(entering, Q, R, count, z, r)
             out, step, full = -1, np.inf, np.inf
             for j in range(count):
                 if r[j] > 1e-12 and force[j] / r[j] < step:
                     out, step = j, force[j] / r[j]
-            if curvature > 1e-20 * dot(c, c) and count < n:
-                full = (bound - dot(c, y)) / curvature
+            if curvature > 1e-20 * dot(entering, entering) and count < n:
+                full = (bound - dot(entering, y)) / curvature
             if step == np.inf and full == np.inf:
                 return INFEASIBLE
             t = min(step, full)
@@ -196,7 +211,7 @@ def active_set(L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Arra
             force[count] += t
             if full <= step:
                 break
-            multipliers[active[out]] = 0.0
+            multipliers[int(active[out])] = 0.0
             drop(C, Q, R, force, active, out, count, z, r)
             count -= 1
         append(Q, R, count, z)
@@ -206,7 +221,7 @@ def active_set(L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Arra
         p, side = most_violated(A, lower, upper, x, multipliers, excess)
         if p < 0:
             for j in range(count):
-                multipliers[active[j]] *= force[j]
+                multipliers[int(active[j])] *= force[j]
             return SOLVED
     return INFEASIBLE
 
@@ -215,21 +230,32 @@ def active_set(L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Arra
 def project(A: Array, lower: Array, upper: Array, x: Array) -> tuple[Array, Array, int]:
     """The point nearest to x (n,) where lower ≤ [I; A] x ≤ upper; arguments and results as in `solve`."""
     y, nearest, multipliers = x.copy(), x.copy(), np.zeros(lower.shape[0])
-    verdict = active_set(np.eye(x.shape[0]), y, nearest, A, lower, upper, multipliers)
+    spare = np.empty(room(x.shape[0]))
+    verdict = active_set(np.eye(x.shape[0]), y, nearest, A, lower, upper, multipliers, spare)
     return nearest, multipliers, verdict
+
+
+@kernel_into
+def solve_into(
+    H: Array, g: Array, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array, spare: Array
+) -> int:
+    """minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper.
+
+    Args: H (n, n) positive definite, of which the lower half is read, and g (n,): both are used up; A (m, n); lower,
+    upper (b + m,), infinite where there is no bound: the first b are bounds of x itself, b = n, or 0 where it has none;
+    spare (`room`,). Rows of zeros are skipped.
+    Writes x (n,) and the multipliers μ (b + m,), H x − g = [I; A]ᵀ μ, positive where a lower bound holds and negative
+    where an upper one does; returns SOLVED or INFEASIBLE.
+    """
+    multipliers[:] = 0.0
+    cholesky(H)
+    forward_substitution(H, g)
+    back_substitution(H, g, x)
+    return active_set(H, g, x, A, lower, upper, multipliers, spare)
 
 
 @kernel
 def solve(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
-    """minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper.
-
-    Args: H (n, n) positive definite; g (n,); A (m, n); lower, upper (b + m,), infinite where there is no bound: the
-    first b are bounds of x itself, b = n, or 0 where it has none. Rows of zeros are skipped.
-    Returns x (n,); the multipliers μ (b + m,), H x − g = [I; A]ᵀ μ, positive where a lower bound holds and negative
-    where an upper one does; and SOLVED or INFEASIBLE.
-    """
-    L = cholesky(H)
-    y, x, multipliers = g.copy(), np.empty(g.shape[0]), np.zeros(lower.shape[0])
-    forward_substitution(L, y)
-    back_substitution(L, y, x)
-    return x, multipliers, active_set(L, y, x, A, lower, upper, multipliers)
+    """The same with new arrays, and H and g as they were: x, the multipliers and the verdict."""
+    x, multipliers, spare = np.empty(g.shape[0]), np.empty(lower.shape[0]), np.empty(room(g.shape[0]))
+    return x, multipliers, solve_into(H.copy(), g.copy(), A, lower, upper, x, multipliers, spare)

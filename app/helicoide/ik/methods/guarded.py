@@ -9,12 +9,14 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik import Problem, reasons
-from helicoide.ik.guard.guarded import ONE_LEVEL, guarded_tick, indices
+from helicoide.ik.guard.guarded import ONE_LEVEL, indices
 from helicoide.ik.guard.rows import DAMPER_GAIN
+from helicoide.ik.guard.work import work_for
 from helicoide.ik.method import Promise, Quantity, Solution, Task, YesNo
+from helicoide.ik.packing import packed
+from helicoide.ik.step import step_task
 from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.forward import link_poses
 from helicoide.text import Text
 
 TITLE = Text(en="guarded step", pt_BR="passo vigiado")
@@ -73,10 +75,10 @@ def step(problem: Problem, task: Task, memory: Array, options: Options) -> tuple
     v, weights = task.rate * task.dt, np.ones(len(task.rate))
     weights[3:] = options.turn
     split = indices([3]) if options.levels and len(v) > 3 else ONE_LEVEL
-    rows = (np.ascontiguousarray(task.J / units), v, weights, (options.damping / units) ** 2)
-    poses = link_poses(problem.robot.chain, q)
-    guard = (*problem.guard[:5], options.gain)
-    after, _, held, share = guarded_tick(guard, q, memory.copy(), poses, rows, split, task.dt)
-    rates = frozen((after - q) / task.dt)
-    pull = float(np.sum((weights * v) ** 2) ** 0.5)
-    return Solution(rates / units, {"share": share}, reasons=reasons(problem, after, held, pull)), rates
+    arm = packed(problem, gain=options.gain)
+    work = work_for(arm)
+    work.rates[:] = memory
+    J, damping = np.ascontiguousarray(task.J / units), (options.damping / units) ** 2
+    share = step_task(arm, q, J, v, weights, damping, split, task.dt, work.memory)
+    rates = frozen(work.rates)
+    return Solution(rates / units, {"share": share}, reasons=reasons(problem, q, work.held, work.pull)), rates

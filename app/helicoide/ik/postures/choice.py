@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike
 from helicoide.confinement import Obstacles, Zones, planes_of
 from helicoide.ik import NEAR, Limits, Problem, Reason, reason_of
 from helicoide.ik.guard.collision import clearances
+from helicoide.ik.packing import packed
 from helicoide.ik.postures.branch import Branch, wrap
 from helicoide.ik.postures.listing import ON_LIMIT
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
@@ -65,16 +65,14 @@ def touching(robot: Robot, obstacles: Obstacles) -> Callable[[Array], bool]:
     first = len(robot.self_collision)
 
     def touches(q: Array) -> bool:
-        arrays = problem.points, problem.plane_arrays, problem.pair_arrays
-        return bool((clearances(link_poses(robot.chain, q), *arrays)[0][first:] < 0).any())
+        return bool((clearances(packed(problem), q)[first:] < 0).any())
 
     return touches
 
 
 def barrier(problem: Problem, q: Array) -> Reason | None:
     """What would be nearer than it may be in a posture (n,), rad or m, the worst; None where nothing would."""
-    arrays = problem.points, problem.plane_arrays, problem.pair_arrays
-    left = clearances(link_poses(problem.robot.chain, q), *arrays)[0]
+    left = clearances(packed(problem), q)
     return reason_of(problem, 2 * len(q) + int(left.argmin())) if left.size and left.min() < -NEAR else None
 
 

@@ -19,18 +19,16 @@ from helicoide.kinematics.tool import (
     DRIVER,
     SLIDE,
     TURN,
-    Row,
-    Triple,
     X,
     Y,
     Z,
-    along,
     behind,
     cross,
     ending,
     line,
     rows_of,
     swept,
+    turn_to,
 )
 
 # Columns of a joint in `ranges` (n, 6): its limits; after how much it stands alike, 2π or 0 for never; whether its
@@ -44,29 +42,6 @@ SETTLED = 1e-14  # and the approach to what cannot be reached where it promises 
 
 Error = tuple[float, float, float, float, float, float]
 Memory = tuple[Array, Array, Array]
-
-
-@kernel
-def turn_to(goal: Array, x: Row, y: Row, z: Row) -> Triple:
-    """Rotation vector θ a of E = R_goal Rᵀ, 0 ≤ θ ≤ π, from the rows of R; near π the axis is a column of E + 1."""
-    gx, gy = (goal[0, 0], goal[0, 1], goal[0, 2]), (goal[1, 0], goal[1, 1], goal[1, 2])
-    gz = (goal[2, 0], goal[2, 1], goal[2, 2])
-    a, b, c = along(y, gz) - along(z, gy), along(z, gx) - along(x, gz), along(x, gy) - along(y, gx)
-    xx, yy, zz = along(x, gx), along(y, gy), along(z, gz)
-    sine, cosine = np.sqrt(a * a + b * b + c * c), xx + yy + zz - 1.0  # both twice
-    if sine < 1e-6 and cosine > 0.0:
-        return 0.5 * a, 0.5 * b, 0.5 * c
-    length = sine
-    if sine < 1e-6:
-        if xx >= yy and xx >= zz:
-            a, b, c = xx + 1.0, along(x, gy), along(x, gz)
-        elif yy >= zz:
-            a, b, c = along(y, gx), yy + 1.0, along(y, gz)
-        else:
-            a, b, c = along(z, gx), along(z, gy), zz + 1.0
-        length = np.sqrt(a * a + b * b + c * c)
-    angle = np.arctan2(sine, cosine) / length
-    return angle * a, angle * b, angle * c
 
 
 @kernel

@@ -1,0 +1,144 @@
+"""The guarded step in levels, and through an entry point: what one level alone does not need.
+
+The entry point is a first level of two rows. The way of its shaft is curved; what that takes is asked for as well,
+until it changes nothing more.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from helicoide.ik.guard import cascade, qp
+from helicoide.ik.guard.entry import FIRM, entry_rows, miss
+from helicoide.ik.guard.guarded import (
+    SMALLEST_SHARE,
+    give_way,
+    learn,
+    prepare,
+    pulled,
+    sort_out,
+    take,
+    try_step,
+)
+from helicoide.ik.guard.packed import CARRIER, SETTING, At
+from helicoide.ik.guard.rows import BOX, Indices, Task
+from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, Room, parts_of_spots
+from helicoide.kernels import kernel
+from helicoide.kinematics.chain import Array
+
+# How near to the entry point the curvature of a step is settled, m; how often this is tried before the task is halved,
+# and how often it is halved.
+SETTLED, TRIES, HALVINGS = 1e-6, 5, 6
+LEAST_DAMPING = 1e-9
+
+
+@kernel
+def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[Task, Indices]:
+    """The same task after a first level of two rows (2, n) that ask for a displacement (2,), m.
+
+    Two rows alone do not hold all joints: each is damped, if only a little.
+    """
+    J, v, weights, damping = task
+    damping = np.maximum(damping, LEAST_DAMPING)
+    r, levels = v.shape[0], np.empty(begins.shape[0] + 1, dtype=np.int64)
+    levels[0] = 2
+    for k in range(begins.shape[0]):
+        levels[k + 1] = begins[k] + 2
+    stacked, wished, firm = np.empty((r + 2, J.shape[1])), np.empty(r + 2), np.full(r + 2, FIRM)
+    for i in range(r + 2):
+        wished[i] = asked[i] if i < 2 else v[i - 2]
+        for k in range(J.shape[1]):
+            stacked[i, k] = rows[i, k] if i < 2 else J[i - 2, k]
+        if i >= 2:
+            firm[i] = weights[i - 2]
+    return (stacked, wished, firm, damping), levels
+
+
+@kernel
+def bend(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bool:
+    """Ask of the first two rows what the curvature ℓ of a step takes as well; whether that changes nothing more.
+
+    ℓ = e' − e + J Δq. Args: asked, away: e, and after: e', (2,), m, of `entry_rows` and `miss`.
+    """
+    J, v, _, _ = task
+    settled = True
+    for i in range(2):
+        bent = asked[i] + after[i] - away[i] + qp.dot(J[i], step)
+        settled = settled and abs(bent - v[i]) < SETTLED
+        v[i] = bent
+    return settled
+
+
+@kernel
+def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: Array) -> float:
+    """How hard the first two rows hold the level after them back: ‖λ‖, J₁ᵀ W² (v₁ − J₁ x) − d x + Aᵀ μ = J₀ᵀ λ."""
+    J = task[0]
+    n = J.shape[1]
+    H, g = np.empty((n, n)), np.empty(n)
+    cascade.normal_equations(task, 2, begins[1] if begins.shape[0] > 1 else J.shape[0], H, g)
+    for i in range(step.shape[0]):
+        g[i] -= qp.dot(H[i], step)
+        g[i] += multipliers[1, i]
+        for r in range(A.shape[0]):
+            g[i] += A[r, i] * multipliers[1, J.shape[1] + r]
+    a, b, c = qp.dot(J[0], J[0]), qp.dot(J[0], J[1]), qp.dot(J[1], J[1])
+    s, t = qp.dot(J[0], g), qp.dot(J[1], g)
+    determinant = max(a * c - b * b, 1e-12 * a * c)
+    return float(np.sqrt((c * s - b * t) ** 2 + (a * t - b * s) ** 2) / determinant) if determinant > 0.0 else 0.0
+
+
+@kernel
+def solve_levels(
+    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
+    multipliers: Array,
+) -> int:  # fmt: skip
+    """`cascade.descend`; where acceleration leaves no point, it gives way."""
+    verdict = cascade.descend(task, begins, A, lower, upper, x, multipliers)
+    if verdict != qp.SOLVED:
+        verdict = give_way(task, begins, A, lower, upper, box, rates, dt, x, multipliers)
+    return verdict
+
+
+@kernel
+def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, room: Room) -> None:
+    """`guarded.tick` for a task of several levels, or for an arm with an instrument in an entry point.
+
+    Args: begins: the rows at which further levels begin; the others as there.
+    """
+    n, rates, box, through = at.n, room.rates, room.table[:BOX], arm[SETTING, CARRIER] > 0.0
+    poses, axes, x = room.frames[0], room.spots[: at.m], room.table[SOLUTION]
+    w, rows = prepare(arm, at, q, dt, room)
+    lower, upper, A = room.bounds[0, : n + rows], room.bounds[1, : n + rows], room.table[ROWS : ROWS + rows]
+    room.report[PULL] = pulled(task)
+    levels, asked, pair, away = begins, rates, box, rates
+    if through:
+        shaft, asked, pair, away = entry_rows(arm, n, poses, axes, dt)
+        task, levels = with_entry(task, begins, shaft, asked)
+    multipliers = np.empty((levels.shape[0] + 1, n + rows))
+    solve_levels(task, levels, A, lower, upper, box, rates, dt, x, multipliers)
+    share, tries, halvings, done = 1.0, 0, 0, False
+    while share > SMALLEST_SHARE:
+        clear, straight = try_step(arm, at, q, x, share, dt, w, room), True
+        if through and share == 1.0:
+            straight = bend(task, x, asked, away, miss(arm, room.frames[1], pair))
+        if clear and not straight and tries == TRIES and halvings < HALVINGS:
+            tries, halvings = 0, halvings + 1
+            for i in range(task[1].shape[0]):
+                task[1][i] = asked[i] if i < 2 else 0.5 * task[1][i]
+        if clear and (straight or tries == TRIES):
+            done = True
+            break
+        if tries < (TRIES if through else 1):
+            tries += 1
+            if not clear:
+                learn(arm, at, x, w, rows, room)
+            again, multipliers_again = np.empty(n), np.empty((levels.shape[0] + 1, n + rows))
+            if solve_levels(task, levels, A, lower, upper, box, rates, dt, again, multipliers_again) == qp.SOLVED:
+                x[:], multipliers[:] = again, multipliers_again
+                continue
+        share *= 0.5
+    pull = entry_pull(task, levels, A, x, multipliers) if through and done else 0.0
+    first = parts_of_spots(at)[1]
+    near = room.spots[first : first + w]
+    sort_out(at, multipliers, 1 if through else 0, box, near, pull, room.held)
+    take(at, q, share if done else 0.0, dt, room)

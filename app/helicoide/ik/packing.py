@@ -1,0 +1,71 @@
+"""What an arm may do, packed for the kernels: a `Problem` and the settings of the guarded step as one table."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from helicoide.ik import Problem
+from helicoide.ik.guard.packed import packed_rows
+from helicoide.ik.guard.rows import DAMPER_GAIN
+from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
+from helicoide.kinematics import tool
+from helicoide.kinematics.chain import Array
+
+
+@lru_cache(maxsize=64)
+def packed(
+    problem: Problem,
+    damping: float = DAMPING,
+    turn: float = ORIENTATION_LENGTH,
+    gain: float = DAMPER_GAIN,
+    position_first: bool = False,
+) -> Array:
+    """A problem as the kernels take it, (k, 16), with the rows and columns of `guard.packed`.
+
+    Args: damping: λ², of lengths in ℓ; turn: the weight of orientation, a radian against ℓ, 0 for none; gain: κ of the
+    velocity dampers, 1/s; position_first: the orientation in what the position leaves free.
+    """
+    robot, entry, limits, planes = problem.robot, problem.entry, problem.limits, problem.planes
+    *joints, end = tool.packed(robot)
+    points, pairs = _points(problem), _pairs(problem)
+    counts = len(joints), len(limits.lower), len(points), len(robot.guarded_points), len(planes.normals), len(pairs)
+    numbers = problem.zones.critical, gain, robot.reach, damping, turn, position_first
+    instrument = [*entry.shaft.ravel(), *entry.point] if entry is not None else []
+    return packed_rows(
+        [*counts, *numbers, entry.link if entry is not None else 0],
+        np.array([end]),
+        np.array([instrument]),
+        np.array(joints),
+        np.column_stack([limits.lower, limits.upper, limits.speed, limits.acceleration]),
+        points,
+        np.column_stack([planes.normals, planes.offsets]),
+        pairs,
+    )
+
+
+def _points(problem: Problem) -> Array:
+    """The guarded points; where there are pairs the ends of all bodies behind them, an obstacle's on link 0: (p, 4)."""
+    robot, obstacles = problem.robot, problem.obstacles
+    places, links = [*robot.guarded_points], [*robot.guarded_joints]
+    if problem.pairs:
+        for body in robot.bodies:
+            places.extend(body.ends)
+            links.extend(body.links)
+        places.extend(obstacles.ends.reshape(-1, 3))
+        links.extend([0] * (2 * len(obstacles.radii)))
+    return np.column_stack([np.reshape(places, (-1, 3)), links])
+
+
+def _pairs(problem: Problem) -> Array:
+    """The four points of each pair, and how far apart the axes of its bodies stay, m: (b, 5)."""
+    first = len(problem.robot.guarded_points)
+    radii = [*(body.radius for body in problem.robot.bodies), *problem.obstacles.radii]
+    rows = [
+        (*(first + 2 * body + end for body in pair for end in (0, 1)), sum(radii[body] for body in pair))
+        for pair in problem.pairs
+    ]
+    pairs = np.reshape(np.array(rows, dtype=np.float64), (-1, 5))
+    pairs[:, 4] += problem.zones.between
+    return pairs

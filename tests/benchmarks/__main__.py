@@ -8,7 +8,7 @@ from __future__ import annotations
 import importlib
 import sys
 
-NAMES = ("latency", "tick", "startup", "idle", "load", "kinematics", "algebra", "ik", "planes", "corpus")
+NAMES = ("latency", "tick", "startup", "idle", "load", "kinematics", "algebra", "ik", "step", "planes", "corpus")
 
 
 def main() -> None:

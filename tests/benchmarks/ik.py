@@ -1,8 +1,8 @@
-"""Inverse kinematics beside other libraries: one posture, the guarded step, and all postures of the PUMA."""
+"""Inverse kinematics beside other libraries: one posture, and all postures."""
 
 from __future__ import annotations
 
-from tests.benchmarks import ik_postures, ik_solve, ik_step
+from tests.benchmarks import ik_postures, ik_solve
 
 TITLE = (
     "Inverse kinematics beside other libraries; ours and theirs in turn, each in its own process, single calls timed"
@@ -10,5 +10,5 @@ TITLE = (
 
 
 def run() -> None:
-    for part in (ik_solve, ik_step, ik_postures):
+    for part in (ik_solve, ik_postures):
         part.run()

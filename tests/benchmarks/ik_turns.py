@@ -87,8 +87,8 @@ def line(who: str, run: Run, said: str) -> None:
     print(f"    {who:22} p50 {middle:8.2f} µs ({low:.2f} to {high:.2f})  mean {mean:8.2f}  p99 {tail:8.1f}  {said}")
 
 
-def faster(figure: str, ours: Run, theirs: Run, goal: float) -> None:
-    """The verdict on how many times as fast we are: the median of the rounds, and their spread."""
+def faster(figure: str, ours: Run, theirs: Run, goal: float | None) -> None:
+    """How many times as fast we are, the median of the rounds and their spread; and the verdict, where there is a goal."""
     _judged(figure, theirs.medians / ours.medians, goal)
 
 
@@ -97,11 +97,10 @@ def faster_on_average(figure: str, ours: Run, theirs: Run, goal: float) -> None:
     _judged(f"{figure}, on average", theirs.seconds.mean(axis=1) / ours.seconds.mean(axis=1), goal)
 
 
-def _judged(figure: str, ratios: Array, goal: float) -> None:
-    ratio = p50(ratios)
-    said = "met" if ratio >= goal else "MISSED"
-    spread = f"{ratios.min():.2f} to {ratios.max():.2f}"
-    print(f"  {figure}: {ratio:.2f} × as fast ({spread}) · goal at least {goal:g} × · {said}")
+def _judged(figure: str, ratios: Array, goal: float | None) -> None:
+    ratio, spread = p50(ratios), f"{ratios.min():.2f} to {ratios.max():.2f}"
+    verdict = "" if goal is None else f" · goal at least {goal:g} × · {'met' if ratio >= goal else 'MISSED'}"
+    print(f"  {figure}: {ratio:.2f} × as fast ({spread}){verdict}")
 
 
 def judged(figure: str, is_true: bool) -> None:

@@ -88,7 +88,7 @@ def line(who: str, run: Run, said: str) -> None:
 
 
 def faster(figure: str, ours: Run, theirs: Run, goal: float | None) -> None:
-    """How many times as fast we are, the median of the rounds and their spread; and the verdict, where there is a goal."""
+    """How many times as fast we are: the median of the rounds, their spread, and the verdict where there is a goal."""
     _judged(figure, theirs.medians / ours.medians, goal)
 
 

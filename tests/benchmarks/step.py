@@ -30,7 +30,7 @@ TITLE = "One step of a closed loop under limits and planes, beside libraries tha
 HOW = (
     "100 Hz, three laps of a circle; every step takes an eighth of what is missing of the pose, 1 m as much as 1 rad,",
     "with damping 10⁻⁶, under the joint limits and speed limits; planes are velocity dampers (10 / s) on the centre of",
-    "every joint and on the tool, z from below and x and y across the circle. Ours is `step(arm, q, T, ahead, dt, work)`",
+    "every joint and on the tool, z from below and x and y across the circle. Ours is `step(arm, q, T, ahead, dt, …)`",
     "and a copy of q, from Python; theirs is the library's own loop, with planes as one vectorised limit.",
 )
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import (
     DRIVER,
@@ -22,13 +22,15 @@ from helicoide.kinematics.tool import (
     X,
     Y,
     Z,
-    behind,
+    along,
+    carried,
     cross,
     ending,
     line,
     rows_of,
-    swept,
+    standing,
     turn_to,
+    twist,
 )
 
 # Columns of a joint in `ranges` (n, 6): its limits; after how much it stands alike, 2π or 0 for never; whether its
@@ -44,7 +46,7 @@ Error = tuple[float, float, float, float, float, float]
 Memory = tuple[Array, Array, Array]
 
 
-@kernel
+@kernel_into
 def linearised(arm: Array, q: Array, goal: Array, weights: tuple[float, float], columns: Array) -> Error:
     """The error e of a posture, and its columns ∂e/∂q with the sign turned, written as (n, 6).
 
@@ -55,8 +57,14 @@ def linearised(arm: Array, q: Array, goal: Array, weights: tuple[float, float], 
     last, n = arm.shape[0] - 1, q.shape[0]
     for i in range(last):
         j = int(arm[i, DRIVER])
-        x, y, z = behind(x, y, z, arm[i], q[j])
-        v, w = swept(x, y, z, line(arm[i])[0], arm[i, TURN], arm[i, SLIDE])
+        (axis, way), (slid, c, s) = line(arm[i]), standing(arm[i], q[j])
+        turned_axis = (along(x, axis), along(y, axis), along(z, axis))
+        x, y, z = (
+            carried(x, axis, way, slid, c, s),
+            carried(y, axis, way, slid, c, s),
+            carried(z, axis, way, slid, c, s),
+        )
+        v, w = twist((x[3], y[3], z[3]), turned_axis, arm[i, TURN], arm[i, SLIDE])
         for a in range(3):
             columns[j, a] += v[a]
             columns[j, 3 + a] += w[a]
@@ -73,13 +81,13 @@ def linearised(arm: Array, q: Array, goal: Array, weights: tuple[float, float], 
     return near * p[0], near * p[1], near * p[2], turned * r[0], turned * r[1], turned * r[2]
 
 
-@kernel
+@kernel_into
 def squares(e: Error) -> tuple[float, float]:
     """The squares of the errors of position and of orientation."""
     return e[0] * e[0] + e[1] * e[1] + e[2] * e[2], e[3] * e[3] + e[4] * e[4] + e[5] * e[5]
 
 
-@kernel
+@kernel_into
 def fill(ranges: Array, q: Array, e: Error, columns: Array, damping: float, H: Array, g: Array) -> None:
     """Write H = JᵀJ + λ D, its lower half, and g = Jᵀe; a joint that is pushed against its limit is left out."""
     for i in range(q.shape[0]):
@@ -97,7 +105,7 @@ def fill(ranges: Array, q: Array, e: Error, columns: Array, damping: float, H: A
             g[i] = 0.0
 
 
-@kernel
+@kernel_into
 def solve_in_place(H: Array, g: Array) -> float:
     """Write x with H x = g over g (n,), by H = L Lᵀ, and return gᵀx; of H (n, n) the lower half is read and lost."""
     n, promised = g.shape[0], 0.0
@@ -122,13 +130,13 @@ def solve_in_place(H: Array, g: Array) -> float:
     return promised
 
 
-@kernel
+@kernel_into
 def held(ranges: Array, i: int, x: float) -> float:
     """A value of joint i, brought back to the limits where they hold it."""
     return min(max(x, ranges[i, LOWER]), ranges[i, UPPER]) if ranges[i, HELD] > 0.0 else x
 
 
-@kernel
+@kernel_into
 def unwind(ranges: Array, q: Array) -> None:
     """Bring joints that stand alike after a turn back into their limits."""
     for i in range(q.shape[0]):
@@ -142,7 +150,7 @@ def memory_of(n: int) -> Memory:
     return np.empty((n, 6)), np.empty((n, n)), np.empty(n)
 
 
-@kernel
+@kernel_into
 def descend(
     arm: Array,
     ranges: Array,
@@ -170,7 +178,7 @@ def descend(
     return -iterations, np.inf, np.inf
 
 
-@kernel
+@kernel_into
 def settle(
     arm: Array,
     ranges: Array,

@@ -178,7 +178,7 @@ def descend(
     return -iterations, np.inf, np.inf
 
 
-@kernel_into
+@kernel
 def settle(
     arm: Array,
     ranges: Array,

@@ -9,6 +9,7 @@ from time import monotonic
 import numpy as np
 from playwright.sync_api import Page
 
+from helicoide.command import Hold
 from helicoide.confinement import distances
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
@@ -101,7 +102,9 @@ class Lab:
         self.cell.tick = watched  # type: ignore[method-assign]
 
     def reset(self, page: Page) -> None:
-        """The arm at `ready` inside the measured planes."""
+        """The arm at `ready` inside the measured planes; what the page sent before counts no more."""
+        page.keyboard.press("Escape")
+        until(page, lambda: self.state.request.command == Hold(stopped=True))
         fresh = initial(self.state.robot)
         self.post(lambda state: replace(fresh, t=state.t))
         until(page, lambda: bool((self.state.arm.q == fresh.arm.q).all()))

@@ -1,0 +1,25 @@
+"""What the README shows of Python runs as it stands there, and comes to what it says."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from helicoide.kinematics import tool
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.parametrize("name", ["README.md", "README.pt-BR.md"])
+def test_the_script_comes_to_what_is_said(name: str) -> None:
+    (script,) = re.findall(r"```python\n(.*?)```", (ROOT / name).read_text("utf-8"), re.DOTALL)
+    known: dict[str, Any] = {}
+    exec(script, known)
+    assert len(known["answer"].branches) == 8
+    there = tool.tool_pose(tool.packed(known["robot"]), known["q"])
+    np.testing.assert_allclose(there, known["T"], atol=1e-6)
+    assert known["work"].share == 1.0

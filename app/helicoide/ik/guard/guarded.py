@@ -1,6 +1,6 @@
-"""The guarded step: levels of least squares within hard rows, checked exactly afterwards.
+"""The guarded step: least squares within hard rows, checked exactly afterwards.
 
-One tick solves, for the joint displacement Δq, one strictly convex quadratic programme a level (`cascade`),
+One tick solves, for the joint displacement Δq, a strictly convex quadratic programme (one a level in `levels`),
 
     minimise   ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ²
     subject to −κ dt (l − δ) ≤ row Δq  for every clearance l > δ, else 0 ≤ row Δq   planes, obstacles, the arm itself
@@ -15,26 +15,23 @@ have no point in common, acceleration gives way, by as little as the others ask.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from helicoide.ik.guard import cascade, collision, qp
-from helicoide.ik.guard.collision import LEFT, NUMBER, PLANE, POINT, S, T
-from helicoide.ik.guard.packed import FIRST, LINK, LOWER, SPEED, UPPER, At, stand
+from helicoide.ik.guard.clearance_rows import hard_rows, raise_by_loss, shortfall
+from helicoide.ik.guard.collision import NUMBER
+from helicoide.ik.guard.packed import LOWER, SPEED, UPPER, At, stand
 from helicoide.ik.guard.rows import (
     BOX,
     BY_POSITION,
-    DOWN,
     DOWN_BY,
     HARD_DOWN,
     HARD_UP,
-    UP,
     Indices,
     Task,
-    damper,
     motion_box,
-    moved,
 )
 from helicoide.ik.guard.work import (
     BEFORE,
@@ -49,93 +46,19 @@ from helicoide.ik.guard.work import (
 )
 from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import DRIVER
 
 SMALLEST_SHARE = 1e-6
 ROUNDING = 1e-10
 
 
-def indices(values: Any, *shape: int) -> Indices:
+def indices(values: Sequence[int]) -> Indices:
     """A read-only array of indices."""
-    array = np.array(values, dtype=np.int64).reshape(shape or -1)
+    array = np.array(values, dtype=np.int64)
     array.flags.writeable = False
     return array
 
 
 ONE_LEVEL = indices([])
-
-
-@kernel_into
-def hard_rows(
-    arm: Array, at: At, poses: Array, axes: Array, near: Array, points: Array, box: Array, dt: float,
-    A: Array, lower: Array, upper: Array, moves: Array,
-) -> None:  # fmt: skip
-    """Write the rows lower ≤ [I; A] Δq ≤ upper: the n joints, dampers of w clearances, spare ones for second witnesses.
-
-    Args: poses and axes of `packed.stand`; near (w, 4) and points (p, 4) of `collision.watch`; box of `motion_box`;
-    moves (n, 4): room for the motion of a point.
-    """
-    n, swept = at.n, -1
-    for i in range(n):
-        lower[i], upper[i] = box[DOWN, i], box[UP, i]
-    for i in range(n, lower.shape[0]):
-        lower[i], upper[i] = -np.inf, np.inf
-    for j in range(near.shape[0]):
-        number = int(near[j, NUMBER])
-        if number < at.by_planes:
-            point, plane = int(near[j, POINT]), int(near[j, PLANE])
-            if point != swept:
-                sweep(arm, at, poses, axes, points, point, moves)
-                swept = point
-            for i in range(n):
-                A[j, i] = arm[plane, 0] * moves[i, 0] + arm[plane, 1] * moves[i, 1] + arm[plane, 2] * moves[i, 2]
-        else:
-            pair = at.pairs + number - at.by_planes
-            collision.witness_row(A, j, arm, at, pair, points, near[j, S], near[j, T], poses, axes)
-        lower[n + j] = damper(near[j, LEFT], A, j, arm, at, dt)
-
-
-@kernel_into
-def sweep(arm: Array, at: At, poses: Array, axes: Array, points: Array, which: int, moves: Array) -> None:
-    """Write J_pᵀ into moves (n, 4) of one of the points (p, 4), m, world; poses and axes of `packed.stand`."""
-    x, y, z = points[which, 0], points[which, 1], points[which, 2]
-    moves[:] = 0.0
-    for i in range(int(arm[at.points + which, LINK])):
-        column, v = int(arm[FIRST + i, DRIVER]), moved(arm, i, poses, axes, x, y, z)
-        moves[column, 0] += v[0]
-        moves[column, 1] += v[1]
-        moves[column, 2] += v[2]
-
-
-@kernel_into
-def shortfall(near: Array, after: Array) -> float:
-    """By how much the worst came closer than it may: the least distance, or where it was if that is nearer; m."""
-    worst = 0.0
-    for j in range(near.shape[0]):
-        worst = max(worst, min(0.0, near[j, LEFT]) - after[j, LEFT])
-    return worst
-
-
-@kernel_into
-def raise_by_loss(
-    arm: Array, at: At, A: Array, lower: Array, step: Array, near: Array, after: Array, points: Array, poses: Array,
-    axes: Array,
-) -> None:  # fmt: skip
-    """Add to the row of what came too close what its linear prediction lost, and a tenth for the rest.
-
-    Bodies may be nearest elsewhere after the step: these witnesses have a row of their own.
-    """
-    n, spare = at.n, collision.between_bodies(at, near)
-    for j in range(near.shape[0]):
-        allowed, number = min(0.0, near[j, LEFT]), int(near[j, NUMBER])
-        if after[j, LEFT] >= allowed:
-            continue
-        if number < at.by_planes:
-            lower[n + j] += 1.1 * (near[j, LEFT] + qp.dot(A[j], step) - after[j, LEFT])
-            continue
-        row, pair = j + spare, at.pairs + number - at.by_planes
-        there = collision.witness_row(A, row, arm, at, pair, points, after[j, S], after[j, T], poses, axes)
-        lower[n + row] = allowed - there + 1.1 * (there + qp.dot(A[row], step) - after[j, LEFT])
 
 
 @kernel_into

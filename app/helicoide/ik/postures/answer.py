@@ -145,8 +145,9 @@ class Answer:
         """Whether the first posture reaches what was solved for and keeps the limits."""
         if not len(self.rows):
             return False
-        said = self.rows[0, -1 - listing.COST :].tolist()
-        return bool(said[listing.WITHIN] and max(said[listing.LEFT], said[listing.LEFT_TURNED]) <= listing.REACHED)
+        first, said = self.rows.item, -1 - listing.COST
+        left = first(0, said + listing.LEFT), first(0, said + listing.LEFT_TURNED)
+        return bool(first(0, said + listing.WITHIN)) and max(left) <= listing.REACHED
 
     @property
     def nearest(self) -> Answer:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.ik.task import rotation_vector
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -75,7 +75,7 @@ def pose_of(T: ArrayLike) -> Array:
     return pose
 
 
-@kernel
+@kernel_into
 def is_pose(T: Array) -> bool:
     """Whether RᵀR = 1 and det R = 1 but for rounding, the place (3,) is finite, and the last row is 0, 0, 0, 1."""
     for i in range(3):

@@ -5,9 +5,10 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
+from numpy import empty
 
 from helicoide.ik.postures.measure import measured, remains, stand_of
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
@@ -35,13 +36,18 @@ def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, 
     Each joint turns the shorter way from q where its limits allow it. Args: found (k, ≥ n): q of each, rad or m; asked,
     solved (4, 4), m; q (n,): from where motion counts. Returns (k, n + 7), as the columns of this file say.
     """
-    return listed(measured(robot), joints_of(robot), found, asked, solved, q, with_orientation, True)
+    joints = joints_of(robot)
+    rows = empty((len(found), len(joints) + 7))
+    list_into(measured(robot), joints, found, asked, solved, q, with_orientation, True, rows)
+    return rows
 
 
 def as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
     """The same postures in the order in which they were found, with angles in (−π, π] where the limits allow it."""
     arm, joints = measured(robot), joints_of(robot)
-    return listed(arm, joints, found, asked, solved, np.zeros(len(joints)), with_orientation, False)
+    rows = empty((len(found), len(joints) + 7))
+    list_into(arm, joints, found, asked, solved, np.zeros(len(joints)), with_orientation, False, rows)
+    return rows
 
 
 def column(rows: Array, which: int) -> Array:
@@ -49,20 +55,20 @@ def column(rows: Array, which: int) -> Array:
     return rows[:, which - 1 - COST]
 
 
-@kernel
+@kernel_into
 def wrapped(x: float) -> float:
     """The same angle in (−π, π]."""
     y = x - 2 * np.pi * np.ceil((x - np.pi) / (2 * np.pi))
     return y if y > -np.pi else np.pi
 
 
-@kernel
+@kernel_into
 def keeps(joint: Array, x: float) -> bool:
     """Whether a value is within a joint's limits."""
     return bool(joint[LOWER] - ON_LIMIT <= x <= joint[UPPER] + ON_LIMIT)
 
 
-@kernel
+@kernel_into
 def into_limits(joint: Array, x: float) -> float:
     """An angle in (−π, π], or 2πk away where only that lies within the joint's limits; a slide as it is."""
     if joint[WHOLE] == 0.0:
@@ -76,13 +82,13 @@ def into_limits(joint: Array, x: float) -> float:
     return moved if keeps(joint, moved) else angle
 
 
-@kernel
+@kernel_into
 def way_to(joint: Array, x: float, now: float) -> float:
     """The way of a joint from where it stands to a value, the shorter one where it turns whole."""
     return wrapped(x - now) if joint[WHOLE] > 0.0 else x - now
 
 
-@kernel
+@kernel_into
 def follows(one: Array, other: Array) -> bool:
     """Whether a posture comes behind another one in the list, by its columns behind q."""
     far = max(one[LEFT], one[LEFT_TURNED]) > REACHED
@@ -93,8 +99,8 @@ def follows(one: Array, other: Array) -> bool:
     return bool(one[COST] > other[COST])
 
 
-@kernel
-def listed(
+@kernel_into
+def list_into(
     arm: Array,
     joints: Array,
     found: Array,
@@ -103,10 +109,10 @@ def listed(
     now: Array,
     with_orientation: bool,
     ordered: bool,
-) -> Array:
-    """The rows of `in_order`, or those of `as_found`. Source: Campos 1998, s.17 (the choice of the nearest)."""
+    rows: Array,
+) -> None:
+    """Write the rows of `in_order`, or those of `as_found`. Source: Campos 1998, s.17 (the choice of the nearest)."""
     n, k = joints.shape[0], found.shape[0]
-    rows = np.empty((k, n + 7))
     wished, goal = stand_of(asked), stand_of(solved)
     as_asked = wished == goal
     turns = 1.0 if with_orientation else 0.0
@@ -133,4 +139,3 @@ def listed(
                     break
                 for a in range(n + 7):
                     rows[j - 1, a], rows[j, a] = rows[j, a], rows[j - 1, a]
-    return rows

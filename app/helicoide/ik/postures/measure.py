@@ -7,7 +7,7 @@ from math import atan2, sqrt
 
 import numpy as np
 
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
@@ -42,7 +42,7 @@ def measured(robot: Robot) -> Array:
     return arm
 
 
-@kernel
+@kernel_into
 def stand_of(T: Array) -> Stand:
     """Where a pose (4, 4), m, stands, and its quaternion, from the largest of w, x, y and z. Source: Shepperd 1978."""
     xx, yy, zz = T[0, 0], T[1, 1], T[2, 2]
@@ -59,13 +59,13 @@ def stand_of(T: Array) -> Stand:
     return T[0, 3], T[1, 3], T[2, 3], w / size, x / size, y / size, z / size
 
 
-@kernel
+@kernel_into
 def left_of(arm: Array, q: Array, T_world_goal: Array) -> tuple[float, float]:
     """What `remains` of a pose (4, 4), m."""
     return remains(arm, q, stand_of(T_world_goal))
 
 
-@kernel
+@kernel_into
 def remains(arm: Array, q: Array, goal: Stand) -> tuple[float, float]:
     """‖p − p_g‖ and 2 atan2(‖v‖, |w|) of h̄_g h, with h ← h (cos ½x, sin ½x s) and p ← p + h o h̄ along the chain.
 

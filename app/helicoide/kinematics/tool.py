@@ -79,13 +79,6 @@ def standing(joint: Array, q: float) -> tuple[float, float, float]:
 
 
 @kernel
-def behind(x: Row, y: Row, z: Row, joint: Array, q: float) -> tuple[Row, Row, Row]:
-    """The frame behind a joint whose variable stands at q."""
-    (axis, way), (slid, c, s) = line(joint), standing(joint, q)
-    return carried(x, axis, way, slid, c, s), carried(y, axis, way, slid, c, s), carried(z, axis, way, slid, c, s)
-
-
-@kernel
 def ending(row: Row, tool: tuple[Row, Row, Row]) -> Row:
     """A row of T_world_link T_link_tool."""
     x, y, z = tool
@@ -143,19 +136,13 @@ def turn_to(goal: Array, x: Row, y: Row, z: Row) -> Triple:
     return angle * a, angle * b, angle * c
 
 
-@kernel
-def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
-    """The same by the frame behind the joint, which turns its axis as the one before it does."""
-    return twist((x[3], y[3], z[3]), (along(x, axis), along(y, axis), along(z, axis)), turn, slide)
-
-
 @kernel_into
 def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
     """Write the pose of `tool_pose` into T (4, 4)."""
     x, y, z = X, Y, Z
     last = arm.shape[0] - 1
     for i in range(last):
-        # What `behind` does: called here, LLVM hands frames over in memory, and the whole takes a tenth longer.
+        # In place: called in a kernel of its own, LLVM hands frames over in memory; that takes a tenth longer.
         (axis, way), (slid, c, s) = line(arm[i]), standing(arm[i], q[int(arm[i, DRIVER])])
         x, y, z = (
             carried(x, axis, way, slid, c, s),

@@ -18,12 +18,13 @@ from helicoide.kinematics.tool import (
     TURN_SHIFT,
     Row,
     Triple,
+    along,
     carried,
     cross,
     ending,
     line,
     rows_of,
-    swept,
+    twist,
     write,
 )
 from helicoide.kinematics.trigonometry import cosine_and_sine
@@ -97,6 +98,12 @@ def tool_poses_into(arm: Array, qs: Array, Ts: Array) -> None:
         finish(block, arm[last])
         for k in range(some.shape[0]):
             write(Ts[first + k], at(block, 0, k), at(block, 1, k), at(block, 2, k))
+
+
+@kernel
+def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
+    """A joint's `twist` by the frame behind it, which turns its axis as the one before it does."""
+    return twist((x[3], y[3], z[3]), (along(x, axis), along(y, axis), along(z, axis)), turn, slide)
 
 
 @kernel

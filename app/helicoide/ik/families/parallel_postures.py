@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import atan2, cos, sin, sqrt
 
 import numpy as np
+from numpy import empty
 from numpy.typing import NDArray
 
 from helicoide.ik.families.parallel_arm import (
@@ -25,7 +26,7 @@ from helicoide.ik.families.parallel_arm import (
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
 from helicoide.ik.families.two_links import bent, elbows, two_links
 from helicoide.ik.postures.measure import stand_of
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Triple, cross
 from helicoide.kinematics.trigonometry import cosine_and_sine
@@ -38,19 +39,19 @@ LEFT, UP, FLIPPED, LOOSE = range(6, 10)
 FREE_WAIST, FREE_SHOULDER, FREE_WRIST = 1, 2, 4
 
 
-@kernel
+@kernel_into
 def triple(row: Array) -> Triple:
     """Three numbers."""
     return row[0], row[1], row[2]
 
 
-@kernel
+@kernel_into
 def dot(a: Triple, b: Triple) -> float:
     """a · b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@kernel
+@kernel_into
 def rotated(axis: Triple, theta: float, v: Triple) -> Triple:
     """v turned about a unit axis by θ, rad (Rodrigues)."""
     c, s = cosine_and_sine(theta)
@@ -63,13 +64,13 @@ def rotated(axis: Triple, theta: float, v: Triple) -> Triple:
     )
 
 
-@kernel
+@kernel_into
 def out_of(T: Array, v: Triple) -> Triple:
     """R v, for the R of a pose (4, 4)."""
     return dot(triple(T[0]), v), dot(triple(T[1]), v), dot(triple(T[2]), v)
 
 
-@kernel
+@kernel_into
 def into(T: Array, v: Triple) -> Triple:
     """Rᵀ v."""
     return (
@@ -79,14 +80,14 @@ def into(T: Array, v: Triple) -> Triple:
     )
 
 
-@kernel
+@kernel_into
 def centre_from_waist(base: Array, tool: Array, T: Array) -> Triple:
     """v = T W − p₁: where axes 5 and 6 meet, from the foot of the waist, m."""
     w, foot = out_of(T, triple(tool[CENTRE])), triple(base[FOOT])
     return w[0] + T[0, 3] - foot[0], w[1] + T[1, 3] - foot[1], w[2] + T[2, 3] - foot[2]
 
 
-@kernel
+@kernel_into
 def waist_angles(base: Array, aside: float, v: Triple, kept: float) -> tuple[int, float, float]:
     """θ₁ of h · R₁ᵀ v = h · (W − p₁): the parallel axes keep W in a plane that the waist turns."""
     s, h = triple(base[WAIST]), triple(base[ALONG])
@@ -94,7 +95,7 @@ def waist_angles(base: Array, aside: float, v: Triple, kept: float) -> tuple[int
     return linear(dot(h, v) - lean * height, dot(cross(s, h), v), aside - lean * height, kept)
 
 
-@kernel
+@kernel_into
 def fifth_angles(tool: Array, u: Triple) -> tuple[bool, float, float]:
     """Whether there is a θ₅ of h · R₅ ŝ₆ = ŝ₆ · u, and both, rad; u = Rᵀ R₁ h is h as the tool has to see it.
 
@@ -107,7 +108,7 @@ def fifth_angles(tool: Array, u: Triple) -> tuple[bool, float, float]:
     return bool(radicand > -ROUNDING), middle + aside, middle - aside
 
 
-@kernel
+@kernel_into
 def sixth_angle(tool: Array, u: Triple, theta5: float, kept: float) -> tuple[float, bool]:
     """θ₆ of R₆ u = R₅ᵀ h, rad, and whether it is free and kept."""
     s6 = triple(tool[SIXTH])
@@ -118,15 +119,15 @@ def sixth_angle(tool: Array, u: Triple, theta5: float, kept: float) -> tuple[flo
     return atan2(dot(s6, cross(u, there)), dot(u, there) - dot(s6, u) * dot(s6, there)), False
 
 
-@kernel
+@kernel_into
 def postures(
-    base: Array, tool: Array, links: NDArray[np.complex128], signs: Array, aside: float, T: Array, q: Array
-) -> Array:
-    """Every posture for a tool pose (4, 4), m, as rows (k, 10): q, rad, and the columns of this file.
+    base: Array, tool: Array, links: NDArray[np.complex128], signs: Array, aside: float, T: Array, q: Array, rows: Array
+) -> int:
+    """Write every posture for a tool pose (4, 4), m, into rows (8, 10): q, rad, and the columns of this file.
 
-    Args: an arm of `ParallelArm`; q (6,), rad: kept where a joint is free.
+    Args: an arm of `ParallelArm`; q (6,), rad: kept where a joint is free. Returns how many there are.
     """
-    rows, k = np.empty((8, 10)), 0
+    k = 0
     s1, v = triple(base[WAIST]), centre_from_waist(base, tool, T)
     two, kept = two_links(links[UPPER], links[FORE]), (q[0], q[5])
     waists, first, second = waist_angles(base, aside, v, kept[0])
@@ -155,10 +156,9 @@ def postures(
                 row[FLIPPED] = flipped
                 row[LOOSE] = FREE_WAIST * (waists == 1) + FREE_SHOULDER * folded + FREE_WRIST * loose
                 k += 1
-    return rows[:k]
+    return k
 
 
-@kernel
 def joint_values(
     base: Array,
     tool: Array,
@@ -172,13 +172,32 @@ def joint_values(
     q: Array,
 ) -> Array:
     """The rows of `postures`, polished, verified, each once; links_at_zero, arm and free as in `polished`."""
-    goal = stand_of(T_world_tool)
-    rows, there, k = postures(base, tool, links, signs, aside, T_world_tool, q), np.empty(6), 0
-    for row in rows:
-        for i in range(6):
-            there[i] = row[i]
-        if polished(links_at_zero, arm, free, T_world_tool, goal, there) < ACCEPTED and not is_known(rows, k, there):
+    rows = empty((9, 10))
+    return rows[: verify(base, tool, links, signs, aside, links_at_zero, arm, free, T_world_tool, q, rows)]
+
+
+@kernel_into
+def verify(
+    base: Array,
+    tool: Array,
+    links: NDArray[np.complex128],
+    signs: Array,
+    aside: float,
+    links_at_zero: Array,
+    arm: Array,
+    free: Array,
+    T_world_tool: Array,
+    q: Array,
+    rows: Array,
+) -> int:
+    """Write the rows of `joint_values` into rows (9, 10), of which the last is room for one; returns how many."""
+    goal, there, k = stand_of(T_world_tool), rows[8], 0
+    for found in range(postures(base, tool, links, signs, aside, T_world_tool, q, rows)):
+        for i in range(LOOSE + 1):
+            there[i] = rows[found, i]
+        left = polished(links_at_zero, arm, free, T_world_tool, goal, there[:6])
+        if left < ACCEPTED and not is_known(rows, k, there[:6]):
             for i in range(LOOSE + 1):
-                rows[k, i] = there[i] if i < LEFT else row[i]
+                rows[k, i] = there[i]
             k += 1
-    return rows[:k]
+    return k

@@ -7,7 +7,7 @@ from math import atan2, sqrt
 from helicoide.ik.postures.descent import descend, memory_of
 from helicoide.ik.postures.listing import wrapped
 from helicoide.ik.postures.measure import Stand, remains
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
 
 # What a posture may miss without polish, m and rad, and how many steps there are; sines, or lengths in m, that leave an
@@ -16,7 +16,7 @@ EXACT, STEPS = 1e-12, 5
 FREE, ROUNDING, MERGED = 1e-10, 1e-12, 1e-5
 
 
-@kernel
+@kernel_into
 def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float]:
     """How many θ there are of A cos θ + B sin θ = C, and both: Atan2(B, A) ± Atan2(√(A² + B² − C²), C).
 
@@ -32,7 +32,7 @@ def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float
     return 2, middle + aside, middle - aside
 
 
-@kernel
+@kernel_into
 def polished(links: Array, arm: Array, free: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
     """What is left of a pose, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
 
@@ -41,12 +41,18 @@ def polished(links: Array, arm: Array, free: Array, T_world_tool: Array, goal: S
     """
     missed, turned = remains(links, q, goal)
     if max(missed, turned) > EXACT:
-        descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory_of(q.shape[0]))
+        polish(arm, free, T_world_tool, q)
         missed, turned = remains(links, q, goal)
     return max(missed, turned)
 
 
 @kernel
+def polish(arm: Array, free: Array, T_world_tool: Array, q: Array) -> None:
+    """Newton's steps in q; arguments as in `polished`."""
+    descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory_of(q.shape[0]))
+
+
+@kernel_into
 def is_known(rows: Array, k: int, q: Array) -> bool:
     """Whether one of the first k rows has the posture q (n,), rad."""
     for i in range(k):

@@ -7,6 +7,7 @@ from functools import lru_cache
 from math import hypot, pi
 
 import numpy as np
+from numpy import empty
 from numpy.typing import NDArray
 
 from helicoide.ik.families.frames import framed
@@ -118,18 +119,24 @@ def postures(lengths: Array, T_base_wrist: Array, q: Array) -> tuple[Array, NDAr
     return theta, exists
 
 
-@kernel
 def joint_values(lengths: Array, frames: Array, shifts: Array, T_world_tool: Array, q: Array) -> Array:
     """The postures that exist for a tool pose (4, 4), m, as rows (k, 7): q (6,), rad, and the row of `postures`."""
+    rows = empty((8, 7))
+    return rows[: joint_values_into(lengths, frames, shifts, T_world_tool, q, rows)]
+
+
+@kernel
+def joint_values_into(lengths: Array, frames: Array, shifts: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
+    """Write the rows of `joint_values` into rows (8, 7); returns how many there are."""
     theta, exists = postures(lengths, framed(frames[0], T_world_tool, frames[1]), q + shifts)
-    rows, k = np.empty((8, 7)), 0
+    k = 0
     for row in range(8):
         if exists[row]:
             for joint in range(6):
                 rows[k, joint] = theta[row, joint] - shifts[joint]
             rows[k, 6] = row
             k += 1
-    return rows[:k]
+    return k
 
 
 def beyond(lengths: Array, p: Array) -> float:

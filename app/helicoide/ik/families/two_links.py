@@ -7,24 +7,24 @@ from math import atan2, sqrt
 import numpy as np
 
 from helicoide.ik.families.elbow import EDGE
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 
 TwoLinks = tuple[float, float, float, float]
 
 
-@kernel
+@kernel_into
 def angle_of(z: complex) -> float:
     """arg z, rad."""
     return atan2(z.imag, z.real)
 
 
-@kernel
+@kernel_into
 def two_links(l1: complex, l2: complex) -> TwoLinks:
     """|l₁|, |l₂|, arg l₁ and arg(l₂/l₁), m and rad."""
     return abs(l1), abs(l2), angle_of(l1), angle_of(l2 / l1)
 
 
-@kernel
+@kernel_into
 def elbows(z: complex, links: TwoLinks, slack: float) -> tuple[int, float, bool]:
     """How many elbows bring the links to z, m: 0, 1 or 2; the cosine of the bend; whether equal links are folded there.
 
@@ -41,7 +41,7 @@ def elbows(z: complex, links: TwoLinks, slack: float) -> tuple[int, float, bool]
     return 2, cosine, False
 
 
-@kernel
+@kernel_into
 def bent(z: complex, links: TwoLinks, cosine: float, bend: float) -> tuple[float, float]:
     """θ₂ and θ₃ of z = l₁ e^(iθ₂) + l₂ e^(i(θ₂ + θ₃)), rad, for a sign of the bend θ₃ + arg(l₂/l₁)."""
     l1, l2, first, second = links

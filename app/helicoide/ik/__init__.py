@@ -169,7 +169,7 @@ Reason = Contact | ObstacleContact | SelfContact | AtLimit | RcmHeld | AtSpeed |
 
 
 def reason_of(problem: Problem, row: int, multiplier: float = 0.0) -> Reason:
-    """What a slot of `Outcome.held` stands for: 2 n limits, then those of `collision.clearances`."""
+    """What a slot of `Work.held` stands for: 2 n limits, then those of `collision.clearances`."""
     n, k = len(problem.limits.lower), len(problem.planes.normals)
     points, bodies = k * len(problem.robot.guarded_points), len(problem.robot.bodies)
     joint, row = row % n, row - 2 * n

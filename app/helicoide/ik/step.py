@@ -1,9 +1,6 @@
-"""The guarded step as one call: for the loop of the lab, and for anybody's own.
+"""The guarded step as one call, for the loop of the lab and for anybody's own.
 
-arm = packed(problem)
-    work = work_for(arm)
-for T_world_target in path:
-    step(arm, q, T_world_target, STILL, dt, work.memory)
+The arm is packed once, and its work space made once; then `step` after `step` moves q in place.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ EVERY = -1
 def rotation_vector(R_to: Array, R_from: Array) -> Array:
     """Rotation vector of R_to R_fromᵀ, the shorter way: θ a with 0 ≤ θ ≤ π, world frame; (3,).
 
-    Args: rotations (3, 3), or poses, both in the world frame. Source: `descent.turn_to`.
+    Args: rotations (3, 3), or poses, both in the world frame. Written out in `tool.turn_to`.
     """
     vector = np.empty(3)
     vector[0], vector[1], vector[2] = turn_to(R_to, row_of(R_from, 0), row_of(R_from, 1), row_of(R_from, 2))

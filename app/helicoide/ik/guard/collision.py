@@ -139,12 +139,8 @@ def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Arra
         for plane in range(at.planes, at.pairs):
             room = height(arm, plane, points, point)
             if not room > points[point, FAR]:
-                near[count, NUMBER], near[count, LEFT], near[count, POINT], near[count, PLANE] = (
-                    number,
-                    room,
-                    point,
-                    plane,
-                )
+                near[count, NUMBER], near[count, LEFT] = number, room
+                near[count, POINT], near[count, PLANE] = point, plane
                 count += 1
             number += 1
     for pair in range(at.pairs, at.end):

@@ -81,7 +81,7 @@ class Page:
 
     shown: called with the time and each point that a scene message carries; heard: with each message of viser; made:
     the controls by their first label; labels: what each reads now; frames: how many times the scene has changed;
-    notice: what the status line says.
+    notice: what the status line says; told: what was said to its person alone.
     """
 
     def __init__(self, socket: ClientConnection, port: int, ahead: float = 0.0) -> None:
@@ -97,6 +97,7 @@ class Page:
         self.notice: Message = {}
         self.made: dict[str, Message] = {}
         self.labels: dict[str, str] = {}
+        self.told: list[str] = []
         self.frames = 0
         self.offset, self.old = float("-inf"), 0.0  # ms; old: how long ago its hand made what it sends
         self.shown: Callable[[float, Point], None] = lambda when, point: None
@@ -169,6 +170,8 @@ class Page:
             case kind if kind.startswith("Gui") and "label" in message.get("props", {}):
                 self.made[message["props"]["label"]] = message
                 self.labels[message["uuid"]] = message["props"]["label"]
+            case "NotificationShowMessage":
+                self.told.append(message["props"]["body"])
             case "GuiUpdateMessage" if "label" in message["updates"]:
                 self.labels[message["uuid"]] = message["updates"]["label"]
 

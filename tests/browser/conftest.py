@@ -10,6 +10,8 @@ import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 from tests.browser.lab import Lab, opened, until
 
+from helicoide.view import link
+
 CHROMIUMS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = (
     "--no-sandbox",
@@ -30,6 +32,14 @@ SLOW_GL_TOAST = "text=Software WebGL rendering detected"
 HIDE = "toast => { toast.closest('.mantine-Notification-root').style.display = 'none' }"
 
 OpenPage = Callable[..., Page]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def patience() -> Iterator[None]:
+    """A slow machine may take longer than a second to bring a click to the lab; `tests/session` tests what is stale."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(link, "FRESH", PATIENCE_MS / 1000)
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
+from operator import attrgetter
 
 import pytest
 from tests.pages import Hand
@@ -12,6 +13,7 @@ from tests.session.labs import after_ticks, eventually, running, state, window
 from helicoide.command import Hold
 from helicoide.session.lab import Lab
 from helicoide.state import State, initial
+from helicoide.view.window import LATE
 
 BUSY = 0.3
 HERE = {"wxyz": (0.0, 1.0, 0.0, 0.0), "position": (0.5, 0.1, 0.3)}
@@ -64,7 +66,7 @@ ASKED: dict[str, Ask] = {
     "slider": give("1 waist", 40.0),
     "play": give("Play", True),
     "target": give("x y z [mm]", (500.0, 100.0, 300.0)),
-    "posture": give("Go to pose", "zero"),
+    "posture": give("Go to pose", "arm stretched"),
     "gripper": give("Gripper [%]", 80.0),
     "drag": drag,
     "plane": drag_of_a_plane,
@@ -82,6 +84,16 @@ def unmoved(lab: Lab, before: State) -> bool:
         and after.problem is before.problem
         and after.request.gripper == before.request.gripper
     )
+
+
+@pytest.mark.parametrize("asked", ASKED)
+def test_what_is_fresh_counts(lab: Lab, one: Hand, asked: str) -> None:
+    before = state(lab)
+    ASKED[asked](one)
+    parts = ("request.command", "request.gripper", "problem", "robot")
+    assert eventually(lambda: any(attrgetter(part)(state(lab)) is not attrgetter(part)(before) for part in parts))
+    lab.loop.call_soon_threadsafe(lab.shared.arms.change, before.robot.name)
+    assert eventually(lambda: state(lab).robot is before.robot)
 
 
 @pytest.mark.parametrize("asked", ASKED)
@@ -129,10 +141,13 @@ def test_what_was_made_after_the_stop_was_known_counts(lab: Lab, one: Hand, othe
 
 
 @pytest.mark.parametrize("asked", ASKED)
-def test_what_is_older_than_a_second_does_nothing(lab: Lab, one: Hand, asked: str) -> None:
+def test_what_is_older_than_a_second_does_nothing_and_is_told(lab: Lab, one: Hand, asked: str) -> None:
     before, one.page.old = state(lab), 1100.0
-    ASKED[asked](one)
+    for _ in range(3):
+        ASKED[asked](one)
+    assert eventually(lambda: bool(one.page.told))
     after = after_ticks(lab)
+    assert one.page.told == [LATE["en"]]  # once, not for each message
     assert after.request.command is before.request.command
     assert after.problem is before.problem
     assert after.robot is before.robot

@@ -9,6 +9,7 @@ import pytest
 from tests.ik.closed.rows import worst
 from tests.ik.closed.small_arms import recovered
 
+from helicoide.ik import closed
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at
@@ -23,7 +24,7 @@ COUNT = 20_000
 
 def answers(form: object, robot: Robot, lower: Array, upper: Array) -> Iterator[tuple[Array, Answer]]:
     for q in np.random.default_rng(20).uniform(lower, upper, (COUNT, lower.size)):
-        yield q, form.solve(robot, tool_at(robot, frozen(q)), robot.poses["ready"])  # type: ignore[attr-defined]
+        yield q, closed.solve(form, robot, tool_at(robot, frozen(q)), robot.poses["ready"])  # type: ignore[attr-defined]
 
 
 def test_polar() -> None:

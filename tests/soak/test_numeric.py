@@ -24,4 +24,4 @@ def test_all_eight_postures_of_the_puma_are_found() -> None:
     form = closed.found()["puma560"]
     for q in postures(robot, 1_000, seed=9):
         goal = tool_at(robot, q)
-        assert same_postures(robot, numeric.branches(robot, goal, q), form.solve(robot, goal, q), 1e-5)
+        assert same_postures(robot, numeric.branches(robot, goal, q), closed.solve(form, robot, goal, q), 1e-5)

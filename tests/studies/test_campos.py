@@ -227,5 +227,5 @@ def test_a_wrong_subproblem_shows_in_the_residual_of_the_screws(monkeypatch: pyt
     monkeypatch.setattr(screws, "turn_to", mirrored)
     robot = load("puma560")
     T = tool_at(robot, frozen([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
-    branches = closed.found()["screws"].solve(robot, T, np.zeros(6)).branches
+    branches = closed.solve(closed.found()["screws"], robot, T, np.zeros(6)).branches
     assert max(branch.turned for branch in branches) > 0.1

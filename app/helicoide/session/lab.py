@@ -213,6 +213,8 @@ class Lab:
             self._stopped(window.link.key)
         elif window.link.drives:
             self._act(visitor, wish)
+        elif window.link.late:
+            window.tell_late()
 
     def _act(self, visitor: Visitor, wish: Wish) -> None:
         match wish:

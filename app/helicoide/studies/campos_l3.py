@@ -8,6 +8,7 @@ from typing import Annotated, cast
 import numpy as np
 
 from helicoide.geometry import euler, rotation
+from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.actuators import Actuators
@@ -53,7 +54,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     robot, now = load(ROBOT), np.zeros(5)
     actuators = cast(Actuators, robot.actuators)
     turn = motoman_l3.pointed(robot, goal(), now)
-    branches = motoman_l3.solve(robot, goal(), now).branches
+    branches = closed.solve(motoman_l3, robot, goal(), now).branches
     missed, lost, counts = there_and_back(robot, FEW if short else int(options.poses), progress)
     way = lifted(robot, actuators)
     rows = [
@@ -86,7 +87,7 @@ def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float,
     """Of random postures: the worst miss of any answer, m or rad, the generating one's distance, rad, the counts."""
     missed, lost, counts = 0.0, 0.0, set[int]()
     for done, q in enumerate(np.random.default_rng(20).uniform(-np.pi, np.pi, (count, 5)), start=1):
-        answer = motoman_l3.solve(robot, tool_at(robot, frozen(q)), robot.poses["ready"])
+        answer = closed.solve(motoman_l3, robot, tool_at(robot, frozen(q)), robot.poses["ready"])
         counts.add(len(answer.branches))
         missed = max(missed, *(max(branch.missed, branch.turned) for branch in answer.branches))
         lost = max(lost, min(float(np.abs(wrap(branch.q - q)).max()) for branch in answer.branches))

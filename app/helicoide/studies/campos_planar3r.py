@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.confinement import Obstacles
+from helicoide.ik import closed
 from helicoide.ik.closed import planar3r
 from helicoide.ik.families import elbow
 from helicoide.ik.postures import choice, numeric
@@ -56,7 +57,7 @@ def of_third_axis(x: float, y: float, phi: float) -> Array:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The two roads, the choice, and random postures; short: 500 of them."""
     robot = planar(ROBOT, L1, L2, L3)
-    branches = planar3r.solve(robot, of_third_axis(*GOAL), np.zeros(3)).branches
+    branches = closed.solve(planar3r, robot, of_third_axis(*GOAL), np.zeros(3)).branches
     missed, apart, lost, counts = both_roads(robot, FEW if short else int(options.poses), progress)
     near, weighed, around = chosen(robot)
     less, others = weighing(robot)
@@ -90,7 +91,7 @@ Ranking = tuple[choice.Ranked, ...]
 
 def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
     """The choice with equal weights, with falling ones, and with equal ones and a post at the elbow of the nearest."""
-    branches = planar3r.solve(robot, of_third_axis(*CHOICE), NOW).branches
+    branches = closed.solve(planar3r, robot, of_third_axis(*CHOICE), NOW).branches
     near = choice.ranked(robot, branches, NOW, ALIKE)
     post = Obstacles().with_sphere(link_poses(robot.chain, near[0].branch.q)[2][:3, 3], POST)
     around = choice.ranked(robot, branches, NOW, ALIKE, choice.touching(robot, post))
@@ -104,7 +105,7 @@ def weighing(robot: Robot) -> tuple[float, float]:
     """
     turns = []
     for now, q in np.random.default_rng(17).uniform(-np.pi, np.pi, (CHOICES, 2, 3)):
-        branches = planar3r.solve(robot, tool_at(robot, frozen(q)), now).branches
+        branches = closed.solve(planar3r, robot, tool_at(robot, frozen(q)), now).branches
         changes = (choice.ranked(robot, branches, now, weights)[0].change for weights in (ALIKE, FALLING))
         turns.append([abs(float(change[0])) for change in changes])
     alike, falling = np.array(turns).T
@@ -118,7 +119,7 @@ def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, flo
     """
     missed, apart, lost, counts = 0.0, 0.0, 0.0, set[int]()
     for done, q in enumerate(np.random.default_rng(20).uniform(-np.pi, np.pi, (count, 3)), start=1):
-        answer = planar3r.solve(robot, tool_at(robot, frozen(q)), np.zeros(3))
+        answer = closed.solve(planar3r, robot, tool_at(robot, frozen(q)), np.zeros(3))
         counts.add(len(answer.branches))
         missed = max(missed, *(max(branch.missed, branch.turned) for branch in answer.branches))
         lost = max(lost, min(float(np.abs(wrap(branch.q - q)).max()) for branch in answer.branches))

@@ -8,6 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.geometry import euler, rotation
+from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import subspace
@@ -53,7 +54,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     progress(0.4)
     ahead, down, across = polar_frame(polar, goals)
     progress(0.6)
-    found = [motoman_l3.solve(robot, T, robot.poses["ready"]).branches for T in goals]
+    found = [closed.solve(motoman_l3, robot, T, robot.poses["ready"]).branches for T in goals]
     progress(0.8)
     rows = [
         *(

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.ik import closed
 from helicoide.ik.closed import puma560
 from helicoide.ik.families import puma_arm
 from helicoide.ik.postures import numeric, solvability
@@ -65,7 +66,7 @@ def there_and_back(
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """One pose, the flip, searches, and random poses; short: 1,000 of them."""
     arm = load(ROBOT)
-    branches = puma560.solve(arm, tool_at(arm, EXAMPLE), np.zeros(6)).branches
+    branches = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), np.zeros(6)).branches
     missed, apart, least, most = there_and_back(arm, FEW if short else int(options.poses), 560, progress)
     meeting = solvability.meeting_axes(arm)
     rows = [
@@ -106,7 +107,7 @@ def _unknown_to_the_form(arm: Robot) -> int:
     unknown = 0
     for q in np.random.default_rng(23).uniform(-2.5, 2.5, (SEARCHED, 6)):
         T = tool_at(arm, q)
-        formed = np.array([branch.q for branch in puma560.solve(arm, T, np.zeros(6)).branches])
+        formed = np.array([branch.q for branch in closed.solve(puma560, arm, T, np.zeros(6)).branches])
         searched, _ = numeric.gathered(numeric.searcher(arm), np.ascontiguousarray(T), np.zeros(6), True, 64)
         apart = np.abs(wrap(formed[:, None] - searched)).max(axis=2)
         unknown += int((apart.min(axis=0) > 1e-5).sum() + (apart.min(axis=1) > 1e-5).sum())

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.ik import closed
 from helicoide.ik.closed import pieper
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import numeric
@@ -120,7 +121,7 @@ def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list
     counts: list[int] = []
     for done in range(arms):
         robot = spherical(draw, FAMILIES[done % len(FAMILIES)], right_wrist=False)
-        counts.append(len(pieper.solve(robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches))
+        counts.append(len(closed.solve(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches))
         progress((done + 1) / arms)
     return counts
 

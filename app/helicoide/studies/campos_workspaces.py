@@ -7,6 +7,7 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.ik import closed
 from helicoide.ik.closed import planar2r
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.workspace import reachable
@@ -95,7 +96,7 @@ def _map(robot: Robot, samples: int, done: int, progress: Progress) -> Map:
 
 def _count(arm: Robot, r: float) -> int:
     """How many postures within the limits there are for a point at the distance r, m."""
-    return sum(branch.within for branch in planar2r.solve(arm, upright(r, 0.0), np.zeros(2)).branches)
+    return sum(branch.within for branch in closed.solve(planar2r, arm, upright(r, 0.0), np.zeros(2)).branches)
 
 
 def _counts(robot: Robot, half: Robot, inner: float, outer: float) -> list[Row]:

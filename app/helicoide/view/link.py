@@ -48,8 +48,20 @@ class Link:
     @property
     def drives(self) -> bool:
         """Whether what comes now counts."""
-        fresh = monotonic() - self.made_at <= FRESH  # false for NaN
-        return self.channels > 0 and self.passed == self.fence and fresh
+        return self._may_drive and self._fresh
+
+    @property
+    def late(self) -> bool:
+        """Whether what comes now would have counted, had it not been on its way for so long."""
+        return self._may_drive and not self._fresh
+
+    @property
+    def _may_drive(self) -> bool:
+        return self.channels > 0 and self.passed == self.fence
+
+    @property
+    def _fresh(self) -> bool:
+        return monotonic() - self.made_at <= FRESH  # false for NaN
 
     def close(self) -> int:
         """Nothing counts until the page has passed the fence of this number."""

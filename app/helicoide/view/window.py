@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from itertools import chain
-from time import perf_counter
+from time import monotonic, perf_counter
 from types import MappingProxyType
 
 import numpy as np
@@ -36,6 +36,12 @@ LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Br
 PANEL = same("Helicoide")
 OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
 SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
+LATE = Text(
+    en="That took more than a second to arrive and counted for nothing: this computer or the network is busy. "
+    "Please do it again.",
+    pt_BR="Isso levou mais de um segundo para chegar e não valeu: o computador ou a rede está ocupado. "
+    "Faça de novo, por favor.",
+)
 TOLD_FOR = 10.0
 AT_A_TIME = 0.004  # s of rows that are written before others may come in between
 # On an upright page the panel is a sheet over the lower half: look from farther in front, and below the arm.
@@ -71,6 +77,7 @@ class Window:
         self.top: list[Placed] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
+        self.told_late = -TOLD_FOR
         self.uploads = Uploads(client, self.tell)
         self._busy = asyncio.Lock()
 
@@ -82,6 +89,12 @@ class Window:
     def tell(self, text: Text) -> None:
         """Say something to this person alone."""
         self.client.add_notification(PANEL[self.language], text[self.language], auto_close_seconds=TOLD_FOR)
+
+    def tell_late(self) -> None:
+        """Say that what was just done came too late, once while it can be read: a drag is many messages."""
+        if monotonic() - self.told_late >= TOLD_FOR:
+            self.told_late = monotonic()
+            self.tell(LATE)
 
     @property
     def language(self) -> Language:

@@ -30,7 +30,7 @@ BY = [(name, family) for name, families in FAMILIES.items() for family in famili
 
 
 def found(family: str, robot: Robot, T: Array, q: Array) -> Answer:
-    return closed.found()[family].solve(robot, T, q)
+    return closed.solve(closed.found()[family], robot, T, q)
 
 
 def apart(one: Answer, other: Answer) -> float:

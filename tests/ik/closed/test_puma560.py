@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from tests.ik.closed.rows import distance, worst
 
+from helicoide.ik import closed
 from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import puma_arm
 from helicoide.ik.postures.branch import tool_at, wrap
@@ -51,7 +52,7 @@ def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Arr
 def test_the_eight_postures_of_the_example(arm: Robot) -> None:
     assert np.allclose(wrist(LENGTHS[0], EXAMPLE)[:3, 3], POINT, rtol=0, atol=5e-7)
     np.testing.assert_allclose(np.degrees(wrap(rows_for(LENGTHS[0], EXAMPLE))), TABLE, rtol=0, atol=5.1e-5)
-    answer = puma560.solve(arm, tool_at(arm, EXAMPLE), HERE)
+    answer = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), HERE)
     off = wrap([branch.q for branch in answer.branches] - np.radians(TABLE))
     assert np.abs(np.degrees(off)).max() < 5.1e-5
 
@@ -91,7 +92,7 @@ def test_there_and_back_again(lengths: tuple[float, ...]) -> None:
     """Eight postures each time, all there, among them the one that made the pose; base and tool anywhere."""
     robot = puma(*lengths)
     for q in np.random.default_rng(2).uniform(-pi, pi, (30, 6)):
-        answer = puma560.solve(robot, tool_at(robot, q), HERE)
+        answer = closed.solve(puma560, robot, tool_at(robot, q), HERE)
         assert len(answer.branches) == 8
         assert worst(robot, answer) < 1e-12
         assert distance(answer, q) < 1e-9
@@ -120,7 +121,7 @@ def test_the_flip_keeps_the_tool_still(arm: Robot) -> None:
     for q in np.random.default_rng(5).uniform(-pi, pi, (20, 6)):
         flipped = q * [1, 1, 1, 1, -1, 1] + [0, 0, 0, pi, 0, pi]
         np.testing.assert_allclose(tool_at(arm, flipped), tool_at(arm, q), rtol=0, atol=2e-15)
-        names = {branch.name.en for branch in puma560.solve(arm, tool_at(arm, q), HERE).branches}
+        names = {branch.name.en for branch in closed.solve(puma560, arm, tool_at(arm, q), HERE).branches}
         assert len(names) == 8
 
 
@@ -130,7 +131,7 @@ def test_names_say_where_shoulder_and_elbow_are(lengths: tuple[float, ...]) -> N
     robot = puma(*lengths)
     up = robot.dh.T_world_dh[:3, 2]
     for q in np.random.default_rng(6).uniform(-pi, pi, (10, 6)):
-        for branch in puma560.solve(robot, tool_at(robot, q), HERE).branches:
+        for branch in closed.solve(puma560, robot, tool_at(robot, q), HERE).branches:
             frames = dh_frames(robot, branch.q)
             axis = frames[3][:3, 2]
             elbow, centre = (frames[i][:3, 3] - frames[2][:3, 3] - lengths[2] * axis for i in (3, 6))
@@ -156,7 +157,7 @@ def stretched(lengths: tuple[float, ...], way: int) -> Array:
 
 def test_at_the_shoulder_singularity_the_pairs_merge(arm: Robot) -> None:
     q = shoulder_singular(LENGTHS[0], 0.9)
-    answer = puma560.solve(arm, tool_at(arm, q), HERE)
+    answer = closed.solve(puma560, arm, tool_at(arm, q), HERE)
     assert len(answer.branches) == 4
     assert worst(arm, answer) < 1e-12
     assert distance(answer, q) < 1e-6
@@ -166,7 +167,7 @@ def test_at_the_shoulder_singularity_the_pairs_merge(arm: Robot) -> None:
 def test_at_the_elbow_singularity_the_pairs_merge(arm: Robot, way: int, known: float) -> None:
     """Folded, the wrist centre is half a millimetre from the shoulder, and θ2 that much less certain."""
     q = stretched(LENGTHS[0], way)
-    answer = puma560.solve(arm, tool_at(arm, q), HERE)
+    answer = closed.solve(puma560, arm, tool_at(arm, q), HERE)
     assert len(answer.branches) == 4
     assert worst(arm, answer) < 1e-12
     assert distance(answer, q) < known
@@ -176,7 +177,7 @@ def test_at_the_elbow_singularity_the_pairs_merge(arm: Robot, way: int, known: f
 def test_a_singular_wrist_keeps_joint_4(arm: Robot, theta5: float) -> None:
     q = np.array([0.3, -0.5, 0.7, 0.4, theta5, -1.1])
     for kept in (0.0, 1.3):
-        answer = puma560.solve(arm, tool_at(arm, q), np.array([0, 0, 0, kept, 0, 0]))
+        answer = closed.solve(puma560, arm, tool_at(arm, q), np.array([0, 0, 0, kept, 0, 0]))
         assert answer.free == (3, 5)
         assert "joint 4 keeps" in answer.words.en
         assert "junta 4 mantém" in answer.words.pt_BR
@@ -184,7 +185,7 @@ def test_a_singular_wrist_keeps_joint_4(arm: Robot, theta5: float) -> None:
         assert worst(arm, answer) < 1e-12
         singular = [branch for branch in answer.branches if abs(sin(branch.q[4])) < 1e-9]
         assert [branch.q[3] for branch in singular] == [kept]
-    assert distance(puma560.solve(arm, tool_at(arm, q), q), q) < 1e-9
+    assert distance(closed.solve(puma560, arm, tool_at(arm, q), q), q) < 1e-9
 
 
 def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
@@ -192,7 +193,7 @@ def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
     robot = puma(*lengths)
     q = shoulder_singular(lengths, 0.9) - [row.theta for row in robot.dh.rows]
     for kept in (0.5, -2.0):
-        answer = puma560.solve(robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
+        answer = closed.solve(puma560, robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
         assert answer.free == (0,)
         assert [branch.q[0] for branch in answer.branches] == pytest.approx([kept] * 4)
         assert worst(robot, answer) < 1e-12
@@ -202,7 +203,7 @@ def test_equal_links_folded_onto_the_shoulder_keep_joint_2() -> None:
     lengths = (0.4, 0.0, 0.1, 0.4)
     robot = puma(*lengths)
     q = stretched(lengths, -1) - [row.theta for row in robot.dh.rows]
-    answer = puma560.solve(robot, tool_at(robot, q), q)
+    answer = closed.solve(puma560, robot, tool_at(robot, q), q)
     assert 1 in answer.free
     assert worst(robot, answer) < 1e-9
     assert distance(answer, q) < 1e-6
@@ -214,9 +215,9 @@ def test_rounding_does_not_put_an_edge_out_of_reach(arm: Robot) -> None:
     assert np.linalg.norm(T[:3, 3]) == pytest.approx(outer, abs=1e-12)
     beyond = T.copy()
     beyond[:3, 3] *= 1 + 1e-13
-    assert puma560.solve(arm, beyond, HERE).branches
+    assert closed.solve(puma560, arm, beyond, HERE).branches
     beyond[:3, 3] *= 1 + 1e-9
-    answer = puma560.solve(arm, beyond, HERE)
+    answer = closed.solve(puma560, arm, beyond, HERE)
     assert answer.branches == ()
     assert answer.short == pytest.approx(1e-9 * outer, rel=1e-3)
 
@@ -232,7 +233,7 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
         T = np.eye(4)
         T[:3, 3] = place
         T = T @ robot.dh.T_dh_tool
-        answer, by_search = puma560.solve(robot, T, HERE), pieper.solve(robot, T, HERE)
+        answer, by_search = closed.solve(puma560, robot, T, HERE), closed.solve(pieper, robot, T, HERE)
         assert (len(answer.branches) == 0) == (answer.short > 0) == ("Out of reach" in answer.words.en)
         assert answer.short == pytest.approx(by_search.short, abs=1e-8)
         assert (same("{short:.3g} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
@@ -246,7 +247,7 @@ def test_the_range_of_the_source() -> None:
 
 def test_two_of_the_eight_keep_the_limits(arm: Robot) -> None:
     """The robot's file names both."""
-    answer = puma560.solve(arm, tool_at(arm, arm.poses["example"]), HERE)
+    answer = closed.solve(puma560, arm, tool_at(arm, arm.poses["example"]), HERE)
     within = [branch.q for branch in answer.branches if branch.within]
     expected = [arm.poses["example"], arm.poses["example_other"]]
     np.testing.assert_allclose(within, expected, rtol=0, atol=2e-6)
@@ -257,7 +258,7 @@ def test_other_arms_are_refused(name: str) -> None:
     other = load(name)
     assert puma560.applies(other) is not None
     with pytest.raises(HelicoideError):
-        puma560.solve(other, np.eye(4), np.zeros(len(other.variables)))
+        closed.solve(puma560, other, np.eye(4), np.zeros(len(other.variables)))
 
 
 @pytest.mark.parametrize(("row", "column"), [(1, 0), (3, 0), (4, 0), (1, 1), (4, 1), (1, 2), (4, 2)])
@@ -277,7 +278,7 @@ def test_the_form_is_known_by_its_rows(arm: Robot) -> None:
 
 
 def test_what_the_equations_gave_on_the_way(arm: Robot) -> None:
-    answer = puma560.solve(arm, tool_at(arm, EXAMPLE), HERE)
+    answer = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), HERE)
     for branch, values in zip(answer.branches, answer.values, strict=True):
         a2, a3, d3, d4 = LENGTHS[0]
         p, theta = link_poses(arm.chain, branch.q)[-1][:3, 3], [values[f"θ_{i + 1}"] for i in range(6)]

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from tests.ik.postures.branches import branch_of
 
 from helicoide.confinement import Obstacles
+from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3, planar3r
 from helicoide.ik.postures import choice
 from helicoide.ik.postures.branch import Branch, tool_at
@@ -33,7 +34,7 @@ def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
     """The third axis at (−0.7, −1.1), φ = −1.4; recomputed from the formulas of the source."""
     phi = -1.4
     T = upright(-0.7 + L3 * np.cos(phi), -1.1 + L3 * np.sin(phi), phi)
-    return planar3r.solve(robot, T, NOW).branches
+    return closed.solve(planar3r, robot, T, NOW).branches
 
 
 @pytest.mark.parametrize(("weights", "costs", "chosen"), COSTS.values())
@@ -121,7 +122,7 @@ def test_the_ranking_goes_by_cost_and_no_branch_is_lost(
     q: tuple[float, ...], now: tuple[float, ...], weights: tuple[float, ...]
 ) -> None:
     robot = load_l3()
-    branches = motoman_l3.solve(robot, tool_at(robot, np.array(q)), np.array(now)).branches
+    branches = closed.solve(motoman_l3, robot, tool_at(robot, np.array(q)), np.array(now)).branches
     rows = choice.ranked(robot, branches, np.array(now), weights)
     assert {id(row.branch) for row in rows} == {id(branch) for branch in branches}
     assert [row.dropped is None for row in rows] == sorted((row.dropped is None for row in rows), reverse=True)

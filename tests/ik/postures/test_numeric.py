@@ -105,7 +105,7 @@ def test_all_eight_postures_of_the_puma_are_found() -> None:
     form = closed.found()["puma560"]
     for q in postures(robot, 20, seed=5):
         goal = tool_at(robot, q)
-        known = form.solve(robot, goal, q)
+        known = closed.solve(form, robot, goal, q)
         assert len(known.branches) == 8
         assert same_postures(robot, numeric.branches(robot, goal, q), known, 1e-6)
 

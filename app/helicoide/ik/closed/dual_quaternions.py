@@ -18,7 +18,7 @@ from helicoide.ik.families.elbow_wrist import ElbowWrist
 from helicoide.ik.families.listed import Steps, theta
 from helicoide.ik.families.six_or_five import refusal, solved
 from helicoide.ik.families.turret import Turret
-from helicoide.ik.postures.answer import Answer, Found, as_found
+from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import joint_motor
 from helicoide.kinematics.robot import Robot
@@ -52,11 +52,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     Raises HelicoideError for what is no pose and for another kind of arm.
     """
     return solved(robot, T_world_tool, q, _six, _five)
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found."""
-    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def halves(L: Array, measure: Callable[[Array], float], kept: float) -> list[float]:

@@ -11,7 +11,7 @@ from helicoide.geometry import rotation
 from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_wrist import ELSE, ElbowWrist, elbow_wrist
 from helicoide.ik.families.listed import Steps, listed, theta
-from helicoide.ik.postures.answer import Answer, Found, as_found
+from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -45,11 +45,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     if (arm := elbow_wrist(robot)) is None:
         raise HelicoideError(ELSE)
     return listed(robot, T_world_tool, q, lambda T, now: _postures(robot, arm, T, now))
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found."""
-    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def _postures(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:

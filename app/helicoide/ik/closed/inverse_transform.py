@@ -13,7 +13,7 @@ import numpy as np
 from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.families.listed import Steps, listed, theta
 from helicoide.ik.families.turret import turret
-from helicoide.ik.postures.answer import Answer, Found, as_found
+from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -64,11 +64,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     if (reason := applies(robot)) is not None:
         raise HelicoideError(reason)
     return listed(robot, T_world_tool, q, lambda T, now: _postures(robot, T, now))
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found."""
-    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def _postures(robot: Robot, T_world_tool: Array, q: Array) -> Iterator[Steps]:

@@ -11,7 +11,7 @@ from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_turret import ElbowTurret, elbow_turret
 from helicoide.ik.families.pointing import Pointing
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Answer, Found, Said, as_found, rows_of
+from helicoide.ik.postures.answer import Found, Said, rows_of
 from helicoide.ik.postures.branch import check_pose, sentences, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
@@ -98,11 +98,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     )
     rows = rows_of([_joints(arm, steps) for _, steps in found], 5)
     return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short=arm.links.beyond(r))
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found."""
-    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def _steps(links: elbow.Annulus, T: Array, theta1: float, kept: float) -> list[dict[str, float]]:

@@ -12,8 +12,8 @@ import numpy as np
 from helicoide.ik.families import elbow
 from helicoide.ik.families.movemaster_arm import BACK, BEND, Side, joint_values, seen, side_of
 from helicoide.ik.families.two_links import elbows, two_links
-from helicoide.ik.postures.answer import Answer, Found, as_found
-from helicoide.ik.postures.branch import check_pose, sentences, wrap
+from helicoide.ik.postures.answer import Found
+from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.subspace import Projection
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
@@ -50,17 +50,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     rows, goal, noted = joint_values(arm.packed, T_world_tool, q)
     told = Words(arm, goal, rows, noted, float(q[0]))
     return Found(rows, goal, told, turned=float(noted[0]), short=0.0 if len(rows) else arm.links.beyond(told.nearer))
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found.
-
-    Raises HelicoideError for a robot of another kind and for what is no pose.
-    """
-    if (reason := applies(robot)) is not None:
-        raise HelicoideError(reason)
-    T = check_pose(T_world_tool)
-    return as_found(robot, find(robot, T, robot.check_joints(q)), T)
 
 
 @dataclass(frozen=True, eq=False)

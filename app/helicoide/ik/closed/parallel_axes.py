@@ -34,8 +34,8 @@ from helicoide.ik.families.parallel_postures import (
 )
 from helicoide.ik.families.two_links import elbows, two_links
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Answer, Found, as_found
-from helicoide.ik.postures.branch import check_pose, sentences, wrap
+from helicoide.ik.postures.answer import Found
+from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.numeric import searcher
 from helicoide.kinematics.chain import Array
@@ -82,14 +82,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     )
     short = 0.0 if len(rows) else subspace.beyond(robot, T_world_tool, q)
     return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found; raises HelicoideError for what is no pose too."""
-    if (reason := applies(robot)) is not None:
-        raise HelicoideError(reason)
-    T = check_pose(T_world_tool)
-    return as_found(robot, find(robot, T, robot.check_joints(q)), T)
 
 
 @dataclass(frozen=True, eq=False)

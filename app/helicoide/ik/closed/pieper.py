@@ -21,8 +21,8 @@ from helicoide.ik.families.pieper_postures import (
     joint_values,
     wrist_pose,
 )
-from helicoide.ik.postures.answer import Answer, Found, as_found
-from helicoide.ik.postures.branch import check_pose, sentences
+from helicoide.ik.postures.answer import Found
+from helicoide.ik.postures.branch import sentences
 from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.numeric import searcher
 from helicoide.kinematics.chain import Array
@@ -66,14 +66,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     rows = joint_values(arm.packed, measured(robot), of.arm, of.unbounded, T_world_tool, q)
     told = Words(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found; raises HelicoideError for what is no pose too."""
-    if (reason := applies(robot)) is not None:
-        raise HelicoideError(reason)
-    T = check_pose(T_world_tool)
-    return as_found(robot, find(robot, T, robot.check_joints(q)), T)
 
 
 @dataclass(frozen=True, eq=False)

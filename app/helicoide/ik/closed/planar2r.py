@@ -9,7 +9,7 @@ import numpy as np
 from helicoide.ik.families import elbow
 from helicoide.ik.families.planar import planar
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Answer, Found, Said, as_found, rows_of
+from helicoide.ik.postures.answer import Found, Said, rows_of
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
@@ -60,11 +60,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     )
     rows = rows_of([arm.joints(theta) for theta in thetas], 2)
     return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short=arm.links.beyond(r))
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found."""
-    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)
 
 
 def _orientations(values: list[dict[str, float]]) -> Text:

@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide.ik.families.polar_arm import polar_arm
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Answer, Found, Said, as_found
+from helicoide.ik.postures.answer import Found, Said
 from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
@@ -71,8 +71,3 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
         free=(0,) if on_axis else (),
     )
     return Found(np.array([[theta1, slide]]), goal.T_world_goal, told, goal.moved, goal.turned)
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found."""
-    return as_found(robot, find(robot, T_world_tool, q), T_world_tool)

@@ -11,8 +11,8 @@ import numpy as np
 
 from helicoide.ik.families.frames import framed
 from helicoide.ik.families.puma_arm import FREE, Puma, beyond, is_folded, joint_values, puma, wrist_range
-from helicoide.ik.postures.answer import Answer, Found, as_found
-from helicoide.ik.postures.branch import check_pose, sentences
+from helicoide.ik.postures.answer import Found
+from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -51,17 +51,6 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     rows = joint_values(arm.lengths, arm.frames, arm.shifts, T_world_tool, q)
     told = Words(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
-
-
-def solve(robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """The same as an answer, in the order in which they were found.
-
-    Raises HelicoideError for what is no pose, for another kind of arm, and unless q has six finite values.
-    """
-    if (reason := applies(robot)) is not None:
-        raise HelicoideError(reason)
-    T = check_pose(T_world_tool)
-    return as_found(robot, find(robot, T, robot.check_joints(q)), T)
 
 
 @dataclass(frozen=True, eq=False)

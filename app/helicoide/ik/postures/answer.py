@@ -187,13 +187,12 @@ class Form(Protocol):
     SOURCE: str
     RANK: int
     OF_POINTS: bool
-    EQUATIONS: tuple[str, ...]
+
+    @property
+    def EQUATIONS(self) -> tuple[str, ...]: ...
 
     def applies(self, robot: Robot) -> Text | None:
         """Why the form does not apply to a robot; None where it does."""
 
     def find(self, robot: Robot, T_world_tool: Array, q: Array) -> Found:
         """Every posture for a tool pose (4, 4), m; q (n,), rad or m: kept where a joint is free. Both are checked."""
-
-    def solve(self, robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-        """The same as an answer, in the order in which they were found; raises HelicoideError for what is no pose."""

@@ -176,7 +176,7 @@ def rows_of(postures: Sequence[Array], n: int) -> Array:
 
 
 class Form(Protocol):
-    """A module of `ik/closed/`: a closed form for a family of arms. EQUATIONS: its steps, in TeX, in order.
+    """A module of `ik/closed/`: a closed form for a family of arms.
 
     RANK: of several that apply to an arm the lowest is chosen: 0 for the form of one arm, 1 for that of every arm with
     a spherical wrist or three parallel axes, then the families of methods, which solve again what these solve.
@@ -189,7 +189,8 @@ class Form(Protocol):
     OF_POINTS: bool
 
     @property
-    def EQUATIONS(self) -> tuple[str, ...]: ...
+    def EQUATIONS(self) -> tuple[str, ...]:
+        """Its steps, in TeX, in order."""
 
     def applies(self, robot: Robot) -> Text | None:
         """Why the form does not apply to a robot; None where it does."""

@@ -48,6 +48,12 @@ def along(row: Row | Triple, v: Row | Triple) -> float:
 
 
 @kernel
+def dot(a: Triple, b: Triple) -> float:
+    """a · b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@kernel
 def cross(a: Triple, b: Triple) -> Triple:
     """a × b."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

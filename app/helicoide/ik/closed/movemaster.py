@@ -67,7 +67,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of what `joint_values` found and noted for a goal (4, 4), m, to which the pose was turned.
 

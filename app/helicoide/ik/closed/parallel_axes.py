@@ -84,7 +84,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of the postures in the rows of `joint_values`."""
 

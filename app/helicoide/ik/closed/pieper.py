@@ -66,7 +66,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of the postures in the rows of `joint_values`."""
 

@@ -1,4 +1,4 @@
-"""The Movemaster and its kin in the plane of the arm, and all their postures: a kernel.
+"""The Movemaster and its kin in the plane of the arm, and all their postures: kernels.
 
 What lies in that plane is a complex number ζ = x − i z there: a turn by θ about y multiplies it by e^(iθ).
 """
@@ -128,14 +128,15 @@ def joint_values(arm: Array, T_world_tool: Array, q: Array) -> tuple[Array, Arra
 @kernel_into
 def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, goal: Array) -> int:
     """Write what `joint_values` returns, what is noted into the last of the rows (5, 7); returns how many there are."""
-    base, world = (row_of(arm[0]), row_of(arm[1]), row_of(arm[2])), rows_of(T_world_tool)
-    tool = ending(base[0], world), ending(base[1], world), ending(base[2], world)
+    x, y, z = rows_of(arm[BASE:])
+    world = rows_of(T_world_tool)
+    tool = ending(x, world), ending(y, world), ending(z, world)
     hand, two, signs, noted, k = three(arm[HAND]), row_of(arm[LINKS]), arm[SIGNS], rows[NOTED], 0
     M, _ = normal_of(tool, hand, signs[OVER], q[0])
     _, _, cosine, sine, tool = into_plane(tool, hand, M)
     for i in range(3):
         for j in range(3):
-            goal[i, j] = base[0][i] * tool[0][j] + base[1][i] * tool[1][j] + base[2][i] * tool[2][j]
+            goal[i, j] = x[i] * tool[0][j] + y[i] * tool[1][j] + z[i] * tool[2][j]
     M, over = normal_of(tool, hand, signs[OVER], q[0])
     noted[TURNED], noted[FREE_WAIST], noted[FREE_SHOULDER] = abs(atan2(sine, cosine)), over, 0.0
     for back in range(2):

@@ -10,7 +10,7 @@ import numpy as np
 from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import Triple, along, cross, ending
+from helicoide.kinematics.tool import Triple, along, cross, dot, ending
 
 # A hand counts as pointing straight out of the plane where the sine to its normal is below this.
 ACROSS = 1e-8
@@ -42,7 +42,7 @@ def turned_into_plane(T: Array, hand: Array, M: Array) -> Pointing:
 
     hand: the pointing direction in the frame of the tool, (3,), unit.
     """
-    K, Z, cosine, sine, R = into_plane(rows_of(T), tuple(hand.tolist()), tuple(M.tolist()))
+    K, Z, cosine, sine, R = into_plane(rows_of(np.ascontiguousarray(T)), tuple(hand.tolist()), tuple(M.tolist()))
     return Pointing(M, np.array(K), np.array(Z), cosine, sine, np.array(R)[:, :3])
 
 
@@ -61,7 +61,7 @@ def into_plane(tool: Tool, hand: Triple, M: Triple) -> tuple[Triple, Triple, flo
     size = sqrt(K[0] * K[0] + K[1] * K[1] + K[2] * K[2])
     K = (0.0, 0.0, -1.0) if size < ACROSS else (K[0] / size, K[1] / size, K[2] / size)
     Z = cross(K, M)
-    c, s = along(pointing, Z), along(K, cross(pointing, Z))
+    c, s = dot(pointing, Z), dot(K, cross(pointing, Z))
     # the rows of cos θ + sin θ [K] + (1 − cos θ) K Kᵀ
     a, b, d = (1.0 - c) * K[0], (1.0 - c) * K[1], (1.0 - c) * K[2]
     turn = (

@@ -10,17 +10,11 @@ from __future__ import annotations
 
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import Triple
+from helicoide.kinematics.tool import Triple, dot
 
 Error = tuple[float, float, float, float, float, float]
 Symmetric = tuple[float, float, float, float, float, float]  # xx, xy, xz, yy, yz, zz
 Factors = tuple[Triple, Triple]  # l₂₁, l₃₁ and l₃₂ of L; 1/d₁, 1/d₂ and 1/d₃
-
-
-@kernel_into
-def dot(a: Triple, b: Triple) -> float:
-    """a · b."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @kernel_into

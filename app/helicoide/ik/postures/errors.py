@@ -5,7 +5,7 @@ The arm is followed from the tool to the base, as the tool sees it. Shapes are n
 
 from __future__ import annotations
 
-from helicoide.ik.postures.blocks import Error, dot
+from helicoide.ik.postures.blocks import Error
 from helicoide.ik.postures.packed import (
     BASE,
     DRIVER,
@@ -27,7 +27,7 @@ from helicoide.ik.postures.packed import (
 )
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import Row, Rows, Triple, along, turn_between
+from helicoide.kinematics.tool import Row, Rows, Triple, along, dot, turn_between
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 ANGLES, COSINES, SINES, COLUMNS = range(4)  # rows of the room; from the last on the columns ∂e/∂q of the variables

@@ -22,7 +22,8 @@ from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import Rows, Triple, along, ending
 
-NO_LINK = 1e-9
+# Links have a length above this, m; what is turned by less than this sine is turned by rounding alone.
+NO_LINK, STILL = 1e-9, 1e-15
 
 # Rows of the packed arm: of T_base_world three, m, and of the tool's rotation at q = 0 as the base sees it three; the
 # last axis in the tool, and in the base at q = 0; ±1, the joints 2, 3 and 4 against the y of the base, and below what
@@ -134,7 +135,7 @@ def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, go
     hand, two, signs, noted, k = three(arm[HAND]), row_of(arm[LINKS]), arm[SIGNS], rows[NOTED], 0
     M, _ = normal_of(tool, hand, signs[OVER], q[0])
     _, _, cosine, sine, tool = into_plane(tool, hand, M)
-    for i in range(3):
+    for i in range(3 if abs(sine) > STILL else 0):
         for j in range(3):
             goal[i, j] = x[i] * tool[0][j] + y[i] * tool[1][j] + z[i] * tool[2][j]
     M, over = normal_of(tool, hand, signs[OVER], q[0])

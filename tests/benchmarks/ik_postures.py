@@ -12,8 +12,6 @@ from tests.benchmarks.peers import Child, Peer
 from helicoide.ik.families import movemaster_arm, parallel_postures, puma_arm
 from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.postures.branch import between
-from helicoide.ik.postures.measure import measured
-from helicoide.ik.postures.numeric import searcher
 from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
@@ -50,15 +48,12 @@ def _bare(robot: Robot) -> tuple[Callable[[Array], Array], str]:
     """The kernel of a robot's closed form, and what is called."""
     start = robot.poses["ready"].copy()
     if (puma := puma_arm.puma(robot)) is not None:
-        given = puma.lengths, puma.frames, puma.shifts
-        return lambda T: puma_arm.joint_values(*given, T, start), "puma_arm.joint_values(…, T, q)"
+        return lambda T: puma_arm.joint_values(puma.packed, T, start), "puma_arm.joint_values(arm, T, q)"
     if (parallel := parallel_arm(robot)) is not None:
-        of, arm = searcher(robot), parallel
-        axes = arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded
-        return lambda T: parallel_postures.joint_values(*axes, T, start), "parallel_postures.joint_values(…, T, q)"
+        return lambda T: parallel_postures.joint_values(parallel, T, start), "parallel_postures.joint_values(arm, T, q)"
     side = movemaster_arm.side_of(robot)
     assert side is not None
-    return lambda T: movemaster_arm.joint_values(side.packed, T, start)[0], "movemaster_arm.joint_values(…, T, q)"
+    return lambda T: movemaster_arm.joint_values(side.packed, T, start)[0], "movemaster_arm.joint_values(arm, T, q)"
 
 
 def _given(robot: Robot, poses: list[Array]) -> dict[str, object]:

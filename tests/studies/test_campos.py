@@ -110,7 +110,7 @@ def test_the_hand_of_the_dexterous_arm_stays_at_one_metre() -> None:
 def test_the_arm_that_is_known_is_of_its_row_and_its_postures_are_real(zeros: tuple[int, ...], bound: int) -> None:
     robot = campos_table.known(zeros)
     goal = np.ascontiguousarray(tool_at(robot, campos_table.POSTURE))
-    found, _ = numeric.gathered(numeric.searcher(robot), goal, np.zeros(6), True, campos_table.ENDLESS)
+    found, _ = numeric.gathered(robot, goal, np.zeros(6), True, campos_table.ENDLESS)
     assert len(found) == 16 >= bound
     assert max(float(np.abs(tool_at(robot, q) - goal).max()) for q in found) < 1e-8
     apart = [np.abs(wrap(one - other)).max() for i, one in enumerate(found) for other in found[:i]]

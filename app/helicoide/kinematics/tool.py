@@ -17,6 +17,7 @@ from helicoide.kinematics.trigonometry import cosine_and_sine
 
 Triple = tuple[float, float, float]
 Row = tuple[float, float, float, float]
+Rows = tuple[Triple, Triple, Triple]
 
 # Columns of a joint: its axis s (three), the way s₀ᵢ − s₀ᵢ₋₁ to it (three), the number of the variable that drives it,
 # and what it does when that stands at q, a turn by θ = TURN q + TURN_SHIFT and a slide by x = SLIDE q + SLIDE_SHIFT.
@@ -41,9 +42,15 @@ def packed(robot: Robot) -> Array:
 
 
 @kernel
-def along(row: Row, v: Triple) -> float:
+def along(row: Row | Triple, v: Row | Triple) -> float:
     """A component of R v."""
     return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
+
+
+@kernel
+def dot(a: Triple, b: Triple) -> float:
+    """a · b."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 @kernel
@@ -115,9 +122,15 @@ def twist(p: Triple, s: Triple, turn: float, slide: float) -> tuple[Triple, Trip
 
 @kernel
 def turn_to(goal: Array, x: Row, y: Row, z: Row) -> Triple:
-    """Rotation vector θ a of E = R_goal Rᵀ, 0 ≤ θ ≤ π, from the rows of R; near π the axis is a column of E + 1."""
+    """Rotation vector of `turn_between` for a goal (4, 4), m."""
     gx, gy = (goal[0, 0], goal[0, 1], goal[0, 2]), (goal[1, 0], goal[1, 1], goal[1, 2])
-    gz = (goal[2, 0], goal[2, 1], goal[2, 2])
+    return turn_between((gx, gy, (goal[2, 0], goal[2, 1], goal[2, 2])), x, y, z)
+
+
+@kernel
+def turn_between(goal: Rows | tuple[Row, Row, Row], x: Row | Triple, y: Row | Triple, z: Row | Triple) -> Triple:
+    """Rotation vector θ a of E = R_goal Rᵀ, 0 ≤ θ ≤ π, from the rows of both; near π the axis is a column of E + 1."""
+    gx, gy, gz = goal
     a, b, c = along(y, gz) - along(z, gy), along(z, gx) - along(x, gz), along(x, gy) - along(y, gx)
     xx, yy, zz = along(x, gx), along(y, gy), along(z, gz)
     sine, cosine = np.sqrt(a * a + b * b + c * c), xx + yy + zz - 1.0  # both twice

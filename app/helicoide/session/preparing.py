@@ -20,11 +20,13 @@ from helicoide.confinement.planes import distances
 from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
-from helicoide.ik.families import parallel_postures
+from helicoide.ik.families import parallel_arm, parallel_postures
+from helicoide.ik.families.polish import polisher
 from helicoide.ik.packing import packed
 from helicoide.ik.postures import numeric
-from helicoide.ik.postures.measure import left, measured
+from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.nearest import nearest
+from helicoide.ik.postures.packed import WIDTH
 from helicoide.ik.postures.solve import solve
 from helicoide.ik.postures.subspace import project
 from helicoide.ik.step import STILL, task_at
@@ -107,9 +109,8 @@ def _list_postures() -> None:
     for name in ("puma560", "zebra_zero"):
         robot = load(name)
         solve(robot, robot.T_world_tool_0, robot.poses["ready"], every=True)
-    of, frame = numeric.searcher(robot), np.eye(5, 3)
-    arm = (frame[:4], frame, np.ones(4, dtype=np.complex128), np.ones(2), 0.0, measured(robot), of.arm, of.unbounded)
-    parallel_postures.joint_values(*arm, robot.T_world_tool_0, robot.poses["ready"])
+    arm = np.ones((parallel_arm.POLISHER, WIDTH))
+    parallel_postures.joint_values(np.concatenate([arm, polisher(robot)]), robot.T_world_tool_0, robot.poses["ready"])
 
 
 def compiled(report: Callable[[int], None]) -> None:

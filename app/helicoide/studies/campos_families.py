@@ -162,7 +162,7 @@ def _by_family(robot: Robot, T: Array) -> Iterator[tuple[Text, Array]]:
     now = np.zeros(len(robot.variables))
     for family, name in FORMS[robot.name].items():
         yield family, np.array([branch.q for branch in closed.solve(closed.found()[name], robot, T, now).branches])
-    yield SEARCH, numeric.gathered(numeric.searcher(robot), np.ascontiguousarray(T), now, True, MOST)[0]
+    yield SEARCH, numeric.gathered(robot, np.ascontiguousarray(T), now, True, MOST)[0]
 
 
 def _of(robot: Robot, family: Text, q: Array) -> Answer:

@@ -135,7 +135,7 @@ def disagreements(robot: Robot) -> int:
     links, count = elbow.Annulus(L1, L2), 0
     for x, y, phi in np.random.default_rng(44).uniform([-2, -2, -np.pi], [2, 2, np.pi], (TRIED, 3)):
         goal = np.ascontiguousarray(of_third_axis(x, y, phi))
-        found, _ = numeric.gathered(numeric.searcher(robot), goal, np.zeros(3), True, 4)
+        found, _ = numeric.gathered(robot, goal, np.zeros(3), True, 4)
         count += (abs(elbow.cosine_of_elbow(x, y, links)) <= 1) != (len(found) > 0)
     return count
 

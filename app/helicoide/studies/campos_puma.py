@@ -10,6 +10,7 @@ import numpy as np
 from helicoide.ik import closed
 from helicoide.ik.closed import puma560
 from helicoide.ik.families import puma_arm
+from helicoide.ik.families.frames import rows_of
 from helicoide.ik.postures import numeric, solvability
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.chain import Array, frozen
@@ -51,13 +52,14 @@ def there_and_back(
 
     Then the least and the largest number of postures.
     """
-    lengths, missed, apart, counts = puma_arm.lengths_of(arm).copy(), 0.0, 0.0, list[int]()
+    lengths, missed, apart, counts = puma_arm.lengths_of(arm), 0.0, 0.0, list[int]()
+    rows = np.empty((8, 7))
     for done, q in enumerate(np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))):
         T = tool_at(arm, q)
-        found, exists = puma_arm.postures(lengths, T, np.zeros(6))
-        counts.append(int(exists.sum()))
-        missed = max(missed, *(float(np.abs(tool_at(arm, row) - T).max()) for row in found[exists]))
-        apart = max(apart, float(np.abs(wrap(found[exists] - q)).max(axis=1).min()))
+        counts.append(puma_arm.postures(lengths, rows_of(T), (0.0, 0.0, 0.0), rows))
+        found = rows[: counts[-1], :6]
+        missed = max(missed, *(float(np.abs(tool_at(arm, row) - T).max()) for row in found))
+        apart = max(apart, float(np.abs(wrap(found - q)).max(axis=1).min()))
         if done % 100 == 99:
             progress((done + 1) / count)
     return missed, apart, min(counts), max(counts)
@@ -108,7 +110,7 @@ def _unknown_to_the_form(arm: Robot) -> int:
     for q in np.random.default_rng(23).uniform(-2.5, 2.5, (SEARCHED, 6)):
         T = tool_at(arm, q)
         formed = np.array([branch.q for branch in closed.solve(puma560, arm, T, np.zeros(6)).branches])
-        searched, _ = numeric.gathered(numeric.searcher(arm), np.ascontiguousarray(T), np.zeros(6), True, 64)
+        searched, _ = numeric.gathered(arm, np.ascontiguousarray(T), np.zeros(6), True, 64)
         apart = np.abs(wrap(formed[:, None] - searched)).max(axis=2)
         unknown += int((apart.min(axis=0) > 1e-5).sum() + (apart.min(axis=1) > 1e-5).sum())
     return unknown

@@ -73,7 +73,7 @@ def known(zeros: tuple[int, ...]) -> Robot:
 def counted(robot: Robot, q: Array) -> int:
     """How many postures searches from random ones find for the pose of one (6,), rad: an upper bound is not known."""
     goal = np.ascontiguousarray(tool_at(robot, q))
-    return len(numeric.gathered(numeric.searcher(robot), goal, np.zeros(6), True, ENDLESS)[0])
+    return len(numeric.gathered(robot, goal, np.zeros(6), True, ENDLESS)[0])
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:

@@ -15,12 +15,11 @@ from tests.ik.closed.rows import distance, worst
 from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import parallel_axes
-from helicoide.ik.families import parallel_arm, parallel_postures
-from helicoide.ik.postures import numeric
+from helicoide.ik.families.parallel_arm import parallel_arm
+from helicoide.ik.families.parallel_postures import joint_values
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.ik.postures.measure import measured
 from helicoide.ik.postures.solve import solve, solve_by
-from helicoide.kernels import plain
+from helicoide.kernels import as_python
 from helicoide.kinematics import dh
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
@@ -211,16 +210,14 @@ def test_out_of_reach_is_said_and_told_from_an_orientation_that_is_not_taken(tmp
 
 def test_the_kernel_is_its_plain_function(tmp_path: Path) -> None:
     robot = ur("ur10e", tmp_path)
-    arm, of = parallel_arm.parallel_arm(robot), numeric.searcher(robot)
+    arm = parallel_arm(robot)
     assert arm is not None
-    given_arm = (arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded)
     for q in [*np.random.default_rng(5).uniform(-pi, pi, (5, 6)), HERE]:
-        rows, expected = (f(*given_arm, tool_at(robot, q), q) for f in (_kernel, plain(_kernel)))
+        rows = joint_values(arm, tool_at(robot, q), q)
+        with as_python():
+            expected = joint_values(arm, tool_at(robot, q), q)
         np.testing.assert_allclose(wrap(rows[:, :6] - expected[:, :6]), 0, atol=1e-7)
         np.testing.assert_array_equal(rows[:, 6:], expected[:, 6:])
-
-
-_kernel = parallel_postures.joint_values
 
 
 @pytest.mark.parametrize("name", ["puma560", "zebra_zero", "movemaster", "scara"])

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -12,13 +14,14 @@ from tests.kinematics.arms import MIXED, NAMES, arm, postures
 
 from helicoide.geometry import rotation
 from helicoide.ik import closed
-from helicoide.ik.postures import descent, numeric, restarts
+from helicoide.ik.postures import descent, errors, numeric, packed, restarts
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import between, tool_at, wrap
+from helicoide.kinematics import tool
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import packed, tool_jacobian, tool_pose
+from helicoide.kinematics.tool import tool_jacobian, tool_pose
 from helicoide.text import HelicoideError
 
 MEASURED = ("puma560", "panda", "ur5", "movemaster")
@@ -246,14 +249,55 @@ def test_two_postures_that_meet_count_once() -> None:
 
 @each_arm
 def test_the_columns_are_those_of_the_jacobian(name: str) -> None:
+    """As the last frame sees them, of variables in their own units; and at the goal nothing is left."""
     robot = arm(name)
-    kernel_arm, length = packed(robot), 0.5
+    of = packed.search_of(robot, packed.limited(robot), 0.2, (1e-6, 1e-6), 30, 1)
+    R_last_tool, units = of.table[packed.HAND, :9].reshape(3, 3), np.diag(packed.limited(robot)[:, packed.UNIT])
     for q in postures(robot, 5):
-        goal, columns = tool_pose(kernel_arm, q), np.empty((q.size, 6))
-        e = descent.linearised(kernel_arm, q.copy(), goal, (1 / length, 0.2), columns)
+        T, room = tool_pose(tool.packed(robot), q), np.zeros(of.room)
+        e = errors.linearised(of.table, errors.goal_of(of.table, T), q.copy(), room)
         np.testing.assert_allclose(e, 0, atol=1e-14)
-        J = tool_jacobian(kernel_arm, q.copy())
-        np.testing.assert_allclose(columns.T, np.concatenate([J[:3] / length, 0.2 * J[3:]]), rtol=0, atol=1e-14)
+        J, R = tool_jacobian(tool.packed(robot), q.copy()) @ units, R_last_tool @ T[:3, :3].T
+        seen = np.concatenate([R @ J[:3] / robot.reach, 0.2 * R @ J[3:]])
+        np.testing.assert_allclose(room[errors.COLUMNS :, :6].T, seen, rtol=0, atol=1e-14)
+
+
+@each_arm
+def test_the_error_is_the_way_to_the_goal(name: str) -> None:
+    """In the length of both of its parts, and by the columns in its first change."""
+    robot = arm(name)
+    of = packed.search_of(robot, packed.limited(robot), 0.2, (1e-6, 1e-6), 30, 1)
+    for q, other in pairwise(postures(robot, 6)):
+        T, room = tool_at(robot, other), np.zeros(of.room)
+        goal = errors.goal_of(of.table, T)
+        e = np.array(errors.linearised(of.table, goal, q.copy(), room))
+        missed, turned = between(tool_at(robot, q), T)
+        assert np.linalg.norm(e[:3]) == pytest.approx(missed / robot.reach, abs=1e-12)
+        assert np.linalg.norm(e[3:]) == pytest.approx(0.2 * turned, abs=1e-7)
+        pulls = room[errors.COLUMNS :, :6] @ e
+        for j, unit in enumerate(packed.limited(robot)[:, packed.UNIT]):
+            halves = [
+                sum(errors.squares(errors.linearised(of.table, goal, q + step, room)))
+                for step in np.outer([1e-6, -1e-6], unit * np.eye(q.size)[j])
+            ]
+            assert (halves[1] - halves[0]) / 4e-6 == pytest.approx(pulls[j], abs=1e-7)
+
+
+def nearly_parallel(sine: float) -> Robot:
+    """The PUMA with an elbow that stands that much askew to its shoulder."""
+    robot = arm("puma560")
+    tilted = rotation.exponential(sine * np.array([0.6, 0.0, 0.8])) @ robot.directions[1]
+    joints = (*robot.joints[:2], replace(robot.joints[2], direction=frozen(tilted)), *robot.joints[3:])
+    return replace(robot, joints=joints)
+
+
+@pytest.mark.parametrize("sine", [1e-16, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3])
+def test_axes_that_are_nearly_parallel_lose_nothing(sine: float) -> None:
+    robot = nearly_parallel(sine)
+    of = packed.search_of(robot, packed.limited(robot), 1.0, (1e-6, 1e-6), 30, 1)
+    for q in postures(robot, 5):
+        goal = errors.goal_of(of.table, tool_at(robot, q))
+        np.testing.assert_allclose(errors.linearised(of.table, goal, q.copy(), np.zeros(of.room)), 0, atol=1e-14)
 
 
 directions = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1)
@@ -265,53 +309,38 @@ def test_the_error_of_orientation_is_the_rotation_vector(direction: tuple[float,
     axis = np.array(direction) / np.linalg.norm(direction)
     goal = np.eye(4)
     goal[:3, :3] = rotation.exponential(angle * axis) @ R
-    r = np.array(descent.turn_to(goal, *((*map(float, row), 0.0) for row in R)))
+    r = np.array(tool.turn_to(goal, *((*map(float, row), 0.0) for row in R)))
     assert np.linalg.norm(r) == pytest.approx(angle, abs=1e-7)
     np.testing.assert_allclose(rotation.exponential(r) @ R, goal[:3, :3], rtol=0, atol=3e-6)
 
 
-def test_the_small_system_is_solved() -> None:
-    random = np.random.default_rng(0)
-    for n in range(1, 9):
-        A, g = random.normal(size=(n, n)), random.normal(size=n)
-        H = A @ A.T + np.eye(n)
-        expected, x = np.linalg.solve(H, g), g.copy()
-        promised = descent.solve_in_place(H.copy(), x)
-        np.testing.assert_allclose(x, expected, rtol=1e-9, atol=1e-12)
-        assert promised == pytest.approx(g @ expected)
-
-
 def test_a_joint_that_is_pushed_against_its_limit_is_left_out_of_the_step() -> None:
-    """The others take the step of an arm without it; a joint that is pulled off its limit, or not held, takes part."""
-    ranges = numeric.searcher(arm("puma560")).ranges.copy()
+    """One that is pulled off its limit, or not held, takes part."""
+    robot = arm("puma560")
     columns, e = np.random.default_rng(0).normal(size=(6, 6)), (0.3, -0.2, 0.1, 0.4, -0.5, 0.2)
     pull = columns @ np.array(e)
 
-    def step(at_limit: bool, held: bool) -> Array:
-        q, H, g = ranges[:, descent.LOWER] + 0.1, np.empty((6, 6)), np.empty(6)
-        q[2] = ranges[2, descent.UPPER if (pull[2] > 0) == at_limit else descent.LOWER]
-        kept = ranges.copy()
-        kept[2, descent.HELD] = held
-        descent.fill(kept, q, e, columns, 0.3, H, g)
-        descent.solve_in_place(H, g)
-        return g
+    def left(at_limit: bool, held: bool) -> Array:
+        ranges, given = packed.limited(robot), columns.copy()
+        q = ranges[:, packed.LOWER] + 0.1
+        q[2] = ranges[2, packed.UPPER if (pull[2] > 0) == at_limit else packed.LOWER]
+        ranges[2, packed.HELD] = held
+        descent.leave_out(packed.search_of(robot, ranges, 1.0, (0.0, 0.0), 1, 1).table, q, e, given)
+        return given
 
-    others = np.array([0, 1, 3, 4, 5])
-    J = columns[others].T
-    np.testing.assert_allclose(step(True, True)[others], np.linalg.solve(J.T @ J + 0.3 * np.eye(5), pull[others]))
-    assert step(True, True)[2] == 0
-    whole = np.linalg.solve(columns @ columns.T + 0.3 * np.eye(6), pull)
-    np.testing.assert_allclose(step(False, True), whole)
-    np.testing.assert_allclose(step(True, False), whole)
+    assert not left(True, True)[2].any()
+    np.testing.assert_array_equal(left(True, True)[[0, 1, 3, 4, 5]], columns[[0, 1, 3, 4, 5]])
+    np.testing.assert_array_equal(left(False, True), columns)
+    np.testing.assert_array_equal(left(True, False), columns)
 
 
 def test_draws_are_spread_over_the_limits() -> None:
     """No two of a thousand come near each other, and every part of a joint's range holds at least half its share."""
     robot = arm("puma560")
-    ranges, q = numeric.searcher(robot).ranges, np.empty(6)
+    table, q = packed.search_of(robot, packed.limited(robot), 1.0, (0.0, 0.0), 1, 1).table, np.empty(6)
     shares = np.empty((1000, 6))
     for number in range(1000):
-        restarts.draw(ranges, number, q)
+        restarts.draw(table, number, q)
         shares[number] = (q - robot.lower) / (robot.upper - robot.lower)
     assert shares.min() >= 0
     assert shares.max() <= 1
@@ -324,10 +353,10 @@ def test_draws_are_spread_over_the_limits() -> None:
 
 def test_only_joints_that_stand_alike_after_a_turn_are_unwound() -> None:
     """In the arm of this name b slides, and d follows c by a ratio."""
-    of = numeric.searcher(arm(MIXED))
-    assert (of.ranges[:, descent.PERIOD] > 0).tolist() == [True, False, False, True]
-    assert (of.ranges[:, descent.HELD] > 0).all()
-    assert not (of.wide[:, descent.HELD] > 0).any()
+    robot = arm(MIXED)
+    assert (packed.limited(robot)[:, packed.PERIOD] > 0).tolist() == [True, False, False, True]
+    assert (packed.limited(robot)[:, packed.HELD] > 0).all()
+    assert not (packed.wide(robot)[:, packed.HELD] > 0).any()
 
 
 @pytest.mark.parametrize("seed", range(3))

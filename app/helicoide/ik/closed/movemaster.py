@@ -10,8 +10,21 @@ from math import pi
 import numpy as np
 
 from helicoide.ik.families import elbow
-from helicoide.ik.families.movemaster_arm import BACK, BEND, Side, joint_values, seen, side_of
-from helicoide.ik.families.two_links import elbows, two_links
+from helicoide.ik.families.frames import row_of, rows_of
+from helicoide.ik.families.movemaster_arm import (
+    BACK,
+    BEND,
+    FREE_SHOULDER,
+    FREE_WAIST,
+    LINKS,
+    SIGNS,
+    TURNED,
+    Side,
+    joint_values,
+    seen,
+    side_of,
+)
+from helicoide.ik.families.two_links import elbows
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.subspace import Projection
@@ -49,10 +62,12 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
         raise HelicoideError(ELSE)
     rows, goal, noted = joint_values(arm.packed, T_world_tool, q)
     told = Words(arm, goal, rows, noted, float(q[0]))
-    return Found(rows, goal, told, turned=float(noted[0]), short=0.0 if len(rows) else arm.links.beyond(told.nearer))
+    return Found(
+        rows, goal, told, turned=float(noted[TURNED]), short=0.0 if len(rows) else arm.links.beyond(told.nearer)
+    )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of what `joint_values` found and noted for a goal (4, 4), m, to which the pose was turned.
 
@@ -78,7 +93,7 @@ class Words:
     def words(self) -> Text:
         """How many there are, or how far the goal lies beyond reach, and which joints are free."""
         return sentences(
-            Projection(self.T_world_goal, 0.0, float(self.noted[0])).words,
+            Projection(self.T_world_goal, 0.0, float(self.noted[TURNED])).words,
             COUNTED.format(n=len(self.rows)) if len(self.rows) else self.arm.links.words(self.nearer),
             OVER if 0 in self.free else None,
             FOLDED if 1 in self.free else None,
@@ -92,8 +107,7 @@ class Words:
     @property
     def free(self) -> tuple[int, ...]:
         """The joints that are not determined."""
-        _, over, folded = self.noted
-        return (0,) * bool(over) + (1,) * bool(folded)
+        return (0,) * bool(self.noted[FREE_WAIST]) + (1,) * bool(self.noted[FREE_SHOULDER])
 
     @property
     def nearer(self) -> float:
@@ -109,15 +123,13 @@ class Words:
         return self.arm.turret.seen(self.T_world_goal)
 
     def _seen(self, headings: Sequence[float] | Array) -> Iterator[tuple[complex, float, complex]]:
-        return (seen(self.arm.packed[0], self.T, float(theta1)) for theta1 in headings)
+        return (seen(self.arm.packed, rows_of(self.T), float(theta1)) for theta1 in headings)
 
     def _values(self) -> Iterator[Mapping[str, float]]:
         """What the equations gave on the way to each posture, by symbol; angles about the y of the base, rad and m."""
         for row, (zeta, alpha, wrist) in zip(self.rows, self._seen(self.rows[:, 0]), strict=True):
-            theta = row[:5] * [1.0, *self.arm.packed[0]["signs"], 1.0]
-            _, cosine, _ = elbows(
-                wrist, two_links(*(complex(self.arm.packed[0][name]) for name in ("l1", "l2"))), elbow.EDGE
-            )
+            theta = row[:5] * [1.0, *self.arm.packed[SIGNS, :3], 1.0]
+            _, cosine, _ = elbows(wrist, row_of(self.arm.packed[LINKS]), elbow.EDGE)
             yield {
                 "u": zeta.real, "p_z": -zeta.imag, "α": alpha, "u_W": wrist.real, "z_W": -wrist.imag,
                 "cos(θ₃ + δ)": cosine, **{f"θ{'₁₂₃₄₅'[i]}": float(wrap(theta[i])) for i in range(5)},

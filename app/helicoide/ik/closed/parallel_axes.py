@@ -5,18 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from math import cos, sin
 
 import numpy as np
 
+from helicoide.ik.families.frames import row_of
 from helicoide.ik.families.parallel_arm import (
     AHEAD,
     ALONG,
-    FORE,
+    ASIDE,
+    FOURTH,
     HAND,
+    LINKS,
+    SETTING,
     SHOULDER,
-    UPPER,
+    THIRD,
     WAIST,
-    ParallelArm,
+    ending,
     parallel_arm,
 )
 from helicoide.ik.families.parallel_postures import (
@@ -32,12 +37,10 @@ from helicoide.ik.families.parallel_postures import (
     rotated,
     triple,
 )
-from helicoide.ik.families.two_links import elbows, two_links
+from helicoide.ik.families.two_links import elbows
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences, wrap
-from helicoide.ik.postures.measure import measured
-from helicoide.ik.postures.numeric import searcher
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -76,19 +79,16 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := parallel_arm(robot)) is None:
         raise HelicoideError(ELSE)
-    of = searcher(robot)
-    rows = joint_values(
-        arm.base, arm.tool, arm.links, arm.signs, arm.aside, measured(robot), of.arm, of.unbounded, T_world_tool, q
-    )
+    rows = joint_values(arm, T_world_tool, q)
     short = 0.0 if len(rows) else subspace.beyond(robot, T_world_tool, q)
     return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of the postures in the rows of `joint_values`."""
 
-    arm: ParallelArm
+    arm: Array
     T_world_tool: Array
     rows: Array
     short: float
@@ -121,17 +121,18 @@ class Words:
 
     def _values(self) -> Iterator[Mapping[str, float]]:
         """Lengths in m, angles in rad; θ₃ and θ₄ about h."""
-        base, links = self.arm.base, self.arm.links
-        v = centre_from_waist(base, self.arm.tool, self.T_world_tool)
+        arm = self.arm
+        v = centre_from_waist(arm, self.T_world_tool)
         for row in self.rows:
-            theta = row[:6] * [1.0, 1.0, *self.arm.signs, 1.0, 1.0]
-            h, x = (np.array(rotated(triple(base[WAIST]), theta[0], triple(base[axis]))) for axis in (ALONG, AHEAD))
+            theta = row[:6] * [1.0, 1.0, arm[SETTING, THIRD], arm[SETTING, FOURTH], 1.0, 1.0]
+            turn = cos(theta[0]), sin(theta[0])
+            h, x = (np.array(rotated(triple(arm[WAIST]), turn, triple(arm[axis]))) for axis in (ALONG, AHEAD))
             phi = float(theta[1:4].sum())
             seen = complex(x @ v, np.cross(h, x) @ v)
-            wrist = complex(seen - links[SHOULDER] - links[HAND] * np.exp(1j * phi))
-            _, cosine, _ = elbows(wrist, two_links(links[UPPER], links[FORE]), 0.0)
+            wrist = complex(seen - ending(arm, SHOULDER) - ending(arm, HAND) * np.exp(1j * phi))
+            _, cosine, _ = elbows(wrist, row_of(arm[LINKS]), 0.0)
             yield {
-                "h · (W − p₁)": self.arm.aside, "u": seen.real, "φ": float(wrap(phi)), "u_W": wrist.real,
+                "h · (W − p₁)": float(arm[SETTING, ASIDE]), "u": seen.real, "φ": float(wrap(phi)), "u_W": wrist.real,
                 "z_W": -wrist.imag, "cos(θ₃ + δ)": cosine,
                 **{f"θ{'₁₂₃₄₅₆'[i]}": float(wrap(angle)) for i, angle in enumerate(theta)},
             }  # fmt: skip

@@ -21,10 +21,9 @@ from helicoide.ik.families.pieper_postures import (
     joint_values,
     wrist_pose,
 )
+from helicoide.ik.families.polish import polisher
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences
-from helicoide.ik.postures.measure import measured
-from helicoide.ik.postures.numeric import searcher
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -62,13 +61,12 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if isinstance(arm := arm_of(robot), Text):
         raise HelicoideError(arm)
-    of = searcher(robot)
-    rows = joint_values(arm.packed, measured(robot), of.arm, of.unbounded, T_world_tool, q)
+    rows = joint_values(arm.packed, polisher(robot), T_world_tool, q)
     told = Words(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of the postures in the rows of `joint_values`."""
 

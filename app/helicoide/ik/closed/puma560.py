@@ -9,8 +9,7 @@ from math import hypot
 
 import numpy as np
 
-from helicoide.ik.families.frames import framed
-from helicoide.ik.families.puma_arm import FREE, Puma, beyond, is_folded, joint_values, puma, wrist_range
+from helicoide.ik.families.puma_arm import FREE, NUMBER, Puma, beyond, is_folded, joint_values, puma, wrist_range
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics.chain import Array
@@ -48,12 +47,12 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := puma(robot)) is None:
         raise HelicoideError(ELSE)
-    rows = joint_values(arm.lengths, arm.frames, arm.shifts, T_world_tool, q)
+    rows = joint_values(arm.packed, T_world_tool, q)
     told = Words(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
 class Words:
     """What is said of the postures in the rows of `joint_values`."""
 
@@ -65,7 +64,7 @@ class Words:
     def names(self) -> Sequence[Text]:
         """Of each posture."""
         every = names(bool(self.arm.lengths[2] >= 0))
-        return [every[int(row)] for row in self.rows[:, 6]]
+        return [every[int(row)] for row in self.rows[:, NUMBER]]
 
     @cached_property
     def words(self) -> Text:
@@ -98,7 +97,7 @@ class Words:
     @cached_property
     def T(self) -> Array:
         """The wrist in the base of the rows, (4, 4), m."""
-        return framed(self.arm.frames[0], self.T_world_tool, self.arm.frames[1])
+        return np.asarray(self.arm.frames[0] @ self.T_world_tool @ self.arm.frames[1])
 
 
 @cache

@@ -1,24 +1,30 @@
-"""A pose as an arm's own frames see it: one kernel."""
+"""A pose as an arm's own frames see it: kernels."""
 
 from __future__ import annotations
 
-import numpy as np
-
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.tool import Row, ending
+
+# A pose as its rows (R, p), m.
+Tool = tuple[Row, Row, Row]
 
 
-@kernel
-def framed(T_base_world: Array, T_world_tool: Array, T_tool_end: Array) -> Array:
-    """T_base_end = T_base_world T_world_tool T_tool_end, (4, 4), m."""
-    first, T = np.zeros((4, 4)), np.zeros((4, 4))
-    for i in range(3):
-        for j in range(4):
-            for k in range(4):
-                first[i, j] += T_base_world[i, k] * T_world_tool[k, j]
-    for i in range(3):
-        for j in range(4):
-            for k in range(4):
-                T[i, j] += first[i, k] * T_tool_end[k, j]
-    T[3, 3] = 1.0
-    return T
+@kernel_into
+def row_of(a: Array) -> Row:
+    """The first four numbers of a row."""
+    return a[0], a[1], a[2], a[3]
+
+
+@kernel_into
+def rows_of(T: Array) -> Tool:
+    """A pose (4, 4), m, as its rows."""
+    return row_of(T[0]), row_of(T[1]), row_of(T[2])
+
+
+@kernel_into
+def framed(T_base_world: Array, T_world_tool: Array, T_tool_end: Array) -> Tool:
+    """T_base_end = T_base_world T_world_tool T_tool_end, of poses (4, 4), m."""
+    tool, end = rows_of(T_world_tool), rows_of(T_tool_end)
+    x, y, z = rows_of(T_base_world)
+    return ending(ending(x, tool), end), ending(ending(y, tool), end), ending(ending(z, tool), end)

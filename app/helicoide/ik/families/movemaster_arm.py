@@ -1,4 +1,4 @@
-"""The Movemaster and its kin in the plane of the arm, and all their postures: a kernel.
+"""The Movemaster and its kin in the plane of the arm, and all their postures: kernels.
 
 What lies in that plane is a complex number ζ = x − i z there: a turn by θ about y multiplies it by e^(iθ).
 """
@@ -8,52 +8,46 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 from math import atan2, cos, pi, sin
-from typing import Any
 
 import numpy as np
+from numpy import empty
 
 from helicoide.ik.families.elbow import EDGE, Annulus
+from helicoide.ik.families.frames import Tool, row_of, rows_of
 from helicoide.ik.families.pointing import into_plane
 from helicoide.ik.families.turret import Turret, normal_of, turret
 from helicoide.ik.families.two_links import bent, elbows, two_links
-from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain
+from helicoide.kernels import kernel_into
+from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.tool import Rows, Triple, along, ending
 
-NO_LINK = 1e-9
+# Links have a length above this, m; what is turned by less than this sine is turned by rounding alone.
+NO_LINK, STILL = 1e-9, 1e-15
 
-# The arm at q = 0 as the kernel takes it. Seen from the base: the tool (4, 4), m, and the last axis; links in the plane
-# of the arm, m; signs: ±1, the joints 2, 3 and 4 against the y of the base; hand: the last axis in the tool.
-SIDE = np.dtype(
-    [
-        ("T_base_world", "f8", (4, 4)),
-        ("home", "f8", (3, 3)),
-        ("hand", "f8", 3),
-        ("pointing", "f8", 3),
-        ("signs", "f8", 3),
-        ("shoulder", "c16"),
-        ("l1", "c16"),
-        ("l2", "c16"),
-        ("l3", "c16"),
-        ("over", "f8"),
-    ],
-    align=True,
-)
+# Rows of the packed arm: of T_base_world three, m, and of the tool's rotation at q = 0 as the base sees it three; the
+# last axis in the tool, and in the base at q = 0; ±1, the joints 2, 3 and 4 against the y of the base, and below what
+# distance from the first axis the tool counts as standing over it, m; complex numbers, m, in the plane of the arm: to
+# the shoulder, and from the wrist to the tool; upper arm and forearm as `TwoLinks`.
+BASE, HOME, HAND, POINTING, SIGNS, ENDS, LINKS, ROWS = 0, 3, 6, 7, 8, 9, 10, 11
+OVER, TO_TOOL = 3, 2
 # Columns of a posture behind its q: the waist turned back, the sign of the bend.
 BACK, BEND = 5, 6
+# Of what is noted behind the postures: the turn into the plane, rad, and whether θ₁ and θ₂ are free.
+TURNED, FREE_WAIST, FREE_SHOULDER, NOTED = 0, 1, 2, 4
 
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """Such an arm: its turret and, in an array (1,) of SIDE, the rest."""
+    """Such an arm: its turret and, packed as this file says, (11, 4), the rest."""
 
     turret: Turret
-    packed: Chain
+    packed: Array
 
     @property
     def links(self) -> Annulus:
         """The upper arm and the forearm."""
-        return Annulus(abs(self.packed[0]["l1"]), abs(self.packed[0]["l2"]))
+        return Annulus(*self.packed[LINKS, :2].tolist())
 
 
 @lru_cache(maxsize=64)
@@ -63,84 +57,101 @@ def side_of(robot: Robot) -> Side | None:
         return None
     R, tool = arm.T_world_base[:3, :3], robot.T_world_tool_0
     points = np.array([*robot.points[1:4], tool[:3, 3]]) - arm.T_world_base[:3, 3]
-    shoulder, elbow_0, wrist, tip = points @ R[:, 0] - 1j * points @ R[:, 2]
+    shoulder, elbow_0, wrist, tip = (points @ R[:, 0] - 1j * points @ R[:, 2]).tolist()
     if min(abs(elbow_0 - shoulder), abs(wrist - elbow_0)) < NO_LINK:
         return None
-    packed = np.zeros(1, SIDE)
-    packed["T_base_world"], packed["home"] = np.linalg.inv(arm.T_world_base), R.T @ tool[:3, :3]
-    packed["hand"], packed["pointing"] = arm.hand, R.T @ robot.directions[4]
-    packed["signs"] = np.sign(robot.directions[1:4] @ R[:, 1])
-    packed["shoulder"], packed["l1"], packed["l2"] = shoulder, elbow_0 - shoulder, wrist - elbow_0
-    packed["l3"], packed["over"] = tip - wrist, arm.over
+    packed = np.zeros((ROWS, 4))
+    packed[BASE:HOME], packed[HOME:HAND, :3] = np.linalg.inv(arm.T_world_base)[:3], R.T @ tool[:3, :3]
+    packed[HAND, :3], packed[POINTING, :3] = arm.hand, R.T @ robot.directions[4]
+    packed[SIGNS] = *np.sign(robot.directions[1:4] @ R[:, 1]), arm.over
+    packed[ENDS] = shoulder.real, shoulder.imag, (tip - wrist).real, (tip - wrist).imag
+    packed[LINKS] = two_links(elbow_0 - shoulder, wrist - elbow_0)
     return Side(arm, packed)
 
 
-@kernel
-def seen(arm: Any, T: Array, theta1: float) -> tuple[complex, float, complex]:
-    """ζ_P, m, of the tool (4, 4) of the base in the plane of θ₁; α, how far its hand is turned there; and ζ_W, m."""
-    c, s, hand, pointing = cos(theta1), sin(theta1), arm["hand"], arm["pointing"]
-    x, y, z = T[0], T[1], T[2]
+@kernel_into
+def three(a: Array) -> Triple:
+    """The first three of a row."""
+    return a[0], a[1], a[2]
+
+
+@kernel_into
+def seen(arm: Array, tool: Tool, theta1: float) -> tuple[complex, float, complex]:
+    """ζ_P, m, of the tool of the base in the plane of θ₁; α, how far its hand is turned there; and ζ_W, m."""
+    (x, y, z), c, s = tool, cos(theta1), sin(theta1)
+    hand, ends = three(arm[HAND]), arm[ENDS]
     zeta = c * x[3] + s * y[3] - 1j * z[3]
-    there = 0j
-    for k in range(3):
-        there += hand[k] * (c * x[k] + s * y[k] - 1j * z[k])
-    turn = there / (pointing[0] - 1j * pointing[2])
+    there = c * along(x, hand) + s * along(y, hand) - 1j * along(z, hand)
+    turn = there / (arm[POINTING, 0] - 1j * arm[POINTING, 2])
     alpha = atan2(turn.imag, turn.real)
-    return zeta, alpha, zeta - arm["l3"] * (cos(alpha) + 1j * sin(alpha)) - arm["shoulder"]
+    to_tool, shoulder = complex(ends[TO_TOOL], ends[TO_TOOL + 1]), complex(ends[0], ends[1])
+    return zeta, alpha, zeta - to_tool * (cos(alpha) + 1j * sin(alpha)) - shoulder
 
 
-@kernel
-def roll(arm: Any, T: Array, theta1: float, alpha: float) -> float:
+@kernel_into
+def roll(arm: Array, tool: Tool, theta1: float, alpha: float) -> float:
     """θ₅ of R_ẑ(θ₅) = R_y(α)ᵀ R_z(θ₁)ᵀ R R₀ᵀ: from the part of the turn about ẑ and its trace."""
-    c, s, ca, sa, home, axis = cos(theta1), sin(theta1), cos(alpha), sin(alpha), arm["home"], arm["pointing"]
-    turn = np.empty((3, 3))
-    for j in range(3):
-        x = T[0, 0] * home[j, 0] + T[0, 1] * home[j, 1] + T[0, 2] * home[j, 2]
-        y = T[1, 0] * home[j, 0] + T[1, 1] * home[j, 1] + T[1, 2] * home[j, 2]
-        z = T[2, 0] * home[j, 0] + T[2, 1] * home[j, 1] + T[2, 2] * home[j, 2]
-        x, y = c * x + s * y, c * y - s * x
-        turn[0, j], turn[1, j], turn[2, j] = ca * x - sa * z, y, sa * x + ca * z
-    sine = axis[0] * (turn[2, 1] - turn[1, 2]) + axis[1] * (turn[0, 2] - turn[2, 0])
-    sine += axis[2] * (turn[1, 0] - turn[0, 1])
-    return atan2(sine, turn[0, 0] + turn[1, 1] + turn[2, 2] - 1.0)
+    c, s, ca, sa, axis = cos(theta1), sin(theta1), cos(alpha), sin(alpha), three(arm[POINTING])
+    x, y, z = turn_of(arm, tool)
+    x, y = mixed(x, c, y, s), mixed(y, c, x, -s)
+    x, z = mixed(x, ca, z, -sa), mixed(x, sa, z, ca)
+    sine = axis[0] * (z[1] - y[2]) + axis[1] * (x[2] - z[0]) + axis[2] * (y[0] - x[1])
+    return atan2(sine, x[0] + y[1] + z[2] - 1.0)
 
 
-@kernel
-def joint_values(arms: Chain, T_world_tool: Array, q: Array) -> tuple[Array, Array, Array]:
+@kernel_into
+def turn_of(arm: Array, tool: Tool) -> Rows:
+    """R R₀ᵀ: how the tool is turned against where it stands at q = 0."""
+    (x, y, z), a, b, c = tool, three(arm[HOME]), three(arm[HOME + 1]), three(arm[HOME + 2])
+    return (
+        (along(x, a), along(x, b), along(x, c)),
+        (along(y, a), along(y, b), along(y, c)),
+        (along(z, a), along(z, b), along(z, c)),
+    )
+
+
+@kernel_into
+def mixed(a: Triple, c: float, b: Triple, s: float) -> Triple:
+    """c a + s b."""
+    return c * a[0] + s * b[0], c * a[1] + s * b[1], c * a[2] + s * b[2]
+
+
+def joint_values(arm: Array, T_world_tool: Array, q: Array) -> tuple[Array, Array, Array]:
     """Every posture for a tool pose (4, 4), m, whose hand is first turned into the plane of the arm.
 
-    Args: arms (1,) of SIDE; q (5,), rad: where θ₁ or θ₂ is free, it is kept. Returns rows (k, 7): q, rad, whether the
-    waist is turned back and the sign of the bend; what was solved for, (4, 4), m; and in one array the turn to there,
-    rad, and 1 where θ₁ and θ₂ are free.
+    Args: arm of `Side`; q (5,), rad: where θ₁ or θ₂ is free, it is kept. Returns rows (k, 7): q, rad, whether the waist
+    is turned back and the sign of the bend; what was solved for, (4, 4), m; and what is noted, as this file says.
     """
-    arm, goal = arms[0], T_world_tool.copy()
-    T = np.zeros((4, 4))
-    base, hand, signs, two = arm["T_base_world"], arm["hand"].copy(), arm["signs"], two_links(arm["l1"], arm["l2"])
-    for i in range(3):
-        for j in range(4):
-            for k in range(4):
-                T[i, j] += base[i, k] * T_world_tool[k, j]
-    M, _ = normal_of(T, hand, arm["over"], q[0])
-    _, _, cosine, sine, R = into_plane(T, hand, M)
-    for i in range(3):
+    rows, goal = empty((NOTED + 1, 7)), T_world_tool.copy()
+    return rows[: joint_values_into(arm, T_world_tool, q, rows, goal)], goal, rows[NOTED]
+
+
+@kernel_into
+def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, goal: Array) -> int:
+    """Write what `joint_values` returns, what is noted into the last of the rows (5, 7); returns how many there are."""
+    x, y, z = rows_of(arm[BASE:])
+    world = rows_of(T_world_tool)
+    tool = ending(x, world), ending(y, world), ending(z, world)
+    hand, two, signs, noted, k = three(arm[HAND]), row_of(arm[LINKS]), arm[SIGNS], rows[NOTED], 0
+    M, _ = normal_of(tool, hand, signs[OVER], q[0])
+    _, _, cosine, sine, tool = into_plane(tool, hand, M)
+    for i in range(3 if abs(sine) > STILL else 0):
         for j in range(3):
-            T[i, j] = R[i, j]
-            goal[i, j] = base[0, i] * R[0, j] + base[1, i] * R[1, j] + base[2, i] * R[2, j]
-    turned = abs(atan2(sine, cosine))
-    M, over = normal_of(T, hand, arm["over"], q[0])
-    rows, k, folded = np.empty((4, 7)), 0, False
+            goal[i, j] = x[i] * tool[0][j] + y[i] * tool[1][j] + z[i] * tool[2][j]
+    M, over = normal_of(tool, hand, signs[OVER], q[0])
+    noted[TURNED], noted[FREE_WAIST], noted[FREE_SHOULDER] = abs(atan2(sine, cosine)), over, 0.0
     for back in range(2):
         theta1 = atan2(-M[0], M[1]) + back * pi
-        _, alpha, wrist = seen(arm, T, theta1)
+        _, alpha, wrist = seen(arm, tool, theta1)
         count, cosine, centred = elbows(wrist, two, EDGE)
-        folded = folded or centred
-        theta5 = roll(arm, T, theta1, alpha)
+        noted[FREE_SHOULDER] = max(noted[FREE_SHOULDER], centred)
+        middle, aside, fold = bent(wrist, two, cosine)
+        theta5 = roll(arm, tool, theta1, alpha) if count else 0.0
         for elbow_of in range(count):
             bend = 1.0 - 2.0 * elbow_of
-            theta2, theta3 = bent(wrist, two, cosine, bend)
-            theta2 = signs[0] * q[1] if centred else theta2
-            row = rows[k]
+            theta2 = signs[0] * q[1] if centred else middle - bend * aside
+            theta3, row = bend * fold - two[3], rows[k]
             row[0], row[1], row[2] = theta1, signs[0] * theta2, signs[1] * theta3
             row[3], row[4], row[BACK], row[BEND] = signs[2] * (alpha - theta2 - theta3), theta5, back, bend
             k += 1
-    return rows[:k], goal, np.array([turned, over, folded])
+    return k

@@ -2,33 +2,37 @@
 
 from __future__ import annotations
 
-from math import atan2, cos, sin, sqrt
+from math import atan2, sqrt
 
-import numpy as np
 from numpy import empty
-from numpy.typing import NDArray
 
+from helicoide.ik.families.frames import row_of
 from helicoide.ik.families.parallel_arm import (
     AHEAD,
     AHEAD_TOOL,
     ALONG,
     ALONG_TOOL,
+    ASIDE,
     CENTRE,
     FIFTH,
     FOOT,
-    FORE,
+    FOURTH,
     HAND,
+    LINKS,
+    POLISHER,
+    SETTING,
     SHOULDER,
     SIXTH,
-    UPPER,
+    THIRD,
     WAIST,
+    ending,
 )
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
-from helicoide.ik.families.two_links import bent, elbows, two_links
+from helicoide.ik.families.two_links import bent, elbows
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import Triple, cross
+from helicoide.kinematics.tool import Triple, cross, dot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 ACCEPTED = 1e-9  # what a posture may miss, m and rad
@@ -46,15 +50,9 @@ def triple(row: Array) -> Triple:
 
 
 @kernel_into
-def dot(a: Triple, b: Triple) -> float:
-    """a · b."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-@kernel_into
-def rotated(axis: Triple, theta: float, v: Triple) -> Triple:
-    """v turned about a unit axis by θ, rad (Rodrigues)."""
-    c, s = cosine_and_sine(theta)
+def rotated(axis: Triple, turn: tuple[float, float], v: Triple) -> Triple:
+    """v turned about a unit axis by an angle of which cosine and sine are given (Rodrigues)."""
+    c, s = turn
     w = cross(axis, v)
     along = (1.0 - c) * dot(axis, v)
     return (
@@ -62,6 +60,13 @@ def rotated(axis: Triple, theta: float, v: Triple) -> Triple:
         c * v[1] + s * w[1] + along * axis[1],
         c * v[2] + s * w[2] + along * axis[2],
     )
+
+
+@kernel_into
+def back(theta: float) -> tuple[float, float]:
+    """Cosine and sine of a turn by −θ, rad."""
+    c, s = cosine_and_sine(theta)
+    return c, -s
 
 
 @kernel_into
@@ -81,27 +86,27 @@ def into(T: Array, v: Triple) -> Triple:
 
 
 @kernel_into
-def centre_from_waist(base: Array, tool: Array, T: Array) -> Triple:
+def centre_from_waist(arm: Array, T: Array) -> Triple:
     """v = T W − p₁: where axes 5 and 6 meet, from the foot of the waist, m."""
-    w, foot = out_of(T, triple(tool[CENTRE])), triple(base[FOOT])
+    w, foot = out_of(T, triple(arm[CENTRE])), triple(arm[FOOT])
     return w[0] + T[0, 3] - foot[0], w[1] + T[1, 3] - foot[1], w[2] + T[2, 3] - foot[2]
 
 
 @kernel_into
-def waist_angles(base: Array, aside: float, v: Triple, kept: float) -> tuple[int, float, float]:
+def waist_angles(arm: Array, v: Triple, kept: float) -> tuple[int, float, float]:
     """θ₁ of h · R₁ᵀ v = h · (W − p₁): the parallel axes keep W in a plane that the waist turns."""
-    s, h = triple(base[WAIST]), triple(base[ALONG])
+    s, h, aside = triple(arm[WAIST]), triple(arm[ALONG]), arm[SETTING, ASIDE]
     lean, height = dot(s, h), dot(s, v)
     return linear(dot(h, v) - lean * height, dot(cross(s, h), v), aside - lean * height, kept)
 
 
 @kernel_into
-def fifth_angles(tool: Array, u: Triple) -> tuple[bool, float, float]:
+def fifth_angles(arm: Array, u: Triple) -> tuple[bool, float, float]:
     """Whether there is a θ₅ of h · R₅ ŝ₆ = ŝ₆ · u, and both, rad; u = Rᵀ R₁ h is h as the tool has to see it.
 
     The radicand is that of A cos θ + B sin θ = C, in a form that loses nothing where ŝ₆ comes to lie along h.
     """
-    s5, s6, h = triple(tool[FIFTH]), triple(tool[SIXTH]), triple(tool[ALONG_TOOL])
+    s5, s6, h = triple(arm[FIFTH]), triple(arm[SIXTH]), triple(arm[ALONG_TOOL])
     a, b, x, n = dot(s5, h), dot(s5, s6), dot(u, s6), cross(u, s6)
     radicand = dot(n, n) - a * a - b * b + 2 * a * b * x
     middle, aside = atan2(dot(h, cross(s5, s6)), dot(h, s6) - a * b), atan2(sqrt(max(radicand, 0.0)), x - a * b)
@@ -109,10 +114,9 @@ def fifth_angles(tool: Array, u: Triple) -> tuple[bool, float, float]:
 
 
 @kernel_into
-def sixth_angle(tool: Array, u: Triple, theta5: float, kept: float) -> tuple[float, bool]:
+def sixth_angle(arm: Array, u: Triple, there: Triple, kept: float) -> tuple[float, bool]:
     """θ₆ of R₆ u = R₅ᵀ h, rad, and whether it is free and kept."""
-    s6 = triple(tool[SIXTH])
-    there = rotated(triple(tool[FIFTH]), -theta5, triple(tool[ALONG_TOOL]))
+    s6 = triple(arm[SIXTH])
     n = cross(s6, there)
     if dot(n, n) < FREE * FREE:
         return kept, True
@@ -120,82 +124,60 @@ def sixth_angle(tool: Array, u: Triple, theta5: float, kept: float) -> tuple[flo
 
 
 @kernel_into
-def postures(
-    base: Array, tool: Array, links: NDArray[np.complex128], signs: Array, aside: float, T: Array, q: Array, rows: Array
-) -> int:
+def postures(arm: Array, T: Array, q: Array, rows: Array) -> int:
     """Write every posture for a tool pose (4, 4), m, into rows (8, 10): q, rad, and the columns of this file.
 
-    Args: an arm of `ParallelArm`; q (6,), rad: kept where a joint is free. Returns how many there are.
+    Args: arm of `parallel_arm`; q (6,), rad: kept where a joint is free. Returns how many there are.
     """
     k = 0
-    s1, v = triple(base[WAIST]), centre_from_waist(base, tool, T)
-    two, kept = two_links(links[UPPER], links[FORE]), (q[0], q[5])
-    waists, first, second = waist_angles(base, aside, v, kept[0])
+    s1, s5, s6, v = triple(arm[WAIST]), triple(arm[FIFTH]), triple(arm[SIXTH]), centre_from_waist(arm, T)
+    shoulder, hand, two = ending(arm, SHOULDER), ending(arm, HAND), row_of(arm[LINKS])
+    waists, first, second = waist_angles(arm, v, q[0])
     for waist in range(waists):
         theta1 = first if waist == 0 else second
-        h, x = rotated(s1, theta1, triple(base[ALONG])), rotated(s1, theta1, triple(base[AHEAD]))
+        turn = cosine_and_sine(theta1)
+        h, x = rotated(s1, turn, triple(arm[ALONG])), rotated(s1, turn, triple(arm[AHEAD]))
         y, u = cross(h, x), into(T, h)
         centre = dot(x, v) + 1j * dot(y, v)
-        is_there, one, other = fifth_angles(tool, u)
+        is_there, one, other = fifth_angles(arm, u)
         for flipped in range(2 if is_there else 0):
             theta5 = one if flipped == 0 else other
-            theta6, loose = sixth_angle(tool, u, theta5, kept[1])
-            ahead = rotated(triple(tool[FIFTH]), -theta5, triple(tool[AHEAD_TOOL]))
-            ahead = out_of(T, rotated(triple(tool[SIXTH]), -theta6, ahead))
-            phi = atan2(dot(y, ahead), dot(x, ahead))
-            wrist = centre - links[SHOULDER] - links[HAND] * (cos(phi) + 1j * sin(phi))
+            turn = back(theta5)
+            theta6, loose = sixth_angle(arm, u, rotated(s5, turn, triple(arm[ALONG_TOOL])), q[5])
+            ahead = out_of(T, rotated(s6, back(theta6), rotated(s5, turn, triple(arm[AHEAD_TOOL]))))
+            c, s = dot(x, ahead), dot(y, ahead)
+            size, phi = sqrt(c * c + s * s), atan2(s, c)
+            wrist = centre - shoulder - hand * ((c + 1j * s) / size)
             count, cosine, folded = elbows(wrist, two, SLACK)
+            middle, aside, fold = bent(wrist, two, cosine)
             for elbow in range(count):
                 bend = 1.0 - 2.0 * elbow
-                theta2, theta3 = bent(wrist, two, cosine, bend)
-                theta2 = q[1] if folded else theta2
-                row = rows[k]
-                row[0], row[1], row[2], row[4], row[5] = theta1, theta2, signs[0] * theta3, theta5, theta6
-                row[3] = signs[1] * (phi - theta2 - theta3)
-                row[LEFT], row[UP] = (centre.real >= 0.0) == (aside >= 0.0), (bend > 0.0) == (wrist.real >= 0.0)
-                row[FLIPPED] = flipped
+                theta2 = q[1] if folded else middle - bend * aside
+                theta3 = bend * fold - two[3]
+                row, setting = rows[k], arm[SETTING]
+                row[0], row[1], row[2] = theta1, theta2, setting[THIRD] * theta3
+                row[3], row[4], row[5] = setting[FOURTH] * (phi - theta2 - theta3), theta5, theta6
+                row[LEFT] = (centre.real >= 0.0) == (setting[ASIDE] >= 0.0)
+                row[UP], row[FLIPPED] = (bend > 0.0) == (wrist.real >= 0.0), flipped
                 row[LOOSE] = FREE_WAIST * (waists == 1) + FREE_SHOULDER * folded + FREE_WRIST * loose
                 k += 1
     return k
 
 
-def joint_values(
-    base: Array,
-    tool: Array,
-    links: NDArray[np.complex128],
-    signs: Array,
-    aside: float,
-    links_at_zero: Array,
-    arm: Array,
-    free: Array,
-    T_world_tool: Array,
-    q: Array,
-) -> Array:
-    """The rows of `postures`, polished, verified, each once; links_at_zero, arm and free as in `polished`."""
+def joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
+    """The rows of `postures`, polished, verified, each once. Arguments as there."""
     rows = empty((9, 10))
-    return rows[: verify(base, tool, links, signs, aside, links_at_zero, arm, free, T_world_tool, q, rows)]
+    return rows[: verify(arm, T_world_tool, q, rows)]
 
 
 @kernel_into
-def verify(
-    base: Array,
-    tool: Array,
-    links: NDArray[np.complex128],
-    signs: Array,
-    aside: float,
-    links_at_zero: Array,
-    arm: Array,
-    free: Array,
-    T_world_tool: Array,
-    q: Array,
-    rows: Array,
-) -> int:
+def verify(arm: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
     """Write the rows of `joint_values` into rows (9, 10), of which the last is room for one; returns how many."""
     goal, there, k = stand_of(T_world_tool), rows[8], 0
-    for found in range(postures(base, tool, links, signs, aside, T_world_tool, q, rows)):
+    for found in range(postures(arm, T_world_tool, q, rows)):
         for i in range(LOOSE + 1):
             there[i] = rows[found, i]
-        left = polished(links_at_zero, arm, free, T_world_tool, goal, there[:6])
+        left = polished(arm[POLISHER:], T_world_tool, goal, there[:6])
         if left < ACCEPTED and not is_known(rows, k, there[:6]):
             for i in range(LOOSE + 1):
                 rows[k, i] = there[i]

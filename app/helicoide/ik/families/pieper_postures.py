@@ -14,6 +14,7 @@ from helicoide.ik.families.roots import zeros
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.tool import write
 
 ACCEPTED = 1e-9  # what a posture may miss, m and rad
 # Columns of a posture behind its q: the number of the arm's posture, from 1, whether the wrist is flipped, and which
@@ -153,16 +154,18 @@ def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
                 T[i, j] = T_world_tool[j, i]
                 T[i, 3] -= T_world_tool[j, i] * T_world_tool[j, 3]
         T[3, 3] = 1.0
-    T = framed(arm["frames"][0], T, arm["frames"][1])
-    T[2, 3] -= arm["d"][0]
-    return T
+    seen = np.empty((4, 4))
+    x, y, z = framed(arm["frames"][0], T, arm["frames"][1])
+    write(seen, x, y, z)
+    seen[2, 3] -= arm["d"][0]
+    return seen
 
 
 @kernel
-def joint_values(arms: Chain, links: Array, arm: Array, free: Array, T_world_tool: Array, q: Array) -> Array:
+def joint_values(arms: Chain, table: Array, T_world_tool: Array, q: Array) -> Array:
     """Every posture for a tool pose (4, 4), m, polished, verified, each once: q, rad, and what `postures` notes.
 
-    Args: arms (1,) of PIEPER; links, arm and free as in `polished`; q (6,), rad: kept where a joint is free.
+    Args: arms (1,) of PIEPER; table of `polish.polisher`; q (6,), rad: kept where a joint is free.
     """
     form, goal = arms[0], stand_of(T_world_tool)
     shifts, backwards = form["shifts"], form["backwards"]
@@ -174,7 +177,7 @@ def joint_values(arms: Chain, links: Array, arm: Array, free: Array, T_world_too
     for row in rows:
         for i in range(6):
             there[5 - i if backwards else i] = row[i] - shifts[i]
-        if polished(links, arm, free, T_world_tool, goal, there) < ACCEPTED and not is_known(rows, k, there):
+        if polished(table, T_world_tool, goal, there) < ACCEPTED and not is_known(rows, k, there):
             number += int(row[ARM] != last)
             last = row[ARM]
             for i in range(6):

@@ -7,8 +7,10 @@ from math import sqrt
 
 import numpy as np
 
-from helicoide.kernels import kernel
+from helicoide.ik.families.frames import Tool, rows_of
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.tool import Triple, along, cross, dot, ending
 
 # A hand counts as pointing straight out of the plane where the sine to its normal is below this.
 ACROSS = 1e-8
@@ -40,38 +42,32 @@ def turned_into_plane(T: Array, hand: Array, M: Array) -> Pointing:
 
     hand: the pointing direction in the frame of the tool, (3,), unit.
     """
-    K, Z, cosine, sine, R = into_plane(np.ascontiguousarray(T), hand, M)
-    return Pointing(M, K, Z, cosine, sine, R)
+    K, Z, cosine, sine, R = into_plane(rows_of(np.ascontiguousarray(T)), tuple(hand.tolist()), tuple(M.tolist()))
+    return Pointing(M, np.array(K), np.array(Z), cosine, sine, np.array(R)[:, :3])
 
 
-@kernel
-def into_plane(T: Array, hand: Array, M: Array) -> tuple[Array, Array, float, float, Array]:
+@kernel_into
+def into_plane(tool: Tool, hand: Triple, M: Triple) -> tuple[Triple, Triple, float, float, Tool]:
     """The smallest turn that brings the direction Ẑ = R·hand into the plane across M: K = M × Ẑ / |M × Ẑ|, Ẑ' = K × M.
 
     cos θ = Ẑ·Ẑ', sin θ = (Ẑ × Ẑ')·K; each axis follows: v' = cos θ v + sin θ K × v + (1 − cos θ)(K·v) K (Rodrigues).
     Where Ẑ lies along M every direction of the plane is as near; the horizontal one is taken, K down.
-    Args: T (4, 4), m; hand, M (3,). Returns K, Ẑ', cos θ, sin θ and the turned orientation (3, 3).
+    Returns K, Ẑ', cos θ, sin θ and the tool, turned about its own point.
     Source: Campos 1998, s.36 and s.55; Craig, Introduction to Robotics, ch. 4.
     """
-    K, Z, R = np.empty(3), np.empty(3), np.empty((3, 3))
-    x, y, z = (
-        T[0, 0] * hand[0] + T[0, 1] * hand[1] + T[0, 2] * hand[2],
-        T[1, 0] * hand[0] + T[1, 1] * hand[1] + T[1, 2] * hand[2],
-        T[2, 0] * hand[0] + T[2, 1] * hand[1] + T[2, 2] * hand[2],
+    x, y, z = tool
+    pointing = along(x, hand), along(y, hand), along(z, hand)
+    K = cross(M, pointing)
+    size = sqrt(K[0] * K[0] + K[1] * K[1] + K[2] * K[2])
+    K = (0.0, 0.0, -1.0) if size < ACROSS else (K[0] / size, K[1] / size, K[2] / size)
+    Z = cross(K, M)
+    c, s = dot(pointing, Z), dot(K, cross(pointing, Z))
+    # the rows of cos θ + sin θ [K] + (1 − cos θ) K Kᵀ
+    a, b, d = (1.0 - c) * K[0], (1.0 - c) * K[1], (1.0 - c) * K[2]
+    turn = (
+        (c + a * K[0], a * K[1] - s * K[2], a * K[2] + s * K[1], 0.0),
+        (b * K[0] + s * K[2], c + b * K[1], b * K[2] - s * K[0], 0.0),
+        (d * K[0] - s * K[1], d * K[1] + s * K[0], c + d * K[2], 0.0),
     )
-    kx, ky, kz = M[1] * z - M[2] * y, M[2] * x - M[0] * z, M[0] * y - M[1] * x
-    size = sqrt(kx * kx + ky * ky + kz * kz)
-    if size < ACROSS:
-        kx, ky, kz, size = 0.0, 0.0, -1.0, 1.0
-    kx, ky, kz = kx / size, ky / size, kz / size
-    px, py, pz = ky * M[2] - kz * M[1], kz * M[0] - kx * M[2], kx * M[1] - ky * M[0]
-    cosine = x * px + y * py + z * pz
-    sine = kx * (y * pz - z * py) + ky * (z * px - x * pz) + kz * (x * py - y * px)
-    K[0], K[1], K[2], Z[0], Z[1], Z[2] = kx, ky, kz, px, py, pz
-    for j in range(3):
-        x, y, z = T[0, j], T[1, j], T[2, j]
-        along = (1.0 - cosine) * (kx * x + ky * y + kz * z)
-        R[0, j] = cosine * x + sine * (ky * z - kz * y) + along * kx
-        R[1, j] = cosine * y + sine * (kz * x - kx * z) + along * ky
-        R[2, j] = cosine * z + sine * (kx * y - ky * x) + along * kz
-    return K, Z, cosine, sine, R
+    p, q, r = ending(turn[0], tool), ending(turn[1], tool), ending(turn[2], tool)
+    return K, Z, c, s, ((p[0], p[1], p[2], x[3]), (q[0], q[1], q[2], y[3]), (r[0], r[1], r[2], z[3]))

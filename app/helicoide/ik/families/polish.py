@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import atan2, sqrt
 
-from helicoide.ik.postures.descent import descend, memory_of
+import numpy as np
+
+from helicoide.ik.postures.descent import descend
+from helicoide.ik.postures.errors import COLUMNS, goal_of
 from helicoide.ik.postures.listing import wrapped
-from helicoide.ik.postures.measure import Stand, remains
+from helicoide.ik.postures.measure import Stand, measured, remains
+from helicoide.ik.postures.packed import LANES, PERIOD, WIDTH, behind_joints, search_of, wide
 from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.chain import Array
+from helicoide.kinematics.robot import Robot
 
 # What a posture may miss without polish, m and rad, and how many steps there are; sines, or lengths in m, that leave an
 # angle free; what rounding takes from a radicand, of its largest value; postures nearer than MERGED, rad, are one.
@@ -32,24 +38,36 @@ def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float
     return 2, middle + aside, middle - aside
 
 
+@lru_cache(maxsize=64)
+def polisher(robot: Robot) -> Array:
+    """A robot as `polished` takes it, (k, 12): the table of a search without limits, in which no turn is taken back.
+
+    The rows of `measure.measured` stand behind it.
+    """
+    ranges, links = wide(robot), measured(robot)
+    ranges[:, PERIOD] = 0.0
+    wider = ((0, 0), (0, WIDTH - links.shape[1]))
+    return np.concatenate([search_of(robot, ranges, 1.0, (EXACT, EXACT), STEPS, 1).table, np.pad(links, wider)])
+
+
 @kernel_into
-def polished(links: Array, arm: Array, free: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
+def polished(table: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
     """What is left of a pose, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
 
-    Args: links of `measure.measured` and arm of `tool.packed`; free (n, 6): the joints without limits, as `descent`
-    takes them; T_world_tool (4, 4), m, and the same as `measure.stand_of` gives it.
+    Args: table of `polisher`; T_world_tool (4, 4), m, and the same as `measure.stand_of` gives it; q (n,), rad.
     """
+    links = table[behind_joints(table) + q.shape[0] :]
     missed, turned = remains(links, q, goal)
     if max(missed, turned) > EXACT:
-        polish(arm, free, T_world_tool, q)
+        polish(table, T_world_tool, q)
         missed, turned = remains(links, q, goal)
     return max(missed, turned)
 
 
 @kernel
-def polish(arm: Array, free: Array, T_world_tool: Array, q: Array) -> None:
+def polish(table: Array, T_world_tool: Array, q: Array) -> None:
     """Newton's steps in q; arguments as in `polished`."""
-    descend(arm, free, T_world_tool, (1.0, 1.0), (EXACT, EXACT), STEPS, q, memory_of(q.shape[0]))
+    descend(table, goal_of(table, T_world_tool), q, np.zeros((COLUMNS + q.shape[0], LANES)))
 
 
 @kernel_into

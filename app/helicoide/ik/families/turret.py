@@ -7,13 +7,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
+from math import cos, sin, sqrt
 
 import numpy as np
 
+from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.ik.families.pointing import Pointing, turned_into_plane
-from helicoide.kernels import kernel
+from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.tool import Triple, along
 
 # Axes count as parallel, or as square, below this sine; lines as meeting below this distance, m.
 SQUARE, MEETING = 1e-9, 1e-9
@@ -43,7 +46,8 @@ class Turret:
         Where the tool stands over the first axis, the plane is the one in which it points; if it points along the axis
         too, the one of θ₁, rad, as it is. Source: Campos 1998, s.55; Craig, ch. 4.
         """
-        return normal_of(T_base_tool, self.hand, self.over, theta1)
+        M, is_free = normal_of(rows_of(T_base_tool), tuple(self.hand.tolist()), self.over, theta1)
+        return np.array(M), is_free
 
     def pointed(self, T_world_tool: Array, theta1: float) -> tuple[Pointing, Array]:
         """How a pose (4, 4), m, is turned about its own point into the subspace, seen from the base, and the pose."""
@@ -54,19 +58,18 @@ class Turret:
         return turn, goal
 
 
-@kernel
-def normal_of(T: Array, hand: Array, over: float, theta1: float) -> tuple[Array, bool]:
-    """The normal of `Turret.normal`, (3,), for a tool (4, 4), m, seen from the base."""
-    x, y = T[0, 3], T[1, 3]
-    upright = False
-    if np.sqrt(x * x + y * y) < over:
-        x = T[0, 0] * hand[0] + T[0, 1] * hand[1] + T[0, 2] * hand[2]
-        y = T[1, 0] * hand[0] + T[1, 1] * hand[1] + T[1, 2] * hand[2]
-        upright = bool(np.sqrt(x * x + y * y) < SQUARE)
+@kernel_into
+def normal_of(tool: Tool, hand: Triple, over: float, theta1: float) -> tuple[Triple, bool]:
+    """The normal of `Turret.normal` for a tool seen from the base, m."""
+    (x, y, _), upright = tool, False
+    ahead, aside = x[3], y[3]
+    if sqrt(ahead * ahead + aside * aside) < over:
+        ahead, aside = along(x, hand), along(y, hand)
+        upright = sqrt(ahead * ahead + aside * aside) < SQUARE
         if upright:
-            x, y = np.cos(theta1), np.sin(theta1)
-    size = np.sqrt(x * x + y * y)
-    return np.array([-y / size, x / size, 0.0]), upright
+            ahead, aside = cos(theta1), sin(theta1)
+    size = sqrt(ahead * ahead + aside * aside)
+    return (-aside / size, ahead / size, 0.0), upright
 
 
 @lru_cache(maxsize=64)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cmath import phase
 from math import atan2, sqrt
 
 import numpy as np
@@ -9,19 +10,13 @@ import numpy as np
 from helicoide.ik.families.elbow import EDGE
 from helicoide.kernels import kernel_into
 
+# |l₁|, |l₂|, arg l₁ and arg(l₂/l₁), m and rad.
 TwoLinks = tuple[float, float, float, float]
 
 
-@kernel_into
-def angle_of(z: complex) -> float:
-    """arg z, rad."""
-    return atan2(z.imag, z.real)
-
-
-@kernel_into
 def two_links(l1: complex, l2: complex) -> TwoLinks:
-    """|l₁|, |l₂|, arg l₁ and arg(l₂/l₁), m and rad."""
-    return abs(l1), abs(l2), angle_of(l1), angle_of(l2 / l1)
+    """The links as the kernels take them. Args: l₁, l₂, m."""
+    return abs(l1), abs(l2), phase(l1), phase(l2 / l1)
 
 
 @kernel_into
@@ -32,7 +27,7 @@ def elbows(z: complex, links: TwoLinks, slack: float) -> tuple[int, float, bool]
     The rules are those of `elbow.Annulus`.
     """
     l1, l2, _, _ = links
-    r, inner, outer = abs(z), abs(l1 - l2), l1 + l2
+    r, inner, outer = sqrt(z.real * z.real + z.imag * z.imag), abs(l1 - l2), l1 + l2
     cosine, edge, beyond = (r * r - l1 * l1 - l2 * l2) / (2 * l1 * l2), EDGE * outer, max(r - outer, inner - r)
     if beyond > slack * outer:
         return 0, cosine, False
@@ -42,8 +37,11 @@ def elbows(z: complex, links: TwoLinks, slack: float) -> tuple[int, float, bool]
 
 
 @kernel_into
-def bent(z: complex, links: TwoLinks, cosine: float, bend: float) -> tuple[float, float]:
-    """θ₂ and θ₃ of z = l₁ e^(iθ₂) + l₂ e^(i(θ₂ + θ₃)), rad, for a sign of the bend θ₃ + arg(l₂/l₁)."""
-    l1, l2, first, second = links
-    sine = bend * sqrt(max(1.0 - cosine * cosine, 0.0))
-    return angle_of(z) - atan2(l2 * sine, l1 + l2 * cosine) - first, atan2(sine, cosine) - second
+def bent(z: complex, links: TwoLinks, cosine: float) -> tuple[float, float, float]:
+    """θ₂ = μ ∓ ψ and θ₃ = ±γ − δ of z = l₁ e^(iθ₂) + l₂ e^(i(θ₂ + θ₃)), the upper sign for a bend θ₃ + δ > 0.
+
+    δ = arg(l₂/l₁). Returns μ, ψ and γ, rad.
+    """
+    l1, l2, first, _ = links
+    sine = sqrt(max(1.0 - cosine * cosine, 0.0))
+    return atan2(z.imag, z.real) - first, atan2(l2 * sine, l1 + l2 * cosine), atan2(sine, cosine)

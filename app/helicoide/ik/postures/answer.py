@@ -66,7 +66,7 @@ class Found(NamedTuple):
     short: float = 0.0
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)  # frozen, it would take three times as long to make, which is felt
 class Answer:
     """Every posture for a goal: `rows` (k, n + 7) with the columns of `listing`, and what was found for them."""
 
@@ -146,8 +146,9 @@ class Answer:
         if not len(self.rows):
             return False
         first, said = self.rows.item, -1 - listing.COST
-        left = first(0, said + listing.LEFT), first(0, said + listing.LEFT_TURNED)
-        return bool(first(0, said + listing.WITHIN)) and max(left) <= listing.REACHED
+        kept = first(0, said + listing.WITHIN) > 0
+        reached = first(0, said + listing.LEFT) <= listing.REACHED
+        return kept and reached and first(0, said + listing.LEFT_TURNED) <= listing.REACHED
 
     @property
     def nearest(self) -> Answer:

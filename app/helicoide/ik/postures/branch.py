@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy import empty
 from numpy.typing import ArrayLike
 
 from helicoide.ik.task import rotation_vector
@@ -64,8 +65,8 @@ def check_pose(T: ArrayLike) -> Array:
 
 def pose_of(T: ArrayLike) -> Array:
     """The same as a copy that may be written."""
-    pose = np.array(T, dtype=np.float64, order="C")
-    if pose.shape != (4, 4) or not is_pose(pose):
+    given, pose = np.ascontiguousarray(T, dtype=np.float64), empty((4, 4))
+    if given.shape != (4, 4) or not taken(given, pose):
         raise HelicoideError(
             Text(
                 en="A goal is a 4 × 4 pose of finite numbers: a rotation, a position, and the last row 0, 0, 0, 1.",
@@ -76,8 +77,14 @@ def pose_of(T: ArrayLike) -> Array:
 
 
 @kernel_into
-def is_pose(T: Array) -> bool:
-    """Whether RᵀR = 1 and det R = 1 but for rounding, the place (3,) is finite, and the last row is 0, 0, 0, 1."""
+def taken(T: Array, pose: Array) -> bool:
+    """Write a copy of T (4, 4), m, and say whether it is a pose.
+
+    RᵀR = 1 and det R = 1 but for rounding, the place (3,) is finite, and the last row is 0, 0, 0, 1.
+    """
+    for i in range(4):
+        for j in range(4):
+            pose[i, j] = T[i, j]
     for i in range(3):
         for j in range(i, 3):
             product = T[0, i] * T[0, j] + T[1, i] * T[1, j] + T[2, i] * T[2, j]

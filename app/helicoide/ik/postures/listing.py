@@ -7,12 +7,12 @@ from functools import lru_cache
 import numpy as np
 from numpy import empty
 
-from helicoide.ik.postures.measure import measured, remains, stand_of
+from helicoide.ik.postures.measure import COLUMNS, measured, remains, stand_of
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
-# Columns of a joint: its limits, whether it stands alike after a turn, and what its motion costs, 1/rad or 1/m.
+# Columns of a variable: its limits, whether it stands alike after a turn, and what its motion costs, 1/rad or 1/m.
 LOWER, UPPER, WHOLE, WEIGHT = range(4)
 # Columns of a posture behind its q: what its tool leaves of the asked pose, m and rad; whether every joint keeps its
 # limits; its number among those that were found; what it leaves of the pose that was solved for; the cost of the way.
@@ -22,12 +22,15 @@ REACHED = 1e-5  # what may be left of a goal that counts as reached, m and rad
 
 
 @lru_cache(maxsize=64)
-def joints_of(robot: Robot) -> Array:
-    """The variables as the kernel takes them, (n, 4); they count alike, a slide in units of the reach."""
-    joints = np.empty((len(robot.variables), 4))
+def listed(robot: Robot) -> Array:
+    """A robot as the kernel takes it, (m + 1 + n, 10): the rows of `measured`, and of the variables.
+
+    They count alike, a slide in units of the reach.
+    """
+    joints = np.zeros((len(robot.variables), COLUMNS))
     joints[:, LOWER], joints[:, UPPER], joints[:, WHOLE] = robot.lower, robot.upper, robot.turns_whole
     joints[:, WEIGHT] = [1.0 / robot.reach if joint.slides else 1.0 for joint in robot.variables]
-    return joints
+    return np.concatenate([measured(robot), joints])
 
 
 def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, with_orientation: bool) -> Array:
@@ -36,17 +39,16 @@ def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, 
     Each joint turns the shorter way from q where its limits allow it. Args: found (k, ≥ n): q of each, rad or m; asked,
     solved (4, 4), m; q (n,): from where motion counts. Returns (k, n + 7), as the columns of this file say.
     """
-    joints = joints_of(robot)
-    rows = empty((len(found), len(joints) + 7))
-    list_into(measured(robot), joints, found, asked, solved, q, with_orientation, True, rows)
+    rows = empty((len(found), len(q) + 7))
+    list_into(listed(robot), found, asked, solved, q, with_orientation, True, rows)
     return rows
 
 
 def as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
     """The same postures in the order in which they were found, with angles in (−π, π] where the limits allow it."""
-    arm, joints = measured(robot), joints_of(robot)
-    rows = empty((len(found), len(joints) + 7))
-    list_into(arm, joints, found, asked, solved, np.zeros(len(joints)), with_orientation, False, rows)
+    still = np.zeros(len(robot.variables))
+    rows = empty((len(found), len(still) + 7))
+    list_into(listed(robot), found, asked, solved, still, with_orientation, False, rows)
     return rows
 
 
@@ -101,8 +103,7 @@ def follows(one: Array, other: Array) -> bool:
 
 @kernel_into
 def list_into(
-    arm: Array,
-    joints: Array,
+    robot: Array,
     found: Array,
     asked: Array,
     solved: Array,
@@ -112,7 +113,8 @@ def list_into(
     rows: Array,
 ) -> None:
     """Write the rows of `in_order`, or those of `as_found`. Source: Campos 1998, s.17 (the choice of the nearest)."""
-    n, k = joints.shape[0], found.shape[0]
+    n, k = now.shape[0], found.shape[0]
+    arm, joints = robot[: robot.shape[0] - n], robot[robot.shape[0] - n :]
     wished, goal = stand_of(asked), stand_of(solved)
     as_asked = wished == goal
     turns = 1.0 if with_orientation else 0.0

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from helicoide.ik.postures.descent import HELD
-from helicoide.ik.postures.numeric import searcher
-from helicoide.ik.postures.restarts import approach
+from functools import lru_cache
+
+from helicoide.ik.postures.numeric import WITHIN, approached
+from helicoide.ik.postures.packed import HELD, Search, search_of, wide
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 
@@ -18,8 +19,11 @@ def nearest(robot: Robot, T_world_goal: Array, q: Array, with_orientation: bool)
     what it finds is reached, but another minimum could lie nearer still.
     Args: T_world_goal (4, 4), m. Source: `restarts.approach`.
     """
-    of = searcher(robot)
-    ranges = of.wide.copy()
+    return frozen(approached(_towards(robot, with_orientation), T_world_goal.copy(), q.copy()))
+
+
+@lru_cache(maxsize=32)
+def _towards(robot: Robot, with_orientation: bool) -> Search:
+    ranges = wide(robot)
     ranges[:, HELD] = [joint.slides for joint in robot.variables]
-    weights = (1.0 / of.reach, float(with_orientation))
-    return frozen(approach(of.arm, ranges, T_world_goal.copy(), q.copy(), weights, STEPS, SEARCHES))
+    return search_of(robot, ranges, float(with_orientation), WITHIN, STEPS, SEARCHES)

@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 from helicoide.ik.postures import listing
 from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Said, in_order
 from helicoide.ik.postures.branch import check_pose
-from helicoide.ik.postures.descent import HELD, LOWER, PERIOD, STRIDE, UNIT, UPPER
 from helicoide.ik.postures.measure import left
+from helicoide.ik.postures.packed import PERIOD, UNIT, Search, behind_joints, limited, search_of, wide
 from helicoide.ik.postures.restarts import approach, draw, search
 from helicoide.ik.task import ORIENTATION_LENGTH
 from helicoide.kinematics.chain import Array
@@ -54,47 +54,23 @@ LIMITED = Text(
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Searcher:
-    """A robot as the searches take it: its joints and tool; ranges (n, 6) that keep the limits, and that do not.
-
-    Without limits a joint that turns is searched over a full turn; unbounded, it may be any number of turns away.
-    """
-
-    arm: Array
-    ranges: Array
-    wide: Array
-    unbounded: Array
-    reach: float
+@lru_cache(maxsize=32)
+def _within_limits(robot: Robot, with_orientation: bool) -> Search:
+    """What finds one posture within the limits."""
+    return search_of(robot, limited(robot), float(with_orientation), WITHIN, STEPS, SEARCHES)
 
 
-@lru_cache(maxsize=16)
-def searcher(robot: Robot) -> Searcher:
-    """The arrays of a robot."""
-    n = len(robot.variables)
-    turns = robot.turns_whole
-    ranges = np.empty((n, 6))
-    ranges[:, LOWER], ranges[:, UPPER] = robot.lower, robot.upper
-    ranges[:, PERIOD] = np.where(turns, 2 * np.pi, 0.0)
-    ranges[:, HELD] = ~turns | (robot.upper - robot.lower < 2 * np.pi)
-    ranges[:, STRIDE] = strides(n)
-    ranges[:, UNIT] = [robot.reach if joint.slides else 1.0 for joint in robot.variables]
-    wide = ranges.copy()
-    wide[turns, LOWER], wide[turns, UPPER], wide[:, HELD] = -np.pi, np.pi, 0.0
-    unbounded = wide.copy()
-    unbounded[:, PERIOD] = 0.0
-    return Searcher(packed(robot), ranges, wide, unbounded, robot.reach)
+@lru_cache(maxsize=32)
+def _anywhere(robot: Robot, with_orientation: bool) -> Search:
+    """What finds one of all postures, in a single search."""
+    return search_of(robot, wide(robot), float(with_orientation), FINE, FINE_STEPS, 1)
 
 
-def strides(n: int) -> Array:
-    """By how much the shares of n joints differ from one draw to the next: φ⁻¹, φ⁻², …, with φⁿ⁺¹ = φ + 1.
-
-    Source: Roberts 2018, The unreasonable effectiveness of quasirandom sequences.
-    """
-    phi = 2.0
-    for _ in range(60):
-        phi = (1.0 + phi) ** (1.0 / (n + 1))
-    return phi ** -np.arange(1.0, n + 1)
+@lru_cache(maxsize=32)
+def _towards(robot: Robot, with_orientation: bool) -> Search:
+    """What comes near to a goal out of reach."""
+    weight = ORIENTATION_LENGTH * with_orientation
+    return search_of(robot, limited(robot), weight, WITHIN, APPROACH_STEPS, APPROACHES)
 
 
 def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Array:
@@ -102,11 +78,11 @@ def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool 
 
     Args: T_world_tool (4, 4), m; q (n,), rad or m. Returns what `restarts.search` does, (n + 4,).
     """
-    of = searcher(robot)
-    weights = (1.0 / of.reach, float(with_orientation))
+    of = _within_limits(robot, with_orientation)
+    answer = np.empty(of.answer)
     # a kernel is compiled anew for arrays that are not in the usual order
-    goal, start = np.ascontiguousarray(T_world_tool), np.ascontiguousarray(q)
-    return search(of.arm, of.ranges, goal, start, weights, WITHIN, STEPS, SEARCHES)
+    search(of.table, np.ascontiguousarray(T_world_tool), np.ascontiguousarray(q), np.zeros(of.room), answer)
+    return answer
 
 
 def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
@@ -139,7 +115,7 @@ def one(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Foun
 
 def every(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
     """What `branches` answers, found; unchecked."""
-    rows, searches = gathered(searcher(robot), goal, start, with_orientation, MOST)
+    rows, searches = gathered(robot, goal, start, with_orientation, MOST)
     if not len(rows):
         return _nearest(robot, goal, start, with_orientation)
     endless = any(_is_endless(robot, row, goal, with_orientation) for row in rows)
@@ -169,57 +145,63 @@ class Reached:
         return REACHED.format(searches=self.searches, es="es"[: 2 * more], s="s"[:more])
 
 
-def gathered(of: Searcher, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
+def gathered(robot: Robot, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
     """Different postures (k, n), within the limits or not, and the number of searches; unchecked.
 
     It ends with `most` of them, or when a number of searches in a row came to known ones.
     """
-    found, again, number = np.empty((0, start.size)), 0, 0
+    of, found, again, number = _anywhere(robot, with_orientation), np.empty((0, start.size)), 0, 0
     q = start.copy()
     while number < MOST_SEARCHES and len(found) < most and again < PATIENCE:
-        reached = _fine(of, goal, q, with_orientation)
+        reached = _fine(of, goal, q)
         if reached is not None and _is_known(of, reached, found):
             again += 1
         elif reached is not None:
             found, again = np.vstack([found, reached]), 0
         number += 1
-        draw(of.wide, number, q)
+        draw(of.table, number, q)
     return found, number
 
 
-def _fine(of: Searcher, goal: Array, q: Array, with_orientation: bool) -> Array | None:
+def _fine(of: Search, goal: Array, q: Array) -> Array | None:
     """The posture that one search from q comes to, within the limits or not; None if in vain."""
-    weights = (1.0 / of.reach, float(with_orientation))
-    found = search(of.arm, of.wide, goal, q, weights, FINE, FINE_STEPS, 1)
+    found = np.empty(of.answer)
+    search(of.table, goal, q, np.zeros(of.room), found)
     return found[:-4] if found[-4] < np.inf else None
 
 
-def _is_known(of: Searcher, q: Array, found: Array, apart: float = APART) -> bool:
+def _is_known(of: Search, q: Array, found: Array, apart: float = APART) -> bool:
     """Whether in one of the rows of found (k, n) every joint stands nearer than that to where q has it."""
-    ways = found - q
-    ways -= of.wide[:, PERIOD] * np.round(ways / np.where(of.wide[:, PERIOD] > 0, of.wide[:, PERIOD], np.inf))
-    return bool((np.abs(ways) < apart * of.wide[:, UNIT]).all(axis=1).any())
+    ranges, ways = of.table[behind_joints(of.table) :], found - q
+    ways -= ranges[:, PERIOD] * np.round(ways / np.where(ranges[:, PERIOD] > 0, ranges[:, PERIOD], np.inf))
+    return bool((np.abs(ways) < apart * ranges[:, UNIT]).all(axis=1).any())
 
 
 def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
     """The posture within the limits that comes nearest, and whether others would reach the goal."""
-    of = searcher(robot)
-    weights = (1.0 / of.reach, ORIENTATION_LENGTH * with_orientation)
-    q = approach(of.arm, of.ranges, goal, start, weights, APPROACH_STEPS, APPROACHES)
+    q = approached(_towards(robot, with_orientation), goal, start)
     missed, turned = left(robot, q, goal, with_orientation)
-    beyond_limits = len(gathered(of, goal, start, with_orientation, 1)[0]) > 0
+    beyond_limits = len(gathered(robot, goal, start, with_orientation, 1)[0]) > 0
     words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * missed, degrees=np.degrees(turned))
     return Found(q[None], goal, Said((POSTURE.format(n=1),), words), short=missed)
 
 
+def approached(of: Search, goal: Array, start: Array) -> Array:
+    """What `restarts.approach` writes, (n,)."""
+    answer = np.empty((3, start.size))
+    approach(of.table, goal, start, np.zeros(of.room), answer)
+    return np.asarray(answer[0])
+
+
 def _is_endless(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> bool:
     """Whether a posture (n,) is one of a family: a step along a motion that the tool does not feel leads to another."""
-    of = searcher(robot)
-    J = tool_jacobian(of.arm, q)[: 6 if with_orientation else 3] * of.wide[:, UNIT]
-    J[:3] /= of.reach
+    of = _anywhere(robot, with_orientation)
+    units = of.table[behind_joints(of.table) :, UNIT]
+    J = tool_jacobian(packed(robot), q)[: 6 if with_orientation else 3] * units
+    J[:3] /= robot.reach
     _, sigma, Vt = np.linalg.svd(J)
-    for way in Vt[np.count_nonzero(sigma > LOST * sigma[0]) :] * of.wide[:, UNIT]:
-        walked = _fine(of, goal, q + WALK * way, with_orientation)
+    for way in Vt[np.count_nonzero(sigma > LOST * sigma[0]) :] * units:
+        walked = _fine(of, goal, q + WALK * way)
         if walked is not None and not _is_known(of, walked, q[None], WALK / 4):
             return True
     return False

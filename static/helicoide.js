@@ -53,6 +53,7 @@
 
   function draw() {
     document.documentElement.lang = language.replace("_", "-");
+    document.documentElement.toggleAttribute("data-projector", notice.projector === true);
     write(label, words[language][notice.everywhere ? "stop_all" : "stop"]);
     write(line, link === "lost" ? words[language].lost : notice.status);
     line.dataset.tone = link === "lost" ? "lost" : notice.tone;
@@ -83,6 +84,18 @@
     if (front === shown || front < 0) return;
     shown = front;
     send({ tab: front });
+  }
+
+  // A formula that is wider than its panel is drawn smaller, as far as it stays legible.
+  function fit() {
+    for (const box of document.querySelectorAll(".helicoide-formula")) {
+      const wide = `${box.clientWidth}`;
+      if (box.clientWidth === 0 || box.dataset.fits === wide) continue;
+      box.style.fontSize = "";
+      const share = box.clientWidth / box.scrollWidth;
+      if (share < 1) box.style.fontSize = `${Math.max(share * 0.98, 0.7)}em`;
+      box.dataset.fits = wide;
+    }
   }
 
   function remembered() {
@@ -226,4 +239,5 @@
   setInterval(beat, BEAT_MS);
   setInterval(stand, 50);
   setInterval(look, 100);
+  setInterval(fit, 200);
 })();

@@ -31,6 +31,7 @@ def run(
     origin: tuple[str, ...] = (),
     lang: Literal["en", "pt_BR"] | None = None,
     lesson: str | None = None,
+    projector: bool = False,
 ) -> None:
     """Open the lab in a browser.
 
@@ -44,11 +45,12 @@ def run(
         origin: further addresses at which browsers find the page, such as https://lab.example.org behind a proxy.
         lang: language of new windows, else what their browser asks for, and of this terminal.
         lesson: name of the lesson to begin with.
+        projector: large words and handles in new windows, for the back row.
     """
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
     arm = load(robot or default, tip, set, base)
     welcome(arm)
-    lab = Lab(arm, lang, lesson)
+    lab = Lab(arm, lang, lesson, projector)
     if kernels.CACHE_NOTE is not None:
         print(kernels.CACHE_NOTE[lang or language()])
     stopped = threading.Event()

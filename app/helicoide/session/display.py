@@ -16,11 +16,10 @@ from helicoide.view.audience import Audience, Server
 from helicoide.view.channel import Control, Notice
 from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
-from helicoide.view.window import Window
+from helicoide.view.window import CLEARED, Window
 
-# s: the shortest time between two frames, and between two writings of words; and how long a browser needs to take a
-# scene away, since a node that is put back in the same message keeps its old pose
-FRAME, WORDS, CLEARED = 0.016, 0.2, 0.15
+# s: the shortest time between two frames, and between two writings of words
+FRAME, WORDS = 0.016, 0.2
 # How much is waited after drawing and writing, as a share of what it took.
 SPARE, SPARE_WORDS = 0.3, 3.0
 
@@ -171,7 +170,7 @@ class Display:
         """The status line; until the arms live it is the lab that says how far that is."""
         if view.ready:
             said = status(view.state)
-            notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected)
+            notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected, view.seat.projector)
             self.control.push(window.link.key, notice)
 
     async def _written(self, window: Window) -> float:

@@ -40,12 +40,15 @@ log = logging.getLogger("helicoide")
 class Lab:
     """The server, the loop, the seats, the windows and the workcells. Its methods run on the server's event loop.
 
-    language: of new windows, None for what their browser asks for; lesson_name: the one that they begin with.
+    Of new windows: language, None for what their browser asks for; lesson_name: the one that they begin with;
+    projector: whether their words and handles are large.
     """
 
-    def __init__(self, robot: Robot, language: Language | None, lesson_name: str | None) -> None:
+    def __init__(
+        self, robot: Robot, language: Language | None, lesson_name: str | None, projector: bool = False
+    ) -> None:
         self.language = language
-        self.seats = Seats(lesson_name)
+        self.seats = Seats(lesson_name, projector)
         self.visitors: dict[int, Visitor] = {}
         self.lines: dict[int, Line] = {}
         self.control = Control(self._stopped, self._released, self._turned)
@@ -112,7 +115,9 @@ class Lab:
             self._say_to(visitor)
 
     def _say_to(self, visitor: Visitor) -> None:
-        self.control.push(visitor.window.link.key, Notice(visitor.place.seat.language, self.said, "warn"))
+        seat = visitor.place.seat
+        notice = Notice(seat.language, self.said, "warn", projector=seat.projector)
+        self.control.push(visitor.window.link.key, notice)
 
     def _tidy(self) -> None:
         self.seats.tidy(monotonic())

@@ -34,8 +34,8 @@ class Place:
 class Seats:
     """The places by the token that the browser of each person keeps."""
 
-    def __init__(self, lesson: str | None) -> None:
-        self.lesson = lesson
+    def __init__(self, lesson: str | None, projector: bool = False) -> None:
+        self.lesson, self.projector = lesson, projector
         self.places: dict[str, Place] = {}
 
     def take(self, token: str | None, language: Language) -> Place:
@@ -43,7 +43,7 @@ class Seats:
         place = self.places.get(token or "")
         if place is None:
             token = secrets.token_urlsafe(12)
-            place = self.places[token] = Place(seated(token, language, self.lesson))
+            place = self.places[token] = Place(seated(token, language, self.lesson, self.projector))
         place.windows += 1
         return place
 

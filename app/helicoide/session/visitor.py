@@ -10,11 +10,10 @@ from helicoide import gate, lesson
 from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
-from helicoide.session.display import CLEARED
 from helicoide.session.seats import Place
 from helicoide.state import Grasp
 from helicoide.view.rows import View
-from helicoide.view.window import Window
+from helicoide.view.window import CLEARED, Window
 
 
 @dataclass(eq=False)

@@ -27,12 +27,14 @@ Tone = Literal["ok", "warn", "blocked", "stopped"]
 
 @dataclass(frozen=True)
 class Notice:
-    """What the status line of one window says, and how it looks; everywhere: whether its Stop stops a real arm too."""
+    """What the status line of one window says, and how it looks; everywhere: whether its Stop stops a real arm too;
+    projector: whether its words are large."""
 
     language: Language
     status: Text
     tone: Tone
     everywhere: bool = False
+    projector: bool = False
 
     def json(self) -> str:
         """Write it as the page reads it."""
@@ -42,6 +44,7 @@ class Notice:
                 "status": self.status[self.language],
                 "tone": self.tone,
                 "everywhere": self.everywhere,
+                "projector": self.projector,
             }
         )
 

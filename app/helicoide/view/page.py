@@ -32,7 +32,7 @@ LOST = Text(
 TAGS = Markup(
     '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
-    '<link rel="stylesheet" href="static/helicoide.css" />'
+    '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'
     '<script src="static/helicoide.js" data-words="{}" defer></script>'
 )
 TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")

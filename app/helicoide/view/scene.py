@@ -15,16 +15,21 @@ from helicoide.view.shapes import Shape
 
 NOBODY = Seat(token="", language="en")
 # From the side and above; what is looked at lies to the right of the arm, which the panel would cover else.
-FROM_THE_SIDE, TO_THE_RIGHT = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0])
+FROM_THE_SIDE, TO_THE_RIGHT, FARTHER = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0]), 1.25
 
 
-def outlook(robot: Robot) -> tuple[Array, Array]:
-    """From where a robot is seen first, and where to, (3,) m each: as its file says, else from the side."""
-    if robot.camera is not None:
+def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
+    """From where a robot is seen first, and where to, (3,) m each: as its file says, else from the side.
+
+    upright: on a phone, whose panel is below the arm, and not over what is to the right of it.
+    """
+    if robot.camera is not None and not upright:
         return robot.camera
     points = np.array([[0, 0, robot.floor], *initial(robot).guarded_points])
     low, high = points.min(axis=0), points.max(axis=0)
     size = max(robot.reach, float(np.linalg.norm(high - low)))
+    if upright:
+        return (low + high) / 2 + FARTHER * size * FROM_THE_SIDE, (low + high) / 2
     centre = (low + high) / 2 + size * TO_THE_RIGHT
     return centre + size * FROM_THE_SIDE, centre
 

@@ -10,7 +10,6 @@ from itertools import chain
 from time import monotonic, perf_counter
 from types import MappingProxyType
 
-import numpy as np
 import viser
 from viser import Icon
 from viser._messages import GuiUpdateMessage, SetOrientationMessage, SetPositionMessage
@@ -26,7 +25,7 @@ from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
 from helicoide.view.page import STOP
 from helicoide.view.placed import Placed, place
-from helicoide.view.rows import Button, Choice, ForArm, ForLab, ForSeat, OwnArm, Row, Stop, View, Wish
+from helicoide.view.rows import Button, Choice, ForArm, ForLab, ForSeat, OwnArm, Row, Stop, Tick, View, Wish
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 from helicoide.view.uploads import Uploads
@@ -35,6 +34,8 @@ Client = viser.ClientHandle
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
 PANEL = same("Helicoide")
 OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
+PROJECTOR = Text(en="Projector", pt_BR="Projetor")
+NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
 SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
 LATE = Text(
     en="That took more than a second to arrive and counted for nothing: this computer or the network is busy. "
@@ -44,14 +45,16 @@ LATE = Text(
 )
 TOLD_FOR = 10.0
 AT_A_TIME = 0.004  # s of rows that are written before others may come in between
-# On an upright page the panel is a sheet over the lower half: look from farther in front, and below the arm.
-UPRIGHT_POSITION, UPRIGHT_LOOK_AT = np.array([1.89, -1.22, 1.18]), np.array([-0.15, -0.06, -0.6])
+# s: how long a browser needs to take a scene away, since a node that is put back in the same message keeps its old pose
+CLEARED = 0.15
+# On a projector handles, lines and the panel, px, are so much larger; the words grow by the page's style.
+WEIGHT, PANEL_WIDTH = 1.6, 384.0
 
 
-def seated(token: str, language: Language, lesson: str | None) -> Seat:
+def seated(token: str, language: Language, lesson: str | None, projector: bool = False) -> Seat:
     """A new person, with every optional layer shown or not as it says of itself."""
     shows = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
-    return Seat(token=token, language=language, lesson=lesson, shows=shows)
+    return Seat(token=token, language=language, lesson=lesson, shows=shows, projector=projector)
 
 
 def made_ready(robot: Robot) -> None:
@@ -77,6 +80,9 @@ class Window:
         self.top: list[Placed] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
+        self.shapes: list[Shape] = []
+        self.weight = 1.0
+        self.looks_at: Robot | None = None
         self.told_late = -TOLD_FOR
         self.uploads = Uploads(client, self.tell)
         self._busy = asyncio.Lock()
@@ -110,12 +116,21 @@ class Window:
         """Put up this window's own layers for the arm of a view, and look at it."""
         self.view, robot = view, view.state.robot
         who = str(self.client.client_id)
-        self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, who), shared=False)
-        camera, (position, centre) = self.client.camera, outlook(robot)
-        if camera.aspect < 1.0:
-            centre = centre + robot.reach * UPRIGHT_LOOK_AT
-            position = centre + robot.reach * UPRIGHT_POSITION
-        camera.position, camera.look_at = position, centre
+        self.shapes, self.weight = shapes, WEIGHT if view.seat.projector else 1.0
+        self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, who, self.weight), shared=False)
+        if self.looks_at is not robot:
+            self.looks_at, camera = robot, self.client.camera
+            camera.position, camera.look_at = outlook(robot, upright=camera.aspect < 1.0)
+
+    async def _restage(self, view: View) -> None:
+        """Put up this window's own layers anew, larger or smaller than they were."""
+        self.client.gui.main_panel.set_width(PANEL_WIDTH * (WEIGHT if view.seat.projector else 1.0))
+        self.clear()
+        self.client.flush()
+        await asyncio.sleep(CLEARED)
+        if self.layers is None and not self.gone and view.state.robot is self.looks_at:
+            self.stage(view, self.shapes)
+            self.draw(view)
 
     def clear(self) -> None:
         """Take everything off this window's scene."""
@@ -135,6 +150,8 @@ class Window:
             gui, language = self.client.gui, view.seat.language
             gui.reset()
             gui.set_panel_label(PANEL[language])
+            if view.seat.projector:
+                gui.main_panel.set_width(PANEL_WIDTH * WEIGHT)
             self.placed, self.commands = [], []
             self.top = place(gui, _top(), view, self.act)
             tabs = gui.add_tab_group()
@@ -177,6 +194,8 @@ class Window:
             return 0.0
         if self.view.seat.language != view.seat.language:
             await self.furnish(view)
+        if self.layers is not None and self.weight != (WEIGHT if view.seat.projector else 1.0):
+            await self._restage(view)
         self.view = self.written = view
         took, began = 0.0, perf_counter()
         for row in (*self.top, *self._in_front()):
@@ -228,6 +247,8 @@ def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
         yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
     yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
     yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
+    for on, words in ((True, PROJECTOR), (False, NO_PROJECTOR)):
+        yield words, ForSeat(partial(_projected, on))
     yield OWN, OwnArm(True)
     yield SHARED, OwnArm(False)
     for name in methods.names():
@@ -240,6 +261,11 @@ def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
         yield Text(en="Arm: {title}", pt_BR="Braço: {title}").format(title=title), ForLab(name)
 
 
+def _projected(on: bool, seat: Seat) -> Seat:
+    """The same person in front of a projector, or no longer."""
+    return replace(seat, projector=on)
+
+
 def _top() -> list[Row]:
     """What stands above the tabs: the language, and whose arm it is."""
     return [
@@ -250,4 +276,9 @@ def _top() -> list[Row]:
             lambda key: ForSeat(lambda seat: replace(seat, language="pt_BR" if key == "pt_BR" else "en")),
         ),
         Button(lambda view: SHARED if view.own else OWN, lambda view: OwnArm(not view.own), Icon.USER),
+        Tick(
+            PROJECTOR,
+            lambda view: view.seat.projector,
+            lambda on: ForSeat(partial(_projected, on)),
+        ),
     ]

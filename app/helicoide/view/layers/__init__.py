@@ -25,18 +25,22 @@ DRAWN_FOR = 0.82
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """Where a layer is built: a scene, its robot and shapes, and whom to tell what a person wishes."""
+    """Where a layer is built: a scene, its robot and shapes, and whom to tell what a person wishes.
+
+    weight: how much heavier lines and handles are drawn, for a projector.
+    """
 
     scene: viser.SceneApi
     robot: Robot
     shapes: list[Shape]
     act: Act
     who: str
+    weight: float = 1.0
 
     @property
     def size(self) -> float:
         """How much larger arrows, lines and handles are than on an arm that reaches `DRAWN_FOR` metres."""
-        return self.robot.reach / DRAWN_FOR
+        return self.weight * self.robot.reach / DRAWN_FOR
 
 
 log = logging.getLogger("helicoide")

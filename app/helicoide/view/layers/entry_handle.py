@@ -18,7 +18,11 @@ SHARED = False
 def build(stage: Stage) -> EntryHandle:
     """The gizmo, hidden until an entry point is held."""
     gizmo = stage.scene.add_transform_controls(
-        "/handles/entry", scale=0.16 * stage.size, line_width=3.0, disable_rotations=True, depth_test=False
+        "/handles/entry",
+        scale=0.16 * stage.size,
+        line_width=3.0 * stage.weight,
+        disable_rotations=True,
+        depth_test=False,
     )
     gizmo.visible = False
 

@@ -54,8 +54,8 @@ class Handles:
         stage = self.stage
         gizmo = stage.scene.add_transform_controls(
             f"/{self.name}/plane {index}",
-            scale=0.2,
-            line_width=4.0,
+            scale=0.2 * stage.weight,
+            line_width=4.0 * stage.weight,
             active_axes=(self.turns, self.turns, True),
             disable_axes=self.turns,
             disable_sliders=True,

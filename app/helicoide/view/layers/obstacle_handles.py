@@ -46,7 +46,7 @@ class ObstacleHandles:
         gizmo = stage.scene.add_transform_controls(
             f"/handles/{gate.obstacle_handle(index)}",
             scale=0.16 * stage.size,
-            line_width=3.0,
+            line_width=3.0 * stage.weight,
             disable_rotations=True,
             depth_test=False,
         )

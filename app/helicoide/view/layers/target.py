@@ -25,7 +25,9 @@ NEAR, FAR = (0, 150, 136), (230, 81, 0)
 
 def build(stage: Stage) -> Target:
     """The gizmo and its line."""
-    gizmo = stage.scene.add_transform_controls("/target", scale=0.28 * stage.size, line_width=3.0, depth_test=False)
+    gizmo = stage.scene.add_transform_controls(
+        "/target", scale=0.28 * stage.size, line_width=3.0 * stage.weight, depth_test=False
+    )
 
     def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:
         stage.act(ForArm(gate.drag_target(stage.who, phase, position, wxyz)))

@@ -26,12 +26,14 @@ class Step:
     """One thing to do: `setup` brings the scene to its start, `goal` says when it is done.
 
     `solution` plays it: wishes, each with the seconds that the arm is then given; the tests hold it to the goal.
+    joints: the numbers of those whose sliders stand in the step, from 0.
     """
 
     id: str
     setup: Update
     goal: Goal
     solution: tuple[tuple[Update, float], ...]
+    joints: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,9 @@ class Seat:
     done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
     while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
     arm's reach; stages: in which way the arm is written joint by joint, None in none; cloud_unit: what the numbers in
-    files of clouds count, "" as it looks; projector: whether words and handles are large enough for the back row.
+    files of clouds count, "" as it looks;
+    projector: whether words and handles are large enough for the back row; way: how the next waypoint is
+    reached from the one before.
     """
 
     token: str
@@ -35,6 +37,7 @@ class Seat:
     stages: Stages | None = None
     cloud_unit: str = ""
     projector: bool = False
+    way: str = "joints"
 
     def showing(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

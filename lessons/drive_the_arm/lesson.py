@@ -93,7 +93,7 @@ def stopped_on_the_path(state: State, seat: Seat) -> bool:
 
 
 STEPS = (
-    Step("joint", start, elbow_bent, ((gate.set_joint(ELBOW, BENT), 2.0),)),
+    Step("joint", start, elbow_bent, ((gate.set_joint(ELBOW, BENT), 2.0),), joints=(ELBOW,)),
     Step("target", start, low_on_the_left, ((target_at(0.60, 0.16, 0.11), 3.0),)),
     Step("orientation", start, turn_refused, ((target_at(0.6029, 0.0, 0.1671, about_z_deg=60.0), 3.0),)),
     Step("plane", start, held_by_the_ceiling, ((target_at(0.60, 0.0, 0.70), 4.0),)),

@@ -9,6 +9,7 @@ from helicoide.gate.check import PARKED, pose, while_asked, while_there
 from helicoide.gate.enclosure import (
     add_plane,
     add_plane_through,
+    clear_clouds,
     clear_planes,
     remove_plane,
     say,
@@ -90,6 +91,7 @@ __all__ = [
     "choose_objective",
     "choose_path",
     "choose_scaling",
+    "clear_clouds",
     "clear_map",
     "clear_planes",
     "compare_with",

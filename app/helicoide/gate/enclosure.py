@@ -70,6 +70,11 @@ def take_planes(names: Sequence[str], planes: Planes) -> Update:
     return driven(wish)
 
 
+def clear_clouds() -> Update:
+    """Take away the clouds that were read; the planes that were found in them stay."""
+    return lambda state: replace(state, seen=MappingProxyType({}))
+
+
 def see(name: str, seen: Seen, pane: Pane | None) -> Update:
     """A cloud that was read for a plane of that name, and the plane, which confines the arm at once."""
 

@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from time import monotonic
-from typing import Any
+from typing import Any, Literal
 
 import viser
 from viser import Icon
 
 from helicoide.text import Text
 from helicoide.view import bind
-from helicoide.view.rows import Ask, Button, Choice, Entry, Slider, Tick, Triple, Upload, View, Wish, always
+from helicoide.view.rows import Ask, Button, Choice, Entry, Slider, Tick, Triple, Upload, View, Weight, Wish, always
 
 UNTOUCHED = 0.7
+# Colours of viser, by which static/panel.css knows the weight of a button.
+COLOURS: dict[Weight, Literal["blue", "gray", "red"]] = {"primary": "blue", "plain": "gray", "destructive": "red"}
 
 
 class Control:
@@ -64,7 +66,7 @@ class ButtonControl:
 
     def __init__(self, gui: viser.GuiApi, row: Button, view: View, ask: Ask) -> None:
         self.row, self.view = row, view
-        self.handle = gui.add_button(icon=row.icon, **self._shown(view))
+        self.handle = gui.add_button(icon=row.icon, color=COLOURS[row.weight], **self._shown(view))
 
         def wished() -> Wish | None:
             return row.wish(self.view) if row.enabled(self.view) and row.shown(self.view) else None
@@ -160,7 +162,7 @@ class EntryControl:
         self.row, language = row, view.seat.language
         self.said = row.shown(view)
         self.text: Any = gui.add_text(row.label[language], self.said)
-        self.button = gui.add_button(row.button[language])
+        self.button = gui.add_button(row.button[language], color=COLOURS["plain"])
         bind.on_press(self.button, lambda: ask(lambda: row.wish(self.text.value)))
 
     def refresh(self, view: View) -> None:
@@ -180,7 +182,7 @@ class UploadControl:
 
     def __init__(self, gui: viser.GuiApi, row: Upload, view: View, ask: Ask) -> None:
         self.view = view
-        self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD)
+        self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD, color=COLOURS["plain"])
         bind.on_upload(self.handle, lambda name, content: ask(lambda: row.wish(self.view, name, content)))
 
     def refresh(self, view: View) -> None:

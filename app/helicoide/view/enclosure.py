@@ -21,6 +21,7 @@ from helicoide.perception.units import UNITS
 from helicoide.readout import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.state import Update
 from helicoide.text import Text
+from helicoide.view.layers.cloud import OFF_IT, ON_IT
 from helicoide.view.rows import (
     Button,
     Changing,
@@ -56,7 +57,18 @@ def plane_rows(robot: Robot) -> Folder:
         Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
         Folder(
             Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"),
-            [_units(), *map(_upload, READINGS)],
+            [
+                _units(),
+                *map(_upload, READINGS),
+                Words(_legend),
+                Button(
+                    lambda _: Text(en="Remove the clouds", pt_BR="Remover as nuvens"),
+                    lambda _: ForArm(gate.clear_clouds()),
+                    Icon.TRASH,
+                    shown=_has_clouds,
+                    weight="destructive",
+                ),
+            ],
             open=False,
         ),
         Folder(Text(en="Zones", pt_BR="Zonas"), _zones(), open=False),
@@ -93,6 +105,23 @@ def _read(view: View) -> Markup:
     line, language = Markup("<li>{}</li>"), view.seat.language
     lines = Markup("").join(line.format(seen.words[language]) for seen in view.state.seen.values())
     return lines and Markup("<ul class='helicoide-note'>{}</ul>").format(lines)
+
+
+def _has_clouds(view: View) -> bool:
+    return bool(view.state.seen)
+
+
+def _legend(view: View) -> Markup:
+    """What the colours of the clouds stand for."""
+    if not view.state.seen:
+        return Markup("")
+    marks = ((ON_IT, POINTS_ON[view.seat.language]), (OFF_IT, POINTS_OFF[view.seat.language]))
+    rows = (Markup("<li><i style='color: rgb{}'>●</i> {}</li>").format(str(colour), words) for colour, words in marks)
+    return Markup("<ul class='helicoide-note'>{}</ul>").format(Markup("").join(rows))
+
+
+POINTS_ON = Text(en="points on the plane that was found", pt_BR="pontos no plano encontrado")
+POINTS_OFF = Text(en="other points of the cloud", pt_BR="outros pontos da nuvem")
 
 
 def _printed(view: View) -> Markup:
@@ -217,7 +246,7 @@ def _removable(planes: tuple[tuple[int, str], ...]) -> list[Row]:
 
 def _remove(index: int, name: str) -> Button:
     label = Text(en="Take plane {name} away", pt_BR="Tirar o plano {name}").format(name=name)
-    return Button(lambda _: label, lambda _: ForArm(gate.remove_plane(index)), Icon.TRASH, _free)
+    return Button(lambda _: label, lambda _: ForArm(gate.remove_plane(index)), Icon.TRASH, _free, weight="destructive")
 
 
 def _save(view: View) -> Save:

@@ -34,6 +34,7 @@ def path_rows(robot: Robot) -> Folder:
             lambda view: PAUSE if _playing(view) else PLAY,
             lambda view: ForArm(gate.pause() if _playing(view) else gate.play()),
             enabled=_free,
+            weight="primary",
         ),
         Slider(
             label=lambda view: PLACE.format(s=view.state.request.path_s, end=_path(view).duration),

@@ -133,7 +133,7 @@ def workspace_rows(robot: Robot) -> Folder:
         Bar(_share),
         Words(_found),
         *([_cut()] if normal_of(robot) is None else []),
-        Button(lambda _: CLEAR, lambda _: ForArm(gate.clear_map()), Icon.TRASH, shown=_has_map),
+        Button(lambda _: CLEAR, lambda _: ForArm(gate.clear_map()), Icon.TRASH, shown=_has_map, weight="destructive"),
     ]
     return Folder(Text(en="Workspace", pt_BR="Espaço de trabalho"), rows, open=False)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Literal, TypeVar
 
 from markupsafe import Markup
 from viser import IconName
@@ -182,15 +182,19 @@ class Slider:
     enabled: Callable[[View], bool] = always
 
 
+Weight = Literal["primary", "plain", "destructive"]
+
+
 @dataclass(frozen=True)
 class Button:
-    """A press."""
+    """A press; weight: whether it is the first thing to do there, one among others, or takes something away."""
 
     label: Callable[[View], Text]
     wish: Callable[[View], Wish]
     icon: IconName | None = None
     enabled: Callable[[View], bool] = always
     shown: Callable[[View], bool] = always
+    weight: Weight = "plain"
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from helicoide.view.rows import Choice, Row, Slider, Tick, View, Wish
 NONE = Text(en="none", pt_BR="nenhum")
 NOTHING_TO_SET = Text(en="Nothing can be set.", pt_BR="Não há o que ajustar.")
 STEPS, PER_DECADE = 50, 20
+DECADES = "\u2063"  # an invisible mark in the label, by which the page knows such a slider
 Options = Callable[[View], Any]
 Change = Callable[[str, object], Wish]
 
@@ -62,11 +63,11 @@ def _quantity(setting: Quantity, length: float, value: Callable[[View], float], 
 
 
 def _decades(setting: Quantity, unit: float, value: Callable[[View], float], wish: Callable[[object], Wish]) -> Row:
-    """A slider through powers of ten: it shows exponents, and its label what they stand for."""
+    """A slider through powers of ten, whose label shows the value; what viser shows of the exponent, the page hides."""
 
     def label(view: View) -> Text:
-        return same("{title}: {said} {unit} (10ˣ)").format(
-            title=setting.title, said=f"{value(view) * unit:.3g}", unit=setting.unit
+        return same("{title}: {said} {unit}{decades}").format(
+            title=setting.title, said=f"{value(view) * unit:.3g}", unit=setting.unit, decades=DECADES
         )
 
     return Slider(

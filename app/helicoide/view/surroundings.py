@@ -59,7 +59,7 @@ def _sphere(robot: Robot, index: int) -> list[Row]:
             radius,
             lambda shown: ForArm(gate.set_obstacle_radius(index, shown / 1000)),
         ),
-        Button(lambda _: remove, lambda _: ForArm(gate.remove_obstacle(index)), Icon.TRASH),
+        Button(lambda _: remove, lambda _: ForArm(gate.remove_obstacle(index)), Icon.TRASH, weight="destructive"),
     ]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 
 from viser import Icon
@@ -11,7 +12,7 @@ from helicoide import gate
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text, same
 from helicoide.trajectory.waypoint_file import encoded
-from helicoide.trajectory.waypoints import GRIPS, WAYS, Way, Waypoint
+from helicoide.trajectory.waypoints import GRIPS, WAYS, Waypoint
 from helicoide.view.followed import scaling
 from helicoide.view.rows import (
     Button,
@@ -20,6 +21,7 @@ from helicoide.view.rows import (
     Entry,
     Folder,
     ForArm,
+    ForSeat,
     PlayTaught,
     Row,
     Save,
@@ -31,12 +33,19 @@ from helicoide.view.rows import (
 )
 
 FILE, LONGEST_STAY = "waypoints.toml", 60.0
+ADD = Text(en="Add waypoint", pt_BR="Adicionar ponto")
 
 
 def teaching_rows(robot: Robot) -> Folder:
-    """Record in each way of coming there, the points themselves, and what can be done with all of them."""
+    """Record where the arm stands, the points themselves, and what can be done with all of them."""
     rows: list[Row] = [
-        *map(_record, WAYS),
+        Choice(
+            Text(en="reached by", pt_BR="chega por"),
+            list(WAYS.items()),
+            lambda view: view.seat.way,
+            lambda way: ForSeat(lambda seat: replace(seat, way=way)),
+        ),
+        Button(lambda _: ADD, lambda view: ForArm(gate.record(view.seat.way)), Icon.PLUS),
         Folder(Text(en="Points", pt_BR="Pontos"), Changing(_names, partial(_points, robot.gripper is not None))),
         scaling(lambda view: view.state.taught.shape, gate.choose_leg_shape),
         Button(
@@ -44,6 +53,7 @@ def teaching_rows(robot: Robot) -> Folder:
             lambda _: PlayTaught(),
             Icon.PLAYER_PLAY,
             lambda view: bool(view.state.taught.waypoints) and not view.state.arm.parked,
+            weight="primary",
         ),
         Button(
             lambda _: Text(en="Save the points", pt_BR="Salvar os pontos"),
@@ -56,11 +66,6 @@ def teaching_rows(robot: Robot) -> Folder:
         ),
     ]
     return Folder(Text(en="Teach a path", pt_BR="Ensinar uma trajetória"), rows, open=False)
-
-
-def _record(way: Way) -> Button:
-    label = Text(en="Record, by: {way}", pt_BR="Gravar, por: {way}").format(way=WAYS[way])
-    return Button(lambda _: label, lambda _: ForArm(gate.record(way)), Icon.PLUS)
 
 
 def _names(view: View) -> tuple[str, ...]:
@@ -106,7 +111,7 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
             if place
             else []
         ),
-        Button(lambda _: away, lambda _: ForArm(gate.delete_waypoint(name)), Icon.TRASH),
+        Button(lambda _: away, lambda _: ForArm(gate.delete_waypoint(name)), Icon.TRASH, weight="destructive"),
     ]
 
 
@@ -134,6 +139,7 @@ def ball_rows(robot: Robot) -> Folder:
             lambda _: ForArm(gate.take_ball_away()),
             Icon.TRASH,
             lambda view: view.state.ball is not None,
+            weight="destructive",
         ),
     ]
     return Folder(Text(en="A ball to grasp", pt_BR="Uma bola para pegar"), rows, open=False)

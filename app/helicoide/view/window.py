@@ -21,9 +21,11 @@ from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
 from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.view import bind, layers, panels
+from helicoide.view.docked import DockedLesson
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
 from helicoide.view.page import STOP
+from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.placed import Placed, place
 from helicoide.view.rows import Button, Choice, ForArm, ForLab, ForSeat, OwnArm, Row, Stop, Tick, View, Wish
 from helicoide.view.scene import outlook
@@ -47,8 +49,8 @@ TOLD_FOR = 10.0
 AT_A_TIME = 0.004  # s of rows that are written before others may come in between
 # s: how long a browser needs to take a scene away, since a node that is put back in the same message keeps its old pose
 CLEARED = 0.15
-# On a projector handles, lines and the panel, px, are so much larger; the words grow by the page's style.
-WEIGHT, PANEL_WIDTH = 1.6, 384.0
+# On a projector handles and lines are so much larger; words and panel grow by the page's style.
+WEIGHT = 1.6
 
 
 def seated(token: str, language: Language, lesson: str | None, projector: bool = False) -> Seat:
@@ -124,7 +126,6 @@ class Window:
 
     async def _restage(self, view: View) -> None:
         """Put up this window's own layers anew, larger or smaller than they were."""
-        self.client.gui.main_panel.set_width(PANEL_WIDTH * (WEIGHT if view.seat.projector else 1.0))
         self.clear()
         self.client.flush()
         await asyncio.sleep(CLEARED)
@@ -150,10 +151,9 @@ class Window:
             gui, language = self.client.gui, view.seat.language
             gui.reset()
             gui.set_panel_label(PANEL[language])
-            if view.seat.projector:
-                gui.main_panel.set_width(PANEL_WIDTH * WEIGHT)
             self.placed, self.commands = [], []
             self.top = place(gui, _top(), view, self.act)
+            self.docked = DockedLesson(gui, self.act)
             tabs = gui.add_tab_group()
             self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.found()]
             await self._fill(view)
@@ -198,6 +198,7 @@ class Window:
             await self._restage(view)
         self.view = self.written = view
         took, began = 0.0, perf_counter()
+        self.docked.show(view)
         for row in (*self.top, *self._in_front()):
             if self.view is not view or self._busy.locked() or self.gone:  # it is being put up anew
                 break
@@ -242,9 +243,9 @@ def _same(old: View, new: View) -> bool:
 def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
     """The palette: what the panels and the page have as buttons, by name, and every arm."""
     yield STOP, Stop()
-    yield Text(en="Ready", pt_BR="Pronto"), ForArm(gate.get_ready())
+    yield READY, ForArm(gate.get_ready())
     if robot.panes:
-        yield Text(en="Park", pt_BR="Estacionar"), ForArm(gate.park())
+        yield PARK, ForArm(gate.park())
     yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
     yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
     for on, words in ((True, PROJECTOR), (False, NO_PROJECTOR)):

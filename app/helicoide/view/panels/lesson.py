@@ -11,11 +11,12 @@ from viser import Icon
 
 from helicoide import content
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import Lesson, Prose, entered, load
+from helicoide.lesson import Lesson, Prose, Step, entered, load
 from helicoide.markup import markdown
 from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view import html
+from helicoide.view.panels.robot import joint_row
 from helicoide.view.rows import Button, Choice, ForArm, ForSeat, Row, View, Wish, Words
 
 TITLE = Text(en="Lesson", pt_BR="Lição")
@@ -43,19 +44,7 @@ def rows(robot: Robot) -> list[Row]:
             lambda view: view.seat.lesson or "",
             lambda name: ForSeat(lambda seat: entered(seat, name or None)),
         ),
-        Words(_step),
-        Button(lambda _: Text(en="Hint", pt_BR="Dica"), lambda _: ForSeat(_hinted), Icon.BULB, shown=_in_lesson),
-        Button(lambda _: Text(en="Reset step", pt_BR="Reiniciar o passo"), _reset, Icon.REFRESH, shown=_in_lesson),
-        Button(
-            lambda _: Text(en="Next step", pt_BR="Próximo passo"), _turn(1), Icon.ARROW_RIGHT, _has_next, _in_lesson
-        ),
-        Button(
-            lambda _: Text(en="Previous step", pt_BR="Passo anterior"),
-            _turn(-1),
-            Icon.ARROW_LEFT,
-            _has_previous,
-            _in_lesson,
-        ),
+        Words(_free),
     ]
 
 
@@ -101,14 +90,37 @@ def _turn(by: int) -> Callable[[View], Wish]:
     return wish
 
 
+def _free(view: View) -> Markup:
+    """What can be done without a lesson."""
+    free = Text(
+        en="Drag the target in the scene, move the joints. Choose a lesson for a guided tour.",
+        pt_BR="Arraste o alvo na cena, mova as juntas. Escolha uma lição para um passeio guiado.",
+    )
+    return Markup("") if _in_lesson(view) else html.note(free[view.seat.language])
+
+
+def step_rows(robot: Robot, step: Step) -> list[Row]:
+    """A step of a lesson: its text, the joints that it needs, its hint, its start, and the steps beside it."""
+    return [
+        Words(_step),
+        *(joint_row(robot, index) for index in step.joints),
+        Button(lambda _: Text(en="Hint", pt_BR="Dica"), lambda _: ForSeat(_hinted), Icon.BULB),
+        Button(lambda _: Text(en="Reset step", pt_BR="Reiniciar o passo"), _reset, Icon.REFRESH),
+        Button(
+            lambda _: Text(en="Next step", pt_BR="Próximo passo"),
+            _turn(1),
+            Icon.ARROW_RIGHT,
+            _has_next,
+            weight="primary",
+        ),
+        Button(lambda _: Text(en="Previous step", pt_BR="Passo anterior"), _turn(-1), Icon.ARROW_LEFT, _has_previous),
+    ]
+
+
 def _step(view: View) -> Markup:
     lesson, language = _lesson(view), view.seat.language
     if lesson is None:
-        free = Text(
-            en="Drag the target in the scene, move the joints. Choose a lesson for a guided tour.",
-            pt_BR="Arraste o alvo na cena, mova as juntas. Escolha uma lição para um passeio guiado.",
-        )
-        return html.note(free[language])
+        return Markup("")
     step = lesson.steps[view.seat.step]
     prose = lesson.prose[step.id]
     return Markup('<div class="helicoide-lesson">{}<h3>{}. {}</h3>{}{}{}</div>').format(

@@ -40,7 +40,7 @@ ORDER = 1
 ICON = Icon.ROBOT
 
 READY = Text(en="Ready", pt_BR="Pronto")
-PARK = Text(en="Park", pt_BR="Estacionar")
+PARK = Text(en="Park (planes off)", pt_BR="Estacionar (sem planos)")
 
 
 def rows(robot: Robot) -> list[Row]:
@@ -48,10 +48,10 @@ def rows(robot: Robot) -> list[Row]:
     return [
         _choice(robot),
         Words(_remarks),
-        Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT),
+        Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT, weight="primary"),
         *([Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING)] if robot.panes else []),
         _poses(robot),
-        Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [_joint(robot, i) for i in range(len(robot.variables))]),
+        Folder(Text(en="Joints [°]", pt_BR="Juntas [°]"), [joint_row(robot, i) for i in range(len(robot.variables))]),
         *([_gripper()] if robot.gripper else []),
         Folder(Text(en="Target", pt_BR="Alvo"), _target()),
         posture_rows(robot),
@@ -86,7 +86,8 @@ def _driving(view: View) -> bool:
     return not view.state.arm.parked
 
 
-def _joint(robot: Robot, index: int) -> Slider:
+def joint_row(robot: Robot, index: int) -> Slider:
+    """A joint, in degrees or millimetres."""
     joint = robot.variables[index]
     scale, unit = (1000.0, " [mm]") if joint.slides else (180 / np.pi, "")
 

@@ -20,7 +20,7 @@ from helicoide.studies import desk as desks
 from helicoide.studies.desk import Desk, Run
 from helicoide.studies.study import Chart, Line, Motion, Verdict
 from helicoide.studies.study import Row as Quantity
-from helicoide.text import Language, Text
+from helicoide.text import Language, Text, same
 from helicoide.view import html
 from helicoide.view.rows import Bar, Button, Changing, Choice, Folder, ForDesk, Play, Plot, Row, Tick, View, Words
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
@@ -49,7 +49,7 @@ def rows(robot: Robot) -> list[Row]:
     return [
         Choice(
             Text(en="Study", pt_BR="Estudo"),
-            [("", NONE), *((name, studies.named(name).TITLE) for name in studies.names())],
+            [("", NONE), *_by_source()],
             lambda view: view.desk.study,
             lambda name: ForDesk(desks.choose(name)),
         ),
@@ -65,6 +65,7 @@ def rows(robot: Robot) -> list[Row]:
             lambda view: ForDesk(desks.start if view.desk.progress is None else desks.end),
             Icon.FLASK,
             lambda view: bool(view.desk.study),
+            weight="primary",
         ),
         Bar(lambda view: view.desk.progress),
         *(Plot(charts, index) for index in range(MOST_CHARTS)),
@@ -78,6 +79,16 @@ def rows(robot: Robot) -> list[Row]:
             lambda on: ForDesk(lambda desk: replace(desk, compared=bool(on))),
         ),
         Words(_table),
+    ]
+
+
+def _by_source() -> list[tuple[str, Text]]:
+    """Every study by name, the source before its title, those of a source together."""
+    sources = {name: studies.named(name).SOURCE.partition(",")[0] for name in studies.names()}
+    title = same("{source}: {title}")
+    return [
+        (name, title.format(source=sources[name], title=studies.named(name).TITLE))
+        for name in sorted(sources, key=lambda name: (sources[name], name))
     ]
 
 

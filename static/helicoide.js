@@ -79,7 +79,8 @@
 
   // Words in tabs that nobody looks at need not be written: which one is in front, of those at the top of the panel.
   function look() {
-    const tabs = [...document.querySelectorAll("[role=tab]")];
+    const lists = [...document.querySelectorAll("[role=tablist]")].map((list) => [...list.querySelectorAll("[role=tab]")]);
+    const tabs = lists.find((list) => list.length > 1) ?? []; // a docked lesson has one
     const front = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
     if (front === shown || front < 0) return;
     shown = front;

@@ -18,6 +18,7 @@ from helicoide.seat import Seat
 from helicoide.state import State, Update, initial
 from helicoide.text import LANGUAGES, Language, Text
 from helicoide.view import page, panels
+from helicoide.view.panels.lesson import step_rows
 from helicoide.view.rows import Button, Changing, Choice, Folder, Row, Slider, Tick, Triple, View
 from helicoide.view.window import seated
 
@@ -166,6 +167,7 @@ def test_what_is_bold_stands_on_the_screen(name: str, step_id: str, language: La
 def screen_words(language: Language) -> frozenset[str]:
     view = View(initial(robot()), seated("", language, None))
     rows = [row for panel in panels.found() for row in panel.rows(robot())]
+    rows += [row for step in lesson.load("drive_the_arm").steps for row in step_rows(robot(), step)]
     titles = [panel.TITLE[language] for panel in panels.found()]
     return frozenset((page.STOP[language], *titles, *labels(rows, view)))
 

@@ -24,7 +24,7 @@ FLAGS = (
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
 )
-SIZES = {"desk": (1280, 800), "phone": (390, 844)}
+SIZES = {"desk": (1280, 800), "phone": (390, 844), "laptop": (1366, 600), "projector": (1920, 1080)}
 PATIENCE_MS = 300_000  # what is slow is not wrong
 expect.set_options(timeout=PATIENCE_MS)
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
@@ -62,7 +62,7 @@ def window(
     log: list[str] | None = None,
     path: str = "/",
 ) -> Iterator[Page]:
-    """Open a window on a port: desk (1280 × 800) or phone (390 × 844, touch), drawn, connected and free of toasts.
+    """Open a window on a port: one of SIZES, a phone by touch, drawn, connected and free of toasts.
 
     What the page writes to its console, errors included, is added to the log.
     """

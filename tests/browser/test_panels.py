@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, press, status, tab, until
 
@@ -55,7 +55,7 @@ def test_a_joint_moves_by_its_number_box_and_stays_within_its_limits(lab: Lab, p
 
 
 def test_park_and_ready(lab: Lab, page: Page) -> None:
-    press(page, "Park")
+    press(page, "Park (planes off)")
     until(page, lambda: lab.state.arm.parked and lab.state.request.command == Hold())
     assert np.array_equal(lab.state.arm.q, lab.state.robot.poses["home"])
     until(page, lambda: "Parked" in status(page))
@@ -157,9 +157,27 @@ def test_the_language_switches_every_word_of_ours(lab: Lab, page: Page) -> None:
     until(page, lambda: "Pronto" in status(page))
     portuguese = words()
     assert page.locator("html").get_attribute("lang") == "pt-BR"
-    for english in ("Ready", "Park", "Joints", "Gripper", "Target", "Play", "Stop motion", "Light up", "Lesson"):
+    for english in (
+        "Ready",
+        "Park (planes off)",
+        "Joints",
+        "Gripper",
+        "Target",
+        "Play",
+        "Stop motion",
+        "Light up",
+        "Lesson",
+    ):
         assert english not in portuguese, english
-    for word in ("Juntas", "Garra", "Alvo", "Parar o movimento", "Destacar", "Estacionar", "Retas das juntas"):
+    for word in (
+        "Juntas",
+        "Garra",
+        "Alvo",
+        "Parar o movimento",
+        "Destacar",
+        "Estacionar (sem planos)",
+        "Retas das juntas",
+    ):
         assert word in portuguese, word
     page.get_by_label("Idioma · Language").click()
     page.get_by_role("option", name="English").click()
@@ -174,9 +192,12 @@ def test_the_lesson_by_the_page_alone_and_after_a_reload(lab: Lab, page: Page) -
     press(page, "Hint")
     page.locator(".helicoide-lesson blockquote").wait_for()
     until(page, lambda: "Not there yet" in page.locator(".helicoide-verdict").inner_text())
-    tab(page, "Robot")
-    box(page, 2, "-100")
+    elbow = page.locator("input.mantine-NumberInput-input:visible")  # the step brings its slider along
+    elbow.fill("-100")
+    elbow.press("Enter")
     until(page, lambda: not lab.state.arm.moving and abs(degrees(lab, 2) + 100) < 1)
+    tab(page, "Robot")
+    expect(page.locator(".helicoide-lesson h3")).to_be_visible()
     tab(page, "Lesson")
     until(page, lambda: "Done" in page.locator(".helicoide-verdict").inner_text())
     press(page, "Reset step")

@@ -215,7 +215,7 @@ def test_the_fixed_plane_and_unknown_names_move_nothing(session: Lab, page: Page
 
 
 def test_a_disabled_control_moves_nothing(session: Lab, page: Page) -> None:
-    page.give("Park", True)
+    page.give("Park (planes off)", True)
     assert eventually(lambda: arm(session).arm.parked and arm(session).request.command == Hold())
     assert eventually(lambda: control(session, "1 waist").disabled)
     assert not moved(session, lambda: page.give("1 waist", 20.0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import viser
 
 from helicoide.lesson import load
-from helicoide.view.panels.lesson import TITLE, step_rows
+from helicoide.view.panels.lesson import step_rows
 from helicoide.view.placed import Placed, place
 from helicoide.view.rows import Act, View
 
@@ -40,7 +40,7 @@ class DockedLesson:
             return
         if self.panel is None:
             self.panel = self.gui.add_panel()
-            self.tab = self.panel.add_tab(TITLE[view.seat.language])
+            self.tab = self.panel.add_tab(load(view.seat.lesson).title[view.seat.language])
             self.panel.dock_left()
             self.panel.expand()  # a phone shows it as a section of its sheet
             self.panel.set_width(LARGE if view.seat.projector else WIDTH)

@@ -1,0 +1,62 @@
+"""Every tab can be read and pressed: on a projector, a small laptop and a phone, in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+from tests.browser.conftest import window
+from tests.browser.lab import Lab, pixels, speak, tab, until
+
+from helicoide import gate
+from helicoide.text import LANGUAGES
+from helicoide.view import panels
+from helicoide.view.window import PROJECTOR
+
+FINDINGS = Path(__file__).with_name("readable.js").read_text("utf-8")
+IN_VIEW = """element => { const spot = element.getBoundingClientRect();
+  return spot.top >= 0 && spot.bottom <= innerHeight && spot.left >= 0 && spot.right <= innerWidth }"""
+AT = "([x, y]) => document.elementFromPoint(x, y)?.tagName"
+
+
+@pytest.fixture(params=["projector", "laptop", "phone"])
+def page(browser: Browser, lab: Lab, request: pytest.FixtureRequest) -> Iterator[Page]:
+    with window(browser, lab.port, request.param) as page:
+        until(page, lambda: lab.session.ready, 300)
+        if request.param == "projector":
+            page.get_by_label(PROJECTOR.en).check()
+            page.wait_for_selector("html[data-projector]")
+        yield page
+
+
+def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
+    lab.post(gate.compare_with("damped"))
+    touch = page.viewport_size is not None and page.viewport_size["width"] < 400
+    found = {}
+    for language in LANGUAGES:
+        speak(lab, page, language)
+        for panel in panels.found():
+            tab(page, panel.TITLE[language])
+            page.wait_for_timeout(600)  # formulas are fitted to the panel a moment after they are written
+            if findings := page.evaluate(FINDINGS, touch):
+                found[language, panel.TITLE[language]] = findings
+    assert not found
+
+
+def test_what_a_lesson_needs_is_in_view_without_scrolling(lab: Lab, browser: Browser) -> None:
+    with window(browser, lab.port, "laptop") as page:
+        until(page, lambda: lab.session.ready, 300)
+        tab(page, "Lesson")
+        page.get_by_role("combobox").nth(1).click()
+        page.get_by_role("option", name="Drive the arm").click()
+        expect(page.locator(".helicoide-verdict")).to_be_visible()
+        tab(page, "Method")
+        for wanted in ("#helicoide-stop", "#helicoide-status", ".helicoide-lesson h3", ".helicoide-verdict"):
+            assert page.locator(wanted).evaluate(IN_VIEW), wanted
+        until(page, lambda: page.evaluate(AT, [*pixels(page, lab.state.T_world_tool[:3, 3])]) == "CANVAS")
+        tab(page, "Lesson")
+        page.get_by_role("combobox").nth(1).click()
+        page.get_by_role("option", name="Free play").click()
+        expect(page.locator(".helicoide-lesson")).to_have_count(0)

@@ -51,7 +51,8 @@ def test_a_table_says_what_the_robot_is(tables: list[dict[str, Any]]) -> None:
     for table in tables:
         robot = load(table["name"])
         assert set(table) == FIELDS
-        assert (table["title"], table["source"], table["assumed"]) == (robot.title.en, robot.source, list(robot.assumed))
+        assert (table["title"], table["source"]) == (robot.title.en, robot.source)
+        assert table["assumed"] == list(robot.assumed)
         assert [joint["name"] for joint in table["joints"]] == [joint.name for joint in robot.variables]
         assert [joint["kind"] for joint in table["joints"]] == [joint.kind for joint in robot.variables]
         for key, values in (("lower", robot.lower), ("upper", robot.upper), ("speed", robot.speed)):

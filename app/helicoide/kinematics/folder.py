@@ -152,6 +152,7 @@ def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> 
         pose_titles=MappingProxyType({name: pose.title.text for name, pose in file.poses.items()}),
         assumed=(*file.assumed, *file.ours),
         remarks=(RENAMED,) if file.ours else (),
+        stated=True,
         parameters=MappingProxyType({name: value / 1000 for name, value in file.parameters.items()}),
         floor=file.floor_mm / 1000,
         camera=(_metres(file.camera.position_mm), _metres(file.camera.look_at_mm)) if file.camera else None,

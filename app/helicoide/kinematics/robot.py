@@ -103,12 +103,12 @@ class Robot:
 
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
     guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
-    Of a shipped robot, screws, DH rows and the URDF are separate statements: none is derived from another.
     parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
     is seen first, and where to, m. assumed: what the source does not give: lengths, limits or speeds. capsules: what
     the file gives of its bodies; self_collision: pairs of them that must not touch, by number. base: the URDF link from
     where the chain begins, "" for the root; leaders: the joints beside the chain that joints of it follow; remarks:
-    what is to be said of how its file was read.
+    what is to be said of how its file was read; stated: whether screws, DH rows and the URDF are separate statements,
+    so that they can contradict each other.
     """
 
     name: str
@@ -137,6 +137,7 @@ class Robot:
     base: str = ""
     leaders: tuple[Variable, ...] = ()
     remarks: tuple[Text, ...] = ()
+    stated: bool = False
 
     @cached_property
     def all_remarks(self) -> tuple[Text, ...]:

@@ -10,6 +10,7 @@ from typing import Any
 from helicoide import gate
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_faults import faults, remarks_and_faults
 from helicoide.session.preparing import rehearse
 from helicoide.session.workcell import FAILED, Workcell
 from helicoide.state import State, Update, initial
@@ -89,7 +90,9 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
     """The robot, with all that is needed to draw and to drive it."""
     robot = load(robot_name, None, lengths)
     shapes.load(robot)
-    _ = robot.all_remarks  # its panel shows them, and does not wait for files
+    remarks_and_faults(robot)  # its panel shows them, and does not wait for files
+    for fault in faults(robot):
+        log.warning("%s: %s", robot.name, fault.en)
     rehearse(robot)
     return robot
 

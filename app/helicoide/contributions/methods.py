@@ -9,7 +9,8 @@ from functools import lru_cache
 from helicoide import content
 from helicoide.contributions.loading import raised, unusable
 from helicoide.contributions.options import option_faults
-from helicoide.contributions.promises import HELD, answers, asked, bare_state
+from helicoide.contributions.promises import HELD, answers
+from helicoide.contributions.trials import asked, bare_state
 from helicoide.contributions.words import untold
 from helicoide.ik import methods
 from helicoide.ik.method import Promise

@@ -10,8 +10,9 @@ from collections.abc import Iterable
 from importlib import import_module
 from typing import Literal, get_args
 
-from helicoide import content, studies
-from helicoide.ik import methods
+from helicoide import content
+from helicoide import studies as all_studies
+from helicoide.ik import methods as all_methods
 from helicoide.text import HelicoideError, Text
 
 Kind = Literal["robot", "lesson", "method", "study"]
@@ -37,9 +38,9 @@ def found(kind: Kind) -> tuple[str, ...]:
         case "lesson":
             return tuple(sorted(content.found("lessons")))
         case "method":
-            return _modules(methods.names(), methods.__path__)
+            return _modules(all_methods.names(), all_methods.__path__)
         case "study":
-            return _modules(studies.names(), studies.__path__)
+            return _modules(all_studies.names(), all_studies.__path__)
 
 
 def _modules(usable: Iterable[str], path: Iterable[str]) -> tuple[str, ...]:

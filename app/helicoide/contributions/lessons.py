@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 
 import numpy as np
 
 from helicoide import content, gate, lesson
 from helicoide.command import Hold
 from helicoide.contributions.lesson_words import word_faults
-from helicoide.contributions.loading import raised
+from helicoide.contributions.loading import gathered
 from helicoide.foresight import lived
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
@@ -62,10 +63,8 @@ def faults(name: str) -> tuple[Text, ...]:
         robot = load(found.robot)
     except HelicoideError as error:
         return (error.text,)
-    try:
-        return (*word_faults(found, robot), *_whole(found, robot), *_from_anywhere(found, robot))
-    except Exception as error:  # what a person's own functions raise is the lesson's fault, and is said so
-        return (raised(content.folder("lessons", name) / "lesson.py", error),)
+    found_faults = chain(word_faults(found, robot), _whole(found, robot), _from_anywhere(found, robot))
+    return gathered(content.folder("lessons", name) / "lesson.py", found_faults)
 
 
 def played(state: State, seconds: float) -> State:

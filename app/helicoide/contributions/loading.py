@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import traceback
+from collections.abc import Iterable
 from pathlib import Path
 from types import ModuleType
 
@@ -14,8 +15,8 @@ from helicoide.text import HelicoideError, Text
 LACKS = Text(en="{file} lacks: {names}", pt_BR="{file} não tem: {names}")
 IN_FILE = Text(en="{file}, {what}", pt_BR="{file}, {what}")
 FAILED = Text(
-    en="{file} gave something that the program stops at, with {kind}: {why}",
-    pt_BR="{file} deu algo em que o programa para, com {kind}: {why}",
+    en="{file}: the program stops with {kind} at what it gave ({place})",
+    pt_BR="{file}: o programa para com {kind} naquilo que ele deu ({place})",
 )
 
 
@@ -30,11 +31,23 @@ def unusable(package: ModuleType, name: str) -> Text | None:
     return LACKS.format(file=file, names=", ".join(missing)) if missing else None
 
 
+def gathered(file: Path, found: Iterable[Text]) -> tuple[Text, ...]:
+    """The faults that are found; where a person's file raises meanwhile, those before it, and that it does."""
+    said = list[Text]()
+    try:
+        for fault in found:
+            said.append(fault)
+    except Exception as error:  # whatever a person's own file raises is its fault, and is said so
+        said.append(raised(file, error))
+    return tuple(said)
+
+
 def raised(file: Path, error: BaseException) -> Text:
     """Where a person's file stopped, or how what it gave made the program stop."""
     if isinstance(error, HelicoideError):
         return error.text
-    inside = any(frame.filename == str(file) for frame in traceback.extract_tb(error.__traceback__))
-    if inside or isinstance(error, SyntaxError):
+    frames = traceback.extract_tb(error.__traceback__)
+    if isinstance(error, SyntaxError) or any(frame.filename == str(file) for frame in frames):
         return IN_FILE.format(file=file, what=stopped(file, error))
-    return FAILED.format(file=file, kind=type(error).__name__, why=error)
+    place = f"{Path(frames[-1].filename).name}:{frames[-1].lineno}" if frames else "-"
+    return FAILED.format(file=file, kind=type(error).__name__, place=place)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import chain
 
 from helicoide import content
-from helicoide.contributions.loading import raised, unusable
+from helicoide.contributions.loading import gathered, unusable
 from helicoide.contributions.options import option_faults
 from helicoide.contributions.promises import HELD, answers
 from helicoide.contributions.trials import asked, bare_state
@@ -66,10 +67,7 @@ def faults(name: str) -> tuple[Text, ...]:
     """Everything that is wrong with a method, by its name, in words. It drives every arm, which takes a while."""
     if (why := unusable(methods, name)) is not None:
         return (why,)
-    try:
-        return (*described(name), *_held(name))
-    except Exception as error:  # whatever a person's own file raises is its fault, and is said so
-        return (raised(content.module_file(methods.__path__, name), error),)
+    return gathered(content.module_file(methods.__path__, name), chain(described(name), _held(name)))
 
 
 def described(name: str) -> Iterator[Text]:
@@ -104,7 +102,7 @@ def _promised(name: str) -> Iterator[Text]:
 def _held(name: str) -> Iterator[Text]:
     for pair in pairs(name)[0]:
         task = POSE if pair.with_orientation else POSITION
-        checks = (answers, *(HELD[promise] for promise in Promise if promise in named(name).PROMISES & HELD.keys()))
-        for check in checks:
+        promised = [HELD[promise] for promise in Promise if promise in named(name).PROMISES]
+        for check in (answers, *promised):
             if (fault := check(name, pair.robot, pair.with_orientation)) is not None:
                 yield ON.format(robot=pair.robot, task=task, what=fault)

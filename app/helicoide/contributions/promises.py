@@ -35,7 +35,7 @@ NO_FIGURE = Text(en="figures without a title in FIGURES: {names}", pt_BR="valore
 NOTHING = Text(en="whatever is asked, it answers zero", pt_BR="seja o que for que se peça, a resposta é zero")
 BROKEN = Text(en="it does not keep {promise}: {what}", pt_BR="não cumpre {promise}: {what}")
 LEFT = Text(en="{left:.3g} of {way:.3g} is left of the way", pt_BR="do caminho de {way:.3g} ainda falta {left:.3g}")
-MISSED = Text(en="J q̇ differs from ν by {error:.1e}", pt_BR="J q̇ difere de ν em {error:.1e}")
+MISSED = Text(en="J q̇ differs from ν by {off:.1e}", pt_BR="J q̇ difere de ν em {off:.1e}")
 FAST = Text(en="‖q̇‖ is {times:.0f} times ‖ν‖", pt_BR="‖q̇‖ é {times:.0f} vezes ‖ν‖")
 BEYOND = Text(en="a joint is beyond a limit or its speed", pt_BR="uma junta passa de um limite ou da sua velocidade")
 MOVED = Text(en="the joints moved by {moved:.1e}", pt_BR="as juntas se moveram {moved:.1e}")
@@ -93,9 +93,9 @@ def exact(name: str, robot: str, with_orientation: bool) -> Text | None:
         task = asked(at(state, q), state.T_world_tool, with_orientation)
         task = replace(task, rate=task.J @ rng.normal(size=len(q)))
         _, drive = step(state.problem, task, state.arm.poses, Drive().by(name))
-        error = np.inf if drive.solution is None else float(np.abs(task.J @ drive.solution.rates - task.rate).max())
-        if not error <= 1e-9:
-            return broken(Promise.EXACT, MISSED.format(error=error))
+        off = np.inf if drive.solution is None else float(np.abs(task.J @ drive.solution.rates - task.rate).max())
+        if not off <= 1e-9:
+            return broken(Promise.EXACT, MISSED.format(off=off))
     return None
 
 

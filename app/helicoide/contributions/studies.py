@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from helicoide import content, studies
-from helicoide.contributions.loading import raised, unusable
+from helicoide.contributions.loading import gathered, unusable
 from helicoide.contributions.options import option_faults
 from helicoide.contributions.words import untold
 from helicoide.export import errata
@@ -62,15 +62,16 @@ def faults(name: str) -> tuple[Text, ...]:
     """Everything that is wrong with a study, by its name, in words. Its short form is run."""
     if (why := unusable(studies, name)) is not None:
         return (why,)
-    try:
-        study = studies.named(name)
-        said, shares = [*described(study)], list[float]()
-        result = study.run(study.Options(), True, shares.append)
-        if (np.diff([0.0, *shares, 1.0]) < 0).any():
-            said.append(PROGRESS)
-        return (*said, *result_faults(result))
-    except Exception as error:  # whatever a person's own file raises is its fault, and is said so
-        return (raised(content.module_file(studies.__path__, name), error),)
+    return gathered(content.module_file(studies.__path__, name), _all(studies.named(name)))
+
+
+def _all(study: Study) -> Iterator[Text]:
+    yield from described(study)
+    shares = list[float]()
+    result = study.run(study.Options(), True, shares.append)
+    if (np.diff([0.0, *shares, 1.0]) < 0).any():
+        yield PROGRESS
+    yield from result_faults(result)
 
 
 def described(study: Study) -> Iterator[Text]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable, Coroutine
+from dataclasses import replace
 from typing import Any
 
 from helicoide import gate
@@ -18,6 +19,10 @@ from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Text
 from helicoide.view import shapes
 
+CONTRADICTED = Text(
+    en="The files of {robot} contradict each other: {fault}. The Robot tab has all of it.",
+    pt_BR="Os arquivos de {robot} se contradizem: {fault}. A aba Robô mostra tudo.",
+)
 PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
 log = logging.getLogger("helicoide")
 
@@ -97,11 +102,19 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
     return robot
 
 
+def begun(robot: Robot) -> State:
+    """A robot at `ready`; where its files contradict each other, its notice says so."""
+    state, wrong = initial(robot), faults(robot)
+    if not wrong:
+        return state
+    return replace(state, notice=CONTRADICTED.format(robot=robot.title, fault=wrong[0]))
+
+
 def _put_up(robot: Robot, before: State, then: Update | None) -> Update:
     """The new robot at `ready`; the wish for it is done unless something else was asked since it was wished."""
 
     def update(state: State) -> State:
-        begun = initial(robot)
-        return begun if then is None or state.request.command is not before.request.command else then(begun)
+        fresh = begun(robot)
+        return fresh if then is None or state.request.command is not before.request.command else then(fresh)
 
     return update

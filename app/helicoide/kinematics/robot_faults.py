@@ -129,7 +129,7 @@ def _poses(robot: Robot) -> Iterator[Text]:
 def _condition(robot: Robot) -> float:
     """The condition number of the Jacobian at `ready`, with lengths as parts of the reach."""
     poses = link_poses(robot.chain, robot.poses["ready"])
-    tool = (poses[-1] @ robot.T_link_tool)[:3, 3]
+    tool = (poses[-1] @ robot.T_link_tool)[:3, 3].copy()
     J = geometric(poses, robot.chain, joint_axes(poses, robot.chain), tool, len(robot.joints))
     scale = np.array([1 / robot.reach] * 3 + [1] * 3)[:, None]
     slides = np.array([robot.reach if joint.slides else 1 for joint in robot.joints])

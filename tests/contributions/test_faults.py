@@ -125,6 +125,9 @@ def test_a_name_or_a_place_that_is_taken_is_refused(home: Path) -> None:
     for kind, name in (("robot", "scara"), ("method", "damped"), ("lesson", "drive_the_arm"), ("study", "vargas_01")):
         with pytest.raises(HelicoideError, match=f"already a {kind} named {name}"):
             made(kind, name, own=True)  # type: ignore[arg-type]
+    for kind, name in (("study", "desk"), ("study", "vargas")):
+        with pytest.raises(HelicoideError, match="is there already"):
+            made(kind, name, own=True)  # type: ignore[arg-type]
     (home / "robots" / "mine").mkdir(parents=True)
     with pytest.raises(HelicoideError, match="is there already"):
         made("robot", "mine", own=True)

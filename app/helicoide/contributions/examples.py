@@ -46,8 +46,9 @@ def made(kind: Kind, name: str, own: bool) -> list[Path]:
     if (example / f"{NAME}.py").is_file():
         pairs = [(example / f"{NAME}.py", target.with_suffix(".py"))]
     else:
-        pairs = [(file, target / file.name.replace(NAME, name)) for file in sorted(example.iterdir())]
-    for place in (target, *(to for _, to in pairs)):
+        pairs = [(file, target / file.name.replace(NAME, name)) for file in sorted(example.iterdir()) if file.is_file()]
+    shipped = _target(kind, own=False) / name  # a file that is there for something else would be found first
+    for place in (target, shipped, shipped.with_suffix(".py"), *(to for _, to in pairs)):
         if place.exists():
             raise HelicoideError(THERE.format(path=place))
     for file, to in pairs:

@@ -16,6 +16,7 @@ from helicoide.contributions.words import untold
 from helicoide.ik import methods
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
+from helicoide.kernels import as_python
 from helicoide.kinematics.library import titles
 from helicoide.text import Text, same
 from helicoide.view.formula import mathml
@@ -50,6 +51,7 @@ class Pair:
 
 
 @lru_cache
+@as_python()
 def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
     """The pairs that a method applies to, and why it does not apply to the others. Of all robots that have a folder."""
     applying, refused = list[Pair](), dict[Pair, Text]()

@@ -44,8 +44,8 @@ ALIKE = Text(
     pt_BR="as posturas {one} e {other} são a mesma ou têm o mesmo título",
 )
 SINGULAR = Text(
-    en="ready is too near a singular posture: condition number {cond:.0f} of the Jacobian, at most {most:.0f}",
-    pt_BR="ready está perto demais de uma postura singular: condição {cond:.0f} do jacobiano, no máximo {most:.0f}",
+    en="ready is too near a singular posture: condition number {cond:.0f} of the Jacobian (at most {most:.0f})",
+    pt_BR="ready está perto demais de uma singularidade: número de condição {cond:.0f} do jacobiano (máximo {most:.0f})",
 )
 
 

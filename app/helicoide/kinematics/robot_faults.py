@@ -45,7 +45,7 @@ ALIKE = Text(
 )
 SINGULAR = Text(
     en="ready is too near a singular posture: condition number {cond:.0f} of the Jacobian (at most {most:.0f})",
-    pt_BR="ready está perto demais de uma singularidade: número de condição {cond:.0f} do jacobiano (máximo {most:.0f})",
+    pt_BR="ready está muito perto de uma singularidade: número de condição do jacobiano {cond:.0f} (máximo {most:.0f})",
 )
 
 

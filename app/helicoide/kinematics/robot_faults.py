@@ -11,8 +11,7 @@ import yourdfpy
 
 from helicoide.geometry import rotation
 from helicoide.kinematics.chain import Array, Joint, frozen
-from helicoide.kinematics.forward import ROADS, dh_frames, link_poses, screw_displacements
-from helicoide.kinematics.jacobian import geometric, joint_axes
+from helicoide.kinematics.forward import dh_frames, screw_displacements, tool_by_dh, tool_by_screws
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_faults import urdf_faults
 from helicoide.kinematics.urdf_file import parsed
@@ -27,15 +26,11 @@ DH_JOINT = Text(
     pt_BR="as linhas DH põem o eixo da junta {name} fora do seu helicoide: os referenciais ficam {apart}",
 )
 TOOL = Text(
-    en="the end effector differs between {one} and {other}: {apart}",
-    pt_BR="o efetuador não é o mesmo por {one} e por {other}: {apart}",
+    en="the end effector differs between the screws and {other}: {apart}",
+    pt_BR="o efetuador não é o mesmo por helicoides e por {other}: {apart}",
 )
-FORMULATIONS = {
-    "dh": Text(en="the DH rows", pt_BR="linhas DH"),
-    "screws": Text(en="the screws", pt_BR="helicoides"),
-    "dual_quaternions": Text(en="the dual quaternions", pt_BR="quatérnios duais"),
-    "urdf": Text(en="the URDF", pt_BR="URDF"),
-}
+DH = Text(en="the DH rows", pt_BR="linhas DH")
+URDF = Text(en="the URDF", pt_BR="URDF")
 OUTSIDE = Text(
     en="pose {pose} is outside the limits of: {joints}", pt_BR="a postura {pose} sai dos limites de: {joints}"
 )
@@ -96,18 +91,17 @@ def _dh(robot: Robot) -> Iterator[Text]:
 
 
 def _tools(robot: Robot, urdf: yourdfpy.URDF | None) -> Iterator[Text]:
-    """The formulations that do not bring the tool where the kernel of the screws brings it."""
-    differ = set[str]()
+    """Whether the DH rows, and the URDF where there is one to ask, bring the tool where the screws bring it."""
+    differ = list[Text]()
     for q in postures(robot):
-        T = np.asarray(link_poses(robot.chain, q)[-1] @ robot.T_link_tool)
-        tools = {name: formulation(robot, q) for name, formulation in ROADS.items()}
+        tools = [(DH, tool_by_dh(robot, q))]
         if urdf is not None:
             urdf.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))
-            tools["urdf"] = urdf.get_transform(robot.tool_link)
-        for name, tool in tools.items():
-            if name not in differ and (far := apart(T, tool)) is not None:
-                differ.add(name)
-                yield TOOL.format(one=FORMULATIONS["screws"], other=FORMULATIONS[name], apart=far)
+            tools.append((URDF, urdf.get_transform(robot.tool_link)))
+        for name, tool in tools:
+            if name not in differ and (far := apart(tool_by_screws(robot, q), tool)) is not None:
+                differ.append(name)
+                yield TOOL.format(other=name, apart=far)
 
 
 def _poses(robot: Robot) -> Iterator[Text]:
@@ -127,10 +121,14 @@ def _poses(robot: Robot) -> Iterator[Text]:
 
 
 def _condition(robot: Robot) -> float:
-    """The condition number of the Jacobian at `ready`, with lengths as parts of the reach."""
-    poses = link_poses(robot.chain, robot.poses["ready"])
-    tool = (poses[-1] @ robot.T_link_tool)[:3, 3].copy()
-    J = geometric(poses, robot.chain, joint_axes(poses, robot.chain), tool, len(robot.joints))
-    scale = np.array([1 / robot.reach] * 3 + [1] * 3)[:, None]
-    slides = np.array([robot.reach if joint.slides else 1 for joint in robot.joints])
-    return float(np.linalg.cond(scale * J * slides))
+    """The condition number of the Jacobian at `ready`, with lengths as parts of the reach.
+
+    By the screws where the arm stands, [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides; without kernels, which
+    may not be there yet.
+    """
+    q, columns = robot.poses["ready"], list[Array]()
+    tool = tool_by_screws(robot, q)[:3, 3]
+    for joint, H in zip(robot.joints, screw_displacements(robot, q), strict=False):
+        s, p = H[:3, :3] @ joint.direction, H[:3, :3] @ joint.point + H[:3, 3]
+        columns.append(np.append(s, np.zeros(3)) if joint.slides else np.append(np.cross(s, tool - p) / robot.reach, s))
+    return float(np.linalg.cond(np.array(columns).T))

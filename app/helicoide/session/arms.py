@@ -19,9 +19,9 @@ from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Text
 from helicoide.view import shapes
 
-CONTRADICTED = Text(
-    en="The files of {robot} contradict each other: {fault}. The Robot tab has all of it.",
-    pt_BR="Os arquivos de {robot} se contradizem: {fault}. A aba Robô mostra tudo.",
+WRONG_FILES = Text(
+    en="Something is wrong in the files of {robot}: {fault}. The Robot tab has all of it.",
+    pt_BR="Há algo errado nos arquivos de {robot}: {fault}. A aba Robô mostra tudo.",
 )
 PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
 log = logging.getLogger("helicoide")
@@ -103,11 +103,11 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
 
 
 def begun(robot: Robot) -> State:
-    """A robot at `ready`; where its files contradict each other, its notice says so."""
+    """A robot at `ready`; where something is wrong in its files, its notice says so."""
     state, wrong = initial(robot), faults(robot)
     if not wrong:
         return state
-    return replace(state, notice=CONTRADICTED.format(robot=robot.title, fault=wrong[0]))
+    return replace(state, notice=WRONG_FILES.format(robot=robot.title, fault=wrong[0]))
 
 
 def _put_up(robot: Robot, before: State, then: Update | None) -> Update:

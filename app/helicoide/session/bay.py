@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
-from helicoide import kernels
 from helicoide.command import Hold
 from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms, begun
@@ -107,8 +106,7 @@ class Bays:
         self.wake, self.searcher, self.put_up = wake, searcher, put_up
         self.maps = asyncio.Semaphore(MAPS)
         self.all: dict[Workcell, Bay] = {}
-        with kernels.as_python():  # nothing is compiled here: that is for a process of its own
-            self.shared = self._add(begun(robot))
+        self.shared = self._add(begun(robot))
 
     def __iter__(self) -> Iterator[Bay]:
         return iter(tuple(self.all.values()))

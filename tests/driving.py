@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from helicoide import gate
+from helicoide.contributions.trials import at
 from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.ik.guard.collision import clearances
 from helicoide.ik.packing import packed
 from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, Update
@@ -30,12 +30,6 @@ def after(state: State, seconds: float, dt: float = 0.01) -> State:
     for _ in range(round(seconds / dt)):
         state = lived(state, dt)
     return state
-
-
-def at(state: State, q: Array) -> State:
-    """The same state with the arm put somewhere else."""
-    robot = state.robot
-    return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
 
 
 def quaternion(rng: Random) -> Array:

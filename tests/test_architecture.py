@@ -26,24 +26,24 @@ ik
 command · seat
 state
 advance
-foresight · readout · gate · lesson · recorder
-console · perception
+foresight · readout · gate · lesson
+perception
 studies
-hardware · store · export · jobs
-classroom
+export · jobs
 view
 session
+contributions
 commands
 __main__
 """
 # Rooms of the rows above that a room may nevertheless not import.
-NOT = {"view": {"hardware", "store", "jobs"}}
+NOT = {"view": {"jobs"}}
 # Packages from outside, and the only rooms that may import them.
-OUTSIDE = {"viser": {"view"}, "serial": {"hardware"}}
+OUTSIDE = {"viser": {"view"}}
 BUILDS = {"solids"}
 LESSONS = {
     "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",
-    "advance", "foresight", "readout", "gate", "lesson", "recorder", "console", "perception", "studies", "text",
+    "advance", "foresight", "readout", "gate", "lesson", "perception", "studies", "text",
 }  # fmt: skip
 
 LEVEL = {room: level for level, row in enumerate(ROWS.split("\n")) for room in row.split(" · ") if room}
@@ -92,7 +92,15 @@ def name_of(file: Path) -> str:
 
 
 def test_every_room_has_a_place_in_the_table() -> None:
-    assert {room(name) for name in MODULES} - {""} <= LEVEL.keys()
+    assert {room(name) for name in MODULES} - {""} == LEVEL.keys()
+
+
+def test_the_table_of_the_page_is_this_one() -> None:
+    """Row by row; what a row may not import, and the rows of files outside the package, stand beside them."""
+    page = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    (table,) = re.findall(r"(?s)## Who may import whom.*?```\n(.*?)```", page)
+    rows = [re.sub(r"\s{2,}\(.*", "", row) for row in table.splitlines()]
+    assert rows[: ROWS.count("\n") - 2] == [*ROWS.strip().splitlines()[:-2], "commands <- __main__"]
 
 
 @pytest.mark.parametrize("file", FILES, ids=name_of)

@@ -1,53 +1,45 @@
+"""Every lesson, played on its own robot; and what the first one counts as done."""
+
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 
 import numpy as np
 import pytest
 
 from helicoide import content, gate, lesson
-from helicoide.command import Hold
+from helicoide.contributions import lessons
+from helicoide.contributions.lessons import TICK, played
 from helicoide.foresight import lived
 from helicoide.geometry import rotation
-from helicoide.kinematics.library import load as load_robot
+from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Step
 from helicoide.seat import Seat
 from helicoide.state import State, Update, initial
-from helicoide.text import LANGUAGES, Language, Text
-from helicoide.view import page, panels
-from helicoide.view.panels.lesson import step_rows
-from helicoide.view.rows import Button, Changing, Choice, Folder, Row, Slider, Tick, Triple, View
-from helicoide.view.window import seated
 
-TICK = 0.01
 PHASES: tuple[gate.Phase, ...] = ("start", "end")
 NAMES = sorted(content.found("lessons"))
-STEPS = [(name, step.id) for name in NAMES for step in lesson.load(name).steps]
-BOLD = re.compile(r"\*\*(.+?)\*\*")
 
 
-def played(state: State, seconds: float) -> State:
-    for _ in range(round(seconds / TICK)):
-        state = lived(state, TICK)
-    return state
+@pytest.mark.parametrize("name", NAMES)
+def test_a_lesson_is_what_is_asked_of_one(name: str) -> None:
+    """Its words, its setups from anywhere, its goals and its solutions, on its own robot."""
+    assert [fault.en for fault in lessons.faults(name)] == []
+
+
+# Drive the arm: from where it begins, what a hand does in the scene, and what must not count.
+
+FIRST = "drive_the_arm"
+STEPS = [step.id for step in lesson.load(FIRST).steps]
 
 
 def settled(state: State) -> State:
-    """The state when a setup has been played out: the arm rests, and no wish is left."""
-    for _ in range(30):
-        state = played(state, 1.0)
-        if state.request.command == Hold() and not state.arm.moving:
-            return state
-    raise AssertionError(f"the setup never came to rest: {state.request.command}")
-
-
-def solved(state: State, step: Step) -> State:
-    for wish, seconds in step.solution:
-        state = played(wish(state), seconds)
-    return state
+    """The state when a setup has been played out: the arm rests, and nothing is asked any more."""
+    rested = lessons.settled(state)
+    assert rested is not None, f"the setup never came to rest: {state.request.command}"
+    return rested
 
 
 def step_of(name: str, step_id: str) -> Step:
@@ -56,7 +48,7 @@ def step_of(name: str, step_id: str) -> Step:
 
 @cache
 def robot() -> Robot:
-    return load_robot("movemaster")
+    return load(lesson.load(FIRST).robot)
 
 
 @pytest.fixture
@@ -64,24 +56,9 @@ def seat() -> Seat:
     return Seat(token="", language="en")
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_the_solutions_lead_through_the_whole_lesson(name: str, seat: Seat) -> None:
-    found, state = lesson.load(name), initial(robot())
-    for number, step in enumerate(found.steps):
-        seat = Seat(seat.token, seat.language, name, number, seat.done)
-        asked = step.setup(state)
-        assert not step.goal(asked, seat), f"{step.id} is met before anything was done"
-        state = settled(asked)
-        assert lesson.progressed(found, state, seat) is seat
-        state = solved(state, step)
-        seat = lesson.progressed(found, state, seat)
-        assert step.id in seat.done
-    assert seat.done == {step.id for step in found.steps}
-
-
-@pytest.mark.parametrize(("name", "step_id"), STEPS)
-def test_a_step_starts_from_anywhere(name: str, step_id: str, seat: Seat) -> None:
-    step = step_of(name, step_id)
+@pytest.mark.parametrize("step_id", STEPS)
+def test_a_step_starts_from_anywhere(step_id: str, seat: Seat) -> None:
+    step = step_of(FIRST, step_id)
     parked = settled_at_home()
     crowded = played(gate.set_target([0.6, 0.0, 0.7], [1.0, 0, 0, 0])(initial(robot())), 2.0)
     for state in (initial(robot()), parked, crowded, gate.stop()(crowded), under_a_raised_ceiling()):
@@ -110,87 +87,6 @@ def under_a_raised_ceiling() -> State:
     state = played(gate.set_target([0.6, 0.0, 0.75], [1.0, 0, 0, 0])(state), 3.0)
     assert state.T_world_tool[2, 3] > 0.7
     return state
-
-
-@pytest.mark.parametrize(("name", "step_id"), STEPS)
-def test_a_setup_only_wishes(name: str, step_id: str) -> None:
-    before = initial(robot())
-    after = step_of(name, step_id).setup(before)
-    assert after.arm.q is before.arm.q
-    assert after.arm.poses is before.arm.poses
-
-
-@pytest.mark.parametrize(("name", "step_id"), STEPS)
-def test_a_goal_needs_every_wish_of_the_solution(name: str, step_id: str, seat: Seat) -> None:
-    step = step_of(name, step_id)
-    state = settled(step.setup(initial(robot())))
-    assert not step.goal(played(state, 5.0), seat)
-    for wish, seconds in step.solution[:-1]:
-        state = played(wish(state), seconds)
-        assert not step.goal(state, seat)
-    assert step.goal(solved(state, Step(step.id, step.setup, step.goal, step.solution[-1:])), seat)
-
-
-@pytest.mark.parametrize(("name", "step_id"), STEPS)
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_every_step_has_words(name: str, step_id: str, language: Language) -> None:
-    prose = lesson.load(name).prose[step_id]
-    for text in (prose.title, prose.body, prose.hint):
-        assert text[language].strip()
-        assert text.en != text.pt_BR
-    assert len(prose.hint[language]) > 20
-    assert not re.search(r"(?m)^(#|>)", prose.body[language])
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_both_languages_tell_the_same(name: str) -> None:
-    for prose in lesson.load(name).prose.values():
-        for text in (prose.body, prose.hint):
-            assert len(re.split(r"\n\s*\n", text.en)) == len(re.split(r"\n\s*\n", text.pt_BR))
-            assert len(BOLD.findall(text.en)) == len(BOLD.findall(text.pt_BR))
-            assert numbers(text.en) == numbers(text.pt_BR)
-
-
-def numbers(text: str) -> list[str]:
-    return sorted(re.findall(r"[−]?\d+(?:[.,]\d+)?", text))
-
-
-@pytest.mark.parametrize(("name", "step_id"), STEPS)
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_what_is_bold_stands_on_the_screen(name: str, step_id: str, language: Language) -> None:
-    prose = lesson.load(name).prose[step_id]
-    bold = set(BOLD.findall(prose.body[language] + "\n" + prose.hint[language]))
-    assert bold <= screen_words(language)
-
-
-@cache
-def screen_words(language: Language) -> frozenset[str]:
-    view = View(initial(robot()), seated("", language, None))
-    rows = [row for panel in panels.found() for row in panel.rows(robot())]
-    rows += [row for step in lesson.load("drive_the_arm").steps for row in step_rows(robot(), step)]
-    titles = [panel.TITLE[language] for panel in panels.found()]
-    return frozenset((page.STOP[language], *titles, *labels(rows, view)))
-
-
-def labels(rows: Sequence[Row], view: View) -> Iterator[str]:
-    language = view.seat.language
-    for row in rows:
-        match row:
-            case Folder(label, inside):
-                yield label[language]
-                yield from labels(inside.rows(inside.key(view)) if isinstance(inside, Changing) else inside, view)
-            case Choice(label, options):
-                known = options(view) if callable(options) else options
-                yield from (label[language], *(shown[language] for _, shown in known))
-            case Button(label):
-                yield label(view)[language]
-            case Slider(label):
-                yield (label if isinstance(label, Text) else label(view))[language]
-            case Tick(label) | Triple(label):
-                yield label[language]
-
-
-# Drive the arm: what a hand does in the scene, and what must not count.
 
 
 def drive(step_id: str) -> Callable[[Update, float], bool]:

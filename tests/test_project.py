@@ -43,7 +43,7 @@ def text_files() -> Iterator[tuple[Path, str]]:
 
 def code_blocks(page: str) -> list[str]:
     """The commands of a page, without the words beside them."""
-    blocks = re.findall(r"(?ms)^```\n(.*?)^```", (ROOT / page).read_text("utf-8"))
+    blocks = re.findall(r"(?ms)^```\w*\n(.*?)^```", (ROOT / page).read_text("utf-8"))
     return [re.split(r"\s{2,}", line)[0] for block in blocks for line in block.splitlines()]
 
 

@@ -109,6 +109,15 @@ def test_fk_from_another_folder(installed: Installed) -> None:
         np.testing.assert_allclose(pose["position"], [0.82, 0, 0.4], atol=1e-12, err_msg=name)
 
 
+def test_what_is_new_goes_into_the_users_folder(installed: Installed) -> None:
+    """There is no checkout."""
+    for kind in ("robot", "lesson", "method", "study"):
+        *files, _ = installed.run("helicoide", "new", kind, f"new_{kind}").splitlines()
+        assert all(Path(file).is_relative_to(installed.environment["XDG_DATA_HOME"]) for file in files)
+    told = json.loads(installed.run("helicoide", "fk", "new_robot", "--q", "0", "0", "--json"))
+    np.testing.assert_allclose(told["roads"]["dh"]["position"], [0.7, 0, 0], atol=1e-12)
+
+
 def test_doctor_finds_what_was_shipped(installed: Installed) -> None:
     told = installed.run("helicoide", "doctor")
     assert "missing" not in told

@@ -1,7 +1,14 @@
-"""Finds robots/, lessons/ and static/: in a checkout, else inside the wheel; the user's folder adds to two."""
+"""Finds robots/, lessons/ and static/: in a checkout, else inside the wheel; the user's folder adds to what there is.
+
+It may hold robots/, lessons/, methods/ and studies/.
+"""
 
 from __future__ import annotations
 
+import importlib
+import logging
+import pkgutil
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -11,15 +18,18 @@ from helicoide.text import HelicoideError, Text
 
 Kind = Literal["robots", "lessons"]
 
+log = logging.getLogger("helicoide")
+
 _PACKAGE = Path(__file__).parent
 _CHECKOUT = _PACKAGE.parent.parent
-SHIPPED = _CHECKOUT if (_CHECKOUT / "pyproject.toml").is_file() else _PACKAGE
+IN_CHECKOUT = (_CHECKOUT / "pyproject.toml").is_file()
+SHIPPED = _CHECKOUT if IN_CHECKOUT else _PACKAGE
 STATIC = SHIPPED / "static"
 _MARKER: dict[Kind, str] = {"robots": "robot.toml", "lessons": "lesson.py"}
 
 
 def user_folder() -> Path:
-    """Where a user's own robots and lessons are looked for."""
+    """Where a user's own robots, lessons, methods and studies are looked for."""
     return user_data_path("helicoide")
 
 
@@ -41,3 +51,32 @@ def folder(kind: Kind, name: str) -> Path:
             ).format(what=what, name=name, known=", ".join(sorted(known)))
         )
     return known[name]
+
+
+def modules(package: str, path: Iterable[str], needs: Sequence[str]) -> tuple[str, ...]:
+    """The names of the modules of a package, whose path has a folder of the user's after the shipped one.
+
+    A shipped module that is broken stops the program when it is used; one of the user's that cannot be loaded, or
+    lacks a name of `needs`, is left out, and the log says so.
+    """
+    shipped, *own = path
+    names = [module.name for module in pkgutil.iter_modules([shipped]) if not module.ispkg]
+    more = (module.name for module in pkgutil.iter_modules(own) if not module.ispkg)
+    return tuple(sorted({*names, *(name for name in more if name not in names and _usable(package, name, needs))}))
+
+
+def module_file(path: Iterable[str], name: str) -> Path:
+    """The file of a module of a package, by the package's path; the first one where no folder has it."""
+    files = [Path(folder) / f"{name}.py" for folder in path]
+    return next((file for file in files if file.is_file()), files[0])
+
+
+def _usable(package: str, name: str, needs: Sequence[str]) -> bool:
+    try:
+        module = importlib.import_module(f"{package}.{name}")
+    except (Exception, SystemExit) as error:  # whatever a person's own file does
+        log.warning("%s.%s is left out, %r: see helicoide check %s", package, name, error, name)
+        return False
+    if missing := [need for need in needs if not hasattr(module, need)]:
+        log.warning("%s.%s is left out, it lacks %s: see helicoide check %s", package, name, ", ".join(missing), name)
+    return not missing

@@ -13,7 +13,7 @@ from types import ModuleType
 
 from helicoide import content
 from helicoide.files import written
-from helicoide.seat import Seat
+from helicoide.seat import Seat, SeatUpdate
 from helicoide.state import State, Update
 from helicoide.text import LANGUAGES, HelicoideError, Language, Text
 
@@ -22,17 +22,25 @@ MOST_BYTES = 1_000_000
 
 
 @dataclass(frozen=True)
+class AtSeat:
+    """What a person does at their seat, such as choosing what is shown; it asks nothing of the arm."""
+
+    update: SeatUpdate
+
+
+@dataclass(frozen=True)
 class Step:
     """One thing to do: `setup` brings the scene to its start, `goal` says when it is done.
 
-    `solution` plays it: wishes, each with the seconds that the arm is then given; the tests hold it to the goal.
+    `solution` plays it: what is asked of the arm, or done at the seat, each with the seconds that the arm is then
+    given; `helicoide check` and the tests hold it to the goal.
     joints: the numbers of those whose sliders stand in the step, from 0.
     """
 
     id: str
     setup: Update
     goal: Goal
-    solution: tuple[tuple[Update, float], ...]
+    solution: tuple[tuple[Update | AtSeat, float], ...]
     joints: tuple[int, ...] = ()
 
 
@@ -109,7 +117,7 @@ def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
     try:
         loader.exec_module(module)
     except (Exception, SystemExit) as error:
-        raise _broken(path, _stopped(path, error)) from error
+        raise _broken(path, stopped(path, error)) from error
     title, robot, steps = (getattr(module, name, None) for name in ("TITLE", "ROBOT", "STEPS"))
     if robot not in content.found("robots"):
         raise _broken(path, _ROBOT.format(robots=", ".join(content.found("robots"))))
@@ -118,8 +126,8 @@ def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
     return title, robot, steps
 
 
-def _stopped(path: Path, error: BaseException) -> Text:
-    """Where a lesson.py stopped, and at what."""
+def stopped(path: Path, error: BaseException) -> Text:
+    """Where a person's Python file stopped, and at what."""
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
     if not lines:
         line = error.lineno if isinstance(error, SyntaxError) else None

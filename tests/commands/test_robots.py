@@ -20,7 +20,7 @@ from helicoide.commands.robots import POSTURES
 from helicoide.kinematics.library import load, packaged
 
 APP = Path(__file__).parents[2] / "app"
-FIELDS = {"name", "title", "source", "base", "tip", "remarks", "ours", "reach", "disagreement", "planes", "joints"}
+FIELDS = {"name", "title", "source", "base", "tip", "remarks", "assumed", "reach", "disagreement", "planes", "joints"}
 
 
 @pytest.fixture(scope="module")
@@ -51,7 +51,8 @@ def test_a_table_says_what_the_robot_is(tables: list[dict[str, Any]]) -> None:
     for table in tables:
         robot = load(table["name"])
         assert set(table) == FIELDS
-        assert (table["title"], table["source"], table["ours"]) == (robot.title.en, robot.source, list(robot.ours))
+        assert (table["title"], table["source"]) == (robot.title.en, robot.source)
+        assert table["assumed"] == list(robot.assumed)
         assert [joint["name"] for joint in table["joints"]] == [joint.name for joint in robot.variables]
         assert [joint["kind"] for joint in table["joints"]] == [joint.kind for joint in robot.variables]
         for key, values in (("lower", robot.lower), ("upper", robot.upper), ("speed", robot.speed)):
@@ -115,12 +116,12 @@ def test_a_range_that_is_ours_is_marked_and_said_once(
     monkeypatch.setattr(sys, "argv", ["helicoide", "robots", path])
     __main__.main()
     out, err = capsys.readouterr()
-    assert "two -10000…10000 mm (ours)" in out
+    assert "two -10000…10000 mm (assumed)" in out
     assert err.count("two -10…10 m") == 1
     [table] = json.loads(words(monkeypatch, capsys, path, "--json"))
-    assert [joint["ours"] for joint in table["joints"]] == [False, True]
+    assert [joint["assumed"] for joint in table["joints"]] == [False, True]
     assert set(table["remarks"][0]) == {"en", "pt_BR"}
-    assert table["ours"] == ["limits"]
+    assert table["assumed"] == ["limits"]
 
 
 @pytest.mark.parametrize(("spoken", "said"), [("C.UTF-8", "cannot be read"), ("pt_BR.UTF-8", "não dá para ler")])

@@ -150,3 +150,12 @@ def test_capsules_pairs_and_accelerations_are_read(tmp_path: Path) -> None:
     np.testing.assert_allclose(forearm.ends, [[0, 0, 0], [0.2, 0, 0]], atol=1e-12)
     assert {(robot.bodies[a].name, robot.bodies[b].name) for a, b in robot.self_collision} >= {("base", "gripper")}
     np.testing.assert_allclose(robot.acceleration, [np.pi / 2, *[np.inf] * 4])
+
+
+def test_the_former_name_of_assumed_is_read_and_remarked(tmp_path: Path) -> None:
+    (tmp_path / "robot.toml").write_text('ours = ["speeds"]\nassumed = ["limits"]\n' + GOOD, "utf-8")
+    robot = from_folder(tmp_path)
+    assert robot.assumed == ("limits", "speeds")
+    (remark,) = robot.remarks
+    assert "assumed" in remark.en
+    assert "assumed" in remark.pt_BR

@@ -72,15 +72,15 @@ def test_followers_narrow_a_leader_beside_the_arm(tmp_path: Path, limit: str, lo
     """−1 ≤ 2 z + 0.1 ≤ 1, and −1 ≤ z − 0.2 ≤ 1."""
     robot = from_urdf(following(tmp_path, LED, BESIDE.format(limit=limit)), "d")
     assert (robot.lower[2], robot.upper[2]) == pytest.approx((lower, upper))
-    assert ("speeds" in robot.ours) == ("velocity" not in limit)
+    assert ("speeds" in robot.assumed) == ("velocity" not in limit)
 
 
 def test_a_range_that_followers_give_is_not_ours(tmp_path: Path) -> None:
     """−1 ≤ 2 z + 0.1 ≤ 1, and −1 ≤ z − 0.2 ≤ 1: the file bounds the leader, though not where it stands."""
     robot = from_urdf(following(tmp_path, LED, BESIDE.format(limit='<limit velocity="1"/>')), "d")
     assert (robot.lower[2], robot.upper[2]) == pytest.approx((-0.55, 0.45))
-    assert robot.ours == ()
-    assert "ours" not in said(robot)
+    assert robot.assumed == ()
+    assert "assumed" not in said(robot)
 
 
 def test_limits_of_a_follower_that_leave_no_range_are_left_out_and_said(tmp_path: Path) -> None:

@@ -144,15 +144,15 @@ def test_limits_of_a_slide_that_bound_nothing_are_no_lengths(
 ) -> None:
     robot = from_urdf(write(tmp_path, LIMIT, limits), "tool")
     assert (robot.lower[1], robot.upper[1]) == expected
-    assert [joint.ours for joint in robot.joints] == [False, True]
-    assert "limits" in robot.ours
+    assert [joint.assumed for joint in robot.joints] == [False, True]
+    assert "limits" in robot.assumed
     assert "two" in said(robot)
     assert robot.reach == pytest.approx(0.6)  # 0.2 m and 0.4 m of links, whatever the slide does
 
 
 def test_a_long_slide_that_is_bounded_is_a_length(tmp_path: Path) -> None:
     robot = from_urdf(write(tmp_path, 'upper="2"', 'upper="60"'), "tool")
-    assert (robot.upper[1], robot.remarks, robot.ours) == (60, (), ())
+    assert (robot.upper[1], robot.remarks, robot.assumed) == (60, (), ())
     assert robot.reach == pytest.approx(60.6)
 
 
@@ -167,8 +167,8 @@ def test_limits_of_a_turn_that_bound_nothing_are_two_turns(tmp_path: Path, limit
 def test_of_a_joint_that_turns_without_end_nothing_needs_to_be_said(tmp_path: Path) -> None:
     robot = from_urdf(write(tmp_path, 'type="revolute"', 'type="continuous"'), "tool")
     assert robot.remarks == ()
-    assert robot.joints[0].ours
-    assert "limits" in robot.ours
+    assert robot.joints[0].assumed
+    assert "limits" in robot.assumed
 
 
 def test_a_limit_that_is_left_out_beside_another_is_zero(tmp_path: Path) -> None:
@@ -179,7 +179,7 @@ def test_a_limit_that_is_left_out_beside_another_is_zero(tmp_path: Path) -> None
 @pytest.mark.parametrize("velocity", ["inf", "nan", "fast", "1e16"])
 def test_a_speed_that_is_none_is_ours(tmp_path: Path, velocity: str) -> None:
     robot = from_urdf(write(tmp_path, 'velocity="0.5"', f'velocity="{velocity}"'), "tool")
-    assert robot.ours == ("speeds",)
+    assert robot.assumed == ("speeds",)
     assert np.isfinite(robot.speed).all()
 
 

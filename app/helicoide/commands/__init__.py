@@ -93,15 +93,23 @@ def ends(robot: Robot) -> Text:
 
 
 def remark(robot: Robot, drawn: bool = False, lang: Language | None = None) -> None:
-    """Say on the error output how a robot's file was read where it leaves something open; drawn: and what is not."""
-    for text in robot.all_remarks if drawn else robot.remarks:
+    """Say on the error output how a robot's file was read; drawn: and what is not drawn, and what is wrong."""
+    for text in _said_of(robot, drawn):
         print(f"{robot.name}: {text[lang or language()]}", file=sys.stderr)
 
 
 def described_ends(robot: Robot, drawn: bool = False) -> dict[str, object]:
     """The same for --json: the links where the arm begins and ends, and what is to be said of its file."""
-    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in (robot.all_remarks if drawn else robot.remarks)]
+    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in _said_of(robot, drawn)]
     return {"base": robot.base_link, "tip": robot.tool_link, "remarks": remarks}
+
+
+def _said_of(robot: Robot, drawn: bool) -> tuple[Text, ...]:
+    if not drawn:
+        return robot.remarks
+    from helicoide.kinematics.robot_faults import remarks_and_faults  # it brings the reader of URDF files with it
+
+    return remarks_and_faults(robot)
 
 
 def language() -> Language:

@@ -24,7 +24,10 @@ FOUND: dict[content.Kind, Text] = {
     "robots": Text(en="robots: {names}  ({folder})", pt_BR="robôs: {names}  ({folder})"),
     "lessons": Text(en="lessons: {names}  ({folder})", pt_BR="lições: {names}  ({folder})"),
 }
-YOURS = Text(en="your own robots and lessons: {folder}", pt_BR="seus robôs e lições: {folder}")
+YOURS = Text(
+    en="your own robots, lessons, methods and studies: {folder}",
+    pt_BR="seus robôs, lições, métodos e estudos: {folder}",
+)
 
 
 def run() -> None:

@@ -21,9 +21,9 @@ POSTURES = 100
 HEAD = Text(
     en="{name}: {title}; {n} joints; reach {reach:.3f} m", pt_BR="{name}: {title}; {n} juntas; alcance {reach:.3f} m"
 )
-SOURCE = Text(en="   from {source}{ours}", pt_BR="   de {source}{ours}")
-OURS = Text(en=" (ours: {fields})", pt_BR=" (por nossa conta: {fields})")
-OURS_HERE = Text(en=" (ours)", pt_BR=" (por nossa conta)")
+SOURCE = Text(en="   from {source}{assumed}", pt_BR="   de {source}{assumed}")
+ASSUMED = Text(en=" (assumed: {fields})", pt_BR=" (adotados: {fields})")
+ASSUMED_HERE = Text(en=" (assumed)", pt_BR=" (adotado)")
 AGREEMENT = Text(
     en="   the roads agree to {error:.1e} over {n} random postures",
     pt_BR="   as três maneiras diferem no máximo em {error:.1e}, em {n} posturas aleatórias",
@@ -41,7 +41,7 @@ def described(robot: Robot) -> dict[str, Any]:
         "title": robot.title.en,
         "source": robot.source,
         **described_ends(robot, drawn=True),
-        "ours": list(robot.ours),
+        "assumed": list(robot.assumed),
         "reach": robot.stretched,
         "disagreement": max(disagreement(robot, q) for q in postures),
         "planes": [
@@ -55,7 +55,7 @@ def described(robot: Robot) -> dict[str, Any]:
                 "lower": joint.lower,
                 "upper": joint.upper,
                 "speed": joint.speed,
-                "ours": joint.ours,
+                "assumed": joint.assumed,
             }
             for joint in robot.variables
         ],
@@ -93,14 +93,14 @@ def run(
 def _lines(robot: Robot, spoken: Language) -> list[str]:
     """What is said of a robot, as people read it."""
     head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.stretched)
-    ours = OURS.format(fields=", ".join(robot.ours)) if robot.ours else ""
+    assumed = ASSUMED.format(fields=", ".join(robot.assumed)) if robot.assumed else ""
     planes = printed_planes(robot)
     agreement = AGREEMENT.format(error=described(robot)["disagreement"], n=POSTURES)
     return [
         head[spoken],
         ends(robot)[spoken],
         "   " + ", ".join(map(_limits, robot.variables)),
-        SOURCE.format(source=robot.source, ours=ours)[spoken],
+        SOURCE.format(source=robot.source, assumed=assumed)[spoken],
         agreement[spoken],
         *(f"   {line[spoken]}" for line in (*planes, *([WHY_PRINTED_DIFFERS] if planes else []))),
     ]
@@ -108,5 +108,5 @@ def _lines(robot: Robot, spoken: Language) -> list[str]:
 
 def _limits(joint: Variable) -> str:
     scale, unit = (1000.0, " mm") if joint.slides else (180 / np.pi, "°")
-    ours = OURS_HERE[language()] if joint.ours else ""
-    return f"{joint.name} {scale * joint.lower:.0f}…{scale * joint.upper:.0f}{unit}{ours}"
+    assumed = ASSUMED_HERE[language()] if joint.assumed else ""
+    return f"{joint.name} {scale * joint.lower:.0f}…{scale * joint.upper:.0f}{unit}{assumed}"

@@ -166,8 +166,9 @@ def _valid(setting: Setting) -> Text:
 class Method(Protocol):
     """A module of `ik/methods/`.
 
-    EQUATION: in TeX. REMEMBERS: what its memory holds from one instant to the next, None for nothing. FIGURES: titles
-    of the figures of its solutions by symbol.
+    SOURCE may be yourself. EQUATION: in TeX. PROMISES: where it is empty, the module has NO_PROMISES, a Text that says
+    why. REMEMBERS: what its memory holds from one instant to the next, None for nothing. FIGURES: titles of the figures
+    of its solutions by symbol.
     """
 
     TITLE: Text

@@ -44,7 +44,7 @@ class Mimic:
 class Variable:
     """One of the joint variables q: where a joint stands; limits in rad and rad/s, m and m/s where it slides.
 
-    acceleration: rad/s² or m/s², infinite where none is given; ours: whether the file that it comes from bounds it
+    acceleration: rad/s² or m/s², infinite where none is given; assumed: whether the file that it comes from bounds it
     nowhere, so that its range says nothing of how large the arm is.
     """
 
@@ -55,7 +55,7 @@ class Variable:
     upper: float
     speed: float
     acceleration: float = math.inf
-    ours: bool = False
+    assumed: bool = False
 
     @property
     def slides(self) -> bool:

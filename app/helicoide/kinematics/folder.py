@@ -14,6 +14,12 @@ from helicoide.kinematics.chain import Array, Joint, frozen
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.robot import Capsule, Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
 from helicoide.kinematics.robot_check import acceleration_of, limits_of
+from helicoide.text import Text
+
+RENAMED = Text(
+    en="in robot.toml the key ours is now called assumed: please rename it",
+    pt_BR="em robot.toml a chave ours agora se chama assumed: troque o nome",
+)
 
 
 def _metres(triple: ArrayLike) -> Array:
@@ -144,7 +150,9 @@ def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> 
         guarded_joints=guarded_joints,
         poses=MappingProxyType({name: frozen(np.multiply(pose.joints, units)) for name, pose in file.poses.items()}),
         pose_titles=MappingProxyType({name: pose.title.text for name, pose in file.poses.items()}),
-        ours=file.ours,
+        assumed=(*file.assumed, *file.ours),
+        remarks=(RENAMED,) if file.ours else (),
+        stated=True,
         parameters=MappingProxyType({name: value / 1000 for name, value in file.parameters.items()}),
         floor=file.floor_mm / 1000,
         camera=(_metres(file.camera.position_mm), _metres(file.camera.look_at_mm)) if file.camera else None,

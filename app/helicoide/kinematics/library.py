@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cache, lru_cache
@@ -12,6 +13,8 @@ from helicoide import content
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
+
+log = logging.getLogger("helicoide")
 
 PACKAGES = ("example-robot-data", "rtb-data")
 
@@ -90,11 +93,13 @@ def titles() -> dict[str, Text]:
 
 @cache
 def _titles_of_folders() -> Mapping[str, Text]:
-    """The titles of the robots that have a folder; broken ones are left out."""
+    """The titles of the robots that have a folder; broken ones are left out, and the log says so."""
     found: dict[str, Text] = {}
     for name, folder in sorted(content.found("robots").items()):
-        with suppress(HelicoideError):
+        try:
             found[name] = from_folder(folder).title
+        except HelicoideError as error:
+            log.warning("%s", error)
     return found
 
 

@@ -103,12 +103,12 @@ class Robot:
 
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
     guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
-    Of a shipped robot, screws, DH rows and the URDF are separate statements: none is derived from another.
     parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
-    is seen first, and where to, m. ours: what the source does not give: lengths, limits or speeds. capsules: what the
-    file gives of its bodies; self_collision: pairs of them that must not touch, by number. base: the URDF link from
+    is seen first, and where to, m. assumed: what the source does not give: lengths, limits or speeds. capsules: what
+    the file gives of its bodies; self_collision: pairs of them that must not touch, by number. base: the URDF link from
     where the chain begins, "" for the root; leaders: the joints beside the chain that joints of it follow; remarks:
-    what is to be said of how its file was read.
+    what is to be said of how its file was read; stated: whether screws, DH rows and the URDF are separate statements,
+    so that they can contradict each other.
     """
 
     name: str
@@ -125,7 +125,7 @@ class Robot:
     guarded_joints: NDArray[np.int64]
     poses: Mapping[str, Array]
     pose_titles: Mapping[str, Text]
-    ours: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = ()
     parameters: Mapping[str, float] = field(default_factory=dict)
     floor: float = 0.0
     camera: tuple[Array, Array] | None = None
@@ -137,6 +137,7 @@ class Robot:
     base: str = ""
     leaders: tuple[Variable, ...] = ()
     remarks: tuple[Text, ...] = ()
+    stated: bool = False
 
     @cached_property
     def all_remarks(self) -> tuple[Text, ...]:
@@ -208,12 +209,12 @@ class Robot:
         """Length of the stretched chain from the first axis to the tool, with every slide that is bounded out, m."""
         ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
         ways[0] -= (ways[0] @ self.directions[0]) * self.directions[0]
-        return float(np.linalg.norm(ways, axis=1).sum() + self.strokes[~self._ours].sum())
+        return float(np.linalg.norm(ways, axis=1).sum() + self.strokes[~self._assumed].sum())
 
     @cached_property
     def extended(self) -> float:
-        """How far the tool may be at most, m: `reach`, and the slides whose range is ours out as well."""
-        return self.reach + float(self.strokes[self._ours].sum())
+        """How far the tool may be at most, m: `reach`, and the slides whose range is assumed out as well."""
+        return self.reach + float(self.strokes[self._assumed].sum())
 
     @cached_property
     def strokes(self) -> Array:
@@ -222,9 +223,9 @@ class Robot:
         return frozen(np.where(self.chain["slides"], ends, 0.0))
 
     @cached_property
-    def _ours(self) -> NDArray[np.bool_]:
-        """Whether the range of what drives each joint is ours, (m,)."""
-        return np.array([self.variables[i].ours for i in self.chain["driver"]])
+    def _assumed(self) -> NDArray[np.bool_]:
+        """Whether the range of what drives each joint is assumed, (m,)."""
+        return np.array([self.variables[i].assumed for i in self.chain["driver"]])
 
     @cached_property
     def turns_only(self) -> bool:

@@ -11,6 +11,7 @@ from helicoide.text import Text
 
 Triple = tuple[float, float, float]
 Matrix = tuple[Triple, Triple, Triple]
+Assumed = Literal["lengths", "limits", "speeds"]
 IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
@@ -146,8 +147,8 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """The whole file.
 
     parameters: lengths, mm, that the file may use by name: any length may be a sum such as "l1 + l2", and the URDF may
-    hold ${l1}, in metres. ours: what the source does not give. floor_mm: where the floor is drawn, under the base.
-    self_collision: pairs of capsules, by name, that must not touch each other.
+    hold ${l1}, in metres. assumed: what the source does not give; ours: its former name. floor_mm: where the floor is
+    drawn, under the base. self_collision: pairs of capsules, by name, that must not touch each other.
     """
 
     title: Title
@@ -157,7 +158,8 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     joints: tuple[JointFile, ...]
     poses: dict[str, PoseFile]
     parameters: dict[str, float] = {}
-    ours: tuple[Literal["lengths", "limits", "speeds"], ...] = ()
+    assumed: tuple[Assumed, ...] = ()
+    ours: tuple[Assumed, ...] = ()
     convention: Literal["standard", "modified"] = "standard"
     floor_mm: float = 0
     camera: CameraFile | None = None

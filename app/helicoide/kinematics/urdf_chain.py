@@ -37,8 +37,8 @@ IN_MILLIMETRES = Text(
     pt_BR="alcança {reach} m: comprimentos de um URDF são em metros, estes talvez sejam milímetros",
 )
 NO_LIMITS = Text(
-    en="the file bounds these joints nowhere, the range is ours: {ranges}",
-    pt_BR="o arquivo não limita estas juntas, a faixa é por nossa conta: {ranges}",
+    en="the file bounds these joints nowhere, the range is assumed: {ranges}",
+    pt_BR="o arquivo não limita estas juntas, a faixa é adotada: {ranges}",
 )
 
 
@@ -46,7 +46,7 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
     """The chain from the root of a URDF, or another base, to a link, as a Robot; its base frame is that of the base.
 
     Without `tip` the chain ends where the moving joints branch or end. DH rows are recovered from the screws. What the
-    file does not say is ours: speeds that are missing or zero, ranges without bounds, and the posture `ready`.
+    file does not say is assumed: speeds that are missing or zero, ranges without bounds, and the posture `ready`.
     Raises HelicoideError when the file is broken or has no such link.
     """
     reading = read(path)
@@ -79,7 +79,7 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
         guarded_joints=guarded_joints,
         poses=MappingProxyType({}),
         pose_titles=MappingProxyType({"ready": Text(en="ready", pt_BR="pronto")}),
-        ours=_ours([*way, *beside], variables),
+        assumed=_assumed([*way, *beside], variables),
         base=begun,
         leaders=led_by,
         remarks=(*reading.remarks, *said, *contradicted, *_boundless([*way, *beside], variables)),
@@ -89,18 +89,18 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
     return replace(found, poses=MappingProxyType({"ready": ready(found)}))
 
 
-def _ours(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> tuple[str, ...]:
+def _assumed(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> tuple[str, ...]:
     """What of the variables is not in the file."""
     speeds = {joint.name: speed_of(joint) for joint in given}
-    limits = any(variable.ours for variable in variables)
+    limits = any(variable.assumed for variable in variables)
     return (*["limits"] * limits, *["speeds"] * any(speeds[variable.name] is None for variable in variables))
 
 
 def _boundless(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> list[Text]:
-    """That ranges are ours, but for joints that turn without end, of which everybody knows it."""
+    """That ranges are assumed, but for joints that turn without end, of which everybody knows it."""
     continuous = {joint.name for joint in given if joint.type == "continuous"}
-    ours = [variable for variable in variables if variable.ours and variable.name not in continuous]
-    return [NO_LIMITS.format(ranges=", ".join(map(_range, ours)))] if ours else []
+    assumed = [variable for variable in variables if variable.assumed and variable.name not in continuous]
+    return [NO_LIMITS.format(ranges=", ".join(map(_range, assumed)))] if assumed else []
 
 
 def _range(variable: Variable) -> str:
@@ -152,7 +152,7 @@ def _chain(
 
 def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> Variable:
     slides = joint.type == "prismatic"
-    lower, upper, ours = range_of(path, joint, size)
+    lower, upper, assumed = range_of(path, joint, size)
     return Variable(
         name=joint.name,
         title=same(joint.name),
@@ -160,7 +160,7 @@ def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> Variable:
         lower=lower,
         upper=upper,
         speed=speed_of(joint) or (SLIDE_SPEED if slides else SPEED),
-        ours=ours,
+        assumed=assumed,
     )
 
 
@@ -207,6 +207,6 @@ def _within_limits_of_mimics(
 
 
 def _within(variable: Moved, lower: float, upper: float) -> Moved:
-    """A variable with a narrower range, which is ours no more where both ends are of joints that follow it."""
-    ours = variable.ours and (lower == variable.lower or upper == variable.upper)
-    return replace(variable, lower=lower, upper=upper, ours=ours)
+    """A variable with a narrower range, which is assumed no more where both ends are of joints that follow it."""
+    assumed = variable.assumed and (lower == variable.lower or upper == variable.upper)
+    return replace(variable, lower=lower, upper=upper, assumed=assumed)

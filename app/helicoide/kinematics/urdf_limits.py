@@ -1,4 +1,4 @@
-"""The range and the speed of a URDF's joint; where the file gives none that bounds anything, they are ours."""
+"""The range and the speed of a URDF's joint; where the file gives none that bounds anything, they are assumed."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ def speed_of(joint: yourdfpy.Joint) -> float | None:
 
 
 def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, float, bool]:
-    """Lower and upper limit of a joint, rad or m, and whether one of them is ours.
+    """Lower and upper limit of a joint, rad or m, and whether one of them is assumed.
 
     What is left out beside one that is given is zero, as the format says. Raises HelicoideError for limits in falling
     order. A follower is unbounded where its file bounds it nowhere. Args: size: m, what the links of the chain add to.
     """
     slides, limit = joint.type == "prismatic", joint.limit
-    ours = SLIDE * max(size, 1.0) if slides else TURN
+    assumed = SLIDE * max(size, 1.0) if slides else TURN
     most = BOUNDLESS_SLIDE * max(size, 1.0) if slides else BOUNDLESS_TURN
     free = joint.type == "continuous" or limit is None or (limit.lower is None and limit.upper is None)
     if joint.mimic is not None and (free or limit.lower == limit.upper):
         return -math.inf, math.inf, False
     if free:
-        return -ours, ours, True
+        return -assumed, assumed, True
     lower, upper = limit.lower or 0.0, limit.upper or 0.0
     if lower > upper:
         raise broken(path, wrong_limits(joint.name, lower, upper))
@@ -45,11 +45,11 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
     if joint.mimic is not None:
         return -math.inf if below else float(lower), math.inf if above else float(upper), False
     if below and above:
-        return -ours, ours, True
+        return -assumed, assumed, True
     if above:
-        upper = max(ours, lower + ours)
+        upper = max(assumed, lower + assumed)
     elif below:
-        lower = min(-ours, upper - ours)
+        lower = min(-assumed, upper - assumed)
     if not lower < upper:
         raise broken(path, wrong_limits(joint.name, lower, upper))
     return float(lower), float(upper), below or above

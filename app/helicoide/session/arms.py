@@ -5,11 +5,13 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable, Coroutine
+from dataclasses import replace
 from typing import Any
 
 from helicoide import gate
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_faults import faults, remarks_and_faults
 from helicoide.session.preparing import rehearse
 from helicoide.session.workcell import FAILED, Workcell
 from helicoide.state import State, Update, initial
@@ -17,6 +19,10 @@ from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Text
 from helicoide.view import shapes
 
+WRONG_FILES = Text(
+    en="Something is wrong in the files of {robot}: {fault}. The Robot tab has all of it.",
+    pt_BR="Há algo errado nos arquivos de {robot}: {fault}. A aba Robô mostra tudo.",
+)
 PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
 log = logging.getLogger("helicoide")
 
@@ -89,16 +95,26 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
     """The robot, with all that is needed to draw and to drive it."""
     robot = load(robot_name, None, lengths)
     shapes.load(robot)
-    _ = robot.all_remarks  # its panel shows them, and does not wait for files
+    remarks_and_faults(robot)  # its panel shows them, and does not wait for files
+    for fault in faults(robot):
+        log.warning("%s: %s", robot.name, fault.en)
     rehearse(robot)
     return robot
+
+
+def begun(robot: Robot) -> State:
+    """A robot at `ready`; where something is wrong in its files, its notice says so."""
+    state, wrong = initial(robot), faults(robot)
+    if not wrong:
+        return state
+    return replace(state, notice=WRONG_FILES.format(robot=robot.title, fault=wrong[0]))
 
 
 def _put_up(robot: Robot, before: State, then: Update | None) -> Update:
     """The new robot at `ready`; the wish for it is done unless something else was asked since it was wished."""
 
     def update(state: State) -> State:
-        begun = initial(robot)
-        return begun if then is None or state.request.command is not before.request.command else then(begun)
+        fresh = begun(robot)
+        return fresh if then is None or state.request.command is not before.request.command else then(fresh)
 
     return update

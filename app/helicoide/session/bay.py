@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from helicoide.command import Hold
 from helicoide.kinematics.robot import Robot
-from helicoide.session.arms import Arms
+from helicoide.session.arms import Arms, begun
 from helicoide.session.display import Display
 from helicoide.session.mapping import Mapping
 from helicoide.session.postures import postures
@@ -17,7 +17,7 @@ from helicoide.session.replaying import along_fastest, through
 from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import Workcell
-from helicoide.state import State, commanded, initial
+from helicoide.state import State, commanded
 from helicoide.text import HelicoideError, Text
 from helicoide.view import rows
 from helicoide.view.rows import Wish
@@ -106,7 +106,7 @@ class Bays:
         self.wake, self.searcher, self.put_up = wake, searcher, put_up
         self.maps = asyncio.Semaphore(MAPS)
         self.all: dict[Workcell, Bay] = {}
-        self.shared = self._add(initial(robot))
+        self.shared = self._add(begun(robot))
 
     def __iter__(self) -> Iterator[Bay]:
         return iter(tuple(self.all.values()))

@@ -6,22 +6,24 @@ What several of them share is in files whose names begin with "_"; these are no 
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from dataclasses import replace
 from functools import cache
 from typing import Any, cast
 
+from helicoide import content
 from helicoide.studies.study import Progress, Result, Study, unstated
 from helicoide.text import HelicoideError, Text
 
+NEEDS = ("TITLE", "SOURCE", "ABOUT", "ROBOT", "Options", "run")
 _FRAME = ("desk", "study")
+__path__.append(str(content.user_folder() / "studies"))
 
 
 @cache
 def names() -> tuple[str, ...]:
     """The names of all studies: those of their files."""
-    modules = (m.name for m in pkgutil.iter_modules(__path__) if not m.ispkg)
-    return tuple(sorted(name for name in modules if name not in _FRAME and not name.startswith("_")))
+    modules = content.modules(__name__, __path__, NEEDS)
+    return tuple(name for name in modules if name not in _FRAME and not name.startswith("_"))
 
 
 @cache

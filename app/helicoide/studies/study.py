@@ -210,7 +210,8 @@ class Result:
 class Study(Protocol):
     """A module of `studies/`.
 
-    SOURCE: author, year, section. Options: annotated with the settings of `ik.method`, as those of a method are.
+    SOURCE: author, year, section; or that it is your own. Options: annotated with the settings of `ik.method`, as those
+    of a method are.
     """
 
     TITLE: Text

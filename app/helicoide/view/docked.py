@@ -44,9 +44,9 @@ class DockedLesson:
             self.panel.dock_left()
             self.panel.expand()  # a phone shows it as a section of its sheet
             self.panel.set_width(LARGE if view.seat.projector else WIDTH)
-        step = load(view.seat.lesson).steps[view.seat.step]
+        joints = load(view.seat.lesson).steps[view.seat.step].joints
         with self.tab:
-            self.rows = place(self.gui, step_rows(view.state.robot, step), view, self.act)
+            self.rows = place(self.gui, step_rows(view.state.robot, joints), view, self.act)
 
 
 def _key(view: View) -> tuple[object, ...]:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from functools import cache
 from typing import cast
 
+from helicoide import content
 from helicoide.ik.method import Method
 from helicoide.text import HelicoideError, Text
+
+NEEDS = ("TITLE", "SOURCE", "EQUATION", "REMEMBERS", "PROMISES", "FIGURES", "Options", "applies", "start", "step")
+__path__.append(str(content.user_folder() / "methods"))
 
 
 @cache
 def names() -> tuple[str, ...]:
     """The names of all methods: those of their files."""
-    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__)))
+    return content.modules(__name__, __path__, NEEDS)
 
 
 @cache

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from markupsafe import Markup
@@ -11,7 +11,7 @@ from viser import Icon
 
 from helicoide import content
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import Lesson, Prose, Step, entered, load
+from helicoide.lesson import Lesson, Prose, entered, load
 from helicoide.markup import markdown
 from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
@@ -99,11 +99,11 @@ def _free(view: View) -> Markup:
     return Markup("") if _in_lesson(view) else html.note(free[view.seat.language])
 
 
-def step_rows(robot: Robot, step: Step) -> list[Row]:
-    """A step of a lesson: its text, the joints that it needs, its hint, its start, and the steps beside it."""
+def step_rows(robot: Robot, joints: Sequence[int]) -> list[Row]:
+    """A step of a lesson: its text, the joints that it needs by number, its hint, its start, and the steps beside it."""
     return [
         Words(_step),
-        *(joint_row(robot, index) for index in step.joints),
+        *(joint_row(robot, index) for index in joints),
         Button(lambda _: Text(en="Hint", pt_BR="Dica"), lambda _: ForSeat(_hinted), Icon.BULB),
         Button(lambda _: Text(en="Reset step", pt_BR="Reiniciar o passo"), _reset, Icon.REFRESH),
         Button(

@@ -11,6 +11,7 @@ from helicoide.command import ToJoints
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_faults import remarks_and_faults
 from helicoide.text import Text, same
 from helicoide.view import html, layers
 from helicoide.view.enclosure import plane_rows
@@ -79,7 +80,7 @@ def _choice(robot: Robot) -> Choice:
 def _remarks(view: View) -> Markup:
     """How the robot's file was read where it leaves something open, and what of it is not drawn."""
     robot, language = view.state.robot, view.seat.language
-    return Markup("").join(html.note(remark[language]) for remark in robot.all_remarks)
+    return Markup("").join(html.note(remark[language]) for remark in remarks_and_faults(robot))
 
 
 def _driving(view: View) -> bool:

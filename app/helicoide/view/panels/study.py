@@ -12,6 +12,7 @@ from viser import Icon
 
 from helicoide import studies
 from helicoide.command import Replay
+from helicoide.export import errata
 from helicoide.export.readable import readable
 from helicoide.export.study_table import HEADINGS, NOTHING, fitted, in_order, ours, source, verdict
 from helicoide.ik.method import settings
@@ -98,7 +99,9 @@ def _about(view: View) -> Markup:
     if not desk.study:
         return html.note(CHOOSE[language])
     study = studies.named(desk.study)
-    of_source = PAGE.format(language, study.SOURCE.partition(",")[0].lower().replace(" ", "-"), OPEN[language])
+    anchor = study.SOURCE.partition(",")[0].lower().replace(" ", "-")
+    has_page = f'id="{anchor}"' in errata.page(language)
+    of_source = PAGE.format(language, anchor, OPEN[language]) if has_page else Markup("")
     about = Markup("<div class='helicoide-note'><p>{}</p><p>{}. {}</p></div>").format(
         study.ABOUT[language], study.SOURCE, of_source
     )

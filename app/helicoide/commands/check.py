@@ -1,0 +1,34 @@
+"""Hold what was added to everything that the tests ask of it."""
+
+from __future__ import annotations
+
+import sys
+
+import tyro
+
+from helicoide import contributions
+from helicoide.commands import NOT_REACHED, language
+from helicoide.text import Text
+
+GOOD = Text(en="{what} {name}: all is well", pt_BR="{what} {name}: tudo certo")
+WRONG = Text(en="{what} {name}:", pt_BR="{what} {name}:")
+
+
+def run(name: tyro.conf.Positional[str | None] = None) -> None:
+    """Check a robot, a lesson, a method or a study, shipped or your own, and say in words what is wrong with it.
+
+    Robots: whether screws, DH rows and URDF agree, poses lie inside the limits, meshes are there. Lessons are played by
+    their solutions, methods drive every arm, studies run in their short form. Ends with 0 when all is well, with 3
+    where something is wrong, and with 2 for wrong input.
+
+    Args:
+        name: its name; all that there is if none, which takes minutes.
+    """
+    spoken, wrong = language(), False
+    for kind, each in contributions.named(name):
+        faults = contributions.faults(kind, each)
+        wrong = wrong or bool(faults)
+        head = (WRONG if faults else GOOD).format(what=contributions.TITLES[kind], name=each)
+        print("\n".join([head[spoken], *(f"   {fault[spoken]}" for fault in faults)]), flush=True)
+    if wrong:
+        sys.exit(NOT_REACHED)

@@ -1,0 +1,110 @@
+"""What is wrong with a method: what it says of itself, and whether it keeps its promises on every arm it applies to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import chain
+
+from helicoide import content
+from helicoide.contributions.loading import gathered, unusable
+from helicoide.contributions.options import option_faults
+from helicoide.contributions.promises import HELD, answers
+from helicoide.contributions.trials import asked, bare_state
+from helicoide.contributions.words import untold
+from helicoide.ik import methods
+from helicoide.ik.method import Promise
+from helicoide.ik.methods import named
+from helicoide.kernels import as_python
+from helicoide.kinematics.library import titles
+from helicoide.text import Text, same
+from helicoide.view.formula import mathml
+
+SOURCE = Text(
+    en="SOURCE is empty: author, year and place, or that it is your own",
+    pt_BR="SOURCE está vazio: autor, ano e lugar, ou que é seu",
+)
+NO_TEX = Text(en="EQUATION is no TeX that the page can show", pt_BR="EQUATION não é TeX que a página mostre")
+NO_PROMISES = Text(
+    en="PROMISES is empty; promise one of {known}, or say why none can be promised in NO_PROMISES, a Text",
+    pt_BR="PROMISES está vazio; prometa algo de {known}, ou diga em NO_PROMISES, um Text, por que nada se promete",
+)
+BOTH = Text(en="it has PROMISES, and NO_PROMISES says why none", pt_BR="há PROMISES, e NO_PROMISES diz por que não há")
+NOWHERE = Text(en="it applies to no arm at all", pt_BR="não se aplica a nenhum braço")
+ON = Text(en="{robot}, {task}: {what}", pt_BR="{robot}, {task}: {what}")
+POSE = Text(en="pose", pt_BR="pose")
+POSITION = Text(en="position", pt_BR="posição")
+
+
+@dataclass(frozen=True)
+class Pair:
+    """An arm, by its name, and whether its tool is asked for an orientation as well as for a place."""
+
+    robot: str
+    with_orientation: bool
+
+    @property
+    def title(self) -> str:
+        """What a test calls it."""
+        return f"{self.robot}-{'pose' if self.with_orientation else 'position'}"
+
+
+@lru_cache
+@as_python()
+def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
+    """The pairs that a method applies to, and why it does not apply to the others. Of all robots that have a folder."""
+    applying, refused = list[Pair](), dict[Pair, Text]()
+    for pair in (Pair(robot, turned) for robot in sorted(titles()) for turned in (True, False)):
+        state = bare_state(pair.robot)
+        why = named(name).applies(asked(state, state.T_world_tool, pair.with_orientation))
+        if why is None:
+            applying.append(pair)
+        else:
+            refused[pair] = why
+    return tuple(applying), refused
+
+
+def faults(name: str) -> tuple[Text, ...]:
+    """Everything that is wrong with a method, by its name, in words. It drives every arm, which takes a while."""
+    if (why := unusable(methods, name)) is not None:
+        return (why,)
+    return gathered(content.module_file(methods.__path__, name), chain(described(name), _held(name)))
+
+
+def described(name: str) -> Iterator[Text]:
+    """What is wrong with what a method says of itself."""
+    method = named(name)
+    yield from untold(same("TITLE"), method.TITLE)
+    if not method.SOURCE.strip():
+        yield SOURCE
+    if "<math" not in mathml(method.EQUATION):
+        yield NO_TEX
+    if method.REMEMBERS is not None:
+        yield from untold(same("REMEMBERS"), method.REMEMBERS)
+    yield from (fault for symbol, title in method.FIGURES.items() for fault in untold(same(symbol), title))
+    yield from _promised(name)
+    yield from option_faults(method.Options)
+    applying, refused = pairs(name)
+    if not applying:
+        yield NOWHERE
+    yield from (fault for why in dict.fromkeys(refused.values()) for fault in untold(same("applies"), why, differ=True))
+
+
+def _promised(name: str) -> Iterator[Text]:
+    method, why_none = named(name), getattr(named(name), "NO_PROMISES", None)
+    if method.PROMISES and why_none is not None:
+        yield BOTH
+    elif not method.PROMISES and why_none is None:
+        yield NO_PROMISES.format(known=", ".join(promise.name for promise in Promise))
+    elif why_none is not None:
+        yield from untold(same("NO_PROMISES"), why_none, differ=True)
+
+
+def _held(name: str) -> Iterator[Text]:
+    for pair in pairs(name)[0]:
+        task = POSE if pair.with_orientation else POSITION
+        promised = [HELD[promise] for promise in Promise if promise in named(name).PROMISES]
+        for check in (answers, *promised):
+            if (fault := check(name, pair.robot, pair.with_orientation)) is not None:
+                yield ON.format(robot=pair.robot, task=task, what=fault)

@@ -1,0 +1,162 @@
+"""Whether a method answers at all, and whether it keeps each of its promises on one arm."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from helicoide.contributions.trials import (
+    answered,
+    asked,
+    at,
+    bare_state,
+    clear_of_singularities,
+    far_poses,
+    missing,
+    singular_starts,
+    tool_at,
+)
+from helicoide.ik.drive import Drive, step
+from helicoide.ik.method import Promise
+from helicoide.ik.methods import named
+from helicoide.kinematics.chain import frozen
+from helicoide.kinematics.manipulability import analysed
+from helicoide.text import Text
+
+DTS = (0.001, 0.003, 0.01, 0.02, 0.05)
+# Arms whose first singular posture with every joint at a right angle or zero is the stretched one.
+STRETCHED = ("planar2r", "planar3r", "movemaster", "puma560", "zebra_zero")
+CHANGED, STAYED, ROUNDING = 1e-3, 1e-6, 1e-9
+NOT_FINITE = Text(en="an answer is not finite", pt_BR="uma resposta não é finita")
+NO_FIGURE = Text(en="figures without a title in FIGURES: {names}", pt_BR="valores sem título em FIGURES: {names}")
+NOTHING = Text(en="whatever is asked, it answers zero", pt_BR="seja o que for que se peça, a resposta é zero")
+BROKEN = Text(en="it does not keep {promise}: {what}", pt_BR="não cumpre {promise}: {what}")
+LEFT = Text(en="{left:.3g} of {way:.3g} is left of the way", pt_BR="do caminho de {way:.3g} ainda falta {left:.3g}")
+MISSED = Text(en="J q̇ differs from ν by {off:.1e}", pt_BR="J q̇ difere de ν em {off:.1e}")
+FAST = Text(en="‖q̇‖ is {times:.0f} times ‖ν‖", pt_BR="‖q̇‖ é {times:.0f} vezes ‖ν‖")
+BEYOND = Text(en="a joint is beyond a limit or its speed", pt_BR="uma junta passa de um limite ou da sua velocidade")
+MOVED = Text(en="the joints moved by {moved:.1e}", pt_BR="as juntas se moveram {moved:.1e}")
+
+
+def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """Whether answers are finite for targets that jump by metres, with titled figures, and not zero all along."""
+    state, rng, most = bare_state(robot), np.random.default_rng(1), 0.0
+    drive, q = Drive().by(name), state.arm.q
+    for T in far_poses(state.robot, rng):
+        for _ in range(10):
+            wished, drive = answered(at(state, q), T, with_orientation, drive, float(rng.choice(DTS)))
+            if drive.solution is None or not np.isfinite(wished).all():
+                return NOT_FINITE
+            if untitled := set(drive.solution.figures) - set(named(name).FIGURES):
+                return NO_FIGURE.format(names=", ".join(sorted(untitled)))
+            most = max(most, float(np.abs(wished).max()))
+            q = frozen(np.clip(q + np.clip(wished, -0.2, 0.2), state.robot.lower, state.robot.upper))
+    return None if most > 0 else NOTHING
+
+
+def keeps_limits(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """KEEPS_LIMITS: joints stay inside their limits and speeds, wherever targets jump."""
+    state, rng = bare_state(robot), np.random.default_rng(7)
+    drive, q = Drive().by(name), state.arm.q
+    for T in far_poses(state.robot, rng):
+        for _ in range(40):
+            dt = float(rng.choice(DTS))
+            wished, drive = answered(at(state, q), T, with_orientation, drive, dt)
+            q = frozen(q + wished)
+            beyond = np.maximum(state.robot.lower - q, q - state.robot.upper).max()
+            if not max(beyond, (np.abs(wished) / dt - state.robot.speed).max()) <= ROUNDING:
+                return broken(Promise.KEEPS_LIMITS, BEYOND)
+    return None
+
+
+def converges(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """CONVERGES: to a thousandth of the reach and of a radian, or a fiftieth of the way, from a posture not far off."""
+    state, rng = bare_state(robot), np.random.default_rng(2)
+    q, goal = clear_of_singularities(state.robot, rng, with_orientation)
+    T, drive = tool_at(state.robot, goal), Drive().by(name)
+    way = missing(at(state, q), T, with_orientation)
+    for _ in range(200):
+        wished, drive = answered(at(state, q), T, with_orientation, drive, 0.02)
+        q = frozen(q + wished)
+    left = missing(at(state, q), T, with_orientation)
+    return None if left < max(1e-3, 0.02 * way) else broken(Promise.CONVERGES, LEFT.format(left=left, way=way))
+
+
+def exact(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """EXACT: J q̇ = ν for every ν that the arm can do at all, away from singular postures."""
+    state, rng = bare_state(robot), np.random.default_rng(4)
+    for _ in range(10):
+        q, _ = clear_of_singularities(state.robot, rng, with_orientation)
+        task = asked(at(state, q), state.T_world_tool, with_orientation)
+        task = replace(task, rate=task.J @ rng.normal(size=len(q)))
+        _, drive = step(state.problem, task, state.arm.poses, Drive().by(name))
+        off = np.inf if drive.solution is None else float(np.abs(task.J @ drive.solution.rates - task.rate).max())
+        if not off <= 1e-9:
+            return broken(Promise.EXACT, MISSED.format(off=off))
+    return None
+
+
+def bounded(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """BOUNDED: ‖q̇‖ ≤ 100 ‖ν‖ in every step of a motion that begins in a singular posture."""
+    state, rng = bare_state(robot), np.random.default_rng(6)
+    for start in singular_starts(state, with_orientation):
+        q, drive = start, Drive().by(name)
+        T = tool_at(state.robot, start + 0.3 * rng.normal(size=len(start)))
+        for _ in range(40):
+            task = asked(at(state, q), T, with_orientation)
+            wished, drive = step(state.problem, task, state.arm.poses, drive)
+            rates = np.inf if drive.solution is None else float(np.linalg.norm(drive.solution.rates))
+            size = float(np.linalg.norm(task.rate))
+            if not rates <= 100 * size + 1e-12:
+                return broken(Promise.BOUNDED, FAST.format(times=rates / max(size, 1e-12)))
+            q = frozen(q + wished)
+    return None
+
+
+def leaves_singular(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """LEAVES_SINGULAR: of the stretched arm, whose tool is asked to a place along the lost direction."""
+    if robot not in STRETCHED or with_orientation:
+        return None
+    moved = moved_from_singular(name, robot)
+    return broken(Promise.LEAVES_SINGULAR, MOVED.format(moved=moved)) if not moved > CHANGED else None
+
+
+def stays_singular(name: str, robot: str, with_orientation: bool) -> Text | None:
+    """STAYS_SINGULAR: of the stretched arm, whose tool is asked to a place along the lost direction."""
+    if robot not in STRETCHED or with_orientation:
+        return None
+    moved = moved_from_singular(name, robot)
+    return broken(Promise.STAYS_SINGULAR, MOVED.format(moved=moved)) if not moved < STAYED else None
+
+
+def moved_from_singular(name: str, robot: str) -> float:
+    """How far the joints of the stretched arm move in 200 steps that ask for the lost direction only, rad or m."""
+    state = bare_state(robot)
+    start = singular_starts(state, with_orientation=False)[0]
+    lost = analysed(asked(at(state, start), state.T_world_tool, False).J).lost[:, -1]
+    drive, q = Drive().by(name), start
+    for _ in range(200):
+        task = asked(at(state, q), state.T_world_tool, False)
+        wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)
+        q = frozen(q + wished)
+    return float(np.abs(q - start).max())
+
+
+def broken(promise: Promise, what: Text) -> Text:
+    """That a promise is not kept, and how."""
+    return BROKEN.format(promise=promise.name, what=what)
+
+
+HELD: Mapping[Promise, Callable[[str, str, bool], Text | None]] = MappingProxyType(
+    {
+        Promise.CONVERGES: converges,
+        Promise.EXACT: exact,
+        Promise.BOUNDED: bounded,
+        Promise.KEEPS_LIMITS: keeps_limits,
+        Promise.LEAVES_SINGULAR: leaves_singular,
+        Promise.STAYS_SINGULAR: stays_singular,
+    }
+)

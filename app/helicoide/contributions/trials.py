@@ -1,0 +1,107 @@
+"""What methods are tried on: an arm alone, tasks of the closed loop, postures away from singular ones and in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from helicoide.confinement import planes_of
+from helicoide.geometry import rotation
+from helicoide.ik.drive import Drive, step, task_of
+from helicoide.ik.method import Task
+from helicoide.kinematics import library
+from helicoide.kinematics.chain import Array, frozen
+from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.robot import Robot
+from helicoide.state import State, initial
+from helicoide.text import HelicoideError, Text
+
+STILL = np.zeros(3)
+GAIN = 5.0
+MOST_DRAWS = 2000
+ALWAYS_SINGULAR = Text(
+    en="nearly all postures of {robot} are singular for this task",
+    pt_BR="quase toda postura de {robot} é singular para esta tarefa",
+)
+
+
+@cache
+def bare_state(robot: str) -> State:
+    """The arm at `ready`, with nothing around it."""
+    state = initial(library.load(robot))
+    return replace(state, problem=replace(state.problem, planes=planes_of(())))
+
+
+def at(state: State, q: Array) -> State:
+    """The same state with the arm put somewhere else, q (n,), rad or m."""
+    robot = state.robot
+    return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
+
+
+def asked(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:
+    """The task of the closed loop towards a pose (4, 4), m."""
+    return task_of(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
+
+
+def answered(state: State, T: Array, with_orientation: bool, drive: Drive, dt: float = 0.01) -> tuple[Array, Drive]:
+    """The joint displacement that the method of a drive answers in one step towards a pose (4, 4), m."""
+    return step(state.problem, asked(state, T, with_orientation, dt), state.arm.poses, drive)
+
+
+def tool_at(robot: Robot, q: Array) -> Array:
+    """T_world_tool (4, 4), m, at q (n,)."""
+    return frozen(link_poses(robot.chain, frozen(q))[-1] @ robot.T_link_tool)
+
+
+def far_poses(robot: Robot, rng: np.random.Generator) -> Iterator[Array]:
+    """Four poses (4, 4), m, in any orientation, up to metres out of reach."""
+    for _ in range(4):
+        T = np.eye(4)
+        T[:3, :3] = rotation.to_matrix(rotation.from_rotation_vector(rng.normal(size=3)))
+        T[:3, 3] = 3 * robot.reach * rng.normal(size=3)
+        yield T
+
+
+def missing(state: State, T: Array, with_orientation: bool) -> float:
+    """What is left to a pose, in parts of the reach and radians."""
+    return float(np.linalg.norm(asked(state, T, with_orientation, gain=1.0).rate))
+
+
+def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientation: bool) -> tuple[Array, Array]:
+    """A start and a goal not far from each other, in the middle of the limits and away from singular postures."""
+    state, middle, half = bare_state(robot.name), (robot.lower + robot.upper) / 2, (robot.upper - robot.lower) / 2
+    for _ in range(MOST_DRAWS):
+        goal = middle + rng.uniform(-0.6, 0.6, len(half)) * half
+        start = goal + rng.uniform(-0.1, 0.1, len(half)) * np.minimum(half, 2.0)
+        worth = [least(at(state, frozen(q)), with_orientation) for q in np.linspace(start, goal, 5)]
+        if min(worth) > 0.05:
+            return frozen(start), frozen(goal)
+    raise HelicoideError(ALWAYS_SINGULAR.format(robot=robot.name))
+
+
+def least(state: State, with_orientation: bool) -> float:
+    """The least singular value that belongs to what the arm can usually do."""
+    here = analysed(asked(state, state.T_world_tool, with_orientation).J)
+    return float(here.sigma[usual(state.robot.name, with_orientation) - 1])
+
+
+@cache
+def usual(robot: str, with_orientation: bool) -> int:
+    """The rank of the task's Jacobian at a posture of no account."""
+    state, rng = bare_state(robot), np.random.default_rng(3)
+    q = frozen(rng.uniform(state.robot.lower, state.robot.upper))
+    return analysed(asked(at(state, q), state.T_world_tool, with_orientation).J).rank
+
+
+def singular_starts(state: State, with_orientation: bool) -> list[Array]:
+    """Named postures and those with every joint at zero or a right angle in which the rank is lower than usual."""
+    n, robot = len(state.arm.q), state.robot
+    rng = np.random.default_rng(5)
+    grid = [np.zeros(n), *(rng.integers(-2, 3, n) * np.pi / 2 for _ in range(200)), *robot.poses.values()]
+    expected = usual(robot.name, with_orientation)
+    lost = [q for q in grid if analysed(asked(at(state, q), state.T_world_tool, with_orientation).J).rank < expected]
+    return [frozen(q) for q in lost[:4]]

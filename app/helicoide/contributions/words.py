@@ -1,0 +1,23 @@
+"""Whether something is said in both languages."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from helicoide.text import LANGUAGES, Text
+
+NO_TEXT = Text(en="{what} is no Text(en=…, pt_BR=…)", pt_BR="{what} não é um Text(en=…, pt_BR=…)")
+EMPTY = Text(en="{what} is empty in {language}", pt_BR="{what} está vazio em {language}")
+ALIKE = Text(en="{what} is the same in English and Portuguese", pt_BR="{what} é igual em inglês e em português")
+
+
+def untold(what: Text, text: object, differ: bool = False) -> Iterator[Text]:
+    """What is wrong with a text that must be there in both languages; differ: and must not be the same in both."""
+    if not isinstance(text, Text):
+        yield NO_TEXT.format(what=what)
+        return
+    for language in LANGUAGES:
+        if not text[language].strip():
+            yield EMPTY.format(what=what, language=language)
+    if differ and text.en == text.pt_BR:
+        yield ALIKE.format(what=what)

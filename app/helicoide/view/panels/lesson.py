@@ -100,7 +100,7 @@ def _free(view: View) -> Markup:
 
 
 def step_rows(robot: Robot, joints: Sequence[int]) -> list[Row]:
-    """A step of a lesson: its text, the joints that it needs by number, its hint, its start, and the steps beside it."""
+    """A step of a lesson: its text, the joints that it needs, its hint, its start, and the steps beside it."""
     return [
         Words(_step),
         *(joint_row(robot, index) for index in joints),

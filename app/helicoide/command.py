@@ -13,6 +13,8 @@ from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape
 from helicoide.trajectory.path import JointPath
 
+THE_PATH = Text(en="the path", pt_BR="a trajetória")
+
 
 @dataclass(frozen=True)
 class Hold:
@@ -56,7 +58,8 @@ class Course:
 class Along:
     """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path.
 
-    nearest: how near it has come so far, m; waited: since when it has come no nearer, s.
+    nearest: how near it has come so far, m; waited: since when it has come no nearer, s;
+    title: what the path is called.
     """
 
     path: Path
@@ -65,6 +68,7 @@ class Along:
     arrived: bool = False
     nearest: float = np.inf
     waited: float = 0.0
+    title: Text = THE_PATH
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,7 +22,7 @@ from helicoide.kinematics.ball import Ball
 from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Kind, Map
+from helicoide.kinematics.workspace import Kind, Map, normal_of
 from helicoide.text import Text, joined, same
 from helicoide.trajectory.waypoints import Taught
 
@@ -208,14 +208,17 @@ def points_on(robot: Robot, poses: Array) -> Array:
 
 
 def initial(robot: Robot) -> State:
-    """The arm at `ready`, holding, inside the planes of its file; what is to be said of the file is its notice."""
+    """The arm at `ready`, holding, inside the planes of its file; what is to be said of the file is its notice.
+
+    Orientation is asked for where joints are left once the place of the tool is given.
+    """
     q = robot.poses["ready"]
     limits = Limits(robot.lower, robot.upper, robot.speed, robot.acceleration)
     poses = frozen(plain(link_poses)(robot.chain, q))
     return State(
         problem=Problem(robot, limits, planes_of(robot.panes)),
         arm=ArmState(q, frozen(np.zeros(len(q))), poses),
-        request=Request(),
+        request=Request(with_orientation=len(q) > (3 if normal_of(robot) is None else 2)),
         taught=Taught(robot),
         postures=Postures(frozen(np.ones(len(q)))),
         notice=same("{robot}: {remarks}.").format(robot=robot.title, remarks=joined(robot.remarks))

@@ -13,9 +13,10 @@ from tests.driving import after
 
 from helicoide import gate
 from helicoide.command import Along, Course, Hold, Replay, ToJoints
-from helicoide.foresight import lived
+from helicoide.foresight import foreseen, lived
 from helicoide.kinematics.library import load, titles
 from helicoide.readout import plane_distances
+from helicoide.readout.status import FOLLOWING, status
 from helicoide.session.replaying import along_fastest
 from helicoide.state import State, Update, initial
 from helicoide.text import same
@@ -50,16 +51,35 @@ def test_every_arm_follows_the_paths_from_its_ready_posture(name: str, key: str)
     assert state.request.path_s < 0.5 or state.request.path_s > 9.5
 
 
-def test_each_arm_begins_with_the_path_of_its_source() -> None:
-    first = {name: next(iter(gate.presets(load(name)))) for name in titles()}
-    assert first["movemaster"] == "eq33"
-    assert (first["planar3r"], first["zebra_zero"], first["orca"]) == ("vargas1", "vargas6", "demonstration")
-    assert first["dia10"] == "S1"
-    assert first["puma560"] == "line"
+@pytest.mark.parametrize("name", titles())
+def test_the_first_play_of_every_arm_is_followed_with_its_orientation_and_nothing_in_the_way(name: str) -> None:
+    state = gate.play()(initial(load(name)))
+    assert isinstance(state.request.command, Along)
+    along = FOLLOWING.format(path=state.request.command.title)
+    said = set()
+    for _ in range(int(5 * state.request.command.path.duration)):
+        state = after(state, 0.2)
+        said.add((status(foreseen(state)).text, status(foreseen(state)).tone))
+    assert said == {(along, "ok")}
+
+
+def test_a_path_that_meets_the_planes_says_so_and_is_not_the_first() -> None:
+    known = gate.presets(load("movemaster"))
+    assert next(iter(known)) == "ellipse"
+    for key in ("eq33", "eq34", "eq35"):
+        assert "planes" in known[key].title.en
+        assert "planos" in known[key].title.pt_BR
+
+
+def test_the_status_names_the_path_that_is_followed() -> None:
+    state = gate.choose_path("circle")(initial(load("puma560")))
+    playing = foreseen(after(gate.play()(state), 2.0))
+    assert (status(playing).text.en, status(playing).text.pt_BR) == ("Following: circle.", "Seguindo: círculo.")
 
 
 def test_a_time_scaling_starts_at_rest_and_takes_as_long(state: State) -> None:
-    even = gate.path_of(state.robot, Course())
+    state = gate.choose_path("eq33")(state)
+    even = gate.path_of(state.robot, Course("eq33"))
     for shape in ("trapezoid", "minimum jerk"):
         path = gate.path_of(state.robot, gate.choose_scaling(shape)(state).request.course)  # type: ignore[arg-type]
         assert path.duration == even.duration
@@ -110,6 +130,7 @@ def test_the_least_time_keeps_the_limits_and_the_path() -> None:
 
 def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(state: State) -> None:
     """Eq. 33 leads out of the enclosure; the most that the tool is beside it is said, in both languages."""
+    state = gate.choose_path("eq33")(state)
     played = along_fastest(state)(gate.hold_orientation(False)(state))
     assert isinstance(played.request.command, Replay)
     said = float(re.search(r"([\d.]+) mm", played.request.command.title.en)[1]) / 1000  # type: ignore[index]

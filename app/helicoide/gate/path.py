@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from helicoide.command import Along, Course, Hold
 from helicoide.gate.check import driven, finite
-from helicoide.gate.presets import path_of
+from helicoide.gate.presets import path_of, title_of
 from helicoide.state import State, Update, commanded
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.fastest import Shape
@@ -18,7 +18,8 @@ def play() -> Update:
     def wish(state: State) -> State:
         path = path_of(state.robot, state.request.course)
         ended = state.request.path_s >= path.duration and not path.is_closed
-        return commanded(state, Along(path, 0.0 if ended else state.request.path_s, playing=True))
+        s = 0.0 if ended else state.request.path_s
+        return commanded(state, Along(path, s, playing=True, title=title_of(state.robot, state.request.course)))
 
     return driven(wish)
 
@@ -49,7 +50,10 @@ def scrub(share: float) -> Update:
         path = path_of(state.robot, state.request.course)
         s = float(value) * path.duration
         playing = isinstance(state.request.command, Along) and state.request.command.playing
-        return commanded(replace(state, request=replace(state.request, path_s=s)), Along(path, s, playing=playing))
+        title = title_of(state.robot, state.request.course)
+        return commanded(
+            replace(state, request=replace(state.request, path_s=s)), Along(path, s, playing=playing, title=title)
+        )
 
     return driven(wish)
 

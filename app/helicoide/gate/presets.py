@@ -1,4 +1,4 @@
-"""The paths that an arm has ready: those of its source, and three for any arm, which begin at its posture `ready`."""
+"""The paths that an arm has ready: three for any arm, which begin at its posture `ready`, and those of its source."""
 
 from __future__ import annotations
 
@@ -29,8 +29,10 @@ from helicoide.trajectory.vargas import VARGAS
 # Half the length of the line, or of the longer axis of a loop, and half the shorter, as shares of the reach; time, s.
 LONG, SHORT, TIME = 0.1, 0.05, 20.0
 SHORTEST, LONGEST = 2.0, 300.0
+FIVE = 5  # joints, one less than any pose takes
 LAST_PLANAR = 5  # of the trajectories of Vargas
 RAMP, ABOVE = 0.25, 1e-6
+MEETS = Text(en="Cerbaro 2022, eq. {n} (meets the planes)", pt_BR="Cerbaro 2022, eq. {n} (encontra os planos)")
 LAWS: Mapping[Shape, tuple[Text, Law]] = MappingProxyType(
     {
         "constant speed": (Text(en="even", pt_BR="uniforme"), Constant()),
@@ -51,7 +53,7 @@ class Preset:
 @lru_cache(maxsize=16)
 def presets(robot: Robot) -> Mapping[str, Preset]:
     """The paths of an arm by their keys; the first is the one that it begins with."""
-    return {key: Preset(title, path) for key, title, path in (*_of_source(robot), *_of_any(robot))}
+    return {key: Preset(title, path) for key, title, path in (*_of_any(robot), *_of_source(robot))}
 
 
 def path_of(robot: Robot, course: Course) -> Path:
@@ -76,6 +78,12 @@ def path_of(robot: Robot, course: Course) -> Path:
     return _in_time(robot, name, course.shape, duration)
 
 
+def title_of(robot: Robot, course: Course) -> Text:
+    """What the path of a course is called, which is one of the arm's."""
+    known = presets(robot)
+    return known[course.name or next(iter(known))].title
+
+
 @lru_cache(maxsize=16)
 def _in_time(robot: Robot, name: str, shape: Shape, duration: float) -> Path:
     path = presets(robot)[name].path
@@ -87,7 +95,7 @@ def _of_source(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
     match robot.name:
         case "movemaster":
             for number, path in ((33, EQ_33), (34, EQ_34), (35, EQ_35)):
-                yield f"eq{number}", same("Cerbaro 2022, eq. {n}").format(n=number), path
+                yield f"eq{number}", MEETS.format(n=number), path
             yield "demonstration", same("Cerbaro 2022, §4.4.4"), MOVEMASTER_ELLIPSE
         case "orca":
             yield "demonstration", same("Cerbaro 2022, §4.4.3"), ORCA_CIRCLE
@@ -107,19 +115,29 @@ def _ready(robot: Robot) -> Array:
 
 
 def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
-    """Level, or in the plane of an arm that has only one; the loops lie on the side of the base."""
+    """Level, or in the plane of an arm that has only one; the loops lie on the side of the base.
+
+    With five joints a tool keeps its orientation only in the plane through the first axis and itself: there they lie,
+    the longer axis level.
+    """
     T, normal = _ready(robot), normal_of(robot)
     n = np.array([0.0, 0.0, 1.0]) if normal is None else normal
     outward = _outward(T[:3, 3] - robot.points[0], n)
+    upright = normal is None and len(robot.variables) == FIVE
+    if upright:
+        n = np.cross(outward, n)
     sideways, long, short = np.cross(n, outward), LONG * robot.reach, SHORT * robot.reach
     there, back = (_moved(T, way * sideways) for way in (long, -long))
     ways = Line(T, there, TIME / 4), Line(there, back, TIME / 2), Line(back, T, TIME / 4)
     plane = np.eye(4)
     plane[:3] = np.column_stack([outward, sideways, n, T[:3, 3] - short * outward])
-    round_, oval = (Loop(frozen(plane), (short, b), frozen(T[:3, :3]), TIME) for b in (short, long))
-    yield "line", Text(en="straight line, there and back", pt_BR="reta, ida e volta"), Chain(ways)
-    yield "circle", Text(en="circle", pt_BR="círculo"), round_
+    round_ = Loop(frozen(plane), (short, short), frozen(T[:3, :3]), TIME)
+    flat = (short / 2, short) if upright else (short, long)
+    plane[:3, 3] = T[:3, 3] - flat[0] * outward
+    oval = Loop(frozen(plane), flat, frozen(T[:3, :3]), TIME)
     yield "ellipse", Text(en="ellipse", pt_BR="elipse"), oval
+    yield "circle", Text(en="circle", pt_BR="círculo"), round_
+    yield "line", Text(en="straight line, there and back", pt_BR="reta, ida e volta"), Chain(ways)
 
 
 def _moved(T: Array, way: Array) -> Array:

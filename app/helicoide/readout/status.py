@@ -34,7 +34,7 @@ Tone = Literal["ok", "warn", "blocked", "stopped"]
 SHORT, ARRIVED = 1e-3, 10e-3
 TURNED = np.radians(1.0)
 
-FOLLOWING = Text(en="Following the ellipse.", pt_BR="Seguindo a elipse.")
+FOLLOWING = Text(en="Following: {path}.", pt_BR="Seguindo: {path}.")
 MOVING = Text(en="Moving.", pt_BR="Em movimento.")
 AT_THE_GOAL = Text(en="At the goal.", pt_BR="No objetivo.")
 
@@ -130,7 +130,7 @@ def _towards(state: State, goal: Goal) -> Status:
     if state.request.with_orientation and goal.turned > TURNED:
         return Status(_misaligned(state, goal), "warn")
     if isinstance(state.request.command, Along) and state.request.command.playing:
-        return Status(FOLLOWING, "ok")
+        return Status(FOLLOWING.format(path=state.request.command.title), "ok")
     if state.arm.moving:
         return Status(MOVING, "ok")
     return Status(AT_THE_GOAL, "ok")
@@ -142,7 +142,7 @@ def _by_method(state: State) -> Status:
         return Status(state.request.drive.refusal, "blocked")
     way, turn = errors(state)
     if isinstance(state.request.command, Along) and state.request.command.playing and way < ARRIVED:
-        return Status(FOLLOWING, "ok")
+        return Status(FOLLOWING.format(path=state.request.command.title), "ok")
     if state.arm.moving:
         return Status(MOVING, "ok")
     if way > SHORT:

@@ -1,4 +1,4 @@
-"""The screw axes of the joints as arrows, on request."""
+"""The screw axes of the joints as lines through the arm, named J1 … Jn, on request."""
 
 from __future__ import annotations
 
@@ -14,39 +14,53 @@ SHARED = False
 TITLE = Text(en="Screw axes of the joints", pt_BR="Eixos helicoidais das juntas")
 SHOWN = False
 
-HALF = 0.16
+HALF, TIP = 0.6, 0.28  # of the line, and from the joint to the head of the arrow that tells its sense, × size, m
 COLOUR = (21, 101, 192)
 
 
 def build(stage: Stage) -> Axes:
-    """An arrow along each joint's axis."""
-    size = stage.size
+    """A line and an arrow along the axis of each joint, with its name at the head."""
+    scene, size, n = stage.scene, stage.size, len(stage.robot.joints)
+    none = np.zeros((n, 2, 3))
     return Axes(
-        stage.scene.add_arrows(
-            "/axes",
-            np.zeros((len(stage.robot.joints), 2, 3)),
+        scene.add_line_segments("/axes/lines", none, COLOUR, thickness=0.004 * size, visible=False),
+        scene.add_arrows(
+            "/axes/arrows",
+            none,
             COLOUR,
             shaft_radius=0.004 * size,
             head_radius=0.011 * size,
             head_length=0.035 * size,
             visible=False,
         ),
-        HALF * size,
+        [scene.add_label(f"/axes/J{i + 1}", f"J{i + 1}", anchor="bottom-center", visible=False) for i in range(n)],
+        size,
     )
 
 
 class Axes:
-    """The arrows."""
+    """The lines, the arrows and the names."""
 
-    def __init__(self, arrows: viser.ArrowsHandle, half: float) -> None:
-        self.arrows, self.half = arrows, half
+    def __init__(
+        self,
+        lines: viser.LineSegmentsHandle,
+        arrows: viser.ArrowsHandle,
+        names: list[viser.LabelHandle],
+        size: float,
+    ) -> None:
+        self.lines, self.arrows, self.names, self.size = lines, arrows, names, size
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the joints while shown."""
         shown = new.seat.shows[NAME]
-        if shown and (old is None or old.state.arm.q is not new.state.arm.q or not self.arrows.visible):
-            axes, centres = new.state.axes, new.state.arm.poses[1:, :3, 3]
-            ends = np.stack([centres - self.half * axes, centres + self.half * axes], axis=1)
-            self.arrows.points = ends.astype(np.float32)
-        if shown != self.arrows.visible:
-            self.arrows.visible = shown
+        if shown and (old is None or old.state.arm.q is not new.state.arm.q or not self.lines.visible):
+            axes, points = new.state.axes, new.state.arm.poses[1:, :3, 3]
+            heads = points + TIP * self.size * axes
+            far = HALF * self.size * axes
+            self.lines.points = np.stack([points - far, points + far], axis=1).astype(np.float32)
+            self.arrows.points = np.stack([points, heads], axis=1).astype(np.float32)
+            for name, head in zip(self.names, heads, strict=True):
+                name.position = head
+        for part in (self.lines, self.arrows, *self.names):
+            if shown != part.visible:
+                part.visible = shown

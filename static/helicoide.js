@@ -11,6 +11,7 @@
   const BEATS_KEPT = 30;
   const SETTLED_MS = 120; // viser holds the last value of a slider back for up to 50 ms
   const SEAT = "helicoide-seat";
+  const OPEN = '[role="dialog"], [role="listbox"]';
   // What a page sends that no hand has made, and the parts of a file whose beginning was let through.
   const NOT_BY_HAND = new Set([
     "ViewerCameraMessage",
@@ -71,16 +72,29 @@
     send({ stop: true });
   }
 
+  // Escape always stops; where it closes what is open over the page, and nothing moves, that is all it does.
+  function escape() {
+    stopUnheard = true;
+    deafen(fence);
+    send({ stop: true, closing: document.querySelector(OPEN) !== null });
+  }
+
   function introduce() {
     if (!window.helicoideWindow) return;
     shown = -1;
     send({ window: window.helicoideWindow, seat: remembered(), languages: [...navigator.languages] });
   }
 
+  function tabsOfPanel() {
+    const lists = [...document.querySelectorAll("[role=tablist]")].map((list) => [...list.querySelectorAll("[role=tab]")]);
+    return lists.find((list) => list.length > 1) ?? []; // a docked lesson has one
+  }
+
+  window.helicoideShowTab = (index) => tabsOfPanel()[index]?.click();
+
   // Words in tabs that nobody looks at need not be written: which one is in front, of those at the top of the panel.
   function look() {
-    const lists = [...document.querySelectorAll("[role=tablist]")].map((list) => [...list.querySelectorAll("[role=tab]")]);
-    const tabs = lists.find((list) => list.length > 1) ?? []; // a docked lesson has one
+    const tabs = tabsOfPanel();
     const front = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
     if (front === shown || front < 0) return;
     shown = front;
@@ -239,10 +253,10 @@
 
   button.addEventListener("pointerdown", stop); // on press, not on release
   button.addEventListener("click", (event) => event.detail === 0 && stop()); // by keyboard or a screen reader
-  window.addEventListener("keydown", (event) => event.key === "Escape" && !event.repeat && stop(), true);
+  window.addEventListener("keydown", (event) => event.key === "Escape" && !event.repeat && escape(), true);
   window.addEventListener("helicoide-window", introduce);
   window.addEventListener("pointerdown", (event) => press(event.pointerId), true);
-  window.addEventListener("keydown", (event) => press(event.code), true);
+  window.addEventListener("keydown", (event) => event.isTrusted && press(event.code), true);
   window.addEventListener("keyup", (event) => release(event.code), true);
   window.addEventListener("pointermove", (event) => event.buttons === 0 && release(event.pointerId), true);
   window.addEventListener("blur", releaseAll); // a key that goes up elsewhere is not told of

@@ -75,11 +75,12 @@ class Line:
 class Control:
     """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
 
-    on_stop: told the key of the window that stops, None before a page has said which it is; on_release: told the key of
+    on_stop: told the key of the window that stops, None before a page has said which it is, and whether the same press
+    closes something on the page; on_release: told the key of
     the window whose pointer was let go, or whose last channel has closed; on_tab: told the number of the tab in front.
     """
 
-    on_stop: Callable[[str | None], None]
+    on_stop: Callable[[str | None, bool], None]
     on_release: Callable[[str], None] = lambda key: None
     on_tab: Callable[[str, int], None] = lambda key, tab: None
     _lines: dict[str, Line] = field(default_factory=dict)
@@ -130,7 +131,7 @@ class Control:
         """What to answer; here: the key of the page's window, once it is known."""
         message = _parse(raw)
         if message.get("stop") is True:
-            self.on_stop(here[-1] if here else None)
+            self.on_stop(here[-1] if here else None, message.get("closing") is True)
             return ['{"heard": "stop"}']
         if message.get("beat") is True:
             return [json.dumps({"heard": "beat", "at": 1000 * monotonic()})]
@@ -167,6 +168,11 @@ def introduce(client: viser.ClientHandle, key: str) -> None:
     """
     source = f'window.helicoideWindow = {json.dumps(key)}; window.dispatchEvent(new Event("helicoide-window"));'
     client.gui._websock_interface.queue_message(RunJavascriptMessage(source=source))
+
+
+def show_tab(client: viser.ClientHandle, index: int) -> None:
+    """Bring a tab of the panel to the front: viser has no message for that."""
+    client.gui._websock_interface.queue_message(RunJavascriptMessage(source=f"window.helicoideShowTab?.({index})"))
 
 
 def _hello(message: dict[str, object]) -> Hello:

@@ -27,13 +27,25 @@ LOST = Text(
     pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
 )
 
+HINT = {
+    "title": Text(en="Where to begin", pt_BR="Por onde começar"),
+    "lesson": Text(en="First lesson", pt_BR="Primeira lição"),
+    "close": Text(en="Close", pt_BR="Fechar"),
+}
+STEPS = (
+    Text(en="Drag the target at the end of the arm.", pt_BR="Arraste o alvo na ponta do braço."),
+    Text(en="Move a joint: tab Robot, Joints.", pt_BR="Mova uma junta: aba Robô, Juntas."),
+    Text(en="Press Play under Path.", pt_BR="Pressione Iniciar em Trajetória."),
+)
+
 # Behind a sub-path, what is addressed from here is found only with a slash at the end. And a list that opens beyond the
 # edge of a phone would widen the page, move itself and push Stop out of view.
 TAGS = Markup(
     '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'
-    '<script src="static/helicoide.js" data-words="{}" defer></script>'
+    '<script src="static/helicoide.js" data-words="{}" defer></script><script src="static/keyboard.js" defer></script>'
+    '<link rel="stylesheet" href="static/hint.css" /><script src="static/hint.js" data-words="{}" defer></script>'
 )
 TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")
 
@@ -127,6 +139,10 @@ def _page() -> str:
     source = Path(viser.__file__).parent / "client" / "build" / "index.html"
     said = {"stop": STOP, "stop_all": STOP_ALL, "lost": LOST}
     words = {language: {key: text[language] for key, text in said.items()} for language in LANGUAGES}
-    tags = TAGS.format(json.dumps(words))
+    hint = {
+        language: {key: text[language] for key, text in HINT.items()} | {"steps": [step[language] for step in STEPS]}
+        for language in LANGUAGES
+    }
+    tags = TAGS.format(json.dumps(words), json.dumps(hint))
     titled = source.read_text("utf-8").replace(*TITLES, 1)
     return titled.replace(HEAD_ENDS, tags + HEAD_ENDS, 1)

@@ -126,6 +126,13 @@ class OwnArm:
     on: bool
 
 
+@dataclass(frozen=True)
+class ShowTab:
+    """A wish to see the tab of that number, from 0."""
+
+    index: int
+
+
 @dataclass(frozen=True, eq=False)
 class Save:
     """A wish to have a file."""
@@ -148,6 +155,7 @@ Wish = (
     | PlayFastest
     | Stop
     | OwnArm
+    | ShowTab
     | Save
 )
 Act = Callable[[Wish], None]

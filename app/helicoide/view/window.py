@@ -18,16 +18,35 @@ from helicoide import gate
 from helicoide.ik import methods
 from helicoide.kinematics.library import titles
 from helicoide.kinematics.robot import Robot
+from helicoide.lesson import entered
 from helicoide.seat import Seat
+from helicoide.studies import desk as desks
 from helicoide.text import LANGUAGES, Language, Text, same
 from helicoide.view import bind, layers, panels
+from helicoide.view.channel import show_tab
 from helicoide.view.docked import DockedLesson
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
 from helicoide.view.page import STOP
+from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
+from helicoide.view.panels.study import studies_by_source
 from helicoide.view.placed import Placed, place
-from helicoide.view.rows import Button, Choice, ForArm, ForLab, ForSeat, OwnArm, Row, Stop, Tick, View, Wish
+from helicoide.view.rows import (
+    Button,
+    Choice,
+    ForArm,
+    ForDesk,
+    ForLab,
+    ForSeat,
+    OwnArm,
+    Row,
+    ShowTab,
+    Stop,
+    Tick,
+    View,
+    Wish,
+)
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 from helicoide.view.uploads import Uploads
@@ -111,8 +130,11 @@ class Window:
 
     def act(self, wish: Wish) -> None:
         """Hand on what the person wishes; what the page shows of it is put right later, whatever comes of it."""
-        self.written = None
-        self.hand_on(self, wish)
+        if isinstance(wish, ShowTab):
+            show_tab(self.client, wish.index)
+        else:
+            self.written = None
+            self.hand_on(self, wish)
 
     def stage(self, view: View, shapes: list[Shape]) -> None:
         """Put up this window's own layers for the arm of a view, and look at it."""
@@ -252,14 +274,34 @@ def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
         yield words, ForSeat(partial(_projected, on))
     yield OWN, OwnArm(True)
     yield SHARED, OwnArm(False)
+    for index, panel in enumerate(panels.found()):
+        yield TAB.format(title=panel.TITLE), ShowTab(index)
+    for name, title in robot.pose_titles.items():
+        yield POSE.format(title=title), ForArm(gate.go_to(name))
     for name in methods.names():
-        title = methods.named(name).TITLE
-        yield (
-            Text(en="Method: {title}", pt_BR="Método: {title}").format(title=title),
-            ForArm(gate.choose_method(name)),
-        )
+        yield METHOD.format(title=methods.named(name).TITLE), ForArm(gate.choose_method(name))
+    for layer in layers.optional():
+        yield LAYER.format(title=layer.TITLE), ForSeat(partial(_toggled, layer.NAME))
+    for lesson in lessons():
+        yield LESSON.format(title=lesson.title), ForSeat(partial(entered, name=lesson.id))
+    for name, title in studies_by_source():
+        yield STUDY.format(title=title), ForDesk(desks.choose(name))
     for name, title in titles().items():
-        yield Text(en="Arm: {title}", pt_BR="Braço: {title}").format(title=title), ForLab(name)
+        yield ARM.format(title=title), ForLab(name)
+
+
+TAB = Text(en="Tab: {title}", pt_BR="Aba: {title}")
+POSE = Text(en="Go to pose: {title}", pt_BR="Ir para a pose: {title}")
+METHOD = Text(en="Method: {title}", pt_BR="Método: {title}")
+LAYER = Text(en="Show or hide: {title}", pt_BR="Mostrar ou ocultar: {title}")
+LESSON = Text(en="Lesson: {title}", pt_BR="Lição: {title}")
+STUDY = Text(en="Study: {title}", pt_BR="Estudo: {title}")
+ARM = Text(en="Arm: {title}", pt_BR="Braço: {title}")
+
+
+def _toggled(name: str, seat: Seat) -> Seat:
+    """The same person with a layer shown that was hidden, or hidden."""
+    return seat.showing(name, not seat.shows[name])
 
 
 def _projected(on: bool, seat: Seat) -> Seat:

@@ -36,16 +36,20 @@ log = logging.getLogger("helicoide")
 
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
-    lessons = [lesson for name in content.found("lessons") if (lesson := _readable(name))]
     return [
         Choice(
             Text(en="Lesson", pt_BR="Lição"),
-            [("", FREE), *((lesson.id, lesson.title) for lesson in lessons)],
+            [("", FREE), *((lesson.id, lesson.title) for lesson in lessons())],
             lambda view: view.seat.lesson or "",
             lambda name: ForSeat(lambda seat: entered(seat, name or None)),
         ),
         Words(_free),
     ]
+
+
+def lessons() -> list[Lesson]:
+    """Every lesson whose files are whole."""
+    return [lesson for name in content.found("lessons") if (lesson := _readable(name))]
 
 
 def _readable(name: str) -> Lesson | None:

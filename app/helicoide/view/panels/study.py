@@ -50,7 +50,7 @@ def rows(robot: Robot) -> list[Row]:
     return [
         Choice(
             Text(en="Study", pt_BR="Estudo"),
-            [("", NONE), *_by_source()],
+            [("", NONE), *studies_by_source()],
             lambda view: view.desk.study,
             lambda name: ForDesk(desks.choose(name)),
         ),
@@ -83,7 +83,7 @@ def rows(robot: Robot) -> list[Row]:
     ]
 
 
-def _by_source() -> list[tuple[str, Text]]:
+def studies_by_source() -> list[tuple[str, Text]]:
     """Every study by name, the source before its title, those of a source together."""
     sources = {name: studies.named(name).SOURCE.partition(",")[0] for name in studies.names()}
     title = same("{source}: {title}")

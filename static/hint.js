@@ -1,0 +1,51 @@
+// What to do first, on the canvas, until somebody closes it: then this browser knows it.
+"use strict";
+
+(() => {
+  const words = JSON.parse(document.currentScript.dataset.words);
+  const CLOSED = "helicoide-hint-closed";
+
+  function isClosed() {
+    try {
+      return localStorage.getItem(CLOSED) !== null;
+    } catch {
+      return false; // a browser may keep its storage shut
+    }
+  }
+
+  if (isClosed()) return;
+
+  const hint = document.createElement("section");
+  const steps = document.createElement("ol");
+  const lesson = document.createElement("button");
+  const close = document.createElement("button");
+  hint.id = "helicoide-hint";
+  lesson.type = close.type = "button";
+  hint.append(steps, lesson, close);
+
+  function draw() {
+    const said = words[document.documentElement.lang.startsWith("pt") ? "pt_BR" : "en"];
+    hint.setAttribute("aria-label", said.title);
+    lesson.textContent = said.lesson;
+    close.textContent = said.close;
+    steps.replaceChildren(...said.steps.map((step) => Object.assign(document.createElement("li"), { textContent: step })));
+  }
+
+  function remove() {
+    hint.remove();
+    try {
+      localStorage.setItem(CLOSED, "yes");
+    } catch {
+      // then it is there again next time
+    }
+  }
+
+  close.addEventListener("click", remove);
+  lesson.addEventListener("click", () => {
+    window.helicoideShowTab?.(0);
+    remove();
+  });
+  new MutationObserver(draw).observe(document.documentElement, { attributeFilter: ["lang"] });
+  draw();
+  document.body.append(hint);
+})();

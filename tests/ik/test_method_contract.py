@@ -11,6 +11,7 @@ from tests.driving import Worst, at, watch
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.arrays import Array, frozen
 from helicoide.command import ToPose
 from helicoide.confinement import planes_of
 from helicoide.geometry import rotation
@@ -18,7 +19,6 @@ from helicoide.ik.drive import Drive, step, task_of
 from helicoide.ik.method import OneOf, Promise, Quantity, Task, YesNo, changed, settings
 from helicoide.ik.methods import named, names
 from helicoide.kinematics import library
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot

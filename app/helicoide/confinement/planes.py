@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Pane
 from helicoide.text import Text, same
 

@@ -7,7 +7,7 @@ from math import dist
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.robot import Gripper
 
 # The least radius that the rules of golf allow, m.

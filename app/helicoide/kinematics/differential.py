@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Frame, Robot
 

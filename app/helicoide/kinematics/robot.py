@@ -12,8 +12,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.actuators import Actuators
-from helicoide.kinematics.chain import Array, Chain, Joint, Variable, chain_of, frozen, spread
+from helicoide.kinematics.chain import Chain, Joint, Variable, chain_of, spread
 from helicoide.kinematics.dh import DhTable
 from helicoide.kinematics.urdf_xml import root_link
 from helicoide.text import HelicoideError, Text

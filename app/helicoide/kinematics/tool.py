@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy import empty
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import (
     DRIVER,
     SLIDE,

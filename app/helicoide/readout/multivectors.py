@@ -8,9 +8,9 @@ from functools import lru_cache, partial
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Pane, Robot
 from helicoide.state import State
 from helicoide.text import Text

@@ -7,9 +7,9 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rigid
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Pane

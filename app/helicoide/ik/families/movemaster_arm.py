@@ -12,13 +12,13 @@ from math import atan2, cos, pi, sin
 import numpy as np
 from numpy import empty
 
+from helicoide.arrays import Array
 from helicoide.ik.families.elbow import EDGE, Annulus
 from helicoide.ik.families.frames import Tool, row_of, rows_of
 from helicoide.ik.families.pointing import into_plane
 from helicoide.ik.families.turret import Turret, normal_of, turret
 from helicoide.ik.families.two_links import bent, elbows, two_links
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import Rows, Triple, along, ending
 

@@ -7,9 +7,9 @@ from math import sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Triple, along, cross, dot, ending
 
 # A hand counts as pointing straight out of the plane where the sine to its normal is below this.

@@ -11,10 +11,10 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.ik.families.pointing import Pointing, turned_into_plane
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import Triple, along
 

@@ -5,6 +5,7 @@ The arm is followed from the tool to the base, as the tool sees it. Shapes are n
 
 from __future__ import annotations
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.blocks import Error
 from helicoide.ik.postures.packed import (
     BASE,
@@ -26,7 +27,6 @@ from helicoide.ik.postures.packed import (
     WAY,
 )
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Row, Rows, Triple, along, dot, turn_between
 from helicoide.kinematics.trigonometry import cosine_and_sine
 

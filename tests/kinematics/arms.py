@@ -13,7 +13,8 @@ from helicoide import content
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import screw_displacements
 from helicoide.kinematics.library import load
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 from helicoide.kinematics.urdf_chain import from_urdf
 
 MIXED = "slide and mimic"

@@ -12,7 +12,8 @@ from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.kinematics import differential, jacobian
 from helicoide.kinematics.forward import link_poses, tool_by_screws
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 
 each_arm = pytest.mark.parametrize("name", NAMES)
 

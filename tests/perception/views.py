@@ -6,7 +6,7 @@ import numpy as np
 from tests.driving import at
 
 from helicoide.arrays import Array
-from helicoide.kinematics.robot import Pane
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.planes import Found, find

@@ -9,7 +9,8 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 
 
 def frame_pose(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:

@@ -13,8 +13,9 @@ from helicoide.arrays import Array, frozen
 from helicoide.kinematics import robot_file, robot_reading
 from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.dh import DhRow, DhTable
-from helicoide.kinematics.robot import Capsule, Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
+from helicoide.kinematics.robot import Robot, guarded_centres, on_link
 from helicoide.kinematics.robot_check import acceleration_of, limits_of
+from helicoide.kinematics.robot_parts import Capsule, Frame, Gripper, GuardedPoint, Pane
 
 
 def _metres(triple: ArrayLike) -> Array:

@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
 from helicoide.kinematics.differential import geometric
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 
 # A singular value below this part of the largest one counts as zero.
 RANK = 1e-10

@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import Array
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 from helicoide.text import Text
 
 # Axes count as meeting below this distance, m, and as parallel below this sine.

@@ -8,13 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from helicoide import gate
+from helicoide.arrays import Array, frozen
 from helicoide.contributions.trials import at
 from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.ik.guard.collision import clearances
 from helicoide.ik.packing import packed
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, Update

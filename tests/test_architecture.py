@@ -18,7 +18,7 @@ PACKAGE = ROOT / "app" / "helicoide"
 # Who may import whom: a room may import those of the rows above its own.
 ROWS = """
 text
-content · files · kernels · markup · solids
+arrays · content · files · kernels · markup · solids
 geometry
 kinematics
 confinement · trajectory
@@ -42,7 +42,7 @@ NOT = {"view": {"jobs"}}
 OUTSIDE = {"viser": {"view"}}
 BUILDS = {"solids"}
 LESSONS = {
-    "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",
+    "arrays", "geometry", "kinematics", "confinement", "trajectory", "ik", "command", "seat", "state",
     "advance", "foresight", "readout", "gate", "lesson", "perception", "studies", "text",
 }  # fmt: skip
 

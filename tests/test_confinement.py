@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from tests.driving import after, at, clear_posture, quaternion
 
 from helicoide import gate
+from helicoide.arrays import Array, frozen
 from helicoide.command import ToJoints
 from helicoide.confinement import Obstacles, Zone, Zones, distances, from_pieces, last_clear, planes_of
 from helicoide.confinement.obstacles import LOOKED_AT
 from helicoide.geometry import rigid
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, initial

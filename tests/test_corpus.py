@@ -14,9 +14,9 @@ from tests.benchmarks.corpus_look import POSES, look
 from tests.benchmarks.corpus_tree import Tree
 from tests.kinematics.urdfs import write
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.solve import solve
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError

@@ -9,10 +9,10 @@ import pytest
 from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
 
 from helicoide import gate
+from helicoide.arrays import frozen
 from helicoide.command import Along
 from helicoide.foresight import lived
 from helicoide.ik import Limits
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances

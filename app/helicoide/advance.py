@@ -7,6 +7,7 @@ from math import dist
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.command import Along, Command, GetReady, Hold, Park, Replay, ToJoints, ToPose
 from helicoide.ik import drive as drives
 from helicoide.ik.drive import GUARDED
@@ -17,7 +18,6 @@ from helicoide.ik.packing import packed
 from helicoide.ik.rcm.at_work import by_method
 from helicoide.ik.step import step, step_task, task_at
 from helicoide.ik.task import EVERY, GAIN, joint_task
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.state import Compared, Held, State
 from helicoide.trajectory.path import placed

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.task import EVERY
-from helicoide.kinematics.chain import Array
 from helicoide.text import Text
 from helicoide.trajectory import Path
 from helicoide.trajectory.fastest import Shape

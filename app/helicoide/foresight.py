@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from helicoide.advance import advance
+from helicoide.arrays import frozen
 from helicoide.command import Along, GetReady, Park, ToJoints, ToPose
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal, best_goal, goal_at_joints, goal_at_pose
-from helicoide.kinematics.chain import frozen
 from helicoide.state import ArmState, State, Update
 
 SETTLED = 0.5

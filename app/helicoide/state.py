@@ -10,6 +10,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array, frozen
 from helicoide.command import Command, Course, Hold
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
@@ -19,7 +20,6 @@ from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import Ranked
 from helicoide.kernels import plain
 from helicoide.kinematics.ball import Ball
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Kind, Map, normal_of

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import Course, Hold, ToPose
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array
 from helicoide.lesson import Step
 from helicoide.readout import plane_distances
 from helicoide.seat import Seat

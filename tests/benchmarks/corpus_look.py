@@ -15,12 +15,12 @@ import numpy as np
 from tests.benchmarks.corpus_findings import Findings, words_of
 from tests.benchmarks.corpus_tree import Tree, apart
 
+from helicoide.arrays import Array
 from helicoide.commands.ik import described
 from helicoide.confinement import Obstacles
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import alike
 from helicoide.ik.postures.solve import chosen, reached, solve, status
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -10,6 +10,7 @@ from tests.benchmarks.children.turns import following
 from tests.benchmarks.ik_arm import points_on_links, standard_rows, urdf_with_limits
 from tests.benchmarks.ik_turns import Turn
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.rows import DAMPER_GAIN
@@ -17,7 +18,6 @@ from helicoide.ik.guard.work import work_for
 from helicoide.ik.packing import packed
 from helicoide.ik.step import STILL, step
 from helicoide.ik.task import GAIN
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import carried_points, link_poses
 from helicoide.kinematics.robot import Robot
 

@@ -7,9 +7,9 @@ from xml.etree import ElementTree
 import numpy as np
 from tests.benchmarks.kinematics import urdf_of
 
+from helicoide.arrays import Array
 from helicoide.geometry import euler
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
 

@@ -9,11 +9,11 @@ from tests.benchmarks.children.turns import Numbers, timed
 from tests.benchmarks.ik_turns import Run, Turn, faster, in_turn, judged, line, or_left_out, taking_part, turn_of
 from tests.benchmarks.peers import Child, Peer
 
+from helicoide.arrays import Array
 from helicoide.ik.families import movemaster_arm, parallel_postures, puma_arm
 from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.solve import solve
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import packed, tool_pose

@@ -19,10 +19,10 @@ from tests.benchmarks.ik_turns import (
 from tests.benchmarks.kinematics import urdf_of
 from tests.benchmarks.peers import Child, Peer
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.numeric import posture
 from helicoide.ik.postures.solve import solve
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import packed, tool_pose

@@ -11,7 +11,7 @@ import numpy as np
 from tests.benchmarks.peers import Child, LeftOut, Peer, started
 from tests.benchmarks.report import p50
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 Turn = Callable[[int, int], tuple[list[float], list[Any]]]
 WARM = 20

@@ -10,8 +10,8 @@ from tests.benchmarks.children.answer import Task
 from tests.benchmarks.peers import Child, Peer, compare, started, ways_of
 from tests.benchmarks.report import judge
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load, names
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import packed, tool_jacobian, tool_pose, tool_pose_into

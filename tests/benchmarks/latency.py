@@ -11,8 +11,8 @@ from tests.benchmarks.report import p50, spread, verdict
 from tests.benchmarks.served import served
 from tests.pages import Page, Point, opened, single
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.state import initial
 

@@ -7,7 +7,7 @@ from time import perf_counter
 import numpy as np
 from tests.benchmarks.report import p50, spread, verdict
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.planes import Found, find
 
 TITLE = "A wall in 300,000 points with 2 mm of noise, beside outliers and another wall"

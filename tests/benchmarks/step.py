@@ -9,8 +9,8 @@ from tests.benchmarks.course import DT, STEPS, Course
 from tests.benchmarks.ik_turns import faster, in_turn, judged, line, or_left_out, taking_part, turn_of
 from tests.benchmarks.peers import Child, Peer
 
+from helicoide.arrays import Array
 from helicoide.confinement import distances
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 
 PEERS = (

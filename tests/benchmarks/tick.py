@@ -13,10 +13,10 @@ from tests.benchmarks.report import p50, spread, verdict
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.arrays import Array, frozen
 from helicoide.command import Command, ToJoints, ToPose
 from helicoide.foresight import foreseen
 from helicoide.ik.step import step, step_task
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.session.preparing import TICK, exercise
 from helicoide.state import State, commanded, initial

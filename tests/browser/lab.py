@@ -9,9 +9,9 @@ from time import monotonic
 import numpy as np
 from playwright.sync_api import Page
 
+from helicoide.arrays import Array
 from helicoide.command import Hold
 from helicoide.confinement import distances
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.seat import Seat
 from helicoide.session.display import Display

@@ -14,7 +14,7 @@ from tests.browser.conftest import CHROMIUMS, FLAGS
 from tests.browser.lab import Lab, opened, until
 
 from helicoide import content
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.library import titles
 from helicoide.state import State
 from helicoide.view.scene import outlook

@@ -13,8 +13,8 @@ from tests.browser import sheet
 from tests.browser.lab import Lab, box, grab, pixels, status, tab, until
 
 from helicoide import content, gate
+from helicoide.arrays import Array, frozen
 from helicoide.ik.goal import goal_at_pose
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import titles
 from helicoide.state import State
 from helicoide.view.layers import DRAWN_FOR

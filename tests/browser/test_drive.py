@@ -11,8 +11,8 @@ from tests.browser.conftest import window
 from tests.browser.lab import Lab, grab, pixels, status, until
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import Hold, ToPose
-from helicoide.kinematics.chain import Array
 
 CRITICAL = 0.080
 ARROW = 0.22  # on an arrow of the target gizmo, m from its centre

@@ -12,10 +12,10 @@ from tests.browser.lab import Lab, grab, pixels, status, tab, until
 from tests.perception.views import between
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import Hold, Replay, ToJoints
 from helicoide.confinement import pane_axes, planes_of
 from helicoide.confinement.plane_file import written
-from helicoide.kinematics.chain import Array
 from helicoide.readout import plane_distances
 
 SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from helicoide.arrays import Array
 from helicoide.confinement import BOX, Plane, box, distances, from_coefficients, planes_of, standing, through_points
 from helicoide.geometry import rigid
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import printed_planes
 from helicoide.text import HelicoideError

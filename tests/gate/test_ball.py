@@ -11,10 +11,10 @@ import viser
 from tests.driving import after
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import Replay
 from helicoide.foresight import lived
 from helicoide.kinematics.ball import CATCH, RADIUS, closed_on
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
 from helicoide.seat import Seat

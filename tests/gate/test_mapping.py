@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helicoide import gate
+from helicoide.arrays import frozen
 from helicoide.kinematics.cells import Cells
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import KINDS, Kind, Map

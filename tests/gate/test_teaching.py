@@ -9,9 +9,9 @@ import pytest
 from tests.driving import after, turning_z_to
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import Replay, ToJoints
 from helicoide.foresight import lived
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.readout import plane_distances
 from helicoide.session.replaying import through

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from tests.kinematics.arms import arm
 
+from helicoide.arrays import Array
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem, methods, objectives
 from helicoide.ik.secondary import Chosen
-from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs.arms import along, position, standing, start_at, tool
 from helicoide.studies.cerbaro_runs.runs import Run, ran
 

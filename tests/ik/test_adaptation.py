@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.ik.secondary_runs import DAMPED
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones
 from helicoide.ik import adaptation
 from helicoide.ik.adaptation import NONE, Rule, adapted, everywhere, given_way, held_back, moved_away, nearest, trimmed
 from helicoide.ik.converge import CAP_PER_POINT, Tolerance, by_method, converged
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.studies.cerbaro_runs.arms import position, standing, tool
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE, confined, desired
 

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from tests.ik.secondary_runs import DAMPED, PINV, PLAIN, along, at, position, problem, standing, start_at, tool
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem, converge, methods
 from helicoide.ik.clik import to_pose
 from helicoide.ik.converge import Outcome, Tolerance, by_method, converged, still
 from helicoide.ik.method import Method, Promise, Solution, Task
 from helicoide.ik.methods import filtered
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies.cerbaro_runs.arms import movemaster, orca
 from helicoide.trajectory import EQ_33

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from helicoide.arrays import Array
 from helicoide.ik import filtered_inverse, modal
 from helicoide.ik.filtered_inverse import Parts, Step, Update
 from helicoide.ik.scalar_filter import crossing_peak
-from helicoide.kinematics.chain import Array
 
 SHAPES = [(3, 3), (2, 3), (3, 6), (6, 6), (3, 2), (6, 7)]
 UPDATES: tuple[Update, ...] = get_args(Update)

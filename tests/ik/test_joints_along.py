@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import arm
 
+from helicoide.arrays import Array
 from helicoide.ik.joints_along import PLACES, joints_along
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.joints import tool_at
 from helicoide.trajectory.straight import Line, Screw

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from tests.ik.secondary_runs import Run, chosen
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import secondary
 from helicoide.ik.limit_gains import clipped
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.studies.cerbaro_runs.arms import movemaster
 from helicoide.studies.cerbaro_runs.tracking import free_ellipse, start_of_ellipse
 

@@ -10,6 +10,7 @@ from tests.driving import Worst, watch
 
 from helicoide import gate
 from helicoide.advance import advance
+from helicoide.arrays import Array, frozen
 from helicoide.command import ToPose
 from helicoide.contributions.methods import Pair, described, pairs
 from helicoide.contributions.promises import DTS, HELD, answers
@@ -19,7 +20,6 @@ from helicoide.ik.drive import Drive
 from helicoide.ik.method import OneOf, Promise, Quantity, YesNo, changed, settings
 from helicoide.ik.methods import named, names
 from helicoide.kinematics import library
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.state import State, initial
 from helicoide.text import HelicoideError
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem, filtered_inverse, methods
 from helicoide.ik.method import Solution, Task
-from helicoide.kinematics.chain import Array
 from helicoide.studies.vargas.arms import planar
 
 FILTERED = ["filtered", "filtered_modified", "filtered_normal"]

@@ -11,12 +11,12 @@ from latex2mathml.converter import convert
 from tests.ik.secondary_runs import chosen, problem
 from tests.kinematics.arms import MIXED, NAMES, arm, derivative, postures
 
+from helicoide.arrays import Array
 from helicoide.geometry import euler
 from helicoide.ik import Problem, objectives
 from helicoide.ik.arm_points import PER_LINK, along_links, watched
 from helicoide.ik.method import OneOf, Quantity, changed, settings
 from helicoide.ik.objective import Cost, posture
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import of_position
 from helicoide.studies.cerbaro_runs.arms import movemaster, orca

@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 from tests.ik.secondary_runs import PINV, PLAIN, chosen, position, problem, ran, standing, tool
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import methods, objectives
 from helicoide.ik.arm_points import watched
 from helicoide.ik.clik import answered, asked, followed, to_pose
 from helicoide.ik.objective import posture
 from helicoide.ik.secondary import augmented, push, total
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies.cerbaro_runs.arms import movemaster, with_heading
 from helicoide.studies.vargas.arms import planar

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from tests.ik.walks import ARMS, left, scene
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.guarded import ONE_LEVEL
 from helicoide.ik.guard.work import Work, work_for
 from helicoide.ik.packing import packed
 from helicoide.ik.step import STILL, step, step_task, task_at
 from helicoide.kernels import as_python
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 
 DT = 0.01

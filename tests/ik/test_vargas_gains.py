@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.clik import quaternion_error
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.studies.vargas.arms import zebra
 from helicoide.studies.vargas.paths import path_11

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
-from helicoide.kinematics.chain import Array
 from helicoide.studies.vargas.scalar import closed_loop, filtered
 from helicoide.studies.vargas_08 import CASES
 from helicoide.studies.vargas_09 import LAWS

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.forward import link_poses, tool_by_dh
 from helicoide.kinematics.library import load
 from helicoide.studies.vargas.arm import followers

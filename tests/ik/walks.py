@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from tests.kinematics.arms import arm
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import clearances
@@ -16,7 +17,7 @@ from helicoide.ik.packing import packed
 from helicoide.ik.step import step, step_task
 from helicoide.ik.task import joint_task
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain, frozen
+from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.forward import carried_points, link_poses
 
 ARMS = ("movemaster", "puma560", "planar3r", "scara", "dia10", "zebra_zero")

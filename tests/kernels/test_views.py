@@ -11,8 +11,8 @@ from typing import Any, get_args, get_origin, get_type_hints
 import numpy as np
 
 import helicoide
+from helicoide.arrays import Array
 from helicoide.kernels import KERNELS, Kernel, kernel, kernel_into, plain
-from helicoide.kinematics.chain import Array
 
 
 def holds_an_array(kind: Any) -> bool:

@@ -10,10 +10,11 @@ from pathlib import Path
 import numpy as np
 
 from helicoide import content
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import screw_displacements
 from helicoide.kinematics.library import load
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 from helicoide.kinematics.urdf_chain import from_urdf
 
 MIXED = "slide and mimic"

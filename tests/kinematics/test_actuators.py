@@ -12,9 +12,9 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.kinematics import library
 from helicoide.kinematics.actuators import Actuators, BallScrew, Gear
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import screw_displacements
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError

@@ -9,7 +9,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.dh import Convention, DhRow, transform
 from helicoide.kinematics.forward import screw_transform
 from helicoide.kinematics.library import load

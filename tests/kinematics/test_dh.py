@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.kinematics.arms import NAMES, arm, postures
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint, Mimic, chain_of, frozen, spread
+from helicoide.kinematics.chain import Joint, Mimic, chain_of, spread
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.forward import screw_transform
 from helicoide.text import same

@@ -12,8 +12,8 @@ import yourdfpy
 from hypothesis import given
 from hypothesis import strategies as st
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rigid
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.forward import ROADS, carried_points, link_poses, tool_motor
 from helicoide.kinematics.library import load

@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import MIXED, NAMES, arm, derivative, frame_by_screws, postures, twist_by_differences
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.kinematics import differential, jacobian
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses, tool_by_screws
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 
 each_arm = pytest.mark.parametrize("name", NAMES)
 

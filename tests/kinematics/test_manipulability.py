@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.kinematics.arms import NAMES, arm, postures
 
+from helicoide.arrays import Array
 from helicoide.kinematics import differential
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import Manipulability, analysed, in_metres, of_position, of_twist
 from helicoide.kinematics.robot import Robot
 

@@ -10,7 +10,7 @@ import pytest
 import yourdfpy
 from tests.kinematics.arms import postures
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.forward import ROADS, link_poses
 from helicoide.kinematics.library import PACKAGES, load, packaged
 from helicoide.kinematics.robot import Robot

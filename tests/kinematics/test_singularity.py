@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import NAMES, arm, postures
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.kinematics import differential
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.singularity import singularity
 from helicoide.kinematics.spherical_wrist import Kind, factors, spherical_wrist

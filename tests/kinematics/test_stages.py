@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from helicoide import content
+from helicoide.arrays import Array
 from helicoide.geometry import euler, rigid
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import screw_displacements, tool_by_screws
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

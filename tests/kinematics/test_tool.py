@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.kinematics.arms import NAMES, arm, postures
 
+from helicoide.arrays import Array
 from helicoide.kinematics import differential, tool, tool_blocks
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.kinematics.trigonometry import cosine_and_sine
 

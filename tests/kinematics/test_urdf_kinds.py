@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from tests.kinematics.urdfs import GOOD, chain_of, said, write
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.forward import ROADS, tool_by_screws
 from helicoide.kinematics.robot import NO_REACH
 from helicoide.kinematics.urdf_chain import from_urdf

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import MIXED, NAMES, arm, postures
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.workspace import dexterous
 from helicoide.kernels import plain
 from helicoide.kinematics import workspace
 from helicoide.kinematics.cells import Cells, cell_of
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.manipulability import analysed, of_position
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.sweep import sector_of, spread_of

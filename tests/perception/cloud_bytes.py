@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 import trimesh
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 Writer = Callable[[Array], bytes]
 

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.perception.views import READINGS, pane, reading
 
+from helicoide.arrays import Array
 from helicoide.confinement import Obstacles, from_pieces, pane_axes
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.perception.camera import D435, SimulatedCamera, on_hand
 from helicoide.perception.rays import to_capsule, to_pane

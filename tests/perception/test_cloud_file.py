@@ -14,8 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.perception.cloud_bytes import WRITERS, by_trimesh, npy, npz, packed, pcd, ply, xyz
 
+from helicoide.arrays import Array
 from helicoide.kernels import plain
-from helicoide.kinematics.chain import Array
 from helicoide.perception import cloud_file, formats
 from helicoide.perception.cloud import FARTHEST
 from helicoide.perception.lzf import unpack

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from tests.perception.cloud_bytes import las, npy
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception import cloud_file
 from helicoide.perception.planes import Found, find
 from helicoide.perception.tour import READINGS, found_in

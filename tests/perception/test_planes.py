@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.perception.views import INSIDE, READINGS, between, misses, read
 
+from helicoide.arrays import Array
 from helicoide.geometry import rigid
 from helicoide.kernels import plain
-from helicoide.kinematics.chain import Array
 from helicoide.perception.planes import ANGLE, DISTANCE, Found, best_draw, find
 from helicoide.state import State
 from helicoide.text import HelicoideError, Text

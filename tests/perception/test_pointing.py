@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from helicoide import gate
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.library import load
 from helicoide.perception.pointing import pointed_at
 from helicoide.state import Seen, State, initial

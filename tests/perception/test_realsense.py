@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from tests.perception.views import INSIDE, READINGS, reading
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception import realsense
 from helicoide.perception.camera import D435, SimulatedCamera, depths_of
 from helicoide.perception.planes import Found, find

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from tests.driving import at
 
-from helicoide.kinematics.chain import Array
-from helicoide.kinematics.robot import Pane
+from helicoide.arrays import Array
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.planes import Found, find

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.kinematics import dh, forward
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._coutinho_runs import START as SIMULATED

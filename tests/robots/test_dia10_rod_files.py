@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
 

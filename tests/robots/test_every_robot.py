@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.kinematics.arms import MIXED, NAMES, postures
 
+from helicoide.arrays import Array, frozen
 from helicoide.contributions.robots import faults
 from helicoide.geometry import rigid
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.forward import ROADS, dh_frames, link_motors, link_poses, screw_displacements
 from helicoide.kinematics.library import load

@@ -9,7 +9,7 @@ import pytest
 import trimesh
 import yourdfpy
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_file import parsed
 

@@ -10,8 +10,8 @@ import pytest
 import trimesh
 import yourdfpy
 
+from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
 

@@ -11,8 +11,8 @@ import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
 
+from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
 

@@ -9,11 +9,11 @@ import pytest
 from tests.ik.closed.rows import worst
 from tests.ik.closed.small_arms import recovered
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 

@@ -12,13 +12,13 @@ import pytest
 from tests.studies.test_every_study import short
 
 from helicoide import studies
+from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import dual_quaternions, motoman_l3, puma560, screws
 from helicoide.ik.families import elbow, paden_kahan
 from helicoide.ik.method import settings
 from helicoide.ik.postures import choice, numeric, subspace
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.studies import campos_dexterous, campos_table
 from helicoide.studies.study import Result, Statement, Verdict

@@ -14,9 +14,9 @@ import pytest
 from tests.studies.test_every_study import short as as_it_is
 
 from helicoide import studies
+from helicoide.arrays import Array
 from helicoide.ik import clik, limit_gains, secondary
 from helicoide.kinematics import forward
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import Manipulability
 from helicoide.studies import cerbaro_algorithm_1 as algorithm_1
 from helicoide.studies.cerbaro_runs import arms, convergence, tracking

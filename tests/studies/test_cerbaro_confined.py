@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from helicoide.arrays import Array
 from helicoide.ik import adaptation, limit_gains
-from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms, confined
 from helicoide.studies.cerbaro_runs.chapter6_rows import farther, numbers, sentences, tool_to_walls
 from helicoide.studies.cerbaro_runs.chapter6_runs import SHORT, Kind, Options, Runs, gains, rule

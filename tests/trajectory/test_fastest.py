@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.kinematics.arms import arm, postures
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.text import HelicoideError
 from helicoide.trajectory.fastest import MARGIN, Shape, fastest, overload
 from helicoide.trajectory.joints import JointMove

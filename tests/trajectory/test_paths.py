@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.geometry.motions import axes, poses, rodrigues, vectors
 from tests.kinematics.arms import twist_by_differences
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.text import HelicoideError
 from helicoide.trajectory.cerbaro import EQ_33
 from helicoide.trajectory.chained import chain, joint_chain

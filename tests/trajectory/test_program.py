@@ -10,8 +10,8 @@ import pytest
 from tests.kinematics.arms import NAMES, arm, postures
 from tests.trajectory.taught import taught
 
+from helicoide.arrays import Array
 from helicoide.ik.joints_along import joints_along
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.fastest import Shape, overload
 from helicoide.trajectory.joints import tool_at

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from tests.kinematics.urdfs import chain_of
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics import workspace
 from helicoide.kinematics.cells import Cells
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.workspace import Kind, Map
 from helicoide.seat import Seat

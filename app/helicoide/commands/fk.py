@@ -10,12 +10,13 @@ from typing import Annotated, Any, Literal
 import numpy as np
 import tyro
 
+from helicoide.arrays import Array
 from helicoide.commands import described_ends, ends, language, remark
 from helicoide.export import stage_table
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.kernels import as_python
-from helicoide.kinematics.chain import Array, Variable
+from helicoide.kinematics.chain import Variable
 from helicoide.kinematics.forward import ROADS
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -11,6 +11,7 @@ from typing import Annotated, Any
 import numpy as np
 import tyro
 
+from helicoide.arrays import Array, frozen
 from helicoide.commands import NOT_REACHED, described_ends, ends, language, remark
 from helicoide.confinement import Obstacles
 from helicoide.geometry import euler, rotation
@@ -18,7 +19,6 @@ from helicoide.ik.postures import solvability
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
 from helicoide.ik.postures.solve import chosen, reached, solve, solve_by, status
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Language, Text

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement.planes import Plane, Planes
 from helicoide.geometry import rigid
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import HelicoideError, Text
 
 # What is farther away than this, m, is no room of an arm: a slip of the pen, or of the unit.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 
 LOOKED_AT = 1e-3
 ON_AXIS = 8

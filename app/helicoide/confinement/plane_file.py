@@ -9,11 +9,11 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
+from helicoide.arrays import frozen
 from helicoide.confinement.given import FARTHEST
 from helicoide.confinement.planes import Planes
 from helicoide.files import toml
 from helicoide.files.written import decoded as text_of
-from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
 
 # More planes are no enclosure, and a longer file is none of planes.

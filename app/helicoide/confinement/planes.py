@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.robot import Pane
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.text import Text, same
 
 # A plane whose inward normal points down at least so steeply is a ceiling.

@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from helicoide.arrays import frozen
 from helicoide.contributions.trials import (
     answered,
     asked,
@@ -22,7 +23,6 @@ from helicoide.contributions.trials import (
 from helicoide.ik.drive import Drive, step
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.manipulability import analysed
 from helicoide.text import Text
 

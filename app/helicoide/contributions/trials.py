@@ -8,12 +8,12 @@ from functools import cache
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.geometry import rotation
 from helicoide.ik.drive import Drive, step, task_of
 from helicoide.ik.method import Task
 from helicoide.kinematics import library
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot

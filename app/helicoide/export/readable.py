@@ -7,8 +7,8 @@ from math import floor, log10
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.export.study_table import raised
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart
 from helicoide.text import same
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import euler
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.stages import SOURCE_ANGLE, STAGES, Kind, Stage, in_source_units
 from helicoide.text import LANGUAGES, Text

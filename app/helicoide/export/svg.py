@@ -12,8 +12,8 @@ from math import ceil, floor, log10
 import numpy as np
 from markupsafe import Markup
 
+from helicoide.arrays import Array
 from helicoide.export.study_table import short
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Line
 from helicoide.text import Language
 

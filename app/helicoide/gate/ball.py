@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array, frozen
 from helicoide.gate.check import FARTHEST, checked, finite
 from helicoide.kernels import plain
 from helicoide.kinematics.ball import RADIUS, Ball, closed_on
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State, Update

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
 

@@ -12,11 +12,11 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import frozen
 from helicoide.confinement import Plane, Planes, box, from_coefficients, pane_on, stopped_at_arm, through_points
 from helicoide.confinement.plane_file import decoded
 from helicoide.gate.check import driven, finite
-from helicoide.kinematics.chain import frozen
-from helicoide.kinematics.robot import Pane
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.state import Seen, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text, same
 

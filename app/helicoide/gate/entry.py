@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.gate.check import FARTHEST, driven, finite
 from helicoide.gate.method import of_both
 from helicoide.gate.target import Phase
 from helicoide.ik import entry_point
-from helicoide.kinematics.chain import Array
 from helicoide.state import Grasp, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.arrays import frozen
 from helicoide.command import GetReady, Hold, Park, ToJoints
 from helicoide.gate.check import checked, driven, finite
-from helicoide.kinematics.chain import frozen
 from helicoide.state import State, Update, commanded, grasped
 from helicoide.text import HelicoideError, Text
 

@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.confinement import Obstacles, from_pieces, last_clear
 from helicoide.gate.check import FARTHEST, driven, finite
 from helicoide.gate.target import Phase
-from helicoide.kinematics.chain import Array
-from helicoide.kinematics.robot import Capsule
+from helicoide.kinematics.robot_parts import Capsule
 from helicoide.state import Grasp, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text
 

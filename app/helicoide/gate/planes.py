@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.confinement import planes_of, stopped_at_arm
 from helicoide.gate.check import driven, pose
 from helicoide.gate.target import Phase
-from helicoide.kinematics.chain import Array
 from helicoide.state import Grasp, State, Update, enclosed, grasped
 from helicoide.text import HelicoideError, Text
 

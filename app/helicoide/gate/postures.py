@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from helicoide.arrays import Array, frozen
 from helicoide.command import ToJoints
 from helicoide.gate.check import checked, driven, finite
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import OUT_OF_LIMITS, alike, barrier
 from helicoide.ik.postures.solve import chosen
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.state import Listed, State, Update, commanded
 from helicoide.text import HelicoideError, Text
 

@@ -9,10 +9,10 @@ from types import MappingProxyType
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.command import Course
 from helicoide.ik.rcm.paths import PATHS as COUTINHO
 from helicoide.kernels import plain
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import normal_of

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import frozen
 from helicoide.command import Replay
 from helicoide.gate.check import driven, finite
-from helicoide.kinematics.chain import frozen
 from helicoide.state import State, Update, commanded
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import JointPath

@@ -7,10 +7,10 @@ from typing import Literal
 
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.command import ToPose
 from helicoide.gate.check import driven, pose
 from helicoide.ik.drive import GUARDED
-from helicoide.kinematics.chain import Array
 from helicoide.state import Grasp, State, Update, commanded, grasped
 
 Phase = Literal["start", "update", "end"]

@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Obstacles, Planes, Zones
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

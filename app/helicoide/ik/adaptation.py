@@ -22,11 +22,11 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones, distances
 from helicoide.ik import Problem
 from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import CAP_PER_POINT, INNER, Report, Run, Tolerance, converged
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import carried_points, link_poses
 
 CAP = 60

@@ -11,10 +11,10 @@ from functools import lru_cache
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem
 from helicoide.ik.method import OneOf, Quantity
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text, same

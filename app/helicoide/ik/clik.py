@@ -14,11 +14,11 @@ from typing import Any, Literal
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem
 from helicoide.ik.method import Method, Solution, Task
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 

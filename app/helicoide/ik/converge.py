@@ -16,10 +16,10 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import Aim, Aiming, Moment, followed
 from helicoide.ik.method import Method
-from helicoide.kinematics.chain import Array
 from helicoide.text import Text
 
 CAP, CAP_PER_POINT = 200, 60

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem, methods, objectives
 from helicoide.ik.clik import Aim, answered, tool_aim
 from helicoide.ik.guard.guarded import indices
@@ -27,7 +28,6 @@ from helicoide.ik.objective import Posture
 from helicoide.ik.packing import packed
 from helicoide.ik.postures.subspace import project
 from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

@@ -14,7 +14,7 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 Update = Literal["right", "left", "composite"]
 Parts = tuple[float, float]

@@ -7,12 +7,12 @@ from math import dist, hypot
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import AtAcceleration, AtSpeed, Problem, Reason, reasons
 from helicoide.ik.guard.work import work_for
 from helicoide.ik.packing import packed
 from helicoide.ik.rollout import are_clear, settle
 from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, allowed, rotation_vector
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 
 REACHED = 0.5e-3

@@ -11,9 +11,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.path import Path

@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import Aiming, Moment, answered, asked
 from helicoide.ik.method import Method
 from helicoide.ik.secondary import Chosen, Others, nobody, push
-from helicoide.kinematics.chain import Array
 
 GROWTH = 1.01
 

@@ -9,8 +9,8 @@ from math import isfinite
 from types import MappingProxyType
 from typing import Annotated, Any, Protocol, TypeVar, get_origin, get_type_hints
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem, Reason
-from helicoide.kinematics.chain import Array
 from helicoide.text import HelicoideError, Text
 
 Settings = TypeVar("Settings")

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.filtered_inverse import Parts, Update, parts
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import analysed
 
 

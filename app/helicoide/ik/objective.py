@@ -7,8 +7,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

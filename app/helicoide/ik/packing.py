@@ -6,12 +6,12 @@ from functools import lru_cache
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.guard.packed import packed_rows
 from helicoide.ik.guard.rows import DAMPER_GAIN
 from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
 from helicoide.kinematics import tool
-from helicoide.kinematics.chain import Array
 
 
 @lru_cache(maxsize=64)

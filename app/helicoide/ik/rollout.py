@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.collision import clearances
 from helicoide.ik.guard.work import REPORT
 from helicoide.ik.step import step, step_task
 from helicoide.ik.task import joint_task
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 
 AT_REST = 1e-5
 

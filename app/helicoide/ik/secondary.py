@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import Aim, Aiming
 from helicoide.ik.objective import NOBODY, Cost, Objective, Posture, posture
-from helicoide.kinematics.chain import Array
 from helicoide.text import HelicoideError, Text
 
 Chosen = Sequence[tuple[Objective, Any]]

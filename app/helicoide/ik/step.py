@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.guarded import arrive, tick
 from helicoide.ik.guard.levels import tick_in_levels
 from helicoide.ik.guard.packed import CARRIER, ORIENTATION, POSITION_FIRST, SETTING, At, parts, stand
@@ -14,7 +15,6 @@ from helicoide.ik.guard.rows import Indices, Task
 from helicoide.ik.guard.work import DAMPING, JACOBIAN, SHARE, Room, opened
 from helicoide.ik.task import pose_task
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 
 STILL = np.zeros(3)
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.packed import CRITICAL, FIRST, OFFSET, ORIENTATION, REACH, SETTING, TOOL, At, parts
 from helicoide.ik.guard.packed import DAMPING as LEAST_DAMPING
 from helicoide.ik.guard.qp import SOLVED, project
 from helicoide.ik.guard.rows import Task, Vector, moved
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import DRIVER, TURN, Row, ending, rows_of, turn_to
 
 GAIN = 12.5

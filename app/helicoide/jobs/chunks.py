@@ -19,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
+from helicoide.arrays import frozen
 from helicoide.jobs.thinned import thinned
 from helicoide.kinematics import workspace
-from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
 
 Outcome = TypeVar("Outcome")

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import msgspec
 import numpy as np
 
+from helicoide.arrays import frozen
 from helicoide.kinematics.actuators import Actuators, BallScrew, Gear
-from helicoide.kinematics.chain import frozen
 from helicoide.text import HelicoideError, Text
 
 

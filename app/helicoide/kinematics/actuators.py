@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.text import HelicoideError, Text, joined
 
 UNIT = Text(en="pulses", pt_BR="pulsos")

@@ -7,8 +7,8 @@ from math import dist
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.robot import Gripper
+from helicoide.arrays import Array, frozen
+from helicoide.kinematics.robot_parts import Gripper
 
 # The least radius that the rules of golf allow, m.
 RADIUS = 0.02135

@@ -9,8 +9,8 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 
 Counts = NDArray[np.int64]
 Mask = NDArray[np.bool_]

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.text import Text
 
-Array = NDArray[np.float64]
 Chain = NDArray[np.void]
 Kind = Literal["revolute", "prismatic"]
 
@@ -22,13 +22,6 @@ CHAIN = np.dtype(
     [("direction", "f8", 3), ("offset", "f8", 3), ("ratio", "f8"), ("shift", "f8"), ("driver", "i8"), ("slides", "?")],
     align=True,
 )
-
-
-def frozen(values: ArrayLike) -> Array:
-    """A read-only array of float64."""
-    array = np.array(values, dtype=np.float64)
-    array.flags.writeable = False
-    return array
 
 
 @dataclass(frozen=True)

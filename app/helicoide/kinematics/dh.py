@@ -8,7 +8,8 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.arrays import Array, frozen
+from helicoide.kinematics.chain import Joint
 
 Convention = Literal["standard", "modified"]
 

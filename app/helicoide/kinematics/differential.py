@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 
 
 def frame_pose(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:

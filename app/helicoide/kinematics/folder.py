@@ -9,11 +9,13 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics import robot_file, robot_reading
-from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.dh import DhRow, DhTable
-from helicoide.kinematics.robot import Capsule, Frame, Gripper, GuardedPoint, Pane, Robot, guarded_centres, on_link
+from helicoide.kinematics.robot import Robot, guarded_centres, on_link
 from helicoide.kinematics.robot_check import acceleration_of, limits_of
+from helicoide.kinematics.robot_parts import Capsule, Frame, Gripper, GuardedPoint, Pane
 from helicoide.text import Text
 
 RENAMED = Text(

@@ -9,11 +9,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.kernels import kernel
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Chain, Joint, spread
+from helicoide.kinematics.chain import Chain, Joint, spread
 from helicoide.kinematics.robot import Robot
 
 

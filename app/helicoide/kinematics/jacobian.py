@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.chain import Chain
 
 
 @kernel

@@ -8,9 +8,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.differential import geometric
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 
 # A singular value below this part of the largest one counts as zero.
 RANK = 1e-10

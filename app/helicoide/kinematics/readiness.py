@@ -6,7 +6,7 @@ from itertools import chain
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.kinematics.manipulability import of_twist
 from helicoide.kinematics.robot import Robot

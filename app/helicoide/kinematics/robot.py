@@ -12,9 +12,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.actuators import Actuators
-from helicoide.kinematics.chain import Array, Chain, Joint, Variable, chain_of, frozen, spread
+from helicoide.kinematics.chain import Chain, Joint, Variable, chain_of, spread
 from helicoide.kinematics.dh import DhTable
+from helicoide.kinematics.robot_parts import FRAME_TITLES, Capsule, Frame, Gripper, GuardedPoint, Pane
 from helicoide.kinematics.urdf_xml import root_link
 from helicoide.text import HelicoideError, Text
 
@@ -23,78 +25,6 @@ from helicoide.text import HelicoideError, Text
 # the tool counts as not moving away from its axes, and where its file gives no length at all.
 SLENDER = 0.04
 NO_REACH, SOME_REACH = 1e-6, 0.5
-FRAME_TITLES = {
-    "station": Text(en="station", pt_BR="estação"),
-    "wrist": Text(en="wrist", pt_BR="punho"),
-    "tool": Text(en="tool", pt_BR="efetuador"),
-    "rcm": Text(en="remote centre of motion", pt_BR="centro remoto de movimento"),
-}
-
-
-@dataclass(frozen=True, eq=False)
-class Frame:
-    """A named frame on a link: station (where goals are given), wrist, tool or rcm (remote centre of motion)."""
-
-    name: str
-    link: int
-    T_link_frame: Array
-
-    @property
-    def title(self) -> Text:
-        """Its name in words."""
-        return FRAME_TITLES[self.name]
-
-
-@dataclass(frozen=True)
-class GuardedPoint:
-    """A point of the arm that keeps its distance from planes."""
-
-    name: str
-    title: Text
-
-
-@dataclass(frozen=True, eq=False)
-class Capsule:
-    """A body of the arm: all points within `radius`, m, of the straight piece between two points.
-
-    ends (2, 3), m, in the frames of the links (2,) that carry them: one link, or two where something slides between.
-    """
-
-    name: str
-    title: Text
-    ends: Array
-    links: tuple[int, int]
-    radius: float
-
-    def at(self, poses: Array) -> Array:
-        """Where its axis is, (2, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
-        carriers = poses[list(self.links)]
-        return np.asarray(np.einsum("eij,ej->ei", carriers[:, :3, :3], self.ends) + carriers[:, :3, 3])
-
-
-@dataclass(frozen=True, eq=False)
-class Pane:
-    """A confinement plane n·r = d (m, inward normal) as the robot's file gives it, with the pane that shows it.
-
-    printed: the plane as its source prints it, "" where none does.
-    """
-
-    name: str
-    title: Text
-    normal: Array
-    offset: float
-    centre: Array
-    size: tuple[float, float]
-    movable: bool
-    printed: str = ""
-
-
-@dataclass(frozen=True)
-class Gripper:
-    """The URDF joint of the gripper and its full opening between the fingers, in m."""
-
-    joint: str
-    opening: float
 
 
 @dataclass(frozen=True, eq=False)

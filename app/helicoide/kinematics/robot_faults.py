@@ -9,8 +9,9 @@ from itertools import combinations
 import numpy as np
 import yourdfpy
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.forward import dh_frames, screw_displacements, tool_by_dh, tool_by_screws
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_faults import urdf_faults

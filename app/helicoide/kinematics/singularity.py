@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot

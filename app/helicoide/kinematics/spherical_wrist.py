@@ -8,10 +8,11 @@ from enum import Enum
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.robot import Frame, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Frame
 from helicoide.text import Text
 
 # Axes count as meeting below this distance, m, and as parallel below this sine.

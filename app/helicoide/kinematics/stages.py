@@ -8,8 +8,9 @@ from typing import Literal
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rigid
-from helicoide.kinematics.chain import Array, Joint, spread
+from helicoide.kinematics.chain import Joint, spread
 from helicoide.kinematics.forward import dh_frames, link_motors, screw_displacements
 from helicoide.kinematics.robot import Robot
 

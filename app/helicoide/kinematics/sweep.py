@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel
 from helicoide.kinematics.cells import Counts, cell_of
-from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.jacobian import geometric, joint_axes
 

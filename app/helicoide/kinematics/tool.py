@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy import empty
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
@@ -42,14 +42,8 @@ def packed(robot: Robot) -> Array:
 
 
 @kernel
-def along(row: Row | Triple, v: Row | Triple) -> float:
-    """A component of R v."""
-    return row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
-
-
-@kernel
-def dot(a: Triple, b: Triple) -> float:
-    """a · b."""
+def dot(a: Row | Triple, b: Row | Triple) -> float:
+    """a · b, of their first three numbers."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
@@ -68,13 +62,13 @@ def line(joint: Array) -> tuple[Triple, Triple]:
 @kernel
 def carried(row: Row, axis: Triple, way: Triple, x: float, c: float, s: float) -> Row:
     """A row (r, p) behind a joint: r cos θ + (1 − cos θ)(r·s) s + sin θ r × s (Rodrigues) and p + r·(way + x s)."""
-    height = along(row, axis)
+    height = dot(row, axis)
     v = (1.0 - c) * height
     return (
         c * row[0] + v * axis[0] + s * (row[1] * axis[2] - row[2] * axis[1]),
         c * row[1] + v * axis[1] + s * (row[2] * axis[0] - row[0] * axis[2]),
         c * row[2] + v * axis[2] + s * (row[0] * axis[1] - row[1] * axis[0]),
-        row[3] + along(row, way) + x * height,
+        row[3] + dot(row, way) + x * height,
     )
 
 
@@ -131,19 +125,19 @@ def turn_to(goal: Array, x: Row, y: Row, z: Row) -> Triple:
 def turn_between(goal: Rows | tuple[Row, Row, Row], x: Row | Triple, y: Row | Triple, z: Row | Triple) -> Triple:
     """Rotation vector θ a of E = R_goal Rᵀ, 0 ≤ θ ≤ π, from the rows of both; near π the axis is a column of E + 1."""
     gx, gy, gz = goal
-    a, b, c = along(y, gz) - along(z, gy), along(z, gx) - along(x, gz), along(x, gy) - along(y, gx)
-    xx, yy, zz = along(x, gx), along(y, gy), along(z, gz)
+    a, b, c = dot(y, gz) - dot(z, gy), dot(z, gx) - dot(x, gz), dot(x, gy) - dot(y, gx)
+    xx, yy, zz = dot(x, gx), dot(y, gy), dot(z, gz)
     sine, cosine = np.sqrt(a * a + b * b + c * c), xx + yy + zz - 1.0  # both twice
     if sine < 1e-6 and cosine > 0.0:
         return 0.5 * a, 0.5 * b, 0.5 * c
     length = sine
     if sine < 1e-6:
         if xx >= yy and xx >= zz:
-            a, b, c = xx + 1.0, along(x, gy), along(x, gz)
+            a, b, c = xx + 1.0, dot(x, gy), dot(x, gz)
         elif yy >= zz:
-            a, b, c = along(y, gx), yy + 1.0, along(y, gz)
+            a, b, c = dot(y, gx), yy + 1.0, dot(y, gz)
         else:
-            a, b, c = along(z, gx), along(z, gy), zz + 1.0
+            a, b, c = dot(z, gx), dot(z, gy), zz + 1.0
         length = np.sqrt(a * a + b * b + c * c)
     angle = np.arctan2(sine, cosine) / length
     return angle * a, angle * b, angle * c
@@ -178,7 +172,7 @@ def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
     for i in range(last):
         j = int(arm[i, DRIVER])
         (axis, way), (slid, c, s) = line(arm[i]), standing(arm[i], q[j])
-        turned = (along(x, axis), along(y, axis), along(z, axis))
+        turned = (dot(x, axis), dot(y, axis), dot(z, axis))
         x, y, z = (
             carried(x, axis, way, slid, c, s),
             carried(y, axis, way, slid, c, s),

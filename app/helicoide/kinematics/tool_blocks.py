@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import (
     DRIVER,
     SLIDE,
@@ -18,9 +18,9 @@ from helicoide.kinematics.tool import (
     TURN_SHIFT,
     Row,
     Triple,
-    along,
     carried,
     cross,
+    dot,
     ending,
     line,
     rows_of,
@@ -103,7 +103,7 @@ def tool_poses_into(arm: Array, qs: Array, Ts: Array) -> None:
 @kernel
 def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
     """A joint's `twist` by the frame behind it, which turns its axis as the one before it does."""
-    return twist((x[3], y[3], z[3]), (along(x, axis), along(y, axis), along(z, axis)), turn, slide)
+    return twist((x[3], y[3], z[3]), (dot(x, axis), dot(y, axis), dot(z, axis)), turn, slide)
 
 
 @kernel

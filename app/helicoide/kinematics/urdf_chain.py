@@ -11,10 +11,12 @@ from typing import TypeVar
 import numpy as np
 import yourdfpy
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint, Mimic, Variable, frozen
+from helicoide.kinematics.chain import Joint, Mimic, Variable
 from helicoide.kinematics.readiness import ready
-from helicoide.kinematics.robot import Frame, Robot, guarded_centres, on_link
+from helicoide.kinematics.robot import Robot, guarded_centres, on_link
+from helicoide.kinematics.robot_parts import Frame
 from helicoide.kinematics.urdf_file import read, root_of
 from helicoide.kinematics.urdf_limits import SLIDE_SPEED, SPEED, range_of, speed_of
 from helicoide.kinematics.urdf_mend import MOVING

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import yourdfpy
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array
 
 MOVING = ("revolute", "continuous", "prismatic")
 

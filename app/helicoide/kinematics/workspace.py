@@ -13,9 +13,10 @@ from typing import Literal, get_args
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.kernels import CACHE_FOLDER
 from helicoide.kinematics.cells import Cells, Counts, Mask
-from helicoide.kinematics.chain import Array, Chain, frozen
+from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.sweep import BANDS, HEADINGS, ROLLS, TURNS, Flags, swept
 from helicoide.text import HelicoideError, Text

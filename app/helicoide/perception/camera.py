@@ -8,8 +8,8 @@ from typing import Protocol
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import pane_axes
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.perception.cloud import Cloud, cloud_of
 from helicoide.perception.rays import to_capsule, to_pane
 from helicoide.state import State

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.units import METRES, Unit
 from helicoide.text import Text
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.broken import Broken
 from helicoide.text import Text
 

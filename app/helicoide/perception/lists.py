@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 from helicoide.perception.columns import AXES, Column, check_rows, place
 
 Whole = NDArray[np.int64]

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Plane
 from helicoide.geometry import rigid
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import HelicoideError, Text
 
 # The source fits with 5 mm and 4°; the planes it prints tilt up to 5.5° from the axes that they are sought along.

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.confinement import Planes
-from helicoide.kinematics.chain import Array
 from helicoide.perception.camera import depths_of
 from helicoide.state import State
 

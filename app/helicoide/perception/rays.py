@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 
 def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: tuple[float, float]) -> Array:

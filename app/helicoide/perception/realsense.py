@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.camera import D435, Camera
 from helicoide.perception.cloud import Cloud, cloud_of
 from helicoide.state import State

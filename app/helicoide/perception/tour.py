@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import pane_on, planes_of
-from helicoide.kinematics.chain import Array, frozen
-from helicoide.kinematics.robot import Pane, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.perception.camera import DepthCamera, SimulatedCamera
 from helicoide.perception.cloud import Cloud
 from helicoide.perception.planes import Found, find

@@ -6,7 +6,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.broken import Broken
 from helicoide.text import Text
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.confinement import Zone
 from helicoide.ik import Contact
-from helicoide.kinematics.chain import Array
 from helicoide.state import State
 
 

@@ -7,6 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.command import Along, ToJoints, ToPose
 from helicoide.ik import Reason, reasons
 from helicoide.ik.drive import task_of
@@ -17,7 +18,6 @@ from helicoide.ik.rcm.at_work import passage_of
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.passage import refusal
 from helicoide.ik.task import rotation_vector
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import Manipulability, analysed
 from helicoide.kinematics.singularity import singularity

@@ -8,10 +8,11 @@ from functools import lru_cache, partial
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.chain import Array
-from helicoide.kinematics.robot import Pane, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.state import State
 from helicoide.text import Text
 

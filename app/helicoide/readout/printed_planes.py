@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from helicoide.kinematics.robot import Pane, Robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.text import Text
 
 LINE = Text(

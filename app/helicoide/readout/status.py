@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.command import Along, GetReady, Hold, Park, Replay, ToPose
 from helicoide.ik import (
     AtAcceleration,
@@ -23,7 +24,6 @@ from helicoide.ik import (
 from helicoide.ik.drive import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.ik.postures.choice import barrier
-from helicoide.kinematics.chain import Array
 from helicoide.readout.distances import distances_of
 from helicoide.readout.instruments import errors, held_by
 from helicoide.state import State, points_on

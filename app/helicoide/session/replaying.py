@@ -8,11 +8,11 @@ from functools import partial
 import numpy as np
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import Along
 from helicoide.foresight import lived
 from helicoide.ik.drive import Drive
 from helicoide.ik.joints_along import joints_along
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State, Update, commanded
 from helicoide.text import HelicoideError, Text

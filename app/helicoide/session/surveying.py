@@ -10,8 +10,8 @@ from functools import partial
 from typing import Any
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import ToJoints
-from helicoide.kinematics.chain import Array
 from helicoide.perception import cloud_file, realsense
 from helicoide.perception.camera import DepthCamera, SimulatedCamera
 from helicoide.perception.cloud import Cloud

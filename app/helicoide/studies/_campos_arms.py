@@ -8,8 +8,9 @@ from functools import cache
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Joint, frozen
+from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

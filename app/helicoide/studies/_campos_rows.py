@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Reading, Relation, Result, Row, Statement
 from helicoide.text import Text, same
 

@@ -7,12 +7,12 @@ from itertools import islice
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import clik, methods
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.passage import through
 from helicoide.ik.rcm.residuals import depth, lateral_distance
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot

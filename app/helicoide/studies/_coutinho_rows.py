@@ -8,8 +8,8 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.method import OneOf, Quantity
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_runs import ROBOT, Run
 from helicoide.studies.study import Chart, Figure, Fitted, Line, Motion, Reading, Row, Statement
 from helicoide.text import Text, same

@@ -9,6 +9,7 @@ from itertools import islice
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.methods.filtered import Memory
@@ -17,7 +18,6 @@ from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, Control, Inverse, Moment, followed, inverse
 from helicoide.ik.rcm.passage import Passage, through
 from helicoide.ik.rcm.paths import PATHS
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.branch import tool_at
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_rows import NO_FEEDBACK, Options, charts_of, motions_of, rows_of, with_feedback
 from helicoide.studies._coutinho_runs import Run, control, dia10, run
 from helicoide.studies.study import Progress, Result, Row

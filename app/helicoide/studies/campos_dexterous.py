@@ -8,10 +8,10 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures.workspace import dexterous
-from helicoide.kinematics.chain import Array
 from helicoide.studies._campos_rows import finished, millimetres, posed, said
 from helicoide.studies.study import Chart, Line, Progress, Result, Row
 from helicoide.text import Text, same

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem, closed, methods
 from helicoide.ik.clik import to_pose
@@ -18,7 +19,6 @@ from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.solve import EXACT
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_rows import PUMA_LENGTHS, by_joint, finished, posed, said

@@ -7,12 +7,12 @@ from typing import Annotated, cast
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.actuators import Actuators
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_rows import NEAR_POSE, POSES, by_joint, finished, posed, said

@@ -7,13 +7,13 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Obstacles
 from helicoide.ik import closed
 from helicoide.ik.closed import planar3r
 from helicoide.ik.families import elbow
 from helicoide.ik.postures import choice, numeric
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright

@@ -7,13 +7,13 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright

@@ -7,13 +7,13 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import puma560
 from helicoide.ik.families import puma_arm
 from helicoide.ik.families.frames import rows_of
 from helicoide.ik.postures import numeric, solvability
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_rows import POSES, PUMA_LENGTHS, by_joint, finished, posed, said

@@ -8,12 +8,12 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import pieper
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.branch import tool_at
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, some_pose, spherical
 from helicoide.studies._campos_rows import finished

@@ -7,12 +7,12 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import planar2r
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.workspace import reachable
 from helicoide.kinematics import workspace
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Map

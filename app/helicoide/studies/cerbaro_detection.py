@@ -7,12 +7,12 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rigid
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
-from helicoide.kinematics.robot import Pane
+from helicoide.kinematics.robot_parts import Pane
 from helicoide.perception.camera import D435, Camera, SimulatedCamera, on_hand
 from helicoide.perception.planes import ANGLE, Found, find
 from helicoide.perception.tour import OUTLIERS, READINGS, Reading

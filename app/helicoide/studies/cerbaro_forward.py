@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import euler
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.dh import DhRow
 from helicoide.kinematics.forward import dh_frames, disagreement, screw_displacements, tool_by_screws
 from helicoide.kinematics.library import load

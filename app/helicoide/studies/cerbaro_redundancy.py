@@ -7,11 +7,11 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem, objectives
 from helicoide.ik.clik import Aiming, followed
 from helicoide.ik.method import Quantity
 from helicoide.ik.secondary import push
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.cerbaro_runs import arms

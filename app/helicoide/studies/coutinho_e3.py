@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_hand import (
     AS_SEEN,
     ENTRY_SPEED,

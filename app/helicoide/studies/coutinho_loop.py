@@ -9,12 +9,12 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.follow import Moment, Wish, command, followed, pose_error
 from helicoide.ik.rcm.passage import through
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_rows import TIME
 from helicoide.studies._coutinho_runs import (
     DEPTH,

@@ -7,10 +7,10 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.method import OneOf
 from helicoide.ik.postures.branch import tool_at
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_rows import (
     NULL,
     OF,

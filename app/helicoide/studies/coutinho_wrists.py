@@ -8,11 +8,11 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.method import Quantity
 from helicoide.ik.rcm import wrists
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._coutinho_runs import LINK, ROBOT, dia10, entry_on, problem_of, seven_joints, zx_wrist
 from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any, Literal, Protocol
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.text import Text
 
 Progress = Callable[[float], None]

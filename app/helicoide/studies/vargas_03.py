@@ -8,7 +8,7 @@ from math import pi
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.singularity import singularity
 from helicoide.studies.study import Figure, Progress, Reading, Result, Row, printed

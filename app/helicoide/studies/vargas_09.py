@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated
 
+from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Figure, Line, Progress, Result, Row
 from helicoide.studies.vargas.runs import largest
 from helicoide.studies.vargas.scalar import Loop, closed_loop, plain

@@ -8,9 +8,9 @@ from math import ceil
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import filtered_inverse, modal
 from helicoide.ik.filtered_inverse import Parts, Update
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import geometric
 from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row
 from helicoide.studies.vargas.arms import planar

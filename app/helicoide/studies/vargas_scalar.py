@@ -7,9 +7,9 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row, Statement
 from helicoide.studies.vargas.scalar import filtered
 from helicoide.studies.vargas.table import SECONDS, finished, row, stated, thinned

@@ -7,9 +7,9 @@ from functools import partial
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.arm_points import watched
 from helicoide.ik.secondary import augmented
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies.study import Chart, Line, Progress, Result
 from helicoide.studies.vargas.arms import planar

@@ -7,7 +7,7 @@ from math import atan2, cos, pi, radians, sin
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.trajectory.loop import Loop
 
 

@@ -10,7 +10,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import JointPath, Path
 

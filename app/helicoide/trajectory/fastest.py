@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import SmoothJointPath
 from helicoide.trajectory.timing import Constant, Law, MinimumJerk, TimedJoints, Trapezoid

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.path import lasting

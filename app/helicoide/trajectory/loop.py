@@ -8,8 +8,8 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import lasting
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.chained import MEETS, JointChain, joint_chain
 from helicoide.trajectory.fastest import Shape, fastest

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.text import HelicoideError, Text
 
 

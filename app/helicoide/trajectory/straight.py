@@ -7,9 +7,9 @@ from functools import cached_property
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import motor, rigid, rotation
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.chain import Array
 from helicoide.trajectory.path import lasting
 
 

@@ -8,7 +8,7 @@ from typing import Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.trajectory.path import Path, SmoothJointPath, lasting
 
 Kind = TypeVar("Kind", Path, SmoothJointPath)

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.trajectory.path import lasting
 
 # The unit of trajectories 1 to 5, in which the planar arm is 4 long, and of 6 to 11, m.

@@ -11,7 +11,7 @@ from typing import Any, Literal, cast
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.fastest import Shape

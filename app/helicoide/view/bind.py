@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import viser
 
+from helicoide.arrays import Array
 from helicoide.gate import Phase
-from helicoide.kinematics.chain import Array
 
 Drag = Callable[[Phase, Array, Array], None]
 

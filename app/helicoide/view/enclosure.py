@@ -10,9 +10,9 @@ from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.confinement.plane_file import written
 from helicoide.confinement.zones import LEAST_CRITICAL, LEAST_DEPTH, MOST_CRITICAL, MOST_WARNING
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.perception import realsense
 from helicoide.perception.tour import READINGS, Reading, readings

@@ -7,8 +7,8 @@ import re
 import numpy as np
 from markupsafe import Markup
 
+from helicoide.arrays import Array
 from helicoide.geometry.clifford import CL031
-from helicoide.kinematics.chain import Array
 from helicoide.markup import formula
 
 ZERO = 5e-4

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from viser import Icon
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.kinematics.cells import Counts
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import KINDS, Kind, Map, normal_of, stays
 from helicoide.text import Text, same

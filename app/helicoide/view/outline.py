@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.view.layers import Stage
 from helicoide.view.layers.arm import Placed
 

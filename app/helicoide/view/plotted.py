@@ -7,9 +7,9 @@ import viser
 from markupsafe import Markup
 from viser import uplot
 
+from helicoide.arrays import Array
 from helicoide.export.study_table import short
 from helicoide.export.svg import caption, figure, powers, span
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart
 from helicoide.text import Language, Text
 from helicoide.view import html

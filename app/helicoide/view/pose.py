@@ -5,8 +5,8 @@ from __future__ import annotations
 import viser
 from viser._messages import SetOrientationMessage, SetPositionMessage
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array
 
 
 def stand(node: viser.SceneNodeHandle, T_parent_node: Array) -> None:

@@ -10,11 +10,11 @@ from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.postures.branch import wrap
 from helicoide.ik.postures.choice import OUT_OF_LIMITS, Ranked
 from helicoide.ik.postures.solve import EXACT, status
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import too_near
 from helicoide.state import Listed, State

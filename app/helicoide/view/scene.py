@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import viser
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
 from helicoide.state import initial

@@ -10,8 +10,8 @@ import numpy as np
 import trimesh
 import yourdfpy
 
+from helicoide.arrays import Array
 from helicoide.kinematics import urdf_file
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_xml import broken
 from helicoide.text import Text

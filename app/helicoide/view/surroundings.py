@@ -8,7 +8,7 @@ import numpy as np
 from viser import Icon
 
 from helicoide import gate
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 from helicoide.view.rows import Button, Changing, Folder, ForArm, Row, Slider, Tick, Triple, View, Wish

@@ -7,8 +7,8 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import frozen
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.kinematics.library import load
 from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, printed

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 
 

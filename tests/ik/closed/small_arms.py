@@ -8,10 +8,10 @@ from math import cos, sin
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import wrap
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 
 

@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.ik.closed.small_arms import moved, reversed_axes
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler
 from helicoide.ik import closed
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import LENGTHS, puma

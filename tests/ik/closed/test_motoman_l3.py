@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from tests.ik.closed.rows import worst
 from tests.ik.closed.small_arms import moved, recovered, reversed_axes, with_points
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies.campos_l3 import goal

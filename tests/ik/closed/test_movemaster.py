@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from tests.ik.closed.rows import distance, worst
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3, movemaster
 from helicoide.ik.families.movemaster_arm import side_of
 from helicoide.ik.postures.branch import between, tool_at, wrap
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.ik.closed.rows import distance, worst
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import parallel_axes
@@ -21,7 +22,6 @@ from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import solve, solve_by
 from helicoide.kernels import as_python
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

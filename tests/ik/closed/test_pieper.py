@@ -11,13 +11,13 @@ import pytest
 from tests.ik.closed.rows import backwards, distance, worst
 from tests.kinematics.test_packages import packaged_arm
 
+from helicoide.arrays import frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import pieper_arm
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import solve, solve_by
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.forward import dh_frames
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

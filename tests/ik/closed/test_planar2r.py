@@ -11,12 +11,12 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from tests.ik.closed.small_arms import end_of, moved, recovered, reversed_axes
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler
 from helicoide.ik import closed
 from helicoide.ik.closed import planar2r
 from helicoide.ik.families import elbow
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.studies._campos_arms import limited, planar, upright
 from helicoide.text import LANGUAGES, HelicoideError, same

@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 from tests.ik.closed.rows import worst
 from tests.ik.closed.small_arms import end_of, moved, recovered, reversed_axes, with_points
 
+from helicoide.arrays import Array
 from helicoide.geometry import euler
 from helicoide.ik import closed
 from helicoide.ik.closed import planar3r
 from helicoide.ik.families import elbow
 from helicoide.ik.families import planar as frames
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar, upright

@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from tests.ik.closed.rows import worst
 from tests.ik.closed.small_arms import moved
 
+from helicoide.arrays import frozen
 from helicoide.geometry import euler
 from helicoide.ik import closed
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.studies._campos_arms import upright
 from helicoide.text import LANGUAGES, HelicoideError

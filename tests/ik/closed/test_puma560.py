@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from tests.ik.closed.rows import distance, worst
 
+from helicoide.arrays import Array
 from helicoide.ik import closed
 from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import puma_arm
 from helicoide.ik.families.frames import rows_of
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kernels import as_python
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import dh_frames, link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

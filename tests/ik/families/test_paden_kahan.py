@@ -7,10 +7,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.families.paden_kahan import Axis, turn_to, turns_to, turns_to_distance
 from helicoide.ik.postures.branch import wrap
-from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)
 

@@ -7,9 +7,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.linalg import norm
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, qp
 from helicoide.ik.guard.cascade import DEPENDENT, null_space
-from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)
 Task = tuple[Array, Array, Array, Array]

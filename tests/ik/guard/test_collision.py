@@ -12,13 +12,13 @@ from scipy.optimize import minimize
 from tests.ik.walks import ARMS, left, scene
 from tests.kinematics.arms import NAMES, arm, derivative
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import apart, closest_shares, gap, place, witness_row
 from helicoide.ik.guard.packed import GUARDED, LEAST, LINK, POINTS, SETTING, parts, stand
 from helicoide.ik.guard.rows import DAMPER_GAIN, FAR, add_point, damper, unfelt
 from helicoide.ik.packing import packed
-from helicoide.kinematics.chain import Array, frozen
 
 seeds = st.integers(0, 2**32 - 1)
 NONE = Planes(frozen(np.zeros((0, 3))), frozen(np.zeros((0, 3))))

@@ -9,6 +9,7 @@ import pytest
 from tests.ik.walks import ARMS, left, scene, walked
 from tests.kinematics.arms import arm
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import (
     AtAcceleration,
@@ -32,7 +33,6 @@ from helicoide.ik.methods import guarded as method
 from helicoide.ik.packing import packed
 from helicoide.ik.step import STILL, step_task, task_at
 from helicoide.ik.task import ORIENTATION_LENGTH, joint_task, rotation_vector
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.differential import point_jacobian
 from helicoide.kinematics.forward import link_poses
 from helicoide.text import HelicoideError

@@ -10,8 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import qp
-from helicoide.kinematics.chain import Array
 
 seeds = st.integers(0, 2**32 - 1)
 Program = tuple[Array, Array, Array, Array]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.answer import Found, Said, as_found
 from helicoide.ik.postures.branch import Branch
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

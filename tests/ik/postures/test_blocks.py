@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from helicoide.arrays import Array
 from helicoide.ik.postures import blocks
-from helicoide.kinematics.chain import Array
 
 
 @pytest.mark.parametrize("damping", [1.0, 1e-3, 1e-9, 1e-12])

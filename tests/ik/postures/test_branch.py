@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.ik.postures.branches import branch_of
 
+from helicoide.arrays import frozen
 from helicoide.geometry import euler
 from helicoide.ik.postures.branch import check_pose, sentences, tool_at, wrap
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.studies._campos_arms import limited
 from helicoide.text import HelicoideError, Text, same

@@ -10,12 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.ik.postures.branches import branch_of
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Obstacles
 from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3, planar3r
 from helicoide.ik.postures import choice
 from helicoide.ik.postures.branch import Branch, tool_at
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

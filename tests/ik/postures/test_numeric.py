@@ -12,13 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tests.kinematics.arms import MIXED, NAMES, arm, postures
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik import closed
 from helicoide.ik.postures import descent, errors, numeric, packed, restarts
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.kinematics import tool
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import tool_jacobian, tool_pose

@@ -13,6 +13,7 @@ from tests.kinematics.arms import arm, postures
 from tests.kinematics.chains import random_arm
 
 from helicoide import content
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik import closed
 from helicoide.ik.postures import solve as front
@@ -20,7 +21,6 @@ from helicoide.ik.postures.answer import Answer, Found
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.solve import EXACT, reached, solve, solve_by, status, ways
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import tool_by_dual_quaternions
 from helicoide.kinematics.robot import Robot
 

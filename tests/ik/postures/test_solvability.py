@@ -11,12 +11,12 @@ from tests.ik.closed.rows import backwards
 from tests.kinematics.arms import NAMES, arm, postures
 from tests.kinematics.test_packages import ARMS, packaged_arm
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import pieper
 from helicoide.ik.postures import solvability
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.solvability import Ground
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses, screw_displacements
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

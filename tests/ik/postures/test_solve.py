@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import arm, postures
 
+from helicoide.arrays import Array
 from helicoide.ik import closed, methods
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.ik.postures.solve import EXACT, NUMERIC, solve, solve_by, status, ways
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError

@@ -10,12 +10,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from tests.ik.closed.small_arms import moved
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler, rotation
 from helicoide.ik.families.turret import turret
 from helicoide.ik.postures import subspace, workspace
 from helicoide.ik.postures.branch import between, tool_at
 from helicoide.ik.postures.nearest import nearest
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import upright

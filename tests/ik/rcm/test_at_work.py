@@ -7,6 +7,7 @@ import pytest
 from tests.ik.rcm.runs import START
 from tests.kinematics.arms import derivative
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik import EntryPoint, Problem
 from helicoide.ik.drive import Drive
@@ -16,7 +17,6 @@ from helicoide.ik.rcm.at_work import by_method, passage_of, tip_task, tool_veloc
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import command, pose_error
 from helicoide.ik.rcm.passage import insertion
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
 

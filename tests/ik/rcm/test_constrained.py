@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 from tests.ik.rcm.runs import START
 from tests.kinematics.arms import derivative
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.rcm import wrists
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis, constraint, null_basis
 from helicoide.ik.rcm.older import entry_jacobian, tool_jacobian
 from helicoide.ik.rcm.passage import SLIT, TROCAR, Insertion, Passage, insertion, through
 from helicoide.kinematics import differential
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot

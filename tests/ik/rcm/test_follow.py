@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from tests.ik.rcm.runs import START
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik import methods
 from helicoide.ik.method import Promise
@@ -17,7 +18,6 @@ from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import Control, Inverse, Moment, Wish, command, followed, inverse, pose_error
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
 from helicoide.kinematics import differential
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_runs import LINK, angle_deg, dia10, entry_on, problem_of
 from helicoide.text import HelicoideError
 

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from tests.ik.rcm.runs import START
 
+from helicoide.arrays import Array
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
 from helicoide.ik.rcm.older import avoiding, by_priority, entry_first, entry_jacobian, extended, tool_jacobian
 from helicoide.ik.rcm.passage import through
 from helicoide.kinematics import differential
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
 

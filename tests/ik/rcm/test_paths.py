@@ -7,10 +7,10 @@ import pytest
 from tests.ik.rcm.runs import E1_START, START
 from tests.kinematics.arms import twist_by_differences
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.paths import PATHS
-from helicoide.kinematics.chain import Array
 from helicoide.studies._coutinho_runs import dia10
 from helicoide.trajectory import Path
 

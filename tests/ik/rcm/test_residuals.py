@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.rcm.residuals import depth, fulcrum_ratio, lateral_distance
-from helicoide.kinematics.chain import Array
 
 coordinate = st.floats(-1, 1)
 point = st.tuples(coordinate, coordinate, coordinate).map(np.array)

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from tests.kinematics.arms import derivative
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.passage import SLIT, insertion, through
 from helicoide.ik.rcm.residuals import depth, lateral_distance
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.kinematics.manipulability import analysed

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics import differential
-from helicoide.kinematics.chain import Array
 from helicoide.studies import coutinho_s1, coutinho_s2, coutinho_s3, coutinho_s4
 from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, control, dia10, run
 from helicoide.studies.study import Row, Statement

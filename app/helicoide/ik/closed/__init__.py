@@ -9,9 +9,9 @@ from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import cast
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.answer import Answer, Form, as_found
 from helicoide.ik.postures.branch import check_pose
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 

@@ -11,6 +11,7 @@ from math import atan2, hypot, pi, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
 from helicoide.geometry.incidence import point_line_distance
@@ -19,7 +20,6 @@ from helicoide.ik.families.listed import Steps, theta
 from helicoide.ik.families.six_or_five import refusal, solved
 from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.answer import Found
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import joint_motor
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

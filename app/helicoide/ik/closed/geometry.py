@@ -7,12 +7,12 @@ from math import atan2, hypot, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_wrist import ELSE, ElbowWrist, elbow_wrist
 from helicoide.ik.families.listed import Steps, listed, theta
 from helicoide.ik.postures.answer import Found
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

@@ -10,11 +10,11 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.families.listed import Steps, listed, theta
 from helicoide.ik.families.turret import turret
 from helicoide.ik.postures.answer import Found
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

@@ -7,13 +7,13 @@ from math import atan2, cos, pi, sin
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_turret import ElbowTurret, elbow_turret
 from helicoide.ik.families.pointing import Pointing
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Found, Said, rows_of
 from helicoide.ik.postures.branch import check_pose, sentences, wrap
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

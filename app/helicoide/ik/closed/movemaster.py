@@ -9,6 +9,7 @@ from math import pi
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families import elbow
 from helicoide.ik.families.frames import row_of, rows_of
 from helicoide.ik.families.movemaster_arm import (
@@ -28,7 +29,6 @@ from helicoide.ik.families.two_links import elbows
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.subspace import Projection
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

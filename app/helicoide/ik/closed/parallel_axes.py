@@ -9,6 +9,7 @@ from math import cos, sin
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.frames import row_of
 from helicoide.ik.families.parallel_arm import (
     AHEAD,
@@ -41,7 +42,6 @@ from helicoide.ik.families.two_links import elbows
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences, wrap
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

@@ -9,6 +9,7 @@ from math import cos, sin
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.pieper_arm import Arm, arm_of, beyond
 from helicoide.ik.families.pieper_postures import (
     ACCEPTED,
@@ -24,7 +25,6 @@ from helicoide.ik.families.pieper_postures import (
 from helicoide.ik.families.polish import polisher
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

@@ -6,12 +6,12 @@ from math import hypot
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families import elbow
 from helicoide.ik.families.planar import planar
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Found, Said, rows_of
 from helicoide.ik.postures.branch import sentences, wrap
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

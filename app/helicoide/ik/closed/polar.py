@@ -6,11 +6,11 @@ from math import atan2, hypot
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.polar_arm import polar_arm
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Found, Said
 from helicoide.ik.postures.branch import sentences
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

@@ -9,10 +9,10 @@ from math import hypot
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.puma_arm import FREE, NUMBER, Puma, beyond, is_folded, joint_values, puma, wrist_range
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

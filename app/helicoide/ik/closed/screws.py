@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.families.elbow_wrist import ElbowWrist
 from helicoide.ik.families.listed import Steps, theta
@@ -16,7 +17,6 @@ from helicoide.ik.families.paden_kahan import Axis, axis_of, turn_to, turns_to, 
 from helicoide.ik.families.six_or_five import refusal, solved
 from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.answer import Found
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import screw_transform
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

@@ -8,9 +8,9 @@ from math import atan2, hypot
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.families.turret import MEETING, Turret, turret
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Row, ending
 
 # A pose as its rows (R, p), m.

@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterable, Mapping
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.answer import Found, Said, rows_of
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.numeric import POSTURE
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

@@ -12,15 +12,15 @@ from math import atan2, cos, pi, sin
 import numpy as np
 from numpy import empty
 
+from helicoide.arrays import Array
 from helicoide.ik.families.elbow import EDGE, Annulus
 from helicoide.ik.families.frames import Tool, row_of, rows_of
 from helicoide.ik.families.pointing import into_plane
 from helicoide.ik.families.turret import Turret, normal_of, turret
 from helicoide.ik.families.two_links import bent, elbows, two_links
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import Rows, Triple, along, ending
+from helicoide.kinematics.tool import Rows, Triple, dot, ending
 
 # Links have a length above this, m; what is turned by less than this sine is turned by rounding alone.
 NO_LINK, STILL = 1e-9, 1e-15
@@ -81,7 +81,7 @@ def seen(arm: Array, tool: Tool, theta1: float) -> tuple[complex, float, complex
     (x, y, z), c, s = tool, cos(theta1), sin(theta1)
     hand, ends = three(arm[HAND]), arm[ENDS]
     zeta = c * x[3] + s * y[3] - 1j * z[3]
-    there = c * along(x, hand) + s * along(y, hand) - 1j * along(z, hand)
+    there = c * dot(x, hand) + s * dot(y, hand) - 1j * dot(z, hand)
     turn = there / (arm[POINTING, 0] - 1j * arm[POINTING, 2])
     alpha = atan2(turn.imag, turn.real)
     to_tool, shoulder = complex(ends[TO_TOOL], ends[TO_TOOL + 1]), complex(ends[0], ends[1])
@@ -104,9 +104,9 @@ def turn_of(arm: Array, tool: Tool) -> Rows:
     """R R₀ᵀ: how the tool is turned against where it stands at q = 0."""
     (x, y, z), a, b, c = tool, three(arm[HOME]), three(arm[HOME + 1]), three(arm[HOME + 2])
     return (
-        (along(x, a), along(x, b), along(x, c)),
-        (along(y, a), along(y, b), along(y, c)),
-        (along(z, a), along(z, b), along(z, c)),
+        (dot(x, a), dot(x, b), dot(x, c)),
+        (dot(y, a), dot(y, b), dot(y, c)),
+        (dot(z, a), dot(z, b), dot(z, c)),
     )
 
 

@@ -12,7 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, Joint
+from helicoide.arrays import Array
+from helicoide.kinematics.chain import Joint
 
 # Of the largest value: what rounding takes from a radicand, and below which two solutions are one; a length, m, that
 # is none.

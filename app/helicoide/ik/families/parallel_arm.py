@@ -6,12 +6,12 @@ from functools import lru_cache
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.polish import polisher
 from helicoide.ik.families.two_links import two_links
 from helicoide.ik.postures.packed import WIDTH
 from helicoide.ik.postures.solvability import meeting_point
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
 # Axes are parallel below this sine: files round them, and what is found is polished. Links have a length above this, m.

@@ -6,6 +6,7 @@ from math import atan2, sqrt
 
 from numpy import empty
 
+from helicoide.arrays import Array
 from helicoide.ik.families.frames import row_of
 from helicoide.ik.families.parallel_arm import (
     AHEAD,
@@ -31,7 +32,6 @@ from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polis
 from helicoide.ik.families.two_links import bent, elbows
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Triple, cross, dot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 

@@ -8,9 +8,10 @@ from math import cos, hypot, sin
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures.solvability import meeting_point
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, Chain, Joint, frozen
+from helicoide.kinematics.chain import Chain, Joint
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.frames import framed
 from helicoide.ik.families.pieper_arm import NONE
 from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polished
 from helicoide.ik.families.roots import zeros
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array, Chain
+from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.tool import write
 
 ACCEPTED = 1e-9  # what a posture may miss, m and rad

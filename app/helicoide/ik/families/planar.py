@@ -7,8 +7,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.families.elbow import Annulus
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

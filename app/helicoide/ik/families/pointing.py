@@ -7,10 +7,10 @@ from math import sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import Triple, along, cross, dot, ending
+from helicoide.kinematics.tool import Triple, cross, dot, ending
 
 # A hand counts as pointing straight out of the plane where the sine to its normal is below this.
 ACROSS = 1e-8
@@ -56,7 +56,7 @@ def into_plane(tool: Tool, hand: Triple, M: Triple) -> tuple[Triple, Triple, flo
     Source: Campos 1998, s.36 and s.55; Craig, Introduction to Robotics, ch. 4.
     """
     x, y, z = tool
-    pointing = along(x, hand), along(y, hand), along(z, hand)
+    pointing = dot(x, hand), dot(y, hand), dot(z, hand)
     K = cross(M, pointing)
     size = sqrt(K[0] * K[0] + K[1] * K[1] + K[2] * K[2])
     K = (0.0, 0.0, -1.0) if size < ACROSS else (K[0] / size, K[1] / size, K[2] / size)

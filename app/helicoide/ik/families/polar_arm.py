@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.robot import Robot
 
 SQUARE, MEETING = 1e-9, 1e-9

@@ -7,13 +7,13 @@ from math import atan2, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.descent import descend
 from helicoide.ik.postures.errors import COLUMNS, goal_of
 from helicoide.ik.postures.listing import wrapped
 from helicoide.ik.postures.measure import Stand, measured, remains
 from helicoide.ik.postures.packed import LANES, PERIOD, WIDTH, behind_joints, search_of, wide
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
 # What a posture may miss without polish, m and rad, and how many steps there are; sines, or lengths in m, that leave an

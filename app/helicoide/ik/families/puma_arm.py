@@ -9,9 +9,9 @@ from math import atan2, hypot, pi, sqrt
 import numpy as np
 from numpy import empty
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.families.frames import Tool, framed
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import Triple
 from helicoide.kinematics.trigonometry import cosine_and_sine

@@ -6,9 +6,9 @@ from math import atan2
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.families.polish import linear
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 
 CIRCLE = 1e-3  # how far from the unit circle a root may lie
 NONE, STILL, ROUNDS = (

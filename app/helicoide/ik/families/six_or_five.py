@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from helicoide.arrays import Array
 from helicoide.ik.families.elbow_wrist import ElbowWrist, elbow_wrist
 from helicoide.ik.families.listed import Steps, listed
 from helicoide.ik.families.turret import Turret, turret
 from helicoide.ik.postures.answer import Found
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

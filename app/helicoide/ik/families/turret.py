@@ -11,12 +11,12 @@ from math import cos, sin, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.ik.families.pointing import Pointing, turned_into_plane
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import Triple, along
+from helicoide.kinematics.tool import Triple, dot
 
 # Axes count as parallel, or as square, below this sine; lines as meeting below this distance, m.
 SQUARE, MEETING = 1e-9, 1e-9
@@ -64,7 +64,7 @@ def normal_of(tool: Tool, hand: Triple, over: float, theta1: float) -> tuple[Tri
     (x, y, _), upright = tool, False
     ahead, aside = x[3], y[3]
     if sqrt(ahead * ahead + aside * aside) < over:
-        ahead, aside = along(x, hand), along(y, hand)
+        ahead, aside = dot(x, hand), dot(y, hand)
         upright = sqrt(ahead * ahead + aside * aside) < SQUARE
         if upright:
             ahead, aside = cos(theta1), sin(theta1)

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import qp
 from helicoide.ik.guard.rows import Indices, Task
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 
 DEPENDENT = 1e-6
 NEGLIGIBLE = 1e-9

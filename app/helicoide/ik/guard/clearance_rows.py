@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import collision, qp
 from helicoide.ik.guard.collision import LEFT, NUMBER, PLANE, POINT, S, T
 from helicoide.ik.guard.packed import FIRST, LINK, At
 from helicoide.ik.guard.rows import DOWN, UP, damper, moved
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import DRIVER
 
 

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.packed import CRITICAL, GUARDED, LEAST, LINK, OFFSET, SETTING, At, parts, stand
 from helicoide.ik.guard.rows import FAR, Vector, add_point, at_row, unfelt
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 
 # Columns of what is watched: the number of a clearance and what is left of it, m; then of a point and a plane, their
 # rows in `points` and in the arm, of a pair the shares of its witnesses.

@@ -12,10 +12,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.packed import CARRIER, DIRECTION, ENTRY, INSTRUMENT, SETTING, SHAFT
 from helicoide.ik.guard.rows import add_point, at_row
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 
 GAIN = 12.5
 AT_ONCE = 0.2e-3

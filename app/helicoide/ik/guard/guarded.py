@@ -19,6 +19,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, collision, qp
 from helicoide.ik.guard.clearance_rows import hard_rows, raise_by_loss, shortfall
 from helicoide.ik.guard.collision import NUMBER
@@ -45,7 +46,6 @@ from helicoide.ik.guard.work import (
     parts_of_spots,
 )
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 
 SMALLEST_SHARE = 1e-6
 ROUNDING = 1e-10

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, qp
 from helicoide.ik.guard.entry import FIRM, entry_rows, miss
 from helicoide.ik.guard.guarded import (
@@ -24,7 +25,6 @@ from helicoide.ik.guard.packed import CARRIER, SETTING, At
 from helicoide.ik.guard.rows import BOX, Indices, Task
 from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, Room, parts_of_spots
 from helicoide.kernels import kernel
-from helicoide.kinematics.chain import Array
 
 # How near to the entry point the curvature of a step is settled, m; how often this is tried before the task is halved,
 # and how often it is halved.

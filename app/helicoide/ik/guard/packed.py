@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import (
     AXIS,
     DRIVER,
@@ -23,8 +23,8 @@ from helicoide.kinematics.tool import (
     X,
     Y,
     Z,
-    along,
     carried,
+    dot,
     write,
 )
 from helicoide.kinematics.trigonometry import cosine_and_sine
@@ -95,7 +95,7 @@ def stand(arm: Array, m: int, q: Array, poses: Array, axes: Array) -> None:
         value = q[int(arm[joint, DRIVER])]
         slid = arm[joint, SLIDE] * value + arm[joint, SLIDE_SHIFT]
         c, s = cosine_and_sine(arm[joint, TURN] * value + arm[joint, TURN_SHIFT])
-        axes[i, 0], axes[i, 1], axes[i, 2] = along(x, axis), along(y, axis), along(z, axis)
+        axes[i, 0], axes[i, 1], axes[i, 2] = dot(x, axis), dot(y, axis), dot(z, axis)
         x, y, z = (
             carried(x, axis, way, slid, c, s),
             carried(y, axis, way, slid, c, s),

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.chain import Array
 
 SOLVED, INFEASIBLE = 0, 1
 ROUNDING = 1e-12

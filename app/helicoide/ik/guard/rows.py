@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.ik.guard.packed import (
     ACCELERATION,
     FIRST,
@@ -16,7 +17,6 @@ from helicoide.ik.guard.packed import (
     At,
 )
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import DRIVER, SLIDE, TURN
 
 Indices = NDArray[np.int64]

@@ -8,12 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.guard import qp
 from helicoide.ik.guard.collision import WATCHED
 from helicoide.ik.guard.packed import CRITICAL, SETTING, At, parts
 from helicoide.ik.guard.rows import BOX
 from helicoide.kernels import kernel_into, plain
-from helicoide.kinematics.chain import Array
 
 SHARE, PULL, REPORT = 0, 1, 2
 # Rows of the table of what each variable has: its box first, then these, J, the rows that bound it, and last H and g.

@@ -8,9 +8,9 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.method import Promise, Quantity, Solution, Task
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import RANK
 from helicoide.text import Text
 

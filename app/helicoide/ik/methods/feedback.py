@@ -8,9 +8,9 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem
 from helicoide.ik.method import Promise, Quantity, Solution, Task
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import Text
 
 TITLE = Text(en="feedback", pt_BR="realimentada")

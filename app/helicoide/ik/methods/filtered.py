@@ -9,11 +9,11 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem, filtered_inverse
 from helicoide.ik.filtered_inverse import Parts, Step, Update
 from helicoide.ik.method import OnDemand, OneOf, Promise, Quantity, Solution, Task, YesNo
 from helicoide.ik.modal import Diagnosis, diagnosed
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import Text
 
 TITLE = Text(en="filtered inverse", pt_BR="inversa filtrada")

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem, reasons
 from helicoide.ik.guard.guarded import ONE_LEVEL, indices
 from helicoide.ik.guard.rows import DAMPER_GAIN
@@ -16,7 +17,6 @@ from helicoide.ik.method import Promise, Quantity, Solution, Task, YesNo
 from helicoide.ik.packing import packed
 from helicoide.ik.step import step_task
 from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.text import Text
 
 TITLE = Text(en="guarded step", pt_BR="passo vigiado")

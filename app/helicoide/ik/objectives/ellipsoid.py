@@ -8,12 +8,12 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler
 from helicoide.ik import Problem
 from helicoide.ik.arm_points import PER_LINK, WATCHED, coordinate, watched
 from helicoide.ik.method import Quantity
 from helicoide.ik.objective import Cost, Posture
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

@@ -8,12 +8,12 @@ from typing import Annotated
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.method import OneOf
 from helicoide.ik.objective import Cost, Posture
 from helicoide.ik.objective import posture as posture_at
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import analysed
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text

@@ -11,9 +11,9 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures import listing
 from helicoide.ik.postures.branch import Branch, check_pose
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

@@ -8,8 +8,8 @@ as L D Lᵀ. Source: Golub and Van Loan 2013, Matrix computations, §3.2 (Schur'
 
 from __future__ import annotations
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.tool import Triple, dot
 
 Error = tuple[float, float, float, float, float, float]

@@ -8,9 +8,9 @@ import numpy as np
 from numpy import empty
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.ik.task import rotation_vector
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

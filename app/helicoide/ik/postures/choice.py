@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array, frozen
 from helicoide.confinement import Obstacles, Zones, planes_of
 from helicoide.ik import NEAR, Limits, Problem, Reason, reason_of
 from helicoide.ik.guard.collision import clearances
 from helicoide.ik.packing import packed
 from helicoide.ik.postures.branch import Branch, wrap
 from helicoide.ik.postures.listing import ON_LIMIT
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

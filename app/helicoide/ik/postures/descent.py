@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.blocks import Error, solved
 from helicoide.ik.postures.errors import COLUMNS, Goal, linearised, squares
 from helicoide.ik.postures.packed import (
@@ -30,7 +31,6 @@ from helicoide.ik.postures.packed import (
     behind_joints,
 )
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 
 DAMPING = 0.1  # λ / e²; the sources have ½ and 1, which take half as many steps again
 LEAST = 1e-12  # λ of an arm that has reached its goal: a solution is there with fewer joints than six, too

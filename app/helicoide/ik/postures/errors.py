@@ -5,6 +5,7 @@ The arm is followed from the tool to the base, as the tool sees it. Shapes are n
 
 from __future__ import annotations
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.blocks import Error
 from helicoide.ik.postures.packed import (
     BASE,
@@ -26,8 +27,7 @@ from helicoide.ik.postures.packed import (
     WAY,
 )
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
-from helicoide.kinematics.tool import Row, Rows, Triple, along, dot, turn_between
+from helicoide.kinematics.tool import Row, Rows, Triple, dot, turn_between
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 ANGLES, COSINES, SINES, COLUMNS = range(4)  # rows of the room; from the last on the columns ∂e/∂q of the variables
@@ -100,7 +100,7 @@ def linearised(table: Array, goal: Goal, q: Array, room: Array) -> Error:
         x, y, z = before(x, joint, slid, c, s), before(y, joint, slid, c, s), before(z, joint, slid, c, s)
     (gx, gy, gz), p = goal
     r = turn_between((x, y, z), gx, gy, gz)
-    return along(x, p) + x[3], along(y, p) + y[3], along(z, p) + z[3], weight * r[0], weight * r[1], weight * r[2]
+    return dot(x, p) + x[3], dot(y, p) + y[3], dot(z, p) + z[3], weight * r[0], weight * r[1], weight * r[2]
 
 
 @kernel_into

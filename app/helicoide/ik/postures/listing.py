@@ -7,9 +7,9 @@ from functools import lru_cache
 import numpy as np
 from numpy import empty
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.measure import COLUMNS, measured, remains, stand_of
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
 # Columns of a variable: its limits, whether it stands alike after a turn, and what its motion costs, 1/rad or 1/m.

@@ -7,8 +7,8 @@ from math import atan2, sqrt
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures.numeric import WITHIN, approached
 from helicoide.ik.postures.packed import HELD, Search, search_of, wide
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 
 STEPS, SEARCHES = 200, 12

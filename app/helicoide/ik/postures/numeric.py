@@ -12,6 +12,7 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.ik.postures import listing
 from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Said, in_order
 from helicoide.ik.postures.branch import check_pose
@@ -19,7 +20,6 @@ from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.packed import PERIOD, UNIT, Search, behind_joints, limited, search_of, wide
 from helicoide.ik.postures.restarts import approach, draw, search
 from helicoide.ik.task import ORIENTATION_LENGTH
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool import packed, tool_jacobian
 from helicoide.text import Text

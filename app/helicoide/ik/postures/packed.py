@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 
 # The first rows; from FIRST on the joints, then the variables.

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.postures.descent import copy, descend, held, settle
 from helicoide.ik.postures.errors import goal_of
 from helicoide.ik.postures.packed import LOWER, SEARCHES, SETTING, STRIDE, UPPER, behind_joints
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.chain import Array
 
 
 @kernel_into

@@ -7,9 +7,9 @@ from enum import Enum
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

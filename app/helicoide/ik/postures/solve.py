@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helicoide.arrays import Array
 from helicoide.confinement import Obstacles, planes_of
 from helicoide.ik import Limits, Problem, closed, methods
 from helicoide.ik.clik import Aiming, asked, to_pose
@@ -15,7 +16,6 @@ from helicoide.ik.postures.answer import Answer, Form, Found, Said, as_found, in
 from helicoide.ik.postures.branch import check_pose, pose_of, sentences
 from helicoide.ik.postures.choice import Ranked, ranked, touching
 from helicoide.ik.postures.measure import left
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik.families import elbow
 from helicoide.ik.families.planar import Planar, planar
@@ -13,7 +14,6 @@ from helicoide.ik.families.polar_arm import polar_arm
 from helicoide.ik.families.turret import turret
 from helicoide.ik.postures.branch import between, check_pose, tool_at
 from helicoide.ik.postures.nearest import nearest
-from helicoide.kinematics.chain import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

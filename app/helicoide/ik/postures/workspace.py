@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 Ring = tuple[float, float]
 # What rounding may take from a ring that is but one circle, m.

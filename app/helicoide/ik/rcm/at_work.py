@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import EntryPoint, Problem, methods
 from helicoide.ik.clik import Aim
 from helicoide.ik.drive import Drive, Gains, rate, step
@@ -21,7 +22,6 @@ from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, pose_error
 from helicoide.ik.rcm.passage import Passage, refusal, through
 from helicoide.ik.rcm.rod import TipWish
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 

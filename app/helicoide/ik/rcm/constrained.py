@@ -13,12 +13,12 @@ from functools import cached_property
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.method import Task
 from helicoide.ik.rcm.free_motions import Basis, constraint, null_basis
 from helicoide.ik.rcm.passage import Insertion, Passage, insertion
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.differential import adjoint, turned
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import Manipulability, analysed

@@ -13,13 +13,13 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik import Problem, methods
 from helicoide.ik.method import Method, Solution, Task
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
 from helicoide.ik.rcm.passage import Passage, refusal
-from helicoide.kinematics.chain import Array
 from helicoide.text import HelicoideError
 
 

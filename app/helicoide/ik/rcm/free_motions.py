@@ -9,9 +9,9 @@ from typing import Literal
 
 import numpy as np
 
+from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik.rcm.passage import Insertion
-from helicoide.kinematics.chain import Array, frozen
 
 # The source's basis holds 1/l_a; the scaled one takes turns where the source takes velocities of joint i.
 Basis = Literal["source", "scaled"]

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.rcm.constrained import Constrained
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.manipulability import RANK
 
 

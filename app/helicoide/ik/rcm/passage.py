@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array, frozen
+from helicoide.arrays import Array, frozen
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 

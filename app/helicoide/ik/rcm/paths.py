@@ -13,9 +13,9 @@ from types import MappingProxyType
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.rcm.follow import Wish
 from helicoide.ik.rcm.passage import SLIT, TROCAR
-from helicoide.kinematics.chain import Array
 
 A = 0.03
 OMEGA = 2 * pi / 200

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 
 def lateral_distance(d: Array, on_shaft: Array, entry: Array) -> float:

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import Aim, Aiming
 from helicoide.ik.rcm.passage import Passage, insertion
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text

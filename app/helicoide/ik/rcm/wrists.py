@@ -11,7 +11,7 @@ from math import cos, sin
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 
 
 def zy_slit(l_a: float, l_b: float, l_8: float, q7: float, q8: float) -> Array:

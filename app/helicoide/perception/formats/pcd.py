@@ -10,7 +10,7 @@ import struct
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.broken import Broken
 from helicoide.perception.columns import Column, from_bytes, from_fields
 from helicoide.perception.formats import MOST_BYTES, Raw, check_count

@@ -9,7 +9,7 @@ from itertools import islice
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.broken import Broken
 from helicoide.perception.text.cells import Cells, number
 from helicoide.text import Text

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem, methods, objectives
 from helicoide.ik.clik import Aim, Aiming, tool_aim
 from helicoide.ik.converge import Tolerance, by_method, converged, still
 from helicoide.ik.method import Method
 from helicoide.ik.secondary import Chosen
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load
 from helicoide.trajectory import Ellipse

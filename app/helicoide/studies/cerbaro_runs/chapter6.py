@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.studies.cerbaro_runs.chapter6_charts import charts
 from helicoide.studies.cerbaro_runs.chapter6_rows import numbers, sentences
 from helicoide.studies.cerbaro_runs.chapter6_runs import GUARDED, Options, Runs, runs, title

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.studies.cerbaro_runs.chapter6_runs import CASES, CRITICAL, GUARDED, PLANES, WARNING, Runs
 from helicoide.studies.cerbaro_runs.confined import TICK, Course, confined
 from helicoide.studies.cerbaro_runs.runs import few

@@ -11,6 +11,7 @@ from functools import partial
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.command import Along
 from helicoide.confinement import planes_of
 from helicoide.foresight import lived
@@ -21,7 +22,6 @@ from helicoide.ik.converge import Run, Tolerance, by_method, converged
 from helicoide.ik.drive import Drive, Secondary
 from helicoide.ik.limit_gains import GROWTH, Memory
 from helicoide.ik.secondary import push
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.library import load
 from helicoide.state import State, commanded, initial
 from helicoide.studies.cerbaro_runs import arms

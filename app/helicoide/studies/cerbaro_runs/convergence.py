@@ -7,10 +7,10 @@ from itertools import islice
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import Aiming
 from helicoide.ik.converge import Report, Run, by_method, converged
-from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.study import Chart, Line, Motion, Reading, Result, Row, Statement
 from helicoide.text import Text, same

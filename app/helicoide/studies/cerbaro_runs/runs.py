@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import Moment
 from helicoide.ik.objective import posture
 from helicoide.ik.secondary import total
-from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.study import Chart, Line, Motion, Progress, Reading, Statement
 from helicoide.text import Text, same

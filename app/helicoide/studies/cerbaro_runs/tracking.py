@@ -10,11 +10,11 @@ from math import cos, pi, radians, sin
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import limit_gains
 from helicoide.ik.clik import followed
 from helicoide.ik.limit_gains import GROWTH, Memory
 from helicoide.ik.secondary import push
-from helicoide.kinematics.chain import Array
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, ran
 from helicoide.studies.study import Progress

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.arms import REACH, zebra_arm
 from helicoide.studies.vargas.paths import Path, path_8, places

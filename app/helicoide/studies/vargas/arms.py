@@ -11,9 +11,9 @@ from math import pi
 
 import numpy as np
 
+from helicoide.arrays import frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
-from helicoide.kinematics.chain import frozen
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
 

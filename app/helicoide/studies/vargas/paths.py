@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.trajectory.vargas import VARGAS
 
 Vector = tuple[float, float, float]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.kinematics.manipulability import analysed
 from helicoide.studies.study import Chart, Fitted, Line, Progress, Reading, Result, Row, Statement, printed
 from helicoide.studies.vargas.arms import planar

@@ -12,9 +12,9 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from helicoide.arrays import Array
 from helicoide.ik import Problem, methods
 from helicoide.ik.clik import Aim, Aiming, OrientationError, followed, tool_aim
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import RANK
 from helicoide.studies.study import Progress

@@ -8,8 +8,8 @@ from math import cos, pi, sin
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
-from helicoide.kinematics.chain import Array
 
 Law = Callable[[float, float], float]
 

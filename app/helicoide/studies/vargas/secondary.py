@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik import objectives
 from helicoide.ik.arm_points import along_links
 from helicoide.ik.clik import Aiming
 from helicoide.ik.secondary import Chosen, augmented
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies.study import Chart, Progress
 from helicoide.studies.vargas.arms import planar

@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 import numpy as np
 
+from helicoide.arrays import Array
 from helicoide.ik.method import Quantity
-from helicoide.kinematics.chain import Array
 from helicoide.studies.study import Chart, Figure, Line, Motion, Relation, Result, Row, Statement
 from helicoide.studies.vargas.arms import LENGTHS
 from helicoide.studies.vargas.runs import Run, Way, digits

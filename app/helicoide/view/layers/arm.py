@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import viser
 
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.view.layers import Stage
 from helicoide.view.pose import stand
 from helicoide.view.rows import View

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import viser
 
+from helicoide.arrays import Array
 from helicoide.kinematics.ball import RADIUS
-from helicoide.kinematics.chain import Array
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import viser
 
 from helicoide import gate
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.state import Grasp
 from helicoide.view import bind
 from helicoide.view.layers import Stage

@@ -6,8 +6,8 @@ import numpy as np
 import viser
 
 from helicoide import readout
+from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.kinematics.chain import Array
 from helicoide.state import State
 from helicoide.view.layers import Stage
 from helicoide.view.layers.planes import border, pane_wxyz

@@ -8,7 +8,7 @@ import numpy as np
 import viser
 
 from helicoide import gate
-from helicoide.kinematics.chain import Array
+from helicoide.arrays import Array
 from helicoide.perception.pointing import pointed_at
 from helicoide.view import bind
 from helicoide.view.layers import Stage

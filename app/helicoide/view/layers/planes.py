@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import viser
 
+from helicoide.arrays import Array
 from helicoide.confinement import Zone, pane_axes
 from helicoide.geometry import rotation
 from helicoide.kinematics import robot
-from helicoide.kinematics.chain import Array
 from helicoide.readout import zones
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View

@@ -8,8 +8,8 @@ import numpy as np
 import viser
 
 from helicoide import gate
+from helicoide.arrays import Array
 from helicoide.command import ToPose
-from helicoide.kinematics.chain import Array
 from helicoide.readout import SHORT
 from helicoide.state import Grasp, State
 from helicoide.view import bind

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import viser
 
+from helicoide.arrays import Array
 from helicoide.kinematics.cells import Counts, Mask
-from helicoide.kinematics.chain import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import Map, normal_of
 from helicoide.state import initial

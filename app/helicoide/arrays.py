@@ -1,0 +1,15 @@
+"""Arrays of numbers, and how they are made read-only."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def frozen(values: ArrayLike) -> Array:
+    """A read-only copy in float64."""
+    array = np.array(values, dtype=np.float64)
+    array.flags.writeable = False
+    return array

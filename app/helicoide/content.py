@@ -1,8 +1,14 @@
-"""Finds robots/, lessons/ and static/: in a checkout, else inside the wheel; the user's folder adds to two."""
+"""Finds robots, lessons and static files, shipped or in the user's folder, and the modules of a package's folder."""
 
 from __future__ import annotations
 
+import importlib
+import pkgutil
+import sys
+from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Literal
 
 from platformdirs import user_data_path
@@ -41,3 +47,29 @@ def folder(kind: Kind, name: str) -> Path:
             ).format(what=what, name=name, known=", ".join(sorted(known)))
         )
     return known[name]
+
+
+@cache
+def module_names(package: str) -> tuple[str, ...]:
+    """The names of the modules in the folder of an imported package, sorted.
+
+    Packages and modules whose names begin with "_" are left out.
+    """
+    modules = pkgutil.iter_modules(sys.modules[package].__path__)
+    return tuple(sorted(m.name for m in modules if not m.ispkg and not m.name.startswith("_")))
+
+
+def modules(package: str) -> dict[str, ModuleType]:
+    """All modules in the folder of an imported package, by name."""
+    return {name: importlib.import_module(f"{package}.{name}") for name in module_names(package)}
+
+
+def module(package: str, name: str, names: Sequence[str], what: Text) -> ModuleType:
+    """Import one of the named modules of a package; raises HelicoideError, which lists them. what: such as "method"."""
+    if name not in names:
+        raise HelicoideError(
+            Text(
+                en="There is no {what} {name!r}; there is: {known}.", pt_BR="Não há {what} {name!r}; há: {known}."
+            ).format(what=what, name=name, known=", ".join(names))
+        )
+    return importlib.import_module(f"{package}.{name}")

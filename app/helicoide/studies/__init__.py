@@ -5,14 +5,13 @@ What several of them share is in files whose names begin with "_"; these are no 
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from dataclasses import replace
 from functools import cache
 from typing import Any, cast
 
+from helicoide import content
 from helicoide.studies.study import Progress, Result, Study, unstated
-from helicoide.text import HelicoideError, Text
+from helicoide.text import Text
 
 _FRAME = ("desk", "study")
 
@@ -20,20 +19,13 @@ _FRAME = ("desk", "study")
 @cache
 def names() -> tuple[str, ...]:
     """The names of all studies: those of their files."""
-    modules = (m.name for m in pkgutil.iter_modules(__path__) if not m.ispkg)
-    return tuple(sorted(name for name in modules if name not in _FRAME and not name.startswith("_")))
+    return tuple(name for name in content.module_names(__name__) if name not in _FRAME)
 
 
 @cache
 def named(name: str) -> Study:
     """A study by its name; raises HelicoideError, which lists the names."""
-    if name not in names():
-        raise HelicoideError(
-            Text(
-                en="There is no study {name!r}; there is: {known}.", pt_BR="Não há estudo {name!r}; há: {known}."
-            ).format(name=name, known=", ".join(names()))
-        )
-    return cast(Study, importlib.import_module(f"{__name__}.{name}"))
+    return cast(Study, content.module(__name__, name, names(), Text(en="study", pt_BR="estudo")))
 
 
 def run(name: str, options: Any, short: bool, progress: Progress) -> Result:

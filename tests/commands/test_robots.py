@@ -115,7 +115,7 @@ def test_a_range_that_is_ours_is_marked_and_said_once(
     monkeypatch.setattr(sys, "argv", ["helicoide", "robots", path])
     __main__.main()
     out, err = capsys.readouterr()
-    assert "two -10000…10000 mm (ours)" in out
+    assert "two -10000…10000 mm (assumed)" in out
     assert err.count("two -10…10 m") == 1
     [table] = json.loads(words(monkeypatch, capsys, path, "--json"))
     assert [joint["ours"] for joint in table["joints"]] == [False, True]

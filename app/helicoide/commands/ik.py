@@ -1,4 +1,4 @@
-"""Inverse kinematics of a robot: the joint values for a pose of the tool."""
+"""Inverse kinematics of a robot: the joint values for a tool pose."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ from helicoide.text import HelicoideError, Language, Text
 
 URDF = euler.EXTRINSIC + "xyz"
 LEFT = Text(
-    en="   misses the goal by {mm:.4f} mm and {turned}; {limits}",
-    pt_BR="   faltam {mm:.4f} mm e {turned} para o alvo; {limits}",
+    en="   {mm:.4f} mm and {turned} from the target; {limits}",
+    pt_BR="   a {mm:.4f} mm e {turned} do alvo; {limits}",
 )
 WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas")
-BEYOND = Text(en="beyond the joint limits", pt_BR="além dos limites das juntas")
+BEYOND = Text(en="outside the joint limits", pt_BR="fora dos limites das juntas")
 COST = Text(en="; cost {cost:.3f}", pt_BR="; custo {cost:.3f}")
 RULED_OUT = Text(en="; ruled out: {why}", pt_BR="; descartada: {why}")
 ALL_COLLIDE = Text(
@@ -55,8 +55,8 @@ def run(
 ) -> None:
     """Print the joint values that bring the tool to a pose, or to a position where no orientation is given.
 
-    Ends with 0 when a posture within the joint limits reaches what was asked for, with 3 when none does (the nearest
-    that was found is printed), and with 2 for wrong input.
+    Ends with 0 if a posture within the joint limits reaches the target, with 3 if none does (the nearest posture is
+    printed), and with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -99,12 +99,13 @@ def run(
 def described(
     robot: Robot, answer: Answer, said: Text, shown: Sequence[Ranked], T_world_tool: Array, with_orientation: bool
 ) -> dict[str, Any]:
-    """An answer in SI units; words in both languages.
+    """An answer as JSON, in SI units, with texts in both languages.
 
-    solvability: Pieper's test; goal is what was asked for, solved what was solved for: other than the goal by moved and
-    turned where it was projected; reached: whether the command ends with 0; short: how far the goal lies beyond the
-    workspace; missed and turned: what each branch leaves of it; cost: of the way there, by the weights; dropped: why it
-    is ruled out; screws: lengths of the ball screws that hold it, m, null where a gear does.
+    solvability: Pieper's test; goal: the requested pose; solved: the pose that was solved for, which differs from the
+    goal by moved, m, and turned, rad, if it was projected; reached: whether the command ends with 0; short: distance of
+    the goal from the workspace, m; missed and turned: position and orientation error of each branch, m and rad; cost:
+    weighted motion of the joints; dropped: why a branch is ruled out; screws: lengths of the ball screws, m, null for
+    a joint with a gear.
     """
     verdict = solvability.verdict(robot)
     return {
@@ -151,7 +152,7 @@ def _words(text: Text) -> dict[str, str]:
 def _lines(
     robot: Robot, words: Text, said: Text, shown: Sequence[Ranked], deg: bool, choosing: bool, spoken: Language
 ) -> list[str]:
-    """The answer as people read it."""
+    """The answer as lines of text."""
     return [
         f"{robot.name}: {said[spoken]}",
         ends(robot)[spoken],
@@ -191,7 +192,7 @@ def _radians(robot: Robot, values: Array, deg: bool) -> Array:
 
 
 def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, deg: bool) -> Array | None:
-    """The rotation that is asked for, (3, 3); None where there is none."""
+    """The requested rotation (3, 3); None if none is given."""
     if quat is not None and rpy is not None:
         raise HelicoideError(Text(en="Give --quat or --rpy, not both.", pt_BR="Use --quat ou --rpy, não os dois."))
     if quat is not None:
@@ -208,7 +209,7 @@ def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, 
 
 
 def _sphere(given: tuple[float, ...] | None) -> Obstacles:
-    """The obstacle that was given, or none."""
+    """The given obstacle, or none."""
     if given is None:
         return Obstacles()
     *centre, radius = _checked(given, "--obstacle", 4)

@@ -6,7 +6,7 @@ import json as json_format
 import sys
 from collections.abc import Iterator, Sequence
 from math import isfinite
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import tyro
@@ -91,7 +91,7 @@ def run(
     if json:
         print(json_format.dumps(described(arm, told, said, shown, T, R is not None), indent=1))
     else:
-        print("\n".join(_lines(arm, answer.words, said, shown, deg, choosing, language())))
+        print("\n".join(_lines(arm, (said, answer.words), shown, Style(deg, choosing, language()))))
     if not reached(told):
         sys.exit(NOT_REACHED)
 
@@ -149,27 +149,34 @@ def _words(text: Text) -> dict[str, str]:
     return {"en": text.en, "pt_BR": text.pt_BR}
 
 
-def _lines(
-    robot: Robot, words: Text, said: Text, shown: Sequence[Ranked], deg: bool, choosing: bool, spoken: Language
-) -> list[str]:
-    """The answer as lines of text."""
+class Style(NamedTuple):
+    """How an answer is printed: angles in degrees or rad, with or without costs, in which language."""
+
+    deg: bool
+    costs: bool
+    language: Language
+
+
+def _lines(robot: Robot, status: tuple[Text, Text], shown: Sequence[Ranked], style: Style) -> list[str]:
+    """The answer as lines of text; status: in short, and how it was found."""
+    spoken, (said, words) = style.language, status
     return [
         f"{robot.name}: {said[spoken]}",
         ends(robot)[spoken],
         f"   {solvability.verdict(robot).words[spoken]}",
         *([f"   {words[spoken]}"] if words[spoken] else []),
-        *(line for row in shown for line in _of_posture(robot, row, deg, choosing, spoken)),
+        *(line for row in shown for line in _of_posture(robot, row, style)),
     ]
 
 
-def _of_posture(robot: Robot, row: Ranked, deg: bool, choosing: bool, spoken: Language) -> Iterator[str]:
-    branch = row.branch
+def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
+    branch, (deg, costs, spoken) = row.branch, style
     values = ", ".join(
         f"{joint.name} {_value(float(x), joint.slides, deg)}" for joint, x in zip(robot.variables, row.q, strict=True)
     )
     turned = f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad"
     left = LEFT.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else BEYOND)[spoken]
-    if choosing:
+    if costs:
         left += COST.format(cost=row.cost)[spoken]
     if row.dropped is COLLIDES:
         left += RULED_OUT.format(why=row.dropped)[spoken]

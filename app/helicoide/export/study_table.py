@@ -11,7 +11,7 @@ from helicoide.text import Text, joined, same
 HEADINGS = (
     Text(en="quantity", pt_BR="grandeza"),
     Text(en="the source says", pt_BR="a fonte diz"),
-    Text(en="computed here", pt_BR="calculado aqui"),
+    Text(en="here", pt_BR="aqui"),
     Text(en="verdict", pt_BR="veredito"),
 )
 NOTHING = "–"

@@ -48,12 +48,12 @@ SCREWS = Text(en="screws", pt_BR="helicoides")
 DUAL = Text(en="dual quaternions", pt_BR="quatérnios duais")
 GEOMETRY = Text(en="geometry", pt_BR="geometria")
 SEARCH = Text(en="iteration with restarts", pt_BR="iteração com reinícios")
-# The closed form of each family for each arm. Dual matrices turn lines as dual quaternions do: they are no other road.
+# The closed form of each family for each arm. Dual matrices are left out: they transform lines as dual quaternions do.
 FORMS = {
     "puma560": {INVERSE: "puma560", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "geometry"},
     "movemaster": {INVERSE: "inverse_transform", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "movemaster"},
 }
-# What each family works out on the way to the joints: what it is, and its unit.
+# Intermediate values of each family: meaning and unit.
 AHEAD = Text(en="wrist ahead of the shoulder", pt_BR="punho à frente do ombro"), "m"
 ABOVE = Text(en="wrist above the shoulder", pt_BR="punho acima do ombro"), "m"
 FROM_AXIS_1 = Text(en="wrist ahead of axis 1", pt_BR="punho à frente do eixo 1"), "m"
@@ -108,8 +108,10 @@ class Options:
 
 @dataclass(frozen=True)
 class Tally:
-    """What a family came to: postures in all, the worst residual of each goal, m and rad, and the farthest, rad, that a
-    posture of it or of the inverse transforms is from the nearest of the other.
+    """The results of a family of methods.
+
+    postures: their number; residuals: the worst of each goal, m or rad; apart: the largest distance, rad, between a
+    posture of this family or of the inverse transforms and the nearest posture of the other.
     """
 
     postures: int
@@ -118,7 +120,7 @@ class Tally:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Both arms, family after family, and iterations from many starts.
+    """Both arms with each family of methods, and iterations from many starts.
 
     short: twenty goals, and too few starts to count where they lead.
     """
@@ -143,7 +145,7 @@ def _part(progress: Progress, part: int) -> Progress:
 
 
 def tallied(robot: Robot, count: int, progress: Progress) -> dict[Text, Tally]:
-    """What each family comes to for random postures' poses."""
+    """The results of each family for the poses of random postures."""
     postures, apart = dict[Text, int](), dict[Text, float]()
     residuals = dict[Text, list[float]]()
     for done, q in enumerate(np.random.default_rng(37).uniform(-2.5, 2.5, (count, len(robot.variables))), start=1):
@@ -171,7 +173,7 @@ def _of(robot: Robot, family: Text, q: Array) -> Answer:
 
 
 def _apart(one: Array, other: Array) -> float:
-    """The farthest that a posture of either is from the nearest of the other, rad; infinite where one has none."""
+    """The largest distance, rad, from a posture of one set to the nearest of the other; infinite if a set is empty."""
     if not (len(one) and len(other)):
         return np.inf
     ways = np.abs(wrap(one[:, None] - other)).max(axis=2)
@@ -179,7 +181,7 @@ def _apart(one: Array, other: Array) -> float:
 
 
 def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]:
-    """Postures for each goal, residuals, and how far apart the families are."""
+    """Rows: postures for each goal, residuals, and differences between the families."""
     if robot.name == "puma560":
         counts = [tally.postures / count for tally in tallies.values()]
         yield Row(FEWEST, min(counts), "", printed("8", "s.20"), (PUMA_LENGTHS,))
@@ -193,7 +195,7 @@ def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]
 
 
 def _steps(robot: Robot, steps: dict[Text, Answer]) -> Iterator[Row]:
-    """What each family works out on the way to its first posture."""
+    """Rows: intermediate values of each family for its first posture."""
     for family, symbols in STEPS[robot.name].items():
         for symbol, (meant, unit) in symbols.items():
             quantity = STEP.format(arm=NAMES[robot.name], family=family, symbol=symbol, meant=meant)

@@ -23,6 +23,7 @@ from helicoide.studies.cerbaro_runs.runs import (
 from helicoide.studies.cerbaro_runs.tracking import (
     DT,
     TURN,
+    LimitGain,
     free_ellipse,
     in_degrees,
     start_inside,
@@ -129,17 +130,14 @@ def made(options: Options, seconds: float, progress: Progress) -> Runs:
     printed, inside = start_of_ellipse(), start_inside(options.inside)
     in_radians, in_deg = options.gain, in_degrees(options.gain, len(inside))
     asked = (
-        (printed, in_radians, False, GROWTH),
-        (printed, in_radians, True, GROWTH),
-        (printed, in_radians, True, 1.0),
-        (inside, in_deg, False, GROWTH),
-        (inside, in_deg, True, GROWTH),
+        (printed, LimitGain(in_radians)),
+        (printed, LimitGain(in_radians, GROWTH)),
+        (printed, LimitGain(in_radians, 1.0)),
+        (inside, LimitGain(in_deg)),
+        (inside, LimitGain(in_deg, GROWTH)),
     )
     return Runs(
-        *(
-            free_ellipse(q, k0, DT, grows, part(progress, i, len(asked)), seconds, unfed, growth)
-            for i, (q, k0, grows, growth) in enumerate(asked)
-        )
+        *(free_ellipse(q, gain, DT, part(progress, i, len(asked)), seconds, unfed) for i, (q, gain) in enumerate(asked))
     )
 
 
@@ -166,7 +164,7 @@ def worse(grown: Run, one: Run) -> float:
 
 
 def rows(runs: Runs, short: bool) -> tuple[Row, ...]:
-    """What the source says of fig. 38, then the other unit; the short form does not see the whole turn."""
+    """What the source says of fig. 38, then the other unit; a quick run does not cover the whole turn."""
     staying = Text(
         en="Algorithm 1: least margin of J2 to J4 to their limits",
         pt_BR="Algoritmo 1: menor folga de J2 a J4 até os limites",

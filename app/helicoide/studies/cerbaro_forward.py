@@ -61,7 +61,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The examples, and how far the roads differ on the way from q = 0 to them; the short form is the whole."""
+    """The examples, and how far the roads differ on the way from q = 0 to them; a quick run is the whole."""
     orca, movemaster = robots = (load("orca"), load("movemaster"))
     motions = tuple(_motion(robot) for robot in robots)
     rows = (*_of_orca(orca), *_of_movemaster(movemaster), *_measured(orca, movemaster))

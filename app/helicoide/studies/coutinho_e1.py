@@ -26,7 +26,7 @@ from helicoide.studies._coutinho_rows import (
     rows_of,
     stays,
 )
-from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Run, control, crossings
+from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Insertion, Run, control, crossings
 from helicoide.studies._coutinho_runs import run as run_along
 from helicoide.studies._coutinho_simulation import part
 from helicoide.studies.study import CONSTRUCTED, PUT_IN, Fitted, Progress, Reading, Result, Row, Statement, printed
@@ -130,7 +130,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     for done, (name, (_, of_tool)) in enumerate(INVERSES.items()):
         gained = control(of_tool=of_tool, position=Kp, orientation=Ko)
         told = part(progress, done, len(INVERSES))
-        runs[name] = run_along("E1", gained, STEP, E1_START, E1_DEPTH, SECONDS if short else None, told)
+        runs[name] = run_along("E1", gained, STEP, Insertion(E1_START, E1_DEPTH), SECONDS if short else None, told)
     titled = {INVERSES[name][0]: got for name, got in runs.items()}
     rows = (
         *(() if short else _crossed(runs)),

@@ -31,7 +31,7 @@ class Verdict(Enum):
     DIFFERS = Text(en="differs", pt_BR="difere")
     ERRATUM = Text(en="a slip in print or in our copy", pt_BR="lapso no impresso ou na nossa cópia")
     FIGURE = Text(en="only in a figure", pt_BR="só em figura")
-    OURS = Text(en="only computed here", pt_BR="só calculado aqui")
+    OURS = Text(en="here", pt_BR="aqui")
 
 
 @dataclass(frozen=True)

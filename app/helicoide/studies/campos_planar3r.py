@@ -114,7 +114,7 @@ def weighing(robot: Robot) -> tuple[float, float]:
 
 
 def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, float, float, set[int]]:
-    """Of random postures: the worst miss, how far algebra and geometry are apart, rad, the generating one, the counts.
+    """For random postures: worst residual, difference of algebra and geometry, rad, generating posture, counts.
 
     Geometry: θ₁ = β + ψ where θ₂ < 0, and β − ψ where θ₂ > 0. Source: Campos 1998, s.54.
     """

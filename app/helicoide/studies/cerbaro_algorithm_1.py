@@ -100,7 +100,7 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """A turn by one gain, by growing ones and by clips alone: from the printed start, and from inside in degrees."""
+    """Runs with one gain, growing gains, and clips alone, from the printed start; two in degrees, from inside."""
 
     one: Run
     grown: Run
@@ -142,7 +142,7 @@ def made(options: Options, seconds: float, progress: Progress) -> Runs:
 
 
 def growth_of_j3(run: Run) -> float:
-    """How many times its first value the gain of J3 is at the end of a run; J1 is never at its limit."""
+    """The final gain of J3 over its initial value, which J1 keeps as it is never at its limit."""
     memory = run.last.memory
     assert isinstance(memory, Memory)
     return float(memory.gains[2] / memory.gains[0])

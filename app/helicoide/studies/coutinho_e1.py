@@ -32,7 +32,7 @@ from helicoide.studies._coutinho_simulation import part
 from helicoide.studies.study import CONSTRUCTED, PUT_IN, Fitted, Progress, Reading, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
-TITLE = Text(en="E1: three methods beside each other", pt_BR="E1: três métodos lado a lado")
+TITLE = Text(en="E1: three methods compared", pt_BR="E1: comparação de três métodos")
 SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, tab. 4.3"
 ABOUT = Text(
     en="The experiment on the robot: tool and entry point swing to and fro, and on the way the wrist passes θ₇ = 0. "
@@ -52,7 +52,7 @@ ABOUT = Text(
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-# The short form comes through the singularity once.
+# A quick run passes through the singularity once.
 SECONDS = 4.0
 INVERSES: Mapping[str, tuple[Text, Inverse]] = {
     "plain": (Text(en="plain inverse", pt_BR="inversa simples"), PSEUDOINVERSE),

@@ -160,7 +160,7 @@ def slope(run: Run) -> float:
 
 
 def peak(run: Run) -> float:
-    """When the wrist is fastest after the transient, s."""
+    """The time, s, of the largest wrist velocity after the transient."""
     later = run.t >= SINCE
     return float(run.t[later][np.abs(run.rates[later, 3:]).max(axis=1).argmax()])
 
@@ -205,7 +205,7 @@ def _passage(of: Text, run: Run, shown: Figure | None) -> list[Row]:
 
 
 def _recovered(runs: dict[str, Run]) -> list[Row]:
-    """What is left of the passage after 29 s, of all methods."""
+    """The remaining errors of all methods after 29 s."""
     late = runs["inverse"].t > 29
     position = Text(en="error of position after 29 s, at most", pt_BR="erro de posição após 29 s, no máximo")
     orientation = Text(en="error of orientation after 29 s, at most", pt_BR="erro de orientação após 29 s, no máximo")

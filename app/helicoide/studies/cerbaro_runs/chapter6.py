@@ -16,8 +16,8 @@ from helicoide.trajectory import Ellipse
 CASES_TOLD = Text(
     en="Case 1 keeps the orientation, so that no freedom is left; case 2 leaves it free and keeps the joints off their "
     "limits with one gain, case 3 with the gains of Algorithm 1. The constrained QP step is not in the source: each "
-    "step is the best one within the limits of all joints and distances. The error is the distance of the end effector from "
-    "its target, the deviation its distance from the desired path.",
+    "step is the best one within the limits of all joints and distances. The error is the distance of the end effector "
+    "from its target, the deviation its distance from the desired path.",
     pt_BR="O caso 1 mantém a orientação, e não sobra liberdade; o caso 2 a deixa livre e se afasta dos limites de "
     "junta com um só ganho, o caso 3 com os ganhos do Algoritmo 1. O passo com restrições (QP) não é da "
     "fonte: cada passo é o melhor que respeita os limites de todas as juntas e de todas as distâncias. O erro é a "

@@ -8,14 +8,13 @@ from __future__ import annotations
 import ast
 import gc
 import importlib
-import pkgutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import tyro
 
-from helicoide import __version__, commands
+from helicoide import __version__, commands, content
 
 ABOUT = f"Helicoide {__version__}, a lab for robot arms. Without a subcommand, serve. --version prints the version."
 
@@ -34,7 +33,7 @@ def main() -> None:
 
 def _run(arguments: list[str]) -> None:
     """Import the command that is asked for, and no other: fk needs no browser, and --help none of them."""
-    names = [module.name for module in pkgutil.iter_modules(commands.__path__)]
+    names = content.module_names(commands.__name__)
     functions = {name: _run_of(name) if name == arguments[0] else _told(name) for name in names}
     tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", description=ABOUT, args=arguments)
 

@@ -1,6 +1,6 @@
-"""Finds robots/, lessons/ and static/: in a checkout, else inside the wheel; the user's folder adds to what there is.
+"""Finds robots, lessons and static files, shipped or in the user's folder, and the modules of a package's folder.
 
-It may hold robots/, lessons/, methods/ and studies/.
+The user's folder may hold robots/, lessons/, methods/ and studies/.
 """
 
 from __future__ import annotations
@@ -8,8 +8,11 @@ from __future__ import annotations
 import importlib
 import logging
 import pkgutil
+import sys
 from collections.abc import Iterable, Sequence
+from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Literal
 
 from platformdirs import user_data_path
@@ -53,16 +56,23 @@ def folder(kind: Kind, name: str) -> Path:
     return known[name]
 
 
-def modules(package: str, path: Iterable[str], needs: Sequence[str]) -> tuple[str, ...]:
-    """The names of the modules of a package, whose path has a folder of the user's after the shipped one.
+def module_names(package: str, needs: Sequence[str] = ()) -> tuple[str, ...]:
+    """The names of the modules in the folder of an imported package, sorted, without those that begin with "_".
 
-    A shipped module that is broken stops the program when it is used; one of the user's that cannot be loaded, or
-    lacks a name of `needs`, is left out, and the log says so.
+    A package that takes modules of the user has their folder after its own in its path. One of the user's that cannot
+    be loaded, or lacks a name of `needs`, is left out, and the log says so; a shipped one that is broken raises when it
+    is used.
     """
-    shipped, *own = path
-    names = [module.name for module in pkgutil.iter_modules([shipped]) if not module.ispkg]
+    shipped, *own = sys.modules[package].__path__
+    names = _names_in(shipped)
     more = (module.name for module in pkgutil.iter_modules(own) if not module.ispkg)
     return tuple(sorted({*names, *(name for name in more if name not in names and _usable(package, name, needs))}))
+
+
+@cache
+def _names_in(folder: str) -> frozenset[str]:
+    modules = pkgutil.iter_modules([folder])
+    return frozenset(m.name for m in modules if not m.ispkg and not m.name.startswith("_"))
 
 
 def module_file(path: Iterable[str], name: str) -> Path:
@@ -80,3 +90,19 @@ def _usable(package: str, name: str, needs: Sequence[str]) -> bool:
     if missing := [need for need in needs if not hasattr(module, need)]:
         log.warning("%s.%s is left out, it lacks %s: see helicoide check %s", package, name, ", ".join(missing), name)
     return not missing
+
+
+def modules(package: str) -> dict[str, ModuleType]:
+    """All modules in the folder of an imported package, by name."""
+    return {name: importlib.import_module(f"{package}.{name}") for name in module_names(package)}
+
+
+def module(package: str, name: str, names: Sequence[str], what: Text) -> ModuleType:
+    """Import one of the named modules of a package; raises HelicoideError, which lists them. what: such as "method"."""
+    if name not in names:
+        raise HelicoideError(
+            Text(
+                en="There is no {what} {name!r}; there is: {known}.", pt_BR="Não há {what} {name!r}; há: {known}."
+            ).format(what=what, name=name, known=", ".join(names))
+        )
+    return importlib.import_module(f"{package}.{name}")

@@ -57,13 +57,13 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
 
 def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
     choose(page, "Study", studies.named("cerbaro_confined_circle").TITLE.en)
-    page.get_by_label("short form").click()
+    page.get_by_label("Quick run").click()
     until(page, lambda: not desk(lab).short)
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).progress is not None)
     page.get_by_role("button", name="End the run").click()
     until(page, lambda: desk(lab).progress is None)
-    page.get_by_label("short form").click()
+    page.get_by_label("Quick run").click()
     until(page, lambda: desk(lab).short)
     assert desk(lab).last is None or desk(lab).last.study == NAME  # type: ignore[union-attr]
 

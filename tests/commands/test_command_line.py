@@ -153,7 +153,7 @@ def test_the_terminal_says_which_language(
     ("arguments", "words"),
     [
         (("doctor",), ("pacotes: viser", "compilados em", "lições: ")),
-        (("robots", "scara"), ("4 juntas; alcance", "as três maneiras diferem")),
+        (("robots", "scara"), ("4 juntas; alcance", "as três formulações diferem")),
         (("study", "--list"), ("fator de passo",)),
         (("workspace", "planar2r", "--samples", "1000", "--kind", "dexterous"), ("uma área", "células", "média")),
     ],

@@ -161,5 +161,5 @@ def test_numbers_are_written_as_far_as_they_count(value: float, unit: str, toler
 
 
 def test_a_row_without_source_has_a_dash() -> None:
-    assert [cell.en for cell in cells(Row(same("q"), 1.5))] == ["q", "–", "1.5", "ours"]
+    assert [cell.en for cell in cells(Row(same("q"), 1.5))] == ["q", "–", "1.5", "here"]
     assert [cell.pt_BR for cell in cells(replace(ROWS[2], ours=float("nan"), why=None))][2:] == ["nan", "difere"]

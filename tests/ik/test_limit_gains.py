@@ -8,9 +8,9 @@ from tests.ik.secondary_runs import Run, chosen
 
 from helicoide.arrays import Array, frozen
 from helicoide.ik import secondary
-from helicoide.ik.limit_gains import clipped
+from helicoide.ik.limit_gains import GROWTH, clipped
 from helicoide.studies.cerbaro_runs.arms import movemaster
-from helicoide.studies.cerbaro_runs.tracking import free_ellipse, start_of_ellipse
+from helicoide.studies.cerbaro_runs.tracking import LimitGain, free_ellipse, start_of_ellipse
 
 LIMITS = chosen("limit_distance")
 
@@ -35,7 +35,7 @@ def test_gains_are_the_diagonal_of_k0() -> None:
 
 
 def ellipse(q: Array, k0: float, seconds: float, algorithm_1: bool = True) -> Run:
-    return free_ellipse(q, k0, 1e-3, algorithm_1, seconds=seconds)
+    return free_ellipse(q, LimitGain(k0, GROWTH if algorithm_1 else None), 1e-3, seconds=seconds)
 
 
 def test_from_outside_the_limits_the_gain_grows_five_times_and_the_tool_is_thrown_off_by_75_mm() -> None:

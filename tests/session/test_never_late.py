@@ -112,7 +112,7 @@ def test_a_cloud_of_a_million_points_holds_nothing_up(lab: Lab, hand: Hand) -> N
 
 
 def test_a_stop_ends_a_tour_and_what_is_worked_out(lab: Lab, hand: Hand) -> None:
-    for begin in ("Measure with the camera", "In the least time"):
+    for begin in ("Measure with the camera", "Time-optimal"):
         hand.do(hand.page.press(begin))
         hand.do(hand.page.stop())
         stopped = after_ticks(lab, 20)

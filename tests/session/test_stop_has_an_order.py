@@ -70,7 +70,7 @@ ASKED: dict[str, Ask] = {
     "gripper": give("Gripper [%]", 80.0),
     "drag": drag,
     "plane": drag_of_a_plane,
-    "time-optimal": give("In the least time", True),
+    "time-optimal": give("Time-optimal", True),
     "another arm": give("Arm", "SCARA"),
 }
 

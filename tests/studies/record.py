@@ -1,4 +1,4 @@
-"""What the short form of every study came to when it was last looked at: `python -m tests.studies.record NAME …`.
+"""The recorded results of a quick run of every study: `python -m tests.studies.record NAME …`.
 
 A number that changes unasked is noticed; one that changes on purpose is recorded anew.
 """

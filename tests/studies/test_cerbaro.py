@@ -16,11 +16,12 @@ from tests.studies.test_every_study import short as as_it_is
 from helicoide import studies
 from helicoide.arrays import Array
 from helicoide.ik import clik, limit_gains, secondary
+from helicoide.ik.limit_gains import GROWTH
 from helicoide.kinematics import forward
 from helicoide.kinematics.manipulability import Manipulability
 from helicoide.studies import cerbaro_algorithm_1 as algorithm_1
 from helicoide.studies.cerbaro_runs import arms, convergence, tracking
-from helicoide.studies.cerbaro_runs.tracking import eq_32, unfed
+from helicoide.studies.cerbaro_runs.tracking import LimitGain, eq_32, unfed
 from helicoide.studies.study import Result, Row, Verdict
 
 FITTED = {
@@ -120,7 +121,7 @@ def test_without_the_velocity_of_the_path_the_ellipse_lags() -> None:
 
 def test_the_joints_of_the_free_ellipse() -> None:
     q = tracking.start_of_ellipse()
-    plain, pushed = (tracking.free_ellipse(q, k0, 0.01, False) for k0 in (0.0, 500.0))
+    plain, pushed = (tracking.free_ellipse(q, LimitGain(k0), 0.01) for k0 in (0.0, 500.0))
     ranges = [run.degrees(j) for run in (plain, pushed) for j in (3, 4)]
     np.testing.assert_allclose(
         ranges, [(-130.8, -98.4), (12.4, 22.9), (-129.9, -72.0), (-60.4, 13.5)], rtol=0, atol=0.06
@@ -129,14 +130,14 @@ def test_the_joints_of_the_free_ellipse() -> None:
 
 def test_the_first_motion_in_the_null_space_is_violent() -> None:
     """650 °/s at once, at an error of 0.007 mm (steps of 1 ms, as in the source)."""
-    run = tracking.free_ellipse(tracking.start_of_ellipse(), 500.0, 1e-3, False, seconds=0.3)
+    run = tracking.free_ellipse(tracking.start_of_ellipse(), LimitGain(500.0), 1e-3, seconds=0.3)
     assert np.degrees(run.fastest.max()) == pytest.approx(650, abs=5)
     assert run.error.max() == pytest.approx(0.007, abs=2e-4)
 
 
 def test_from_the_printed_start_the_first_stop_throws_the_tool() -> None:
     """Five stops of J3, its gain 525.5, and 75 mm."""
-    run = tracking.free_ellipse(tracking.start_of_ellipse(), 500.0, 1e-3, True, seconds=0.1)
+    run = tracking.free_ellipse(tracking.start_of_ellipse(), LimitGain(500.0, GROWTH), 1e-3, seconds=0.1)
     assert 500 * algorithm_1.growth_of_j3(run) == pytest.approx(525.5, abs=0.06)
     assert run.error.max() == pytest.approx(75.0, abs=0.5)
 
@@ -151,7 +152,7 @@ def test_j3_begins_as_far_inside_its_limit_as_is_asked_for() -> None:
 def test_in_radians_no_start_inside_lets_algorithm_1_act() -> None:
     """J3 does not pass its limit at all, and both runs are one."""
     q = tracking.start_inside(0.1)
-    one, grown = (tracking.free_ellipse(q, 500.0, 1e-3, grows, seconds=1.0) for grows in (False, True))
+    one, grown = (tracking.free_ellipse(q, LimitGain(500.0, growth), 1e-3, seconds=1.0) for growth in (None, GROWTH))
     assert algorithm_1.growth_of_j3(grown) == 1
     np.testing.assert_array_equal(one.q, grown.q)
 
@@ -230,9 +231,9 @@ def test_without_stopping_at_the_limits_algorithm_1_keeps_nothing_inside(monkeyp
 
 def test_without_growth_j3_stays_where_one_gain_leaves_it() -> None:
     start = tracking.start_inside(0.1)
-    grown = tracking.free_ellipse(start, 0.25, 1e-3, True, seconds=4.0, velocity=unfed, growth=1.0)
+    grown = tracking.free_ellipse(start, LimitGain(0.25, 1.0), 1e-3, seconds=4.0, velocity=unfed)
     assert algorithm_1.growth_of_j3(grown) == 1
-    one = tracking.free_ellipse(tracking.start_inside(0.1), 0.25, 1e-3, False, seconds=4.0, velocity=unfed)
+    one = tracking.free_ellipse(tracking.start_inside(0.1), LimitGain(0.25), 1e-3, seconds=4.0, velocity=unfed)
     assert grown.q[:, 2].mean() < one.q[:, 2].mean() + np.radians(0.2)
 
 
@@ -243,9 +244,9 @@ def test_with_the_sign_of_the_objective_turned_the_orca_goes_to_its_limits(monke
 
 def test_without_the_projector_the_tool_leaves_its_path(monkeypatch: pytest.MonkeyPatch) -> None:
     q = tracking.start_of_ellipse()
-    usual = tracking.free_ellipse(q, 500.0, 0.01, False, seconds=1.0).error.max()
+    usual = tracking.free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).error.max()
     monkeypatch.setattr(clik, "answered", no_projector)
-    assert tracking.free_ellipse(q, 500.0, 0.01, False, seconds=1.0).error.max() > 10 * usual
+    assert tracking.free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).error.max() > 10 * usual
 
 
 def test_with_a_wrong_row_of_j_the_heading_of_the_orca_is_not_held(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,7 +24,7 @@ def nothing(share: float) -> None:
 
 
 def runs(path: Ellipse, asked: tuple[tuple[Kind, int], ...] = SHORT, options: Options = USUAL) -> Runs:
-    """Those that were asked for, and the first of them in the place of the guarded step."""
+    """Those that were asked for, and the first of them in place of the constrained step."""
     courses = {
         run: confined.by_rule(path, run[1], gains(run[0], options), rule(run[0], options), SAMPLES_SHORT, nothing)
         for run in asked

@@ -1,4 +1,4 @@
-"""What every study holds to, whoever wrote it: found by its file, run in its short form."""
+"""The contract of every study, found by its file and run as a quick run."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ RECORDED = sorted(file.stem for file in FOLDER.glob("*.json"))  # a study that w
 
 @cache
 def short(name: str) -> tuple[Result, tuple[float, ...]]:
-    """The result of the short form, and the shares that it told."""
+    """The result of a quick run, and the progress that it reported."""
     shares: list[float] = []
     study = studies.named(name)
     return study.run(study.Options(), True, shares.append), tuple(shares)

@@ -28,7 +28,7 @@ def differing(result: Result) -> list[Row]:
 
 
 def short(name: str) -> Result:
-    """The short form."""
+    """A quick run."""
     study = named(name)
     return study.run(study.Options(), True, lambda share: None)
 

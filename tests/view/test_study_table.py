@@ -66,7 +66,7 @@ def test_each_verdict_has_its_sign_and_what_is_compared_its_words(language: Lang
 
 def test_numbers_stand_under_their_heads_in_the_language_of_the_page() -> None:
     heads, quantity, numbers, *_ = lines(_written((run(*ROWS),), "en"))
-    assert heads == ["the source says", "ours"]
+    assert heads == ["the source says", "here"]
     assert quantity == ["✓ right"]
     assert numbers == ["≤ 1 × 10⁻¹² mm/s (fig. 1)", "6.0526×10⁻¹⁴ mm/s"]
     assert ["1,0 (§3)", "−2,00"] in lines(_written((run(*ROWS),), "pt_BR"))
@@ -80,7 +80,7 @@ def test_what_nobody_printed_stands_at_the_end() -> None:
 def test_the_run_before_stands_in_the_place_of_the_source() -> None:
     before = run(Row(ROWS[0].quantity, 7e-14), Row(same("gone"), 1.0))
     heads, _, numbers, _, _, others, *_ = lines(_written((run(*ROWS[:2]), before), "en"))
-    assert heads == ["ours", "before"]
+    assert heads == ["here", "before"]
     assert numbers == ["6.0526×10⁻¹⁴ mm/s", "7×10⁻¹⁴"]
     assert others == ["2", "–"]
 
@@ -95,7 +95,7 @@ def test_the_run_before_stands_in_the_place_of_the_source() -> None:
         ),
         (Row(NEAR, 4.0, "", Statement(NEAR, "§1", 4.2, "=", 0.5)), "near zero (§1), read as 4.2 ± 0.5", "as printed"),
         (Row(NEAR, 5e-3, "", Statement(NEAR, "§1", 1e-3, "~")), "near zero (§1), read as 0.001 to 0.01", "as printed"),
-        (Row(NEAR, 2.0, "cm/s", printed("2,0", "§4"), given=PUT_IN), "2.0 cm/s (§4)", "ours: it was put in"),
+        (Row(NEAR, 2.0, "cm/s", printed("2,0", "§4"), given=PUT_IN), "2.0 cm/s (§4)", "here: it was put in"),
         (
             Row(NEAR, 2.0, "", printed("2,0", "§4"), (TAKEN,)),
             "2.0 (§4)",

@@ -1,7 +1,7 @@
-"""The subcommands of `helicoide`, a file each, each with a `run` function; and what they share.
+"""The subcommands of `helicoide`, one file each with a `run` function, and what they share.
 
-A command ends with 0 when it came to what was asked for, with WRONG_INPUT when it cannot use what was typed, with
-NOT_REACHED when it worked and the answer is no, and with CLOSED when nobody reads any more what it prints.
+Exit codes: 0 for success, WRONG_INPUT for invalid arguments, NOT_REACHED when the command worked but did not reach what
+was requested, and CLOSED when the reader of the output has closed the pipe.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from typing import TYPE_CHECKING
 from helicoide import __version__
 from helicoide.text import HelicoideError, Language, Text
 
-if TYPE_CHECKING:  # it brings the kernels with it, which --version does not wait for
+if TYPE_CHECKING:  # it imports the kernels, and --version shall be fast
     from helicoide.kinematics.robot import Robot
 
 WRONG_INPUT = 2
 NOT_REACHED = 3
 ENDS = Text(en="   from link {base} to link {tip}", pt_BR="   do elo {base} ao elo {tip}")
-CLOSED = 141  # what a shell says of a program that a closed pipe has ended, 128 + SIGPIPE
+CLOSED = 141  # as in a shell, 128 + SIGPIPE
 
-# signs that Unicode does not take apart, as they are written where there are only letters and digits
+# ASCII equivalents of characters that Unicode does not decompose
 LIKE = str.maketrans(
     {"−": "-", "–": "-", "·": "-", "•": "*", "×": "x", "°": " deg", "±": "+-", "→": "->", "≤": "<=", "≥": ">="}
     | {"≠": "!=", "√": "sqrt", "§": "sec. ", "“": '"', "”": '"', "‘": "'", "’": "'"}
@@ -36,10 +36,10 @@ LIKE = str.maketrans(
 
 @contextmanager
 def ending() -> Iterator[None]:
-    """End a command: with one line on the error output for a HelicoideError, and quietly when its reader has gone.
+    """Exit a command with its code: a HelicoideError prints one line on stderr, and a closed pipe prints nothing.
 
-    The reader goes in `helicoide study --list | head`, for instance. Within, what a terminal cannot show is written
-    as it can.
+    A pipe closes in `helicoide study --list | head`, for instance. Inside, characters that the terminal cannot show are
+    replaced by similar ones.
     """
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -65,14 +65,14 @@ def tell_version() -> None:
 
 
 def _drop_what_is_left() -> None:
-    """Let what is not written yet go nowhere: the interpreter writes it when it ends, and would fail once more."""
+    """Discard unwritten output, which the interpreter would otherwise try to write again when it exits."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for stream in (sys.stdout, sys.stderr):
         os.dup2(nowhere, stream.fileno())
 
 
 def _alike(error: UnicodeError) -> tuple[str, int]:
-    """In place of characters that an encoding lacks: letters without their accents, signs like them, or "?"."""
+    """Replace characters that an encoding lacks by letters without accents, similar characters, or "?"."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_plain, error.object[error.start : error.end])), error.end
@@ -88,18 +88,18 @@ codecs.register_error(_alike.__name__, _alike)
 
 
 def ends(robot: Robot) -> Text:
-    """From where to where the arm goes."""
+    """The base link and the tip link of the arm, as a line."""
     return ENDS.format(base=robot.base_link, tip=robot.tool_link)
 
 
 def remark(robot: Robot, drawn: bool = False, lang: Language | None = None) -> None:
-    """Say on the error output how a robot's file was read; drawn: and what is not drawn, and what is wrong."""
+    """Print the remarks about a robot's file on stderr; drawn: also what cannot be drawn, and the faults."""
     for text in _said_of(robot, drawn):
         print(f"{robot.name}: {text[lang or language()]}", file=sys.stderr)
 
 
 def described_ends(robot: Robot, drawn: bool = False) -> dict[str, object]:
-    """The same for --json: the links where the arm begins and ends, and what is to be said of its file."""
+    """For --json: the base link and the tip link of the arm, and the remarks about its file."""
     remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in _said_of(robot, drawn)]
     return {"base": robot.base_link, "tip": robot.tool_link, "remarks": remarks}
 
@@ -113,10 +113,9 @@ def _said_of(robot: Robot, drawn: bool) -> tuple[Text, ...]:
 
 
 def language() -> Language:
-    """The language of the terminal: the first of LANGUAGE that we speak, else that of LC_ALL, LC_MESSAGES or LANG.
+    """The language of the terminal: the first supported one in LANGUAGE, else in LC_ALL, LC_MESSAGES or LANG.
 
-    As in other programs, LANGUAGE counts for nothing where these say C. Whether the system has the locale does not
-    matter. English where nothing is said.
+    As in other programs, LANGUAGE is ignored if these say C. The locale need not be installed. English is the default.
     """
     chosen = next(filter(None, map(os.environ.get, ("LC_ALL", "LC_MESSAGES", "LANG"))), "")
     wishes = [] if chosen in ("C", "POSIX") else os.environ.get("LANGUAGE", "").split(":")

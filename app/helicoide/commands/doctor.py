@@ -1,4 +1,4 @@
-"""Say what is installed, compiled and found."""
+"""Report installed packages, compiled kernels, and the robots and lessons found."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Forward kinematics of a robot by its three roads, joint by joint if asked for, and what its motors count."""
+"""Forward kinematics of a robot by three formulations, joint by joint on request, and its motor readings."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ NO_FRAMES = Text(
     pt_BR="--as source vale com --frames dh, screws ou products.",
 )
 SINGULAR = Text(en="singularity: {words}", pt_BR="singularidade: {words}")
-MOTORS = Text(en="motors, pulses from a zero that is ours:", pt_BR="motores, pulsos a partir de um zero nosso:")
+MOTORS = Text(en="motors, pulses from an assumed zero:", pt_BR="motores, pulsos a partir de um zero assumido:")
 DRIVEN = Text(
     en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses", pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos"
 )
@@ -45,11 +45,11 @@ SCREW = Text(
     en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses, screw {mm:.1f} mm long",
     pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos, fuso com {mm:.1f} mm",
 )
-ROUNDING = 1e-9  # of a joint that is put on its limit, rad or m
+ROUNDING = 1e-9  # tolerance of a joint on its limit, rad or m
 
 
 def described(T_world_tool: Array, robot: Robot) -> dict[str, object]:
-    """A pose in all its forms, and of what in what it is: position, m; matrix; quaternion wxyz; motor by blade."""
+    """A pose as JSON: its two frames, position, m, matrix, quaternion wxyz, and motor by blade."""
     motor = rigid.canonical(rigid.motor_from_pose(T_world_tool))
     return {
         "frame": robot.tool_link,
@@ -62,7 +62,7 @@ def described(T_world_tool: Array, robot: Robot) -> dict[str, object]:
 
 
 def outside(robot: Robot, q: Array) -> list[tuple[Variable, float]]:
-    """The joints whose values, q (n,), rad or m, are outside their limits, with these values."""
+    """The joints of q (n,), rad or m, that are outside their limits, with their values."""
     pairs = zip(robot.variables, map(float, q), strict=True)
     return [(joint, x) for joint, x in pairs if not joint.lower - ROUNDING <= x <= joint.upper + ROUNDING]
 
@@ -81,8 +81,8 @@ def run(
 ) -> None:
     """Print where the tool is, by DH rows, successive screws and dual quaternions (SI units).
 
-    How singular the posture is follows. A joint outside its limits is told of on the error output; the pose is printed
-    all the same, and the command ends with 0. It ends with 2 for wrong input.
+    Then print how near the posture is to a singularity. A joint outside its limits causes a warning on stderr; the pose
+    is still printed, and the command ends with 0. It ends with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -114,7 +114,7 @@ def run(
 
 
 def _poses(robot: Robot, q: Array) -> list[Text]:
-    """The tool by each road, how singular the posture is, and what the motors are driven to."""
+    """The tool pose by each formulation, how near the posture is to a singularity, and the motor readings."""
     lines = [same(f"{robot.name}:"), ends(robot)]
     for name, road in ROADS.items():
         pose = road(robot, q)
@@ -137,8 +137,9 @@ Motor = tuple[str, float, float, float]
 
 
 def driven(robot: Robot, q: Array) -> list[Motor] | Text:
-    """Of each actuator its label, the angle that it drives, rad, its pulses, and the length of its ball screw, m, NaN
-    where it has none; or why one cannot hold its angle.
+    """For each actuator: label, driven angle, rad, pulses, and length of its ball screw, m, NaN if it has none.
+
+    Returns the reason instead if an actuator cannot reach its angle.
     """
     actuators = robot.actuators
     if actuators is None:
@@ -152,7 +153,7 @@ def driven(robot: Robot, q: Array) -> list[Motor] | Text:
 
 
 def _told(robot: Robot, q: Array) -> dict[str, Any]:
-    """What --json prints: the pose by each road, how singular the posture is, and the joints outside their limits."""
+    """What --json prints: poses by formulation, nearness to a singularity, motors, and joints outside limits."""
     here = singularity(robot, q)
     words = here.words(NEAR)
     return {

@@ -1,4 +1,4 @@
-"""Inverse kinematics of a robot: the joint values for a pose of the tool."""
+"""Inverse kinematics of a robot: the joint values for a tool pose."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import json as json_format
 import sys
 from collections.abc import Iterator, Sequence
 from math import isfinite
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import tyro
@@ -25,11 +25,11 @@ from helicoide.text import HelicoideError, Language, Text
 
 URDF = euler.EXTRINSIC + "xyz"
 LEFT = Text(
-    en="   misses the goal by {mm:.4f} mm and {turned}; {limits}",
-    pt_BR="   faltam {mm:.4f} mm e {turned} para o alvo; {limits}",
+    en="   {mm:.4f} mm and {turned} from the target; {limits}",
+    pt_BR="   a {mm:.4f} mm e {turned} do alvo; {limits}",
 )
 WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas")
-BEYOND = Text(en="beyond the joint limits", pt_BR="além dos limites das juntas")
+BEYOND = Text(en="outside the joint limits", pt_BR="fora dos limites das juntas")
 COST = Text(en="; cost {cost:.3f}", pt_BR="; custo {cost:.3f}")
 RULED_OUT = Text(en="; ruled out: {why}", pt_BR="; descartada: {why}")
 ALL_COLLIDE = Text(
@@ -55,8 +55,8 @@ def run(
 ) -> None:
     """Print the joint values that bring the tool to a pose, or to a position where no orientation is given.
 
-    Ends with 0 when a posture within the joint limits reaches what was asked for, with 3 when none does (the nearest
-    that was found is printed), and with 2 for wrong input.
+    Ends with 0 if a posture within the joint limits reaches the target, with 3 if none does (the nearest posture is
+    printed), and with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -91,7 +91,7 @@ def run(
     if json:
         print(json_format.dumps(described(arm, told, said, shown, T, R is not None), indent=1))
     else:
-        print("\n".join(_lines(arm, answer.words, said, shown, deg, choosing, language())))
+        print("\n".join(_lines(arm, (said, answer.words), shown, Style(deg, choosing, language()))))
     if not reached(told):
         sys.exit(NOT_REACHED)
 
@@ -99,12 +99,13 @@ def run(
 def described(
     robot: Robot, answer: Answer, said: Text, shown: Sequence[Ranked], T_world_tool: Array, with_orientation: bool
 ) -> dict[str, Any]:
-    """An answer in SI units; words in both languages.
+    """An answer as JSON, in SI units, with texts in both languages.
 
-    solvability: Pieper's test; goal is what was asked for, solved what was solved for: other than the goal by moved and
-    turned where it was projected; reached: whether the command ends with 0; short: how far the goal lies beyond the
-    workspace; missed and turned: what each branch leaves of it; cost: of the way there, by the weights; dropped: why it
-    is ruled out; screws: lengths of the ball screws that hold it, m, null where a gear does.
+    solvability: Pieper's test; goal: the requested pose; solved: the pose that was solved for, which differs from the
+    goal by moved, m, and turned, rad, if it was projected; reached: whether the command ends with 0; short: distance of
+    the goal from the workspace, m; missed and turned: position and orientation error of each branch, m and rad; cost:
+    weighted motion of the joints; dropped: why a branch is ruled out; screws: lengths of the ball screws, m, null for
+    a joint with a gear.
     """
     verdict = solvability.verdict(robot)
     return {
@@ -148,27 +149,34 @@ def _words(text: Text) -> dict[str, str]:
     return {"en": text.en, "pt_BR": text.pt_BR}
 
 
-def _lines(
-    robot: Robot, words: Text, said: Text, shown: Sequence[Ranked], deg: bool, choosing: bool, spoken: Language
-) -> list[str]:
-    """The answer as people read it."""
+class Style(NamedTuple):
+    """How an answer is printed: angles in degrees or rad, with or without costs, in which language."""
+
+    deg: bool
+    costs: bool
+    language: Language
+
+
+def _lines(robot: Robot, status: tuple[Text, Text], shown: Sequence[Ranked], style: Style) -> list[str]:
+    """The answer as lines of text; status: in short, and how it was found."""
+    spoken, (said, words) = style.language, status
     return [
         f"{robot.name}: {said[spoken]}",
         ends(robot)[spoken],
         f"   {solvability.verdict(robot).words[spoken]}",
         *([f"   {words[spoken]}"] if words[spoken] else []),
-        *(line for row in shown for line in _of_posture(robot, row, deg, choosing, spoken)),
+        *(line for row in shown for line in _of_posture(robot, row, style)),
     ]
 
 
-def _of_posture(robot: Robot, row: Ranked, deg: bool, choosing: bool, spoken: Language) -> Iterator[str]:
-    branch = row.branch
+def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
+    branch, (deg, costs, spoken) = row.branch, style
     values = ", ".join(
         f"{joint.name} {_value(float(x), joint.slides, deg)}" for joint, x in zip(robot.variables, row.q, strict=True)
     )
     turned = f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad"
     left = LEFT.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else BEYOND)[spoken]
-    if choosing:
+    if costs:
         left += COST.format(cost=row.cost)[spoken]
     if row.dropped is COLLIDES:
         left += RULED_OUT.format(why=row.dropped)[spoken]
@@ -191,7 +199,7 @@ def _radians(robot: Robot, values: Array, deg: bool) -> Array:
 
 
 def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, deg: bool) -> Array | None:
-    """The rotation that is asked for, (3, 3); None where there is none."""
+    """The requested rotation (3, 3); None if none is given."""
     if quat is not None and rpy is not None:
         raise HelicoideError(Text(en="Give --quat or --rpy, not both.", pt_BR="Use --quat ou --rpy, não os dois."))
     if quat is not None:
@@ -208,7 +216,7 @@ def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, 
 
 
 def _sphere(given: tuple[float, ...] | None) -> Obstacles:
-    """The obstacle that was given, or none."""
+    """The given obstacle, or none."""
     if given is None:
         return Obstacles()
     *centre, radius = _checked(given, "--obstacle", 4)

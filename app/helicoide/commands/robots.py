@@ -1,4 +1,4 @@
-"""Every robot there is: joints, limits, where it comes from, and how well its roads agree."""
+"""List robots: joints, limits, source, and how well the three formulations agree."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ SOURCE = Text(en="   from {source}{assumed}", pt_BR="   de {source}{assumed}")
 ASSUMED = Text(en=" (assumed: {fields})", pt_BR=" (adotados: {fields})")
 ASSUMED_HERE = Text(en=" (assumed)", pt_BR=" (adotado)")
 AGREEMENT = Text(
-    en="   the roads agree to {error:.1e} over {n} random postures",
-    pt_BR="   as três maneiras diferem no máximo em {error:.1e}, em {n} posturas aleatórias",
+    en="   the formulations agree to {error:.1e} over {n} random postures",
+    pt_BR="   as três formulações diferem no máximo em {error:.1e}, em {n} posturas aleatórias",
 )
 PACKAGED = Text(en="by name from installed packages: {names}", pt_BR="pelo nome, de pacotes instalados: {names}")
 NONE = Text(en="none", pt_BR="nenhum")
 
 
 def described(robot: Robot) -> dict[str, Any]:
-    """What is said of a robot; limits in rad and m; the largest disagreement of its roads over random postures."""
+    """A robot as JSON; limits in rad or m; disagreement: the largest between formulations, over random postures."""
     random = np.random.default_rng(0)
     postures = random.uniform(robot.lower, robot.upper, (POSTURES, len(robot.variables)))
     return {
@@ -70,7 +70,7 @@ def run(
     base: str | None = None,
     json: bool = False,
 ) -> None:
-    """List the robots: joints, types, limits, source, and the largest disagreement of the three roads (m).
+    """List the robots: joints, types, limits, source, and the largest disagreement of the three formulations (m).
 
     Args:
         names: names of robots or paths of URDF files.
@@ -91,7 +91,7 @@ def run(
 
 
 def _lines(robot: Robot, spoken: Language) -> list[str]:
-    """What is said of a robot, as people read it."""
+    """The description of a robot as lines of text."""
     head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.stretched)
     assumed = ASSUMED.format(fields=", ".join(robot.assumed)) if robot.assumed else ""
     planes = printed_planes(robot)

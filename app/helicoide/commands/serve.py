@@ -36,7 +36,7 @@ def run(
     """Open the lab in a browser.
 
     Args:
-        robot: name of a robot (see the command robots), or the path of a URDF file; that of the lesson if none.
+        robot: name of a robot (see the command robots), or the path of a URDF file; the robot of the lesson if none.
         tip: the link of a URDF where the arm ends.
         base: the link of a URDF where the arm begins; its root if none.
         set: parameters of a robot to change, mm, such as l1=1500.
@@ -58,13 +58,13 @@ def run(
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
     remark(arm, drawn=True, lang=lang)
-    while not stopped.wait(LOOK):  # without an end to it, Windows would not tell of Ctrl+C
+    while not stopped.wait(LOOK):  # without a timeout, Ctrl+C is not seen on Windows
         pass
     _end(lab)
 
 
 def _end(lab: Lab) -> NoReturn:
-    """End the program, and do not wait for threads that are busy, as Python would: those that compile take minutes."""
+    """End the program without waiting for busy threads, as Python would: compiling takes minutes."""
     closing = threading.Thread(target=_close, args=(lab,), daemon=True)
     closing.start()
     closing.join(ENDS_WITHIN)
@@ -74,7 +74,7 @@ def _end(lab: Lab) -> NoReturn:
 
 
 def _close(lab: Lab) -> None:
-    warnings.simplefilter("ignore")  # viser's, about what is still drawn while its server stops
+    warnings.simplefilter("ignore")  # from viser, about drawing while its server stops
     lab.close()
     end_all()
     atexit._run_exitfuncs()

@@ -1,4 +1,4 @@
-"""The experiments of the sources: their numbers beside ours in a table, and their curves in a report."""
+"""Run studies: print a table of printed and computed numbers, and write a report with charts."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ UNWRITTEN = Text(en="{report} cannot be written: {why}.", pt_BR="Não dá para g
 
 @dataclass(frozen=True)
 class Asked:
-    """A study to be run: its name, its options, and whether in its short form."""
+    """A study to run: its name, its options, and whether it is a quick run."""
 
     name: str
     options: Any
@@ -57,15 +57,15 @@ def run(
         tyro.conf.arg(help="language of what is printed and reported; that of the terminal if none"),
     ] = None,
 ) -> None:
-    """Run an experiment of the sources, or all of them, and print what the source states beside what comes out.
+    """Run a study, or all of them, and print what the source states next to what is computed.
 
-    Ends with 0 when all is well, with 1 where something differs and nobody knows why, with 3 when a study did not run
-    to its end, and with 2 for wrong input.
+    Ends with 0 if all is well, with 1 if a row differs without an explanation, with 3 if a study did not run to its
+    end, and with 2 for wrong input.
 
     Args:
         list: print the names of all studies and their options.
-        all: run every study, several at a time.
-        short: a shorter form of a few seconds.
+        all: run every study, several in parallel.
+        short: a quick run of a few seconds.
         set: options of the study, such as gain=500.
         report: an HTML file to write, with the curves.
         json: print JSON (with the curves).
@@ -93,7 +93,7 @@ def run(
 
 
 def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tuple[Asked, ...]:
-    """What is to be run; raises HelicoideError, which lists what there is."""
+    """The studies to run; raises HelicoideError, which lists the names."""
     if all and (name is not None or set):
         raise HelicoideError(
             Text(
@@ -114,7 +114,7 @@ def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tu
 
 
 def _with(options: Any, set: tuple[str, ...]) -> Any:
-    """The options with those that were set; raises HelicoideError, which lists what is valid."""
+    """The options changed by `set`; raises HelicoideError, which lists the valid values."""
     for pair in set:
         name, _, text = pair.partition("=")
         options = changed(options, name, _value(settings(type(options)).get(name), text))
@@ -122,7 +122,7 @@ def _with(options: Any, set: tuple[str, ...]) -> Any:
 
 
 def _value(setting: object, text: str) -> object:
-    """What was typed, as the setting takes it; a word where it is none, which is then refused."""
+    """The typed text as a value of the setting; unchanged if it is invalid, so that it is refused later."""
     match setting:
         case Quantity():
             try:
@@ -186,7 +186,7 @@ def _record(asked: Asked, outcome: Outcome[Result]) -> Record:
 
 @contextmanager
 def _bar(count: int) -> Iterator[Callable[[float], None]]:
-    """A bar on the error output, which is told the share that is done."""
+    """A progress bar on stderr."""
     form = "{percentage:3.0f}% |{bar}| {elapsed} < {remaining}"
     with tqdm(total=1.0, bar_format=form, leave=False, mininterval=0.5, file=sys.stderr) as bar:
 

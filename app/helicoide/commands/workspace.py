@@ -1,4 +1,4 @@
-"""The workspace of a robot: what its tool reaches."""
+"""The workspace of a robot: the positions that its tool can reach."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def run(
 ) -> None:
     """Map what the tool of a robot reaches, by random postures within its joint limits.
 
-    Ends with 0 when the map is there, and with 2 for wrong input.
+    Ends with 0 if the map was made, and with 2 for wrong input.
 
     Args:
         robot: name of a robot, or the path of a URDF file.
@@ -84,7 +84,7 @@ def arrays(found: Map) -> chunks.Arrays:
 
 
 def described(robot: Robot, found: Map) -> dict[str, Any]:
-    """A map in numbers: m, and m² or m³; best: the cell with the largest value, and where its middle is."""
+    """A map as JSON, in m, m² or m³; best: the largest value and the centre of its cell."""
     best = int(np.argmax(found.values))
     return {
         "robot": robot.name,
@@ -102,7 +102,7 @@ def described(robot: Robot, found: Map) -> dict[str, Any]:
 
 
 def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
-    """The numbers as people read them."""
+    """The numbers as lines of text."""
     said = described(robot, found)
     what, power = (AREA, "²") if said["dimensions"] == 2 else (VOLUME, "³")
     position = ", ".join(f"{x + 0.0:.3f}" for x in said["best"]["position"])
@@ -121,14 +121,14 @@ def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
 
 
 def _show(share: float) -> None:
-    """A bar on the terminal, where there is one."""
+    """Show a progress bar if stderr is a terminal."""
     if sys.stderr.isatty():
         bar = "█" * round(WIDTH * share)
         print(f"\r{bar:·<{WIDTH}} {share:4.0%}", end="\n" if share >= 1 else "", file=sys.stderr, flush=True)
 
 
 def _check(out: Path | None) -> None:
-    """Refuse a place that cannot be written to before the work begins, not after it."""
+    """Refuse an output file that cannot be written before the work begins."""
     if out is not None and not os.access(out.absolute().parent, os.W_OK):
         raise HelicoideError(
             Text(

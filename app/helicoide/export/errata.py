@@ -1,4 +1,4 @@
-"""The page about the sources: their errors, what they leave open, and what was chosen; one page in each language."""
+"""The page about the sources: their errors, what they leave open, and what was chosen, in each language."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.text import Language
 
 @cache
 def page(language: Language) -> Markup:
-    """The page as HTML with its drawings; an erratum such as "vargas-2" is its anchor."""
+    """The page as HTML with its drawings; each erratum, such as "vargas-2", is an anchor."""
     pages = content.STATIC / "pages"
     drawings = {file.name: file.read_text("utf-8") for file in (pages / "drawings").glob("*.svg")}
     return markdown((pages / language / "sources.md").read_text("utf-8"), drawings)

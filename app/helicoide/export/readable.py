@@ -1,4 +1,4 @@
-"""Charts counted so that their numbers are short: a power of ten goes into the name of what is up."""
+"""Charts scaled so that the numbers on the axis are short: the label of the axis names the power of ten."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from helicoide.export.study_table import raised
 from helicoide.studies.study import Chart
 from helicoide.text import same
 
-# What three decimals and five digits tell apart.
+# A smaller span needs more than three decimals, and a larger value more than five digits.
 LEAST_SPAN, MOST_VALUE = 0.05, 1e4
 
 
 def readable(chart: Chart) -> Chart:
-    """The chart with y in a power of ten in which three decimals are enough; `up` names the power.
+    """The chart with y divided by a power of ten, so that three decimals are enough; `up` names the power.
 
-    One that is drawn by powers of ten stays as it is, without what has no logarithm.
+    A logarithmic chart is not scaled, and its values without a logarithm become NaN.
     """
     if chart.log:
         lines = tuple(replace(line, y=np.where(line.y > 0, line.y, np.nan)) for line in chart.lines)
@@ -32,7 +32,7 @@ def readable(chart: Chart) -> Chart:
 
 
 def _power(values: Array) -> int:
-    """The exponent, a multiple of three, that leaves 1 to 1000 of the span; 0 where values can be read as they are."""
+    """The exponent, a multiple of three, that scales the span to 1 … 1000; 0 if the values are readable unscaled."""
     if not len(values):
         return 0
     most = float(np.abs(values).max())

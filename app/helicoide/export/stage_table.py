@@ -1,4 +1,4 @@
-"""Forward kinematics joint by joint in words and for programs: rows of a table, and the frames that they lead to."""
+"""Forward kinematics joint by joint, as text and as JSON: DH rows or screws, and the frames they give."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ DECIMALS = {SOURCE_UNITS: 3, OWN_UNITS: 6}
 
 @dataclass(frozen=True)
 class Table:
-    """A table in words: of each joint its name and numbers, and the rows of a matrix or of eight coefficients."""
+    """A table as text: for each joint its parameters and the rows of a matrix or of eight coefficients."""
 
     head: Text
     joints: tuple[tuple[Text, tuple[tuple[Text, ...], ...]], ...]
@@ -57,7 +57,10 @@ class Table:
 
 
 def table(robot: Robot, q: Array, kind: Kind, as_source: bool) -> Table:
-    """For each joint its numbers, then a matrix or eight coefficients; where all lead at the end."""
+    """The table of a posture q (n,), rad or m: each joint, then the pose at the end.
+
+    as_source: in mm and degrees, else in m and rad.
+    """
     units = SOURCE_UNITS if as_source else OWN_UNITS
     convention = CONVENTIONS[robot.dh.convention]
     places = DECIMALS[units]
@@ -73,14 +76,14 @@ def table(robot: Robot, q: Array, kind: Kind, as_source: bool) -> Table:
 
 
 def lines(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Text]:
-    """The same line by line, its numbers one below the other."""
+    """The table as lines of text, with numbers aligned in columns."""
     found, width = table(robot, q, kind, as_source), 7 + DECIMALS[SOURCE_UNITS if as_source else OWN_UNITS]
     rows = [line for named, matrix in found.joints for line in (named, *(_aligned(row, width) for row in matrix))]
     return [found.head, *rows, found.end]
 
 
 def described(robot: Robot, q: Array, kind: Kind, as_source: bool) -> dict[str, Any]:
-    """The same for programs; what a matrix or product takes from where to where is said with it."""
+    """The same as JSON, with a sentence that says between which frames each matrix or product transforms."""
     units = SOURCE_UNITS if as_source else OWN_UNITS
     before, place, turns = _end(robot, q, kind, as_source)
     return {
@@ -105,7 +108,7 @@ def _stages(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Stage]:
 
 
 def _end(robot: Robot, q: Array, kind: Kind, as_source: bool) -> tuple[Array, Array, Array]:
-    """The tool at q = 0, what is in its place at q, each (3,), and Roll, Pitch, Yaw of what leads there."""
+    """Tool position at q = 0 (3,), position at q (3,), and roll, pitch, yaw (3,) of the last frame or displacement."""
     length, angle = (1000.0, SOURCE_ANGLE) if as_source else (1.0, 1.0)
     last = STAGES["dh" if kind == "dh" else "screws"](robot, q)[-1].partial
     before = robot.T_world_tool_0[:3, 3]
@@ -121,7 +124,7 @@ def _described(stage: Stage) -> dict[str, Any]:
 
 
 def _named(stage: Stage, decimals: int) -> Text:
-    """A joint with what it adds."""
+    """The name of a joint with its angles, lengths and direction."""
     angles = {name: np.asarray(value) for name, value in stage.angles.items()}
     named = angles | stage.lengths | ({} if stage.direction is None else {"s": stage.direction})
     said = [(name, _told(value, decimals)) for name, value in named.items()]

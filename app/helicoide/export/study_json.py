@@ -1,4 +1,4 @@
-"""A study that was run, as JSON takes it: its rows, its curves, its motions."""
+"""A completed study as JSON: rows, charts and motions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from helicoide.text import Text
 
 
 def described(record: Record) -> dict[str, Any]:
-    """A record as JSON: words in both languages; what is no number is null."""
+    """A record as JSON: texts in both languages; NaN and infinities become null."""
     result = record.result
     return {
         "name": record.name,

@@ -1,4 +1,4 @@
-"""The report of studies: one HTML page that holds everything in itself, to read, to print, to hand in."""
+"""The report of studies: one self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from helicoide.text import Language, Text, same
 
 TITLE = Text(en="Studies of Helicoide", pt_BR="Estudos do Helicoide")
 COUNTED = Text(
-    en="Studies: {studies}. Rows: {rows}; {counts}. The whole took {seconds:.0f} s, some studies side by side.",
+    en="Studies: {studies}. Rows: {rows}; {counts}. The whole took {seconds:.0f} s, some studies in parallel.",
     pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. Tudo levou {seconds:.0f} s, com estudos em paralelo.",
 )
 OF_SOURCE = Text(
@@ -29,8 +29,8 @@ OF_SOURCE = Text(
 )
 DIFFERS = Text(en="What differs", pt_BR="O que difere")
 DIFFERENCE = Text(
-    en="{name}, {quantity}: the source says {printed}; ours is {ours}{why}",
-    pt_BR="{name}, {quantity}: a fonte diz {printed}; o nosso é {ours}{why}",
+    en="{name}, {quantity}: the source says {printed}; computed here: {ours}{why}",
+    pt_BR="{name}, {quantity}: a fonte diz {printed}; calculado aqui: {ours}{why}",
 )
 AND_WHY = same("; {why}")
 NONE_DIFFERS = Text(en="Nothing.", pt_BR="Nada.")
@@ -49,7 +49,7 @@ ABOUT_VERDICTS = Text(
     "mostra em figura, o que é dado de entrada, o que vale por construção e o que ninguém imprimiu ficam à parte.",
 )
 JUDGED = (Verdict.PRINTED, Verdict.FITTED, Verdict.DIFFERS, Verdict.ERRATUM)
-SHORT = Text(en="short form", pt_BR="forma curta")
+SHORT = Text(en="quick run", pt_BR="execução rápida")
 FAILED = Text(en="did not run to its end: {why}", pt_BR="não chegou ao fim: {why}")
 TOOK = Text(en="{robot} · took {seconds:.1f} s", pt_BR="{robot} · levou {seconds:.1f} s")
 STYLE = Markup("""
@@ -114,7 +114,7 @@ TABLE = Markup("""\
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """A study that was run: with which options, what it came to, or why it did not; seconds: how long it took."""
+    """A study that was run: its options, its result or the reason of its failure; seconds: its duration."""
 
     name: str
     study: Study
@@ -126,17 +126,17 @@ class Record:
 
     @property
     def differences(self) -> tuple[Row, ...]:
-        """The rows that are not as the source prints them."""
+        """The rows that differ from what the source prints."""
         return () if self.result is None else tuple(r for r in self.result.rows if r.verdict is Verdict.DIFFERS)
 
     @property
     def unexplained(self) -> bool:
-        """Whether it failed, or differs nobody knows why."""
+        """Whether the study failed or has a difference without an explanation."""
         return self.result is None or any(row.why is None for row in self.differences)
 
 
 def page(records: Sequence[Record], seconds: float, language: Language) -> Markup:
-    """The report as an HTML document. Args: seconds: of the full run."""
+    """The report as an HTML document. seconds: duration of all studies together."""
     entry = Markup('<li><a href="#{}">{}</a></li>')
     item = Markup("<li>{}</li>")
     return PAGE.format(
@@ -161,7 +161,7 @@ def _joined(parts: Iterable[Markup]) -> Markup:
 
 
 def counted(records: Sequence[Record], seconds: float) -> Text:
-    """How many rows there are of each verdict, and how long the full run took."""
+    """The number of rows of each verdict, and the duration of all studies together, s."""
     verdicts = [row.verdict for record in records if record.result for row in record.result.rows]
     found = [(verdict.value, verdicts.count(verdict)) for verdict in Verdict]
     counts = Text(
@@ -172,7 +172,7 @@ def counted(records: Sequence[Record], seconds: float) -> Text:
 
 
 def by_source(records: Sequence[Record]) -> list[Text]:
-    """How many rows of each source stand beside its statements, of how many, and what was chosen for them."""
+    """For each source: rows compared, different statements among them, fitted values and chosen interpretations."""
     results = [(record.study.SOURCE.partition(",")[0], record.result) for record in records if record.result]
     lines = []
     for name in dict.fromkeys(name for name, _ in results):
@@ -188,7 +188,7 @@ def by_source(records: Sequence[Record]) -> list[Text]:
 
 
 def differences(records: Sequence[Record]) -> list[Text]:
-    """What is not as its source prints it, a sentence each."""
+    """A sentence for each row that differs from its source."""
     found = [(record.study, row) for record in records for row in record.differences]
     return [_difference(study, row) for study, row in found] or [NONE_DIFFERS]
 
@@ -204,7 +204,7 @@ def _difference(study: Study, row: Row) -> Text:
 
 
 def chosen(record: Record, language: Language) -> str:
-    """The options of a study with their values, as a line."""
+    """The options of a study and their values, in one line."""
     return "; ".join(
         f"{setting.title[language]}: {_value(setting, getattr(record.options, name), language)}"
         for name, setting in settings(type(record.options)).items()

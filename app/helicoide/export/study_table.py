@@ -1,4 +1,4 @@
-"""The rows of a study in words: what stands in each column of its table."""
+"""The rows of a study as text: the content of each column of the table."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from helicoide.text import Text, joined, same
 HEADINGS = (
     Text(en="quantity", pt_BR="grandeza"),
     Text(en="the source says", pt_BR="a fonte diz"),
-    Text(en="ours", pt_BR="nosso"),
+    Text(en="here", pt_BR="aqui"),
     Text(en="verdict", pt_BR="veredito"),
 )
 NOTHING = "–"
@@ -30,14 +30,14 @@ FINEST, DIGITS = 1e-6, 6
 
 
 def number(value: float, unit: str = "", tolerance: float = 0.0, digits: int = DIGITS) -> str:
-    """Decimals as far as the tolerance lets them count, else some digits; a degree sign stands close, a unit apart."""
+    """A number with its unit; the tolerance sets its decimals, else it has `digits` significant digits."""
     decimals = -floor(log10(tolerance)) if FINEST <= tolerance < 0.5 else 0
     shown = f"{value:.{decimals}f}" if isfinite(value) and decimals else short(value, digits)
     return attached(shown, unit)
 
 
 def attached(shown: str, unit: str) -> str:
-    """A number with its unit; a degree sign stands close."""
+    """A number with its unit, separated by a space unless the unit is a degree sign."""
     return f"{shown}{unit}" if unit in ("", "°") else f"{shown} {unit}"
 
 
@@ -48,24 +48,24 @@ def written(value: float, unit: str = "", tolerance: float = 0.0, digits: int = 
 
 
 def short(value: float, digits: int) -> str:
-    """A number of so many digits; a power of ten is written as one, with raised digits."""
+    """A number of `digits` significant digits; an exponent is written as a power of ten with superscripts."""
     mantissa, e, exponent = f"{value + 0.0:.{digits}g}".partition("e")  # + 0.0: no -0
     return f"{mantissa}×{raised(int(exponent))}" if e else mantissa
 
 
 def raised(exponent: int) -> str:
-    """The power of ten, such as 10⁻⁶."""
+    """A power of ten, such as 10⁻⁶."""
     return "10" + str(exponent).translate(RAISED)
 
 
 def in_order(rows: Sequence[Row]) -> list[Row]:
-    """What the source prints first, then what it shows in figures, and ours apart at the end."""
+    """Sort rows: first what the source prints, then what it shows in figures, last what is only computed here."""
     last = (Verdict.FIGURE, Verdict.OURS)
     return sorted(rows, key=lambda row: last.index(row.verdict) + 1 if row.verdict in last else 0)
 
 
 def source(row: Row) -> Text:
-    """What the source prints, and where."""
+    """What the source says, and where."""
     match row.source:
         case None:
             return same(NOTHING)
@@ -91,12 +91,12 @@ def _asked(statement: Statement, unit: str) -> Text:
 
 
 def ours(row: Row, digits: int = DIGITS) -> Text:
-    """Our number, as far as it counts."""
+    """The computed number, to the precision of the statement."""
     return written(row.ours, row.unit, row.source.within if isinstance(row.source, Statement) else 0.0, digits)
 
 
 def verdict(row: Row) -> Text:
-    """The verdict, with the names of what was chosen, the erratum, why it differs, or why it is no result."""
+    """The verdict with its reason: the chosen values, the erratum, the explanation, or why it is not a result."""
     said = row.verdict.value
     match row.verdict:
         case Verdict.FITTED:
@@ -111,7 +111,7 @@ def verdict(row: Row) -> Text:
 
 
 def fitted(result: Result) -> Text | None:
-    """What was chosen for a study: values with how far each lets the statements hold, readings; None without any."""
+    """The values and interpretations chosen for a study, with the ranges of the values; None if there are none."""
     return FITTED.format(values=joined([_holds(chosen) for chosen in result.fitted])) if result.fitted else None
 
 

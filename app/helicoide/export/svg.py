@@ -1,7 +1,7 @@
-"""Charts as SVG that stands inside a page: lines, axes with round numbers, no script, no address, no font of its own.
+"""Charts as SVG inside an HTML page: lines, axes with round numbers, no script, no link, no font of its own.
 
-Line charts are all that a study draws, so that this file stands in for a plotting library with its dozen packages; its
-text stays text of the page, which can be searched, translated in size, and printed.
+Studies draw only line charts, so this file replaces a plotting library. The labels are text of the page, which can be
+searched, scaled and printed.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from helicoide.text import Language
 # The size of a chart on a page: small enough for its words to be read on a phone, where it is drawn smaller than this.
 PAGE = (520, 300)
 LEFT, RIGHT, TOP, BOTTOM = 52, 14, 10, 26
-# Told apart by people who do not see all colours (Okabe and Ito 2008), and by dashes where there is no colour.
+# Distinguishable with colour blindness (Okabe and Ito 2008); dashes distinguish curves without colour.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 4", "12 4", "1 2")
 FEW, MOST = 4, 8
@@ -28,7 +28,7 @@ FINEST, COARSEST = 1e-4, 1e6
 
 
 def ticks(lower: float, upper: float) -> Array:
-    """Round numbers within a range, 1, 2 or 5 times a power of ten apart, `FEW` to `MOST` of them."""
+    """Round numbers within a range, `FEW` to `MOST` of them; the step is 1, 2 or 5 times a power of ten."""
     exponent = floor(log10((upper - lower) / FEW))
     steps = [m * 10.0**e for e in (exponent, exponent - 1) for m in (5, 2, 1)]
     step = next((s for s in steps if FEW <= floor(upper / s) - ceil(lower / s) + 1 <= MOST), steps[0])
@@ -42,7 +42,7 @@ def powers(lower: float, upper: float) -> Array:
 
 
 def labels(values: Array) -> list[str]:
-    """Ticks with as many decimals as tell them apart; powers of ten where they would be many."""
+    """The labels of ticks, with just enough decimals to distinguish them, or with an exponent."""
     step, largest = (float(values[1] - values[0]) if len(values) > 1 else 1.0), float(np.abs(values).max())
     values = np.where(np.abs(values) < step / 2, 0.0, values)
     if step >= FINEST and largest < COARSEST:
@@ -53,7 +53,7 @@ def labels(values: Array) -> list[str]:
 
 
 def span(values: list[Array], log: bool = False) -> tuple[float, float]:
-    """The range of several curves with a little room, also where they are constant; log: whole powers of ten."""
+    """The range of several curves with a margin, even if they are constant; log: whole powers of ten."""
     if log:
         powers = np.log10([value for v in values for value in v[v > 0]] or [1.0])
         return 10.0 ** floor(powers.min()), 10.0 ** max(ceil(powers.max()), floor(powers.min()) + 1)
@@ -63,7 +63,7 @@ def span(values: list[Array], log: bool = False) -> tuple[float, float]:
 
 
 def thinned(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
-    """The same curve with fewer points: the lowest and the highest of each column where x rises, else every few."""
+    """The curve with fewer points: minimum and maximum of each column where x increases, else evenly spaced points."""
     if len(x) <= 4 * columns:
         return x, y
     if (np.diff(x) < 0).any():
@@ -76,9 +76,9 @@ def thinned(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Frame:
-    """A chart of a size, in the unit of its SVG: what is across and up, from lower to upper.
+    """The frame of a chart, in SVG units, and the ranges (lower, upper) of its axes.
 
-    log: whether up goes by powers of ten.
+    log: whether the vertical axis is logarithmic.
     """
 
     width: int
@@ -89,22 +89,22 @@ class Frame:
 
     @property
     def floor(self) -> int:
-        """Where the lower edge of the curves' field is."""
+        """The y coordinate of the lower edge of the plot."""
         return self.height - BOTTOM
 
     def right(self, x: Array) -> Array:
-        """Where values of x stand."""
+        """The horizontal SVG coordinates of values of x."""
         share = (x - self.across[0]) / (self.across[1] - self.across[0])
         return np.asarray(LEFT + share * (self.width - LEFT - RIGHT))
 
     def down(self, y: Array) -> Array:
-        """Where values of y stand."""
+        """The vertical SVG coordinates of values of y."""
         lower, upper, y = (np.log10(v) if self.log else np.asarray(v) for v in (*self.up, y))
         return np.asarray(self.floor - (y - lower) / (upper - lower) * (self.floor - TOP))
 
 
 def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
-    """A chart as an SVG element, without words."""
+    """A chart as an SVG element, without title and legend."""
     across = span([line.x for line in chart.lines])
     frame = Frame(*size, across, span([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log), chart.log)
     inside = (*_grid(frame), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
@@ -114,7 +114,7 @@ def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Marku
 
 
 def caption(chart: Chart, language: Language) -> Markup:
-    """The title of a chart, what is up and what is across, as words of the page, which can wrap."""
+    """The title and the axis labels of a chart as HTML text, which can wrap."""
     title = f"{chart.title[language]} ({chart.figure})" if chart.figure else chart.title[language]
     return Markup('<figcaption>{}</figcaption>\n<p class="axes"><span>↑ {}</span> <span>→ {}</span></p>').format(
         title, chart.up[language], chart.across[language]
@@ -122,7 +122,7 @@ def caption(chart: Chart, language: Language) -> Markup:
 
 
 def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
-    """A chart with its words above and its curves named below."""
+    """A chart with its title above and its legend below."""
     names = Markup("").join(
         Markup("<li>{} {}</li>").format(_swatch(i), line.title[language]) for i, line in enumerate(chart.lines)
     )

@@ -1,1 +1,1 @@
-"""Long work: in processes, with progress."""
+"""Long work in other processes, with progress."""

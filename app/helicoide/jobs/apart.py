@@ -1,4 +1,4 @@
-"""One piece of long work in a process of its own, which tells how far it is and can be ended at any time."""
+"""Long work in a process of its own, which reports its progress and can be stopped at any time."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ from helicoide.jobs.thinned import thinned
 Report = Callable[[Any], None]
 Work = Callable[..., object]
 LOOK = 1.0
-KILL = getattr(signal, "SIGKILL", signal.SIGTERM)  # on Windows the second ends a process as surely
+KILL = getattr(signal, "SIGKILL", signal.SIGTERM)  # on Windows SIGTERM kills a process too
 
 
 class Failed(Exception):
-    """The work ended with an exception; its traceback as text."""
+    """The work raised an exception; the message is its traceback."""
 
 
 class Killed(Failed):
-    """The process was ended, but not by `stop`: killed, perhaps for want of memory, or crashed."""
+    """The process ended without a result and not by `stop`: it crashed or was killed, perhaps for lack of memory."""
 
 
 class Apart:
-    """A call `work(report, *arguments)`; both are sent to the process, so that work is a function of a module."""
+    """A call `work(report, *arguments)` in another process; work is a function of a module, to be picklable."""
 
     def __init__(self, work: Work, *arguments: object) -> None:
         self._asked = pickle.dumps((work, arguments))
@@ -42,10 +42,10 @@ class Apart:
         self.result: Any = None
 
     def progress(self) -> Iterator[Any]:
-        """Start, and yield what the work reports until it is done or stopped; `result` then holds what it returned.
+        """Start the work and yield its reports until it is done or stopped; `result` then holds its return value.
 
-        Raises Failed, with the traceback, when the work raised, and Killed when its process ended otherwise; it may
-        then be started again.
+        Raises Failed, with the traceback, when the work raised, and Killed when its process ended otherwise. After
+        that the work may be started again.
         """
         if self.stopped:
             return
@@ -69,7 +69,7 @@ class Apart:
             raise Killed(f"the process was ended from outside, with exit code {child.exitcode}")
 
     def stop(self) -> None:
-        """End the work where it is; a later start ends at once."""
+        """Stop the work; a later start returns at once."""
         self.stopped = True
         if self._child is not None and self._child.pid is not None:
             self._child.terminate()
@@ -78,7 +78,7 @@ class Apart:
 async def followed(job: Apart, tell: Callable[[Any], object]) -> None:
     """Run a job, and call `tell` on this event loop with each of its reports; raises as `progress` does.
 
-    It is listened to in a thread of its own: those that others wait for are never all taken.
+    A thread of its own reads the reports, so that the shared pool of threads is never exhausted.
     """
     loop = asyncio.get_running_loop()
 
@@ -96,14 +96,14 @@ async def followed(job: Apart, tell: Callable[[Any], object]) -> None:
 def end_all() -> None:
     """End every process that was started from this one."""
     for child in multiprocessing.active_children():
-        with suppress(OSError):  # it has ended by itself
-            os.kill(cast(int, child.pid), KILL)  # joblib's have no way of their own
+        with suppress(OSError):  # it has already ended
+            os.kill(cast(int, child.pid), KILL)  # joblib's processes have no kill method
 
 
 def _messages(receiver: Connection, child: BaseProcess) -> Iterator[tuple[str, Any]]:
-    """What a process sends, until it ends; a message that breaks off in the middle is none.
+    """Yield the messages of a process until it ends; an incomplete message is dropped.
 
-    Its end of the pipe may outlive it, in a process that it started itself.
+    The pipe may stay open after the process has ended, in a child of that process.
     """
     while receiver.poll(LOOK) or child.is_alive() or receiver.poll():
         try:
@@ -114,7 +114,7 @@ def _messages(receiver: Connection, child: BaseProcess) -> Iterator[tuple[str, A
 
 
 def end_with_parent() -> None:
-    """End this process, whatever it does, when the one that started it is gone, even if that was killed."""
+    """End this process as soon as its parent ends, even if the parent is killed."""
     parent = multiprocessing.parent_process()
     assert parent is not None
 
@@ -126,7 +126,7 @@ def end_with_parent() -> None:
 
 
 def _call(sender: Connection, asked: bytes) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C in a terminal reaches every process: the first one decides
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C reaches every process of the terminal: the parent decides
     end_with_parent()
     try:
         work, arguments = pickle.loads(asked)

@@ -1,4 +1,4 @@
-"""Long work in processes of this machine, or of several, with its progress; what it came to is kept."""
+"""Workspace maps computed in chunks, by processes of this machine or of a cluster, with progress and a cache."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ from helicoide.text import HelicoideError, Text
 Outcome = TypeVar("Outcome")
 Arrays = Mapping[str, NDArray[Any]]
 Progress = Callable[[float], None]
-# loky: processes of this machine. dask and ray: what their own settings say, such as DASK_SCHEDULER_ADDRESS or
-# RAY_ADDRESS, for a cluster of several machines; else one that is started here.
+# loky: processes of this machine. dask and ray: the cluster that DASK_SCHEDULER_ADDRESS or RAY_ADDRESS names, else a
+# local one that is started here.
 Backend = Literal["loky", "dask", "ray"]
 BACKENDS: tuple[Backend, ...] = get_args(Backend)
 
@@ -36,9 +36,11 @@ BACKENDS: tuple[Backend, ...] = get_args(Backend)
 def each(
     work: Callable[[Any, int], Outcome], what: Any, count: int, workers: int, backend: Backend = "loky"
 ) -> Generator[Outcome]:
-    """work(what, 0), work(what, 1), … in this order, by so many processes; with one of this machine, in this process.
+    """Yield work(what, 0), work(what, 1), … in this order, computed by `workers` processes.
 
-    Raises HelicoideError for fewer than one worker, another backend, and one whose package is not installed.
+    With one worker of this machine, the work is done in this process.
+
+    Raises HelicoideError for fewer than one worker, an unknown backend, or one whose package is not installed.
     """
     if workers < 1:
         raise HelicoideError(
@@ -53,14 +55,14 @@ def each(
             for outcome in found:  # noqa: UP028 (it is closed below)
                 yield outcome
         finally:
-            with warnings.catch_warnings():  # of what was not waited for, when the work is given up
+            with warnings.catch_warnings():  # about unfinished work, when the caller stops early
                 warnings.simplefilter("ignore")
                 found.close()
 
 
 @contextmanager
 def _cluster(backend: Backend, workers: int) -> Iterator[None]:
-    """What the backend needs while it works."""
+    """Start and stop what the backend needs."""
     if backend not in BACKENDS:
         raise HelicoideError(
             Text(
@@ -95,14 +97,14 @@ def _package(name: str) -> Any:
 def workspace_map(
     plan: workspace.Plan, workers: int = 1, backend: Backend = "loky", progress: Progress = lambda share: None
 ) -> workspace.Map:
-    """The map of a plan: the one that is kept, else counted chunk by chunk and kept. It is the same for all workers."""
+    """The map of a plan, from the cache or computed chunk by chunk; it does not depend on the number of workers."""
     if (there := kept(plan)) is not None:
         progress(1.0)
         return there
     workspace.counted(replace(plan, samples=1), 0)  # compiles the kernels once, and not in every process
     with closing(each(workspace.counted, plan, plan.chunks, workers, backend)) as parts:
         found = workspace.gathered(plan, parts, thinned(progress))
-    with suppress(OSError):  # what cannot be kept is counted again the next time
+    with suppress(OSError):  # a map that cannot be stored is computed again next time
         write(_file(plan), {"hits": found.hits, "values": found.values})
     return found
 
@@ -112,7 +114,7 @@ def _file(plan: workspace.Plan) -> Path:
 
 
 def kept(plan: workspace.Plan) -> workspace.Map | None:
-    """The map of a plan in the cache; None where there is none, or what is there is broken."""
+    """The map of a plan in the cache; None if there is none or its file is damaged."""
     try:
         with _file(plan).open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
             hits, values = arrays["hits"], arrays["values"]
@@ -125,7 +127,7 @@ def kept(plan: workspace.Plan) -> workspace.Map | None:
 
 
 def write(file: Path, arrays: Arrays) -> None:
-    """Write arrays (.npz) whole or not at all: beside the file first, then in its place. Makes the folder."""
+    """Write arrays to an .npz file atomically, by a temporary file that replaces it; creates the folder."""
     file.parent.mkdir(parents=True, exist_ok=True)
     handle, beside = tempfile.mkstemp(dir=file.parent, suffix=".part")
     try:

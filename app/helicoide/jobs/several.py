@@ -1,4 +1,4 @@
-"""Long work in processes of its own, several at a time, with how far each has come."""
+"""The same long work on several inputs, in parallel processes, with the progress of the whole."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _told: Any = None
 
 @dataclass(frozen=True)
 class Outcome(Generic[Value]):
-    """How one piece of work ended: its value, or the failure in its place; seconds: how long it took."""
+    """How one piece of work ended: its value, or the exception it raised; seconds: its duration."""
 
     value: Value | None
     failure: Exception | None
@@ -32,7 +32,7 @@ class Outcome(Generic[Value]):
 
 
 def timed(work: Callable[[Given, Progress], Value], given: Given, progress: Progress) -> Outcome[Value]:
-    """Do a piece of work here, and take whatever goes wrong in it as its outcome; its progress is thinned."""
+    """Do one piece of work in this process; an exception becomes its outcome. Progress is throttled."""
     began = time.perf_counter()
     value, failure = None, None
     try:
@@ -45,9 +45,10 @@ def timed(work: Callable[[Given, Progress], Value], given: Given, progress: Prog
 def in_processes(
     work: Callable[[Given, Progress], Value], givens: Sequence[Given], workers: int, progress: Progress
 ) -> list[Outcome[Value]]:
-    """Do the same work on each of several things, `workers` at a time, in their order.
+    """Do the same work on each of `givens`, `workers` at a time; outcomes in the order of `givens`.
 
-    work and what it is given and gives must be picklable; progress: told the share of the whole that is done, 0 to 1.
+    work, its arguments and its values must be picklable; progress: called with the completed fraction of the whole,
+    0 to 1.
     """
     context = get_context("spawn")
     reports = context.SimpleQueue()
@@ -68,7 +69,7 @@ def in_processes(
 
 
 def _ended(future: Future[Outcome[Value]]) -> Outcome[Value]:
-    """The outcome of a piece of work, also where its process died."""
+    """The outcome of a piece of work, even if its process died."""
     error = future.exception()
     if error is None:
         return future.result()
@@ -89,7 +90,7 @@ def _work(index: int, work: Callable[[Given, Progress], Value], given: Given) ->
 
 
 def _portable(error: Exception) -> Exception:
-    """An error that comes through to another process: itself where it can, else its words."""
+    """An error that can be sent to another process: itself if it can be pickled, else its message."""
     try:
         return error if isinstance(pickle.loads(pickle.dumps(error)), type(error)) else RuntimeError(str(error))
     except Exception:

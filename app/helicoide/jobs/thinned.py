@@ -1,4 +1,4 @@
-"""Progress that is told no oftener than people can see: a study may report two thousand times a second."""
+"""Progress reported no more often than people can see: a study may report two thousand times a second."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ Tell = Callable[[Any], None]
 
 
 def thinned(tell: Tell, clock: Callable[[], float] = time.monotonic) -> Tell:
-    """Tell only those shares that moved by STEP since the last one told, or come OFTEN s after it; the end, 1, always.
+    """Report a fraction only if it changed by `STEP`, or `OFTEN` s passed, since the last report; 1 is always reported.
 
-    Shares are floats; what is none, such as a count or a word, is told as it is. clock: the time, s.
+    Reports that are not floats, such as a count or a word, always pass. clock: returns the time, s.
     """
     last, when = -inf, -inf
 

@@ -1,18 +1,17 @@
-"""The experiments of the sources, a file each; `study.Study` says what such a file holds.
+"""The studies: experiments of the sources, one file each; `study.Study` is the contract of such a file.
 
-What several of them share is in files whose names begin with "_"; these are no studies.
+Files whose names begin with "_" hold what several studies share.
 """
 
 from __future__ import annotations
 
-import importlib
 from dataclasses import replace
 from functools import cache
 from typing import Any, cast
 
 from helicoide import content
 from helicoide.studies.study import Progress, Result, Study, unstated
-from helicoide.text import HelicoideError, Text
+from helicoide.text import Text
 
 NEEDS = ("TITLE", "SOURCE", "ABOUT", "ROBOT", "Options", "run")
 _FRAME = ("desk", "study")
@@ -21,25 +20,21 @@ __path__.append(str(content.user_folder() / "studies"))
 
 @cache
 def names() -> tuple[str, ...]:
-    """The names of all studies: those of their files."""
-    modules = content.modules(__name__, __path__, NEEDS)
-    return tuple(name for name in modules if name not in _FRAME and not name.startswith("_"))
+    """The names of all studies, which are the names of their files."""
+    return tuple(name for name in content.module_names(__name__, NEEDS) if name not in _FRAME)
 
 
 @cache
 def named(name: str) -> Study:
-    """A study by its name; raises HelicoideError, which lists the names."""
-    if name not in names():
-        raise HelicoideError(
-            Text(
-                en="There is no study {name!r}; there is: {known}.", pt_BR="Não há estudo {name!r}; há: {known}."
-            ).format(name=name, known=", ".join(names()))
-        )
-    return cast(Study, importlib.import_module(f"{__name__}.{name}"))
+    """The study with a name; raises HelicoideError, which lists the names."""
+    return cast(Study, content.module(__name__, name, names(), Text(en="study", pt_BR="estudo")))
 
 
 def run(name: str, options: Any, short: bool, progress: Progress) -> Result:
-    """Run a study; with settings that are not its own every number stands alone. Arguments as in `Study.run`."""
+    """Run a study by name; arguments as in `Study.run`.
+
+    With options other than the defaults, the rows are not compared with the source.
+    """
     study = named(name)
     result = study.run(options, short, progress)
     return result if options == study.Options() else replace(result, rows=unstated(result.rows))

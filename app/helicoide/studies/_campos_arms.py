@@ -1,4 +1,4 @@
-"""Arms that the slides name or imply: the PUMA by its rows, six turning joints from any rows, planar arms."""
+"""Arms of the slides: the PUMA from its DH rows, arms with six revolute joints from any DH rows, planar arms."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Rows = Sequence[tuple[float, float, float]]
 
 
 def of_rows(rows: Rows, T_world_dh: Array, T_dh_tool: Array, shifts: Sequence[float] | Array = (0,) * 6) -> Robot:
-    """An arm of six joints without narrow limits from modified rows (α, a, d), rad and m, and θ at q = 0."""
+    """An arm with six revolute joints, ±180°, from modified DH rows (α, a, d), rad and m; shifts: θ at q = 0, rad."""
     puma = load("puma560")
     table = DhTable(
         "modified",
@@ -48,12 +48,12 @@ def puma_rows(a2: float, a3: float, d3: float, d4: float) -> Rows:
 
 @cache
 def turning() -> Joint:
-    """Some joint that turns."""
+    """A revolute joint."""
     return load("puma560").joints[0]
 
 
 def wrist(lengths: tuple[float, ...], theta: Array) -> Array:
-    """Pose of frame 6 by the product of the rows of s.55."""
+    """The pose (4, 4) of frame 6, m, as the product of the DH transforms of s.55; theta (6,), rad."""
     T = np.eye(4)
     for (alpha, a, d), angle in zip(puma_rows(*lengths), theta, strict=True):
         T = T @ dh.transform("modified", dh.DhRow(0, d, a, alpha), turning(), angle)
@@ -61,7 +61,7 @@ def wrist(lengths: tuple[float, ...], theta: Array) -> Array:
 
 
 def puma(a2: float, a3: float, d3: float, d4: float) -> Robot:
-    """A PUMA with other lengths, m, whose base and tool stand anywhere and whose joints count from anywhere."""
+    """A PUMA with other lengths, m, and with random base pose, tool pose and joint zeros."""
     draw = np.random.default_rng(560)
     return of_rows(puma_rows(a2, a3, d3, d4), some_pose(draw), some_pose(draw), draw.uniform(-3, 3, 6))
 
@@ -91,17 +91,17 @@ def some_pose(draw: np.random.Generator) -> Array:
 
 @cache
 def planar(name: str, *lengths: float) -> Robot:
-    """A planar arm of a file with other lengths, m."""
+    """A planar robot of the library with other link lengths, m."""
     return load(name, settings=[f"l{i + 1}={1000 * length}" for i, length in enumerate(lengths)])
 
 
 def upright(x: float, y: float, phi: float = 0.0, z: float = 0.0) -> Array:
-    """A pose turned about the vertical."""
+    """The pose (4, 4) at (x, y, z), m, rotated by phi, rad, about the vertical."""
     c, s = np.cos(phi), np.sin(phi)
     return np.array([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, z], [0, 0, 0, 1]])
 
 
 def limited(robot: Robot, lower: Sequence[float], upper: Sequence[float]) -> Robot:
-    """The same arm with other limits."""
+    """The same arm with other joint limits, rad or m."""
     joints = zip(robot.joints, lower, upper, strict=True)
     return replace(robot, joints=tuple(replace(joint, lower=low, upper=high) for joint, low, high in joints))

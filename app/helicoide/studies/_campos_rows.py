@@ -1,4 +1,4 @@
-"""What the studies of Campos' slides share: statements, settings of lengths, an arm that takes postures one by one."""
+"""What the studies of Campos 1998 share: statements, length settings, charts and motions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ PUMA_LENGTHS = Reading(
     Text(en="the same counts with three other sets", pt_BR="as mesmas contagens com três outros conjuntos"),
 )
 NEAR_POSE = Reading(
-    Text(en="near: the position first, then the least turn", pt_BR="perto: primeiro a posição, depois o menor giro"),
+    Text(
+        en="near: the position first, then the least rotation",
+        pt_BR="perto: primeiro a posição, depois a menor rotação",
+    ),
     Text(
         en="if the point might move as well, the direction could be kept",
         pt_BR="se o ponto também pudesse mover-se, a direção poderia ser mantida",
@@ -31,17 +34,17 @@ JOINT, DEGREES = Text(en="joint", pt_BR="junta"), same("θ, °")
 
 
 def said(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
-    """A sentence of the slides that asks something of a number; the slides print formulas and few numbers."""
+    """A sentence of the slides, as a condition on a number."""
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
 def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
-    """The result, whose counts are numbers as all others are."""
+    """The result of a study; counts become floats."""
     return Result(tuple(replace(row, ours=float(row.ours)) for row in rows), tuple(charts), tuple(motions))
 
 
 def posed(robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = (), title: Text = THE_RUN) -> Motion:
-    """An arm that takes postures one after another, two seconds each."""
+    """A motion through postures (n,), rad or m, two seconds each."""
     return Motion(robot, np.arange(0.0, 2.0 * len(postures), 2.0), np.array(postures), parameters, title)
 
 
@@ -52,5 +55,5 @@ def by_joint(title: Text, postures: Sequence[tuple[Text, Array]]) -> Chart:
 
 
 def millimetres(**lengths: float) -> tuple[str, ...]:
-    """Lengths, m, as a robot's file takes them."""
+    """Lengths, m, as parameters of a robot file, mm."""
     return tuple(f"{name}={1000 * length:g}" for name, length in lengths.items())

@@ -1,4 +1,4 @@
-"""The circle of a rod's tip around its start, and what one turn comes to."""
+"""A circle for the tip of a rod, and the run of one turn."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def _figures(moment: clik.Moment) -> dict[str, float]:
 
 
 def turn(entry_gain: float, dt: float, seconds: float = PERIOD, progress: Progress = lambda share: None) -> Run:
-    """One turn with Kp = 5 and z₀ = −0.2 (q − q₀): what its steps measured, a column each; q at times t_w, s."""
+    """A run of one turn with Kp = 5 and z₀ = −0.2 (q − q₀): columns of its steps, and q at times t_w, s."""
     problem, passage = problem_of(rod_arm()), through(rod_arm(), 7)
     method = methods.named("pseudoinverse")
     moments = clik.followed(

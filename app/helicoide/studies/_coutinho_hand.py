@@ -1,4 +1,4 @@
-"""A hand on the device: where it holds the tool by time, what the controller sees of it, what the arm makes of it."""
+"""A hand on a haptic device: its motion, the samples that the controller reads, and the run of the arm."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def steering(size: float, aside: float, turn: float, period: float = PERIOD) -> 
 
 
 def dragging(velocity: Array) -> Hand:
-    """A hand that drags steadily: velocity (3,), m/s."""
+    """A hand that moves with a constant velocity (3,), m/s."""
     return lambda t: (velocity * t, 0.0)
 
 
@@ -97,7 +97,7 @@ class Device:
         return T
 
     def wished(self, t: float) -> Wish:
-        """What is asked at the time t, s."""
+        """The reference at time t, s."""
         number = int(np.floor(t / SAMPLE + 1e-6))
         now, before = self.pose(number), self.pose(number - 1)
         turn = rotation.logarithm(now[:3, :3] @ before[:3, :3].T)

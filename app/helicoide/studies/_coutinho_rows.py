@@ -1,4 +1,4 @@
-"""What the studies of Coutinho's runs show of them: rows beside what he prints, curves, the arm's motions."""
+"""Rows, curves and motions of the studies of Coutinho 2015."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ LATERAL = Text(
 
 @dataclass(frozen=True)
 class Measure:
-    """What is read off a run, and its unit."""
+    """A quantity measured on a run, and its unit."""
 
     title: Text
     unit: str
@@ -114,7 +114,7 @@ def rows_of(
     names: tuple[str, ...] = tuple(MEASURES),
     by_step: tuple[str, ...] = ("tip", "angle", "lateral"),
 ) -> list[Row]:
-    """What nobody printed of a run; place: the figures in which the source shows those of `DRAWN`.
+    """Rows without printed values; place: the figures in which the source shows those of `DRAWN`.
 
     dt: the sample time, s, named where a number goes with it.
     """
@@ -134,9 +134,9 @@ def stays(
     fitted: tuple[Fitted | Reading, ...] = (),
     which: Text | None = None,
 ) -> Row:
-    """How fast the shaft leaves its entry point beside what the source says of it.
+    """How fast the shaft leaves its entry point, compared with the statement of the source.
 
-    At each instant it does not, by construction; over a step of dt, s, it can.
+    By construction the velocity is zero at each instant; over a step of dt, s, the shaft can move.
     """
     title = LEAVES.format(step=1e3 * dt)
     title = title if which is None else OF.format(what=title, which=which)
@@ -198,7 +198,7 @@ CURVES: Mapping[str, Curve] = {
 
 
 def charts_of(runs: Mapping[Text, Run], figures: Mapping[str, str], log: tuple[str, ...] = ()) -> tuple[Chart, ...]:
-    """The curves of several runs side by side over time.
+    """The curves of several runs over time, in common charts.
 
     figures: the names of the curves, in their order, with the figure of the source beside which each of `DRAWN` stands;
     log: those that differ by powers of ten from run to run.
@@ -230,14 +230,14 @@ def _times(run: Run, column: str) -> Array:
 
 
 def thinned(x: Array, y: Array) -> tuple[Array, Array]:
-    """At most some hundreds of points of a curve: of each stretch the one with the largest |y|, so that peaks stay."""
+    """At most `POINTS` points of a curve: the largest |y| of each section, so that peaks remain."""
     stretches = np.array_split(np.arange(len(x)), min(POINTS, len(x)))
     kept = [stretch[np.argmax(np.abs(y[stretch]))] for stretch in stretches]
     return x[kept], y[kept]
 
 
 def motions_of(runs: Mapping[Text, Run], robot: str = ROBOT) -> tuple[Motion, ...]:
-    """What the arm did in each run."""
+    """The motion of the arm in each run."""
     return tuple(_motion(which, run, robot) for which, run in runs.items())
 
 

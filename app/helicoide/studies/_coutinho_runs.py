@@ -1,4 +1,4 @@
-"""Coutinho's simulations and his experiment as they run, step by step, and what their steps come to."""
+"""The simulations and the experiment of Coutinho 2015, step by step, and quantities measured on them."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache
 from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 
@@ -73,13 +74,13 @@ def seven_joints() -> Robot:
 
 
 def entry_on(robot: Robot, q: Array, outside: float, link: int = LINK) -> Array:
-    """A point on the shaft of a link at a depth l_a, m: (3,), m."""
+    """The point (3,), m, on the shaft of a link at the depth l_a, m."""
     T = link_poses(robot.chain, q)[link] @ through(robot, link).T_link_shaft
     return np.asarray(T[:3, 3] + outside * T[:3, 1])
 
 
 def angle_deg(error: Array) -> float:
-    """The angle of an error (e_p, ε̃), degrees."""
+    """The rotation angle of an error (e_p, ε̃), degrees."""
     return float(np.degrees(2 * np.arcsin(np.linalg.norm(error[3:]))))
 
 
@@ -95,7 +96,7 @@ def control(
 
 
 def crossings(values: Array) -> int:
-    """How often the sign of a curve (k,) changes."""
+    """The number of sign changes of a curve (k,)."""
     return int(np.count_nonzero(np.diff(np.sign(values))))
 
 
@@ -138,8 +139,19 @@ def measured(moments: Iterator[Moment], steps: int, dt: float, progress: Progres
     return {**columns, "moved_mm_s": moved, "t_w": t_w, "q": q, "w_r": w_r, "w_i": w_i}
 
 
-def moments(name: str, control: Control, dt: float, start: Array = START, depth: float = DEPTH) -> Iterator[Moment]:
-    """The steps along a path of the source, from l_a = depth, m. dt, s."""
+class Insertion(NamedTuple):
+    """How the arm starts: joint values q (n,), rad, and the depth l_a of the entry point on the shaft, m."""
+
+    q: Array = START
+    depth: float = DEPTH
+
+
+INSERTION = Insertion()
+
+
+def moments(name: str, control: Control, dt: float, insertion: Insertion = INSERTION) -> Iterator[Moment]:
+    """The steps of a run along a path of the source. dt: sample time, s."""
+    start, depth = insertion
     robot, path = dia10(), PATHS[name]
     problem, passage = problem_of(robot), through(robot, LINK, path.across)
     entry = entry_on(robot, start, depth)
@@ -150,7 +162,7 @@ def moments(name: str, control: Control, dt: float, start: Array = START, depth:
 def first_memory(
     problem: Problem, passage: Passage, control: Control, start: Array, entry: Array
 ) -> tuple[Memory | None, None]:
-    """What the two inverses begin with: a filtered one with Θ = J^r†. Args: start (n,), rad; entry (3,), m."""
+    """The initial memory of the two inverses: Θ = J^r† for a filtered one. Args: start (n,), rad; entry (3,), m."""
     if control.of_tool.method.REMEMBERS is None:
         return None, None
     J = constrained(problem, passage, start, entry, control.basis).J
@@ -161,11 +173,10 @@ def run(
     name: str,
     control: Control,
     dt: float,
-    start: Array = START,
-    depth: float = DEPTH,
+    insertion: Insertion = INSERTION,
     seconds: float | None = None,
     progress: Progress = lambda share: None,
 ) -> Run:
-    """What the steps of a run along a path of the source measured: for so many seconds, or all of it."""
+    """The columns of `measured` for a run along a path of the source, of `seconds` or to its end; dt: s."""
     steps = round((seconds or PATHS[name].duration) / dt) + 1
-    return measured(moments(name, control, dt, start, depth), steps, dt, progress)
+    return measured(moments(name, control, dt, insertion), steps, dt, progress)

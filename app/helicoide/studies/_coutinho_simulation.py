@@ -1,8 +1,9 @@
-"""A simulation of Coutinho as a study: once as the source has it, and once with the drift fed back."""
+"""A simulation of Coutinho 2015 as a study: as in the source, and with drift feedback."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,54 +13,55 @@ from helicoide.studies._coutinho_rows import NO_FEEDBACK, Options, charts_of, mo
 from helicoide.studies._coutinho_runs import Run, control, dia10, run
 from helicoide.studies.study import Progress, Result, Row
 
-# The short form takes the whole path, at 100 ms.
+# Sample time of a quick run, s; it covers the whole path.
 SHORT = 0.1
 
 
-def simulated(
-    path: str,
-    options: Options,
-    short: bool,
-    progress: Progress,
-    stated: Callable[[Run, float], Sequence[Row]],
-    figures: str,
-    depth: str,
-) -> Result:
-    """Both runs along a path; what the source states is about the first.
+@dataclass(frozen=True)
+class Simulation:
+    """A simulation of the source: the name of its path, its rows, and the figures that show it.
 
-    stated: its rows, by that run and its sample time, s; figures: those in which the source shows the run; depth: that
-    of l_a.
+    stated: the rows, from a run and its sample time, s; figures: of the run; depth: the figure of l_a.
     """
+
+    path: str
+    stated: Callable[[Run, float], Sequence[Row]]
+    figures: str
+    depth: str
+
+
+def simulated(simulation: Simulation, options: Options, short: bool, progress: Progress) -> Result:
+    """Both runs of a simulation, without and with drift feedback; the statements of the source are about the first."""
     dt = SHORT if short else int(options.step) / 1000
     gains = {0.0: NO_FEEDBACK, options.feedback: with_feedback(options.feedback)}
     runs = {
-        which: run(path, control(gain), dt, progress=part(progress, done, len(gains)))
+        which: run(simulation.path, control(gain), dt, progress=part(progress, done, len(gains)))
         for done, (gain, which) in enumerate(gains.items())
     }
     plain, *others = runs.items()
     return Result(
         rows=(
-            *stated(plain[1], dt),
-            *rows_of(plain[1], plain[0], dt, figures),
+            *simulation.stated(plain[1], dt),
+            *rows_of(plain[1], plain[0], dt, simulation.figures),
             *(one for which, got in others for one in rows_of(got, which, dt, names=("tip", "lateral"))),
         ),
-        charts=charts_of(runs, charted(figures, depth)),
+        charts=charts_of(runs, charted(simulation.figures, simulation.depth)),
         motions=motions_of(runs),
     )
 
 
 def part(progress: Progress, done: int, parts: int) -> Progress:
-    """The progress of one of several runs, as a part of the whole."""
+    """The progress of one of `parts` runs, as a part of the whole."""
     return lambda share: progress((done + share) / parts)
 
 
 def charted(figures: str, depth: str) -> dict[str, str]:
-    """The curves of a simulation with the figures of the source beside which they stand."""
+    """The curves of a simulation, each with the figure of the source to compare with."""
     names = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
     return {name: depth if name == "outside" else figures for name in names}
 
 
 def displaced_mm(got: Run) -> Array:
-    """Where the tool of a run is at its times t_w from its start, along its axes there, (k, 3), mm."""
+    """The displacement of the tool at times t_w, (k, 3), mm, in the axes of its initial frame."""
     poses = np.array([tool_at(dia10(), q) for q in got["q"]])
     return np.asarray(1e3 * (poses[:, :3, 3] - poses[0, :3, 3]) @ poses[0, :3, :3])

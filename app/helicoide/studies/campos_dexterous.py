@@ -44,7 +44,7 @@ class Options:
 
 
 def share(r: float, l3: float, turns: int) -> float:
-    """The part of all orientations with which the tool reaches a point at the distance r, m, by trying so many."""
+    """The fraction of orientations in which the tool reaches a point at the distance r, m, from trials."""
     links = Annulus(L1, L2)
     phis = 2 * np.pi * (np.arange(turns) + 0.5) / turns
     return float(np.mean([bool(links.elbows(hypot(r - l3 * np.cos(phi), l3 * np.sin(phi)))) for phi in phis]))
@@ -92,7 +92,7 @@ def _edge(near: float, l3: float, inwards: int) -> float:
 
 
 def turning(l3: float) -> list[Array]:
-    """Postures of the arm at 1 m with its hand turned all round, elbow bent one way, rad."""
+    """Postures, rad, with the tool at 1 m and the hand at all angles, with one sign of the elbow."""
     links, postures = Annulus(L1, L2), []
     for phi in np.linspace(0, 2 * np.pi, 25):
         x, y = 1.0 - l3 * np.cos(phi), -l3 * np.sin(phi)

@@ -8,19 +8,23 @@ from typing import Annotated
 
 import numpy as np
 
-from helicoide.arrays import Array, frozen
-from helicoide.confinement import planes_of
-from helicoide.ik import Limits, Problem, closed, methods
-from helicoide.ik.clik import to_pose
-from helicoide.ik.converge import Report, by_method, converged
+from helicoide.arrays import Array
+from helicoide.ik import closed
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.measure import left
-from helicoide.ik.postures.solve import EXACT
 from helicoide.kinematics.library import load
 from helicoide.kinematics.robot import Robot
+from helicoide.studies._campos_iteration import (
+    EXAMPLE,
+    NAMES,
+    converged_from_starts,
+    iteration_charts,
+    iteration_motion,
+    iteration_rows,
+)
 from helicoide.studies._campos_rows import PUMA_LENGTHS, by_joint, finished, posed, said
 from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, printed
 from helicoide.text import Text, same
@@ -44,12 +48,12 @@ SCREWS = Text(en="screws", pt_BR="helicoides")
 DUAL = Text(en="dual quaternions", pt_BR="quatérnios duais")
 GEOMETRY = Text(en="geometry", pt_BR="geometria")
 SEARCH = Text(en="iteration with restarts", pt_BR="iteração com reinícios")
-# The closed form of each family for each arm. Dual matrices turn lines as dual quaternions do: they are no other road.
+# The closed form of each family for each arm. Dual matrices are left out: they transform lines as dual quaternions do.
 FORMS = {
     "puma560": {INVERSE: "puma560", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "geometry"},
     "movemaster": {INVERSE: "inverse_transform", SCREWS: "screws", DUAL: "dual_quaternions", GEOMETRY: "movemaster"},
 }
-# What each family works out on the way to the joints: what it is, and its unit.
+# Intermediate values of each family: meaning and unit.
 AHEAD = Text(en="wrist ahead of the shoulder", pt_BR="punho à frente do ombro"), "m"
 ABOVE = Text(en="wrist above the shoulder", pt_BR="punho acima do ombro"), "m"
 FROM_AXIS_1 = Text(en="wrist ahead of axis 1", pt_BR="punho à frente do eixo 1"), "m"
@@ -91,10 +95,7 @@ STEPS: dict[str, dict[Text, dict[str, tuple[Text, str]]]] = {
         },
     },
 }
-NAMES = {"puma560": same("PUMA"), "movemaster": same("Movemaster")}
-# Of the goal whose steps are shown, rad.
-EXAMPLE = {"puma560": (0.3, -0.5, 0.7, 0.4, 0.9, -1.1), "movemaster": (0.3, 1.8, -2.0, -1.0, 0.9)}
-FEW, STARTS, FEW_STARTS, CAP, MOST, PERIOD = 20, 200, 40, 300, 64, 0.1
+FEW, STARTS, FEW_STARTS, MOST = 20, 200, 40, 64
 GOALS = Quantity(Text(en="random goals", pt_BR="alvos aleatórios"), 10, 5000, decades=True)
 
 
@@ -107,8 +108,10 @@ class Options:
 
 @dataclass(frozen=True)
 class Tally:
-    """What a family came to: postures in all, the worst residual of each goal, m and rad, and the farthest, rad, that a
-    posture of it or of the inverse transforms is from the nearest of the other.
+    """The results of a family of methods.
+
+    postures: their number; residuals: the worst of each goal, m or rad; apart: the largest distance, rad, between a
+    posture of this family or of the inverse transforms and the nearest posture of the other.
     """
 
     postures: int
@@ -117,23 +120,23 @@ class Tally:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Both arms, family after family, and iterations from many starts.
+    """Both arms with each family of methods, and iterations from many starts.
 
-    short: twenty goals, and too few starts to
-    count where they lead.
+    short: twenty goals, and too few starts to count where they lead.
     """
     count, rows, charts, motions = FEW if short else int(options.goals), list[Row](), list[Chart](), list[Motion]()
     for part, name in enumerate(FORMS):
         robot = load(name)
         tallies = tallied(robot, count, _part(progress, part))
         steps = {family: _of(robot, family, np.array(EXAMPLE[name])) for family in FORMS[name]}
-        starts = iterations(robot, FEW_STARTS if short else STARTS)
+        starts = converged_from_starts(robot, FEW_STARTS if short else STARTS)
         progress((part + 1) / len(FORMS))
         rows += [*_rows(robot, tallies, count), *_steps(robot, steps)]
         if not short:
-            rows += _iterated(robot, starts, steps[INVERSE])
-        charts += _charts(robot, tallies, starts, steps[INVERSE])
-        motions += _motions(robot, starts, steps[INVERSE])
+            rows += iteration_rows(robot, starts, steps[INVERSE])
+        charts += [*_charts(robot, tallies, steps[INVERSE]), *iteration_charts(robot, starts, steps[INVERSE])]
+        postures = [branch.q for branch in steps[INVERSE].branches]
+        motions += [posed(name, postures, title=POSTURES.format(arm=NAMES[name])), iteration_motion(robot, starts)]
     return finished(rows, charts, motions)
 
 
@@ -142,7 +145,7 @@ def _part(progress: Progress, part: int) -> Progress:
 
 
 def tallied(robot: Robot, count: int, progress: Progress) -> dict[Text, Tally]:
-    """What each family comes to for random postures' poses."""
+    """The results of each family for the poses of random postures."""
     postures, apart = dict[Text, int](), dict[Text, float]()
     residuals = dict[Text, list[float]]()
     for done, q in enumerate(np.random.default_rng(37).uniform(-2.5, 2.5, (count, len(robot.variables))), start=1):
@@ -170,25 +173,15 @@ def _of(robot: Robot, family: Text, q: Array) -> Answer:
 
 
 def _apart(one: Array, other: Array) -> float:
-    """The farthest that a posture of either is from the nearest of the other, rad; infinite where one has none."""
+    """The largest distance, rad, from a posture of one set to the nearest of the other; infinite if a set is empty."""
     if not (len(one) and len(other)):
         return np.inf
     ways = np.abs(wrap(one[:, None] - other)).max(axis=2)
     return float(max(ways.min(axis=0).max(), ways.min(axis=1).max()))
 
 
-def iterations(robot: Robot, count: int) -> list[tuple[Array, Report]]:
-    """Where damped least squares come to from random starts, one after another, for the goal of EXAMPLE."""
-    problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
-    aiming = to_pose(problem, tool_at(robot, np.array(EXAMPLE[robot.name])), True)
-    method = methods.named("damped")
-    loop = by_method(problem, method, method.Options(), 0.5, dt=PERIOD)
-    starts = np.random.default_rng(24).uniform(-2.5, 2.5, (count, len(robot.variables)))
-    return [(q, converged(problem, loop, aiming, q, EXACT, CAP)) for q in starts]
-
-
 def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]:
-    """Postures for each goal, residuals, and how far apart the families are."""
+    """Rows: postures for each goal, residuals, and differences between the families."""
     if robot.name == "puma560":
         counts = [tally.postures / count for tally in tallies.values()]
         yield Row(FEWEST, min(counts), "", printed("8", "s.20"), (PUMA_LENGTHS,))
@@ -202,31 +195,14 @@ def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]
 
 
 def _steps(robot: Robot, steps: dict[Text, Answer]) -> Iterator[Row]:
-    """What each family works out on the way to its first posture."""
+    """Rows: intermediate values of each family for its first posture."""
     for family, symbols in STEPS[robot.name].items():
         for symbol, (meant, unit) in symbols.items():
             quantity = STEP.format(arm=NAMES[robot.name], family=family, symbol=symbol, meant=meant)
             yield Row(quantity, steps[family].values[0][symbol], unit)
 
 
-def _iterated(robot: Robot, starts: list[tuple[Array, Report]], answer: Answer) -> Iterator[Row]:
-    """How many starts lead to a posture, to how many different ones, and in how many passes."""
-    ends = [_nearest(answer, report) for _, report in starts if report.reached]
-    passes = [report.iterations for _, report in starts if report.reached]
-    yield Row(LED.format(arm=NAMES[robot.name]), len(ends) / len(starts))
-    yield Row(DIFFERENT.format(arm=NAMES[robot.name]), len(set(ends)))
-    yield Row(PASSES.format(arm=NAMES[robot.name]), float(np.mean(passes)))
-
-
-def _nearest(answer: Answer, report: Report) -> int:
-    """The number, from 1, of the posture to which an iteration came."""
-    ways = [float(np.abs(wrap(branch.q - report.q)).max()) for branch in answer.branches]
-    return int(np.argmin(ways)) + 1
-
-
-def _charts(
-    robot: Robot, tallies: dict[Text, Tally], starts: list[tuple[Array, Report]], answer: Answer
-) -> Iterator[Chart]:
+def _charts(robot: Robot, tallies: dict[Text, Tally], answer: Answer) -> Iterator[Chart]:
     yield by_joint(POSTURES.format(arm=NAMES[robot.name]), [(branch.name, branch.q) for branch in answer.branches])
     yield Chart(
         RESIDUALS.format(arm=NAMES[robot.name]),
@@ -240,33 +216,6 @@ def _charts(
         ),
         log=True,
     )
-    met = [report for _, report in starts if report.reached][:4]
-    yield Chart(
-        ERRORS.format(arm=NAMES[robot.name]),
-        Text(en="iterations", pt_BR="iterações"),
-        same("m"),
-        tuple(
-            Line(START.format(n=n), np.arange(0.0, len(report.errors)), report.errors[:, 0] + 1e-17)
-            for n, report in enumerate(met, start=1)
-        ),
-        log=True,
-    )
-    numbers = np.arange(1.0, len(answer.branches) + 1)
-    ends = np.array([_nearest(answer, report) for _, report in starts if report.reached])
-    shares = np.array([np.sum(ends == n) / len(starts) for n in numbers])
-    yield Chart(
-        WHICH.format(arm=NAMES[robot.name]),
-        Text(en="posture", pt_BR="postura"),
-        Text(en="share of starts", pt_BR="fração das partidas"),
-        (Line(methods.named("damped").TITLE, numbers, shares),),
-    )
-
-
-def _motions(robot: Robot, starts: list[tuple[Array, Report]], answer: Answer) -> Iterator[Motion]:
-    title = POSTURES.format(arm=NAMES[robot.name])
-    yield posed(robot.name, [branch.q for branch in answer.branches], title=title)
-    ways = [frozen(q) for start, report in starts[:8] if report.reached for q in (start, report.q)]
-    yield posed(robot.name, ways, title=ENDS.format(arm=NAMES[robot.name]))
 
 
 ALIKE: dict[Text, Statement] = {
@@ -297,15 +246,5 @@ STEP = Text(
     en="{arm}, {family}: {symbol} of the goal shown, {meant}",
     pt_BR="{arm}, {family}: {symbol} do alvo mostrado, {meant}",
 )
-LED = Text(en="{arm}, iteration: share of starts that lead there", pt_BR="{arm}, iteração: fração que chega ao alvo")
-DIFFERENT = Text(
-    en="{arm}, iteration: different postures that the starts lead to",
-    pt_BR="{arm}, iteração: posturas diferentes a que as partidas levam",
-)
-PASSES = Text(en="{arm}, iteration: passes for one posture", pt_BR="{arm}, iteração: passos para uma postura")
 POSTURES = Text(en="{arm}: the postures of a goal", pt_BR="{arm}: as posturas de um alvo")
 RESIDUALS = Text(en="{arm}: residuals by family", pt_BR="{arm}: resíduos por família")
-ERRORS = Text(en="{arm}: error of position while iterating", pt_BR="{arm}: erro de posição ao iterar")
-START = Text(en="start {n}", pt_BR="partida {n}")
-WHICH = Text(en="{arm}: which posture a start leads to", pt_BR="{arm}: a que postura cada partida leva")
-ENDS = Text(en="{arm}: starts of the iteration, and where they lead", pt_BR="{arm}: partidas da iteração e aonde levam")

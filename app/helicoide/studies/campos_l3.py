@@ -84,7 +84,7 @@ def least_turn(M: Array, R: Array) -> float:
 
 
 def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float, float, set[int]]:
-    """Of random postures: the worst miss of any answer, m or rad, the generating one's distance, rad, the counts."""
+    """For random postures: worst residual, m or rad, distance to the generating posture, rad, and solution counts."""
     missed, lost, counts = 0.0, 0.0, set[int]()
     for done, q in enumerate(np.random.default_rng(20).uniform(-np.pi, np.pi, (count, 5)), start=1):
         answer = closed.solve(motoman_l3, robot, tool_at(robot, frozen(q)), robot.poses["ready"])
@@ -96,7 +96,7 @@ def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float,
 
 
 def lifted(robot: Robot, actuators: Actuators) -> Motion:
-    """What the arm does when actuator 2 alone runs back and forth from its posture ready."""
+    """The motion when actuator 2 alone moves back and forth from the posture ready."""
     times = np.linspace(0, 5, SAMPLES)
     pulses = np.tile(actuators.from_joints(robot.poses["ready"]), (SAMPLES, 1))
     pulses[:, 1] += 0.3 * abs(pulses[0, 1]) * np.sin(2 * np.pi * times / 5)

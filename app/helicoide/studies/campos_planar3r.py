@@ -50,12 +50,12 @@ class Options:
 
 
 def of_third_axis(x: float, y: float, phi: float) -> Array:
-    """The tool's pose (4, 4), m, where the third axis stands at (x, y), m, and the hand points to φ, rad."""
+    """The tool pose (4, 4), m, with the third axis at (x, y), m, and the hand at the angle φ, rad."""
     return upright(x + L3 * np.cos(phi), y + L3 * np.sin(phi), phi)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The two roads, the choice, and random postures; short: 500 of them."""
+    """Algebra and geometry, the choice of a posture, and random postures; short: 500 of them."""
     robot = planar(ROBOT, L1, L2, L3)
     branches = closed.solve(planar3r, robot, of_third_axis(*GOAL), np.zeros(3)).branches
     missed, apart, lost, counts = both_roads(robot, FEW if short else int(options.poses), progress)
@@ -90,7 +90,7 @@ Ranking = tuple[choice.Ranked, ...]
 
 
 def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
-    """The choice with equal weights, with falling ones, and with equal ones and a post at the elbow of the nearest."""
+    """Postures ranked with equal weights, with decreasing weights, and with an obstacle at the elbow of the nearest."""
     branches = closed.solve(planar3r, robot, of_third_axis(*CHOICE), NOW).branches
     near = choice.ranked(robot, branches, NOW, ALIKE)
     post = Obstacles().with_sphere(link_poses(robot.chain, near[0].branch.q)[2][:3, 3], POST)
@@ -99,9 +99,10 @@ def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
 
 
 def weighing(robot: Robot) -> tuple[float, float]:
-    """How much less the largest link turns by falling weights than by equal ones, on average of random choices, rad.
+    """The reduction of the rotation of joint 1, rad, by decreasing weights, as a mean of random choices.
 
-    Then the share in which another posture is chosen.
+    Second, the share of choices in which another posture is chosen. With equal weights two postures often cost the
+    same, and rounding decides between them.
     """
     turns = []
     for now, q in np.random.default_rng(17).uniform(-np.pi, np.pi, (CHOICES, 2, 3)):
@@ -113,7 +114,7 @@ def weighing(robot: Robot) -> tuple[float, float]:
 
 
 def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, float, float, set[int]]:
-    """Of random postures: the worst miss, how far algebra and geometry are apart, rad, the generating one, the counts.
+    """For random postures: worst residual, difference of algebra and geometry, rad, generating posture, counts.
 
     Geometry: θ₁ = β + ψ where θ₂ < 0, and β − ψ where θ₂ > 0. Source: Campos 1998, s.54.
     """
@@ -131,7 +132,7 @@ def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, flo
 
 
 def disagreements(robot: Robot) -> int:
-    """For how many random poses the test by c₂ and searches that know nothing of it say different things."""
+    """The number of random poses for which the test by c₂ and independent searches disagree."""
     links, count = elbow.Annulus(L1, L2), 0
     for x, y, phi in np.random.default_rng(44).uniform([-2, -2, -np.pi], [2, 2, np.pi], (TRIED, 3)):
         goal = np.ascontiguousarray(of_third_axis(x, y, phi))

@@ -94,7 +94,7 @@ def _goal(draw: Array) -> Array:
 
 
 def taken(robot: Robot, goals: list[Array]) -> int:
-    """How many of the goals lie in the subspace of the arm as they are."""
+    """The number of goals that lie in the subspace of the arm without projection."""
     now = np.zeros(len(robot.variables))
     return sum(subspace.project(robot, T, now).words is None for T in goals)
 

@@ -87,7 +87,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def _distinct(arms: list[Array]) -> int:
-    """How many of the angles (k, 3), rad, are others than those before."""
+    """The number of distinct rows of angles (k, 3), rad."""
     kept: list[Array] = []
     for arm in arms:
         if all(np.abs(wrap(arm - other)).max() > 1e-6 for other in kept):
@@ -105,7 +105,7 @@ def _moved_by_flip(arm: Robot) -> float:
 
 
 def _unknown_to_the_form(arm: Robot) -> int:
-    """How many postures of some poses the closed form gives and searches do not find, or the other way round."""
+    """The number of postures that only the closed form or only the searches find, for some poses."""
     unknown = 0
     for q in np.random.default_rng(23).uniform(-2.5, 2.5, (SEARCHED, 6)):
         T = tool_at(arm, q)

@@ -56,7 +56,7 @@ class Options:
 
 
 def with_zeros(zeros: tuple[int, ...], draw: np.random.Generator) -> Robot:
-    """An arm of random rows whose link lengths of these numbers are zero; its twists are all right angles, or any."""
+    """An arm with random DH rows, in which the given link lengths are zero; twists are right angles or any."""
     a, d = draw.uniform(0.1, 1, (2, 6))
     a[[0, *zeros]] = 0
     alpha = draw.choice([-RIGHT, RIGHT], 6) if draw.random() < 0.5 else draw.uniform(0.3, 2.8, 6)
@@ -71,7 +71,7 @@ def known(zeros: tuple[int, ...]) -> Robot:
 
 
 def counted(robot: Robot, q: Array) -> int:
-    """How many postures searches from random ones find for the pose of one (6,), rad: an upper bound is not known."""
+    """The number of postures that random searches find for the pose of a posture (6,), rad: a lower bound."""
     goal = np.ascontiguousarray(tool_at(robot, q))
     return len(numeric.gathered(robot, goal, np.zeros(6), True, ENDLESS)[0])
 

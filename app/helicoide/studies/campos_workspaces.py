@@ -76,14 +76,14 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def distances(robot: Robot) -> Array:
-    """How far from the first axis the tool is in random postures, (k,), m, and in the four with straight angles."""
+    """The distance of the tool from the first axis, (k,), m, in random postures and the four straight ones."""
     q = np.random.default_rng(6).uniform(-np.pi, np.pi, (TRIED, 2))
     q[:2, 1] = 0, np.pi
     return np.array([np.hypot(*tool_at(robot, row)[:2, 3]) for row in q])
 
 
 def with_tool(robot: Robot, longer: float) -> Robot:
-    """The arm with a tool that is so much longer, m."""
+    """The arm with a tool that is longer by a length, m."""
     T = robot.T_world_tool_0.copy()
     T[0, 3] += longer
     return replace(robot, T_world_tool_0=frozen(T))
@@ -95,12 +95,12 @@ def _map(robot: Robot, samples: int, done: int, progress: Progress) -> Map:
 
 
 def _count(arm: Robot, r: float) -> int:
-    """How many postures within the limits there are for a point at the distance r, m."""
+    """The number of postures within the limits for a point at the distance r, m."""
     return sum(branch.within for branch in closed.solve(planar2r, arm, upright(r, 0.0), np.zeros(2)).branches)
 
 
 def _counts(robot: Robot, half: Robot, inner: float, outer: float) -> list[Row]:
-    """How many postures there are for points beside the edges, on them and between."""
+    """The number of postures for points near the edges, on them and between."""
     middle = 0.5 * (inner + outer)
     annulus = said("|L₁ − L₂| ≤ r ≤ L₁ + L₂", "|L₁ − L₂| ≤ r ≤ L₁ + L₂", "s.10", 0)
     return [

@@ -23,6 +23,7 @@ from helicoide.studies.cerbaro_runs.runs import (
 from helicoide.studies.cerbaro_runs.tracking import (
     DT,
     TURN,
+    LimitGain,
     free_ellipse,
     in_degrees,
     start_inside,
@@ -99,7 +100,7 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """A turn by one gain, by growing ones and by clips alone: from the printed start, and from inside in degrees."""
+    """Runs with one gain, growing gains, and clips alone, from the printed start; two in degrees, from inside."""
 
     one: Run
     grown: Run
@@ -129,22 +130,19 @@ def made(options: Options, seconds: float, progress: Progress) -> Runs:
     printed, inside = start_of_ellipse(), start_inside(options.inside)
     in_radians, in_deg = options.gain, in_degrees(options.gain, len(inside))
     asked = (
-        (printed, in_radians, False, GROWTH),
-        (printed, in_radians, True, GROWTH),
-        (printed, in_radians, True, 1.0),
-        (inside, in_deg, False, GROWTH),
-        (inside, in_deg, True, GROWTH),
+        (printed, LimitGain(in_radians)),
+        (printed, LimitGain(in_radians, GROWTH)),
+        (printed, LimitGain(in_radians, 1.0)),
+        (inside, LimitGain(in_deg)),
+        (inside, LimitGain(in_deg, GROWTH)),
     )
     return Runs(
-        *(
-            free_ellipse(q, k0, DT, grows, part(progress, i, len(asked)), seconds, unfed, growth)
-            for i, (q, k0, grows, growth) in enumerate(asked)
-        )
+        *(free_ellipse(q, gain, DT, part(progress, i, len(asked)), seconds, unfed) for i, (q, gain) in enumerate(asked))
     )
 
 
 def growth_of_j3(run: Run) -> float:
-    """How many times its first value the gain of J3 is at the end of a run; J1 is never at its limit."""
+    """The final gain of J3 over its initial value, which J1 keeps as it is never at its limit."""
     memory = run.last.memory
     assert isinstance(memory, Memory)
     return float(memory.gains[2] / memory.gains[0])
@@ -166,7 +164,7 @@ def worse(grown: Run, one: Run) -> float:
 
 
 def rows(runs: Runs, short: bool) -> tuple[Row, ...]:
-    """What the source says of fig. 38, then the other unit; the short form does not see the whole turn."""
+    """What the source says of fig. 38, then the other unit; a quick run does not cover the whole turn."""
     staying = Text(
         en="Algorithm 1: least margin of J2 to J4 to their limits",
         pt_BR="Algoritmo 1: menor folga de J2 a J4 até os limites",

@@ -28,7 +28,7 @@ ABOUT = joined(
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Three cases by the source's rules, read in several ways, and the guarded step beside them."""
+    """Three cases by the source's rules, read in several ways, and the constrained QP step for comparison."""
     return chapter6.study(LINE, (53, 58), options, short, progress)
 
 

@@ -55,7 +55,7 @@ ITS_PLANE = Statement(
 
 @dataclass(frozen=True)
 class Options:
-    """What the source does not give of its camera."""
+    """Camera values that the source omits."""
 
     noise: Annotated[float, Quantity(Text(en="noise of the depth", pt_BR="ruído da profundidade"), 0.0, 20.0, "mm")] = (
         2.0
@@ -64,7 +64,7 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Read:
-    """What clouds of a wall came to: tilts from it, °, of fits (k,) and of triples; shares of points on the fits, %."""
+    """Measurements of a wall: tilts, °, of fits (k,) and of triples of points; shares of points on the fits, %."""
 
     tilts: Array
     shares: Array
@@ -95,7 +95,7 @@ def at(pose: str) -> State:
 
 
 def pane(reading: Reading) -> Pane:
-    """The wall of the scene that a reading is after."""
+    """The wall of the scene that a reading measures."""
     return next(pane for pane in load(ROBOT).panes if pane.name == reading.name)
 
 
@@ -108,7 +108,7 @@ def searched(camera: Camera, reading: Reading, noise: float, angle: float, seed:
 
 
 def tilt(normal: Array, other: Array) -> Array:
-    """Angles between normals (..., 3) and another (3,), °, whichever way they point."""
+    """Angles, °, between normals (..., 3) and another (3,), regardless of sign."""
     return np.asarray(np.degrees(np.arccos(np.minimum(1.0, np.abs(normal @ other)))))
 
 
@@ -131,7 +131,7 @@ def _read(camera: Camera, reading: Reading, noise: float, clouds: int) -> Read:
 
 
 def _found(noise: float) -> Array:
-    """How many of the three planes are found within each of the angles that are tried, (a,)."""
+    """The number of the three planes found within each search angle, (a,)."""
     return np.array(
         [
             sum(searched(D435, reading, noise, angle, 0)[1] is not None for reading in READINGS)

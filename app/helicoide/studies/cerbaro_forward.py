@@ -57,11 +57,11 @@ SQUARED = Text(
 
 @dataclass(frozen=True)
 class Options:
-    """Nothing can be set."""
+    """No settings."""
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The examples, and how far the roads differ on the way from q = 0 to them; the short form is the whole."""
+    """The examples, and how far the formulations differ on the way from q = 0 to them; a quick run is the whole."""
     orca, movemaster = robots = (load("orca"), load("movemaster"))
     motions = tuple(_motion(robot) for robot in robots)
     rows = (*_of_orca(orca), *_of_movemaster(movemaster), *_measured(orca, movemaster))
@@ -74,7 +74,7 @@ def example(robot: Robot) -> Array:
 
 
 def cut(row: Row) -> Row:
-    """The row of a number that was cut, not rounded: it misses by less than a unit of the last digit."""
+    """The row of a truncated number: the tolerance is one unit of its last digit."""
     assert isinstance(row.source, Statement)
     source = replace(row.source, within=2 * row.source.within * (1 - 1e-6))
     return replace(row, source=source, fitted=(*row.fitted, CUT))
@@ -163,7 +163,7 @@ def _measured(orca: Robot, movemaster: Robot) -> tuple[Row, ...]:
 
 
 def _ratio(robot: Robot) -> float:
-    """How many times the distance of the computed point from the base is that of the measured one."""
+    """The distance of the measured point from the base over that of the computed point."""
     tool = 1000 * tool_by_screws(robot, example(robot))[:3, 3]
     return float(np.linalg.norm(MEASURED[robot.name]) / np.linalg.norm(tool))
 

@@ -45,7 +45,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Damped steps to 1 mm and 0.01 rad; the short form is the whole."""
+    """Damped steps to 1 mm and 0.01 rad; a quick run is the whole."""
     movemaster = arms.movemaster()
     aiming = arms.with_pitch_and_roll(movemaster, arms.standing(*TARGET), PITCH)
     coming = Coming(movemaster, aiming, Statement(same("17"), "§4.4.4, fig. 34", 17), OPEN, (0.5, 0.56, 1.0), "fig. 34")

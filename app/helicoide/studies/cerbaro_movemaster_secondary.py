@@ -11,7 +11,7 @@ from helicoide.ik.method import Quantity
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.confined import margins
 from helicoide.studies.cerbaro_runs.runs import Run, error_chart, joint_charts, motion, part, pitch, pitch_chart
-from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_ellipse, in_degrees, start_of_ellipse
+from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, LimitGain, free_ellipse, in_degrees, start_of_ellipse
 from helicoide.studies.study import Figure, Progress, Reading, Result, Row, Statement
 from helicoide.text import Text, same
 
@@ -65,10 +65,10 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """60 000 steps of 1 ms without k₀, with it, and with it in degrees; in short form a tenth of them."""
+    """60 000 steps of 1 ms without k₀, with it, and with it in degrees; in a quick run a tenth of them."""
     dt, q = DT_SHORT if short else DT, start_of_ellipse()
     gains = (0.0, options.gain, in_degrees(options.gain, len(q)))
-    plain, pushed, in_deg = (free_ellipse(q, k0, dt, False, part(progress, i, 3)) for i, k0 in enumerate(gains))
+    plain, pushed, in_deg = (free_ellipse(q, LimitGain(k0), dt, part(progress, i, 3)) for i, k0 in enumerate(gains))
     named = (
         (Text(en="k₀ = 0", pt_BR="k₀ = 0"), plain),
         (Text(en="with k₀", pt_BR="com k₀"), pushed),

@@ -51,7 +51,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """60 000 steps of 1 ms, closed and open; in short form a tenth of them."""
+    """60 000 steps of 1 ms, closed and open; in a quick run a tenth of them."""
     dt = DT_SHORT if short else DT
     closed = circle(dt, options.place * DT, options.turn * DT, part(progress, 0, 2))
     still_open = circle(dt, 0.0, 0.0, part(progress, 1, 2))

@@ -38,7 +38,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Newton's steps (λ = 0) to 1 mm and 0.01 rad; the short form is the whole."""
+    """Newton's steps (λ = 0) to 1 mm and 0.01 rad; a quick run is the whole."""
     orca = arms.orca()
     aiming = arms.with_heading(orca, arms.standing(*TARGET))
     coming = Coming(orca, aiming, Statement(same("7"), "§4.4.3, fig. 30", 7), OPEN, (0.3, 0.5, 1.0), "fig. 30")

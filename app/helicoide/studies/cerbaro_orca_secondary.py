@@ -58,7 +58,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """60 000 steps of 1 ms with k₀ and without; in short form a tenth of them."""
+    """60 000 steps of 1 ms with k₀ and without; in a quick run a tenth of them."""
     dt = DT_SHORT if short else DT
     gains = (0.0, options.gain, in_degrees(options.gain, 3))
     plain, pushed, in_deg = (free_circle(k0, dt, part(progress, i, 3)) for i, k0 in enumerate(gains))

@@ -72,7 +72,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def null_space(aiming: Aiming, q: Array) -> tuple[int, float]:
-    """How many freedoms a task leaves at q, and ‖J N‖ of its projector N = I − J† J, in units of J."""
+    """The dimension of the null space of a task at q, and ‖J N‖ of N = I − J† J, in units of J."""
     J = aiming(q, 0.0).J
     found = analysed(J)
     return found.null_space.shape[1], float(np.linalg.norm(J @ found.null_projector) / np.linalg.norm(J))

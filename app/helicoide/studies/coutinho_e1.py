@@ -26,13 +26,13 @@ from helicoide.studies._coutinho_rows import (
     rows_of,
     stays,
 )
-from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Run, control, crossings
+from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Insertion, Run, control, crossings
 from helicoide.studies._coutinho_runs import run as run_along
 from helicoide.studies._coutinho_simulation import part
 from helicoide.studies.study import CONSTRUCTED, PUT_IN, Fitted, Progress, Reading, Result, Row, Statement, printed
 from helicoide.text import Text, same
 
-TITLE = Text(en="E1: three methods beside each other", pt_BR="E1: três métodos lado a lado")
+TITLE = Text(en="E1: three methods compared", pt_BR="E1: comparação de três métodos")
 SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, tab. 4.3"
 ABOUT = Text(
     en="The experiment on the robot: tool and entry point swing to and fro, and on the way the wrist passes θ₇ = 0. "
@@ -52,7 +52,7 @@ ABOUT = Text(
 )
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
-# The short form comes through the singularity once.
+# A quick run passes through the singularity once.
 SECONDS = 4.0
 INVERSES: Mapping[str, tuple[Text, Inverse]] = {
     "plain": (Text(en="plain inverse", pt_BR="inversa simples"), PSEUDOINVERSE),
@@ -130,7 +130,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     for done, (name, (_, of_tool)) in enumerate(INVERSES.items()):
         gained = control(of_tool=of_tool, position=Kp, orientation=Ko)
         told = part(progress, done, len(INVERSES))
-        runs[name] = run_along("E1", gained, STEP, E1_START, E1_DEPTH, SECONDS if short else None, told)
+        runs[name] = run_along("E1", gained, STEP, Insertion(E1_START, E1_DEPTH), SECONDS if short else None, told)
     titled = {INVERSES[name][0]: got for name, got in runs.items()}
     rows = (
         *(() if short else _crossed(runs)),

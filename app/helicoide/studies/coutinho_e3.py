@@ -71,7 +71,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
 
 
 def approaches(w: Array) -> int:
-    """How often w_r (k,) falls near to the singularity, after it has been far from it."""
+    """The number of times that w_r (k,) approaches the singularity after being far from it."""
     times, is_near = 0, False
     for value in w:
         if value < NEAR and not is_near:
@@ -96,7 +96,7 @@ def stated(got: Run) -> list[Row]:
 
 
 def _unsteady() -> float:
-    """By how much the velocity that is read of a steady drag differs from it, m/s, over a second."""
+    """The largest error of the velocity, m/s, read by the controller over one second of constant motion."""
     velocity = np.array([0.01, -0.02, 0.015])
     T = np.eye(4)
     T[:3, :3] = rotation.exponential([0.3, -1.1, 0.6])

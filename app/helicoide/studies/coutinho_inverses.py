@@ -1,4 +1,4 @@
-"""The inverses of the constrained Jacobian beside each other, through the singularity of S3."""
+"""Inverses of the constrained Jacobian compared, through the singularity of S3."""
 
 from __future__ import annotations
 

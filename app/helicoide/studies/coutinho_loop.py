@@ -63,7 +63,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Two seconds of the arm at 1 ms and ten of the body; the short form is the same."""
+    """Two seconds of the arm at 1 ms and ten of the body; a quick run is the same."""
     found = []
     steps = round(SECONDS / STEP) + 1
     for done, moment in enumerate(islice(_approach(options), steps)):
@@ -99,7 +99,7 @@ def printed_error(T_world_target: Array, T_world_tool: Array) -> Array:
 
 
 def body(error: Error) -> Array:
-    """The angle that is left, degrees, step by step, of a body that is turned by 180° about x.
+    """The rotation angle still to go, degrees, step by step, of a body that starts at 180° about x.
 
     Its target is turned by 20° more, about its own z.
     """
@@ -107,7 +107,7 @@ def body(error: Error) -> Array:
 
 
 def missed(error: Error) -> int:
-    """How many bodies at random poses are more than 1° from their targets after 10 s."""
+    """The number of bodies at random poses that are more than 1° from their targets after 10 s."""
     draw, count = np.random.default_rng(2), 0
     for wxyz in draw.normal(size=(BODIES, 4)):
         away = AWAY * rotation.unit(draw.normal(size=3))
@@ -116,7 +116,7 @@ def missed(error: Error) -> int:
 
 
 def _turning(R: Array, away: Array, error: Error, dt: float) -> Array:
-    """The angle that is left, degrees, step by step, of a body that turns by ω = Ko ε̃ in its own axes.
+    """The rotation angle still to go, degrees, step by step, of a body that rotates by ω = Ko ε̃ in its own axes.
 
     Args: R (3, 3); away: of its target in its axes (3,), rad; dt, s.
     """
@@ -148,12 +148,12 @@ def _arrived(t: Array, position: Array, angle: Array) -> list[Row]:
 
 
 def _turned(turns: dict[Text, Array]) -> list[Row]:
-    """What is left of the angle of the body alone, by each error of orientation."""
+    """The remaining rotation angle of the body alone, for each definition of the orientation error."""
     return [Row(ANGLE_LEFT.format(which=which), float(left[-1]), "°") for which, left in turns.items()]
 
 
 def _missed() -> list[Row]:
-    """How many of the bodies at random poses do not arrive, by each error of orientation."""
+    """The number of bodies that do not converge, for each definition of the orientation error."""
     return [
         Row(MISSED.format(which=SEEN), missed(pose_error), "", Statement(ARRIVES, "§2.4", 0.0), (AS_SEEN,)),
         Row(
@@ -167,7 +167,7 @@ def _missed() -> list[Row]:
 
 
 def _formulas() -> list[Row]:
-    """What is printed otherwise than it is right, for turns of 40° and 60° about x, and Ko = 10."""
+    """Differences between printed and correct formulas, for turns of 40° and 60° about x, and Ko = 10."""
     small, large = (np.radians(degrees) for degrees in (40.0, 60.0))
     Q, P = (rotation.from_axis_angle(np.array([1.0, 0.0, 0.0]), angle) for angle in (small, large))
     added = Statement(same("η₁η₂ + ε₁ᵀε₂"), "eq. 2.16", float(Q[0] * P[0] + Q[1:] @ P[1:]), "=", CLOSE)

@@ -7,7 +7,7 @@ import numpy as np
 from helicoide.ik.postures.branch import tool_at
 from helicoide.studies._coutinho_rows import FOLLOWED, NULL, SAMPLED, STARTED, Options, stays
 from helicoide.studies._coutinho_runs import ROBOT, Run, dia10
-from helicoide.studies._coutinho_simulation import displaced_mm, simulated
+from helicoide.studies._coutinho_simulation import Simulation, displaced_mm, simulated
 from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
 from helicoide.text import Text, same
 
@@ -42,7 +42,8 @@ KEPT = Statement(same("H V_r = 0"), "eqs. 3.1, 3.22", NULL, "≤")
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: at 100 ms."""
-    return simulated("S1", options, short, progress, stated, "figs. 4.3–4.8", "fig. 4.6b")
+    simulation = Simulation("S1", stated, "figs. 4.3–4.8", "fig. 4.6b")
+    return simulated(simulation, options, short, progress)
 
 
 def stated(got: Run, dt: float) -> list[Row]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from helicoide.studies._coutinho_rows import NULL, SAMPLED, STARTED, Options, stays
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies._coutinho_simulation import displaced_mm, simulated
+from helicoide.studies._coutinho_simulation import Simulation, displaced_mm, simulated
 from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
 from helicoide.text import Text
 
@@ -27,7 +27,8 @@ WAY = Text(en="−2A sin(3ωt − π/2) − 2A, A = 3 cm", pt_BR="−2A sen(3ωt
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: at 100 ms."""
-    return simulated("S2", options, short, progress, stated, "figs. 4.9–4.14", "fig. 4.12b")
+    simulation = Simulation("S2", stated, "figs. 4.9–4.14", "fig. 4.12b")
+    return simulated(simulation, options, short, progress)
 
 
 def stated(got: Run, dt: float) -> list[Row]:

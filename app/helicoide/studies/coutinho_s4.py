@@ -6,7 +6,7 @@ import numpy as np
 
 from helicoide.studies._coutinho_rows import ENTRY, MISSED, SAMPLED_S4, STARTED, Options, stays
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies._coutinho_simulation import simulated
+from helicoide.studies._coutinho_simulation import Simulation, simulated
 from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
 from helicoide.text import Text
 
@@ -29,7 +29,8 @@ SPEED = 5.0  # mm/s
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: at 100 ms, which is too long a step to judge whether the entry point is followed."""
-    return simulated("S4", options, short, progress, given if short else stated, "figs. 4.20–4.24", "fig. 4.22b")
+    simulation = Simulation("S4", given if short else stated, "figs. 4.20–4.24", "fig. 4.22b")
+    return simulated(simulation, options, short, progress)
 
 
 def stated(got: Run, dt: float) -> list[Row]:

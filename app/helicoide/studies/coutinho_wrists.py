@@ -123,7 +123,7 @@ def standing(kind: Wrist, q: Array, l_a: float) -> Constrained:
 
 
 def _as_printed(kind: Wrist, count: int) -> list[Row]:
-    """How far matrix and w_r of the chain are from those in closed form, at random postures and depths."""
+    """The difference between J^r and w_r from the chain and in closed form, at random postures and depths."""
     robot, random = kind.arm(), np.random.default_rng(2015)
     matrix, w = [], []
     for q in random.uniform(robot.lower, robot.upper, (count, len(robot.variables))):
@@ -156,7 +156,7 @@ def _lost(title: Text, at: Constrained, place: str) -> Row:
 
 
 def _wrong(l_a: float) -> list[Row]:
-    """What is printed otherwise than it is right, at one posture; and how J^r degrades next to joint 6."""
+    """Differences between printed and correct formulas at one posture, and how J^r degrades next to joint 6."""
     slit, zy = KINDS["slit"], KINDS["zy"]
     l_b, c7, c8 = LENGTH - l_a, np.cos(BENT[6]), np.cos(BENT[7])
     entry = Statement(same("l₈ c₇ c₈"), "eq. 3.28", float(L_8 * c7 * c8), "=", CLOSE)
@@ -171,7 +171,7 @@ def _wrong(l_a: float) -> list[Row]:
 
 
 def _ranks() -> list[Row]:
-    """How many ways the tool moves with eight and with seven joints: the rank of J^r behind a trocar."""
+    """The rank of J^r behind a trocar, with eight and with seven joints."""
     rows = []
     stated = {dia10: Statement(ENOUGH, "§1.4, §5.1", 6.0), seven_joints: Statement(TOO_FEW, "§1.4, §5.1", 6.0, "<")}
     for arm, statement in stated.items():

@@ -1,4 +1,4 @@
-"""What a person has before them of the studies: which one, with what settings, how far it is, and what came of it."""
+"""The state of the study panel of a window: selected study, options, progress and results."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """A run that has ended: of which study, with which options, and its result."""
+    """A completed run: study, options, whether it was a quick run, and its result."""
 
     study: str
     options: Any
@@ -27,9 +27,11 @@ class Run:
 
 @dataclass(frozen=True, eq=False)
 class Desk:
-    """study: its name, none at first; options: of studies, by name, where they are not the defaults; short: whether the
-    short form is wanted; progress: the share that is done, None while nothing runs; last and before: the last two runs;
-    compared: whether the one before is shown as well; failure: why there is no result.
+    """The study panel: selection, options, progress and results.
+
+    study: its name, empty at first; options: by study name, where they differ from the defaults; short: whether a quick
+    run is requested; progress: the completed fraction, None while nothing runs; last and before: the last two completed
+    runs; compared: whether the previous run is shown too; failure: why there is no result.
     """
 
     study: str = ""
@@ -42,12 +44,12 @@ class Desk:
     failure: Text | None = None
 
     def chosen(self) -> Any:
-        """The options of the study, as they are set."""
+        """The current options of the selected study."""
         return self.options.get(self.study) or studies.named(self.study).Options()
 
     @property
     def shown(self) -> tuple[Run, ...]:
-        """The runs of this study that are shown: the last, and the one before where they are compared."""
+        """The runs of the selected study to show: the last, and the previous one if they are compared."""
         runs = (self.last, self.before) if self.compared else (self.last,)
         return tuple(run for run in runs if run is not None and run.study == self.study)
 
@@ -57,14 +59,14 @@ EMPTY = Desk()
 
 
 def choose(name: str) -> DeskUpdate:
-    """Take another study; what runs is ended. Raises HelicoideError for one that there is not."""
+    """Select another study and end the current run; raises HelicoideError for an unknown name."""
     if name:
         studies.named(name)
     return lambda desk: replace(desk, study=name, progress=None, failure=None)
 
 
 def set_option(name: str, value: object) -> DeskUpdate:
-    """One setting of the study; raises HelicoideError, which names what is valid."""
+    """Set one option of the selected study; raises HelicoideError, which lists the valid values."""
 
     def update(desk: Desk) -> Desk:
         options = changed(desk.chosen(), name, value)
@@ -74,25 +76,25 @@ def set_option(name: str, value: object) -> DeskUpdate:
 
 
 def start(desk: Desk) -> Desk:
-    """Run the study, unless one runs already."""
+    """Start the selected study, unless one is running."""
     return desk if desk.progress is not None or not desk.study else replace(desk, progress=0.0, failure=None)
 
 
 def end(desk: Desk) -> Desk:
-    """End what runs."""
+    """End the current run."""
     return replace(desk, progress=None)
 
 
 def told(share: float) -> DeskUpdate:
-    """What runs tells how far it is."""
+    """Update the progress of the current run."""
     return lambda desk: desk if desk.progress is None else replace(desk, progress=share)
 
 
 def done(run: Run) -> DeskUpdate:
-    """What ran has ended: it is the last run now."""
+    """Store a completed run as the last one."""
     return lambda desk: replace(desk, progress=None, last=run, before=desk.last)
 
 
 def failed(why: Text) -> DeskUpdate:
-    """What ran has ended without a result."""
+    """End the current run without a result."""
     return lambda desk: replace(desk, progress=None, failure=why)

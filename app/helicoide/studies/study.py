@@ -1,4 +1,4 @@
-"""What a study is: an experiment of a source that runs by itself, what the source prints of it, and what comes out."""
+"""The contract of a study: an experiment of a source, what the source prints, and what is computed here."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
 class Verdict(Enum):
-    """How ours stands to what the source prints."""
+    """How the computed number compares with what the source prints."""
 
     PRINTED = Text(en="as printed", pt_BR="como impresso")
     FITTED = Text(
@@ -31,15 +31,15 @@ class Verdict(Enum):
     DIFFERS = Text(en="differs", pt_BR="difere")
     ERRATUM = Text(en="a slip in print or in our copy", pt_BR="lapso no impresso ou na nossa cópia")
     FIGURE = Text(en="only in a figure", pt_BR="só em figura")
-    OURS = Text(en="ours", pt_BR="nosso")
+    OURS = Text(en="here", pt_BR="aqui")
 
 
 @dataclass(frozen=True)
 class Statement:
     """What a source prints about a quantity.
 
-    words: what it says, in either language; place: such as "fig. 3.11" or "§4.2.1"; value: the number that
-    they ask for, in the unit of the row; relation: "=" to `within`, "~" within its power of ten, or a bound.
+    words: the statement in both languages; place: such as "fig. 3.11" or "§4.2.1"; value: the number that the words
+    require, in the unit of the row; relation: "=" to within `within`, "~" in the same power of ten, or a bound.
     """
 
     words: Text
@@ -50,11 +50,11 @@ class Statement:
 
     @property
     def is_number(self) -> bool:
-        """Whether the words are a number; else they were read as one."""
+        """Whether the source prints a number, not a sentence that is read as one."""
         return _NUMBER.fullmatch(self.words.en) is not None
 
     def holds(self, ours: float) -> bool:
-        """Whether a number is as it is stated; what is no number never is."""
+        """Whether a number agrees with the statement; NaN never does."""
         match self.relation:
             case "=":
                 return abs(ours - self.value) <= self.within
@@ -71,9 +71,10 @@ class Statement:
 
 
 def printed(words: str, place: str) -> Statement:
-    """A number as it is printed, such as "< 1,2", "≈ 9" or "8,3 × 10⁻⁴"; it is met to half a unit of its last digit.
+    """The statement of a printed number, such as "< 1,2", "≈ 9" or "8,3 × 10⁻⁴".
 
-    One that is printed as "about" is met to a whole unit. Raises ValueError for words that are no number.
+    The tolerance is half a unit of the last digit, a whole unit after "≈". Raises ValueError for words that are not a
+    number.
     """
     if not (match := _NUMBER.fullmatch(words.strip())):
         raise ValueError(f"{words!r} is no number with a relation, such as '< 1,2'")
@@ -88,14 +89,14 @@ def printed(words: str, place: str) -> Statement:
 
 @dataclass(frozen=True)
 class Figure:
-    """The source shows the quantity in a figure only: its place."""
+    """A quantity that the source shows only in a figure, at `place`."""
 
     place: str
 
 
 @dataclass(frozen=True)
 class Fitted:
-    """A value that the source does not give, chosen so that what it prints holds, as it does from `least` to `most`."""
+    """A value that the source omits, chosen so that its statements hold; they hold from `least` to `most`."""
 
     name: Text
     value: float
@@ -106,9 +107,9 @@ class Fitted:
 
 @dataclass(frozen=True)
 class Reading:
-    """What was taken where the source allows more than one reading, such as the instant at which an error is read.
+    """The interpretation chosen where the source allows more than one, such as the instant at which an error is read.
 
-    otherwise: what comes out by another one.
+    otherwise: the result of another interpretation.
     """
 
     name: Text
@@ -117,11 +118,11 @@ class Reading:
 
 @dataclass(frozen=True)
 class Row:
-    """A quantity: what the source has of it, None where it has nothing, and ours.
+    """A quantity: what the source prints, if anything, and what is computed here (`ours`), in the same unit.
 
-    fitted: the chosen values and readings by which the statement holds; erratum: the number of the error of the source
-    because of which it does not, such as "vargas-2"; why: why ours differs, where that is known; given: why ours is no
-    result, such as `PUT_IN`, so that no verdict is due.
+    fitted: the chosen values and interpretations under which the statement holds; erratum: the error of the source that
+    explains a difference, such as "vargas-2"; why: another explanation of a difference, if known; given: why `ours` is
+    not a result and gets no verdict, such as `PUT_IN`.
     """
 
     quantity: Text
@@ -135,7 +136,7 @@ class Row:
 
     @property
     def verdict(self) -> Verdict:
-        """How ours stands to what the source prints; what is no number differs from everything."""
+        """How `ours` compares with what the source prints; NaN always differs."""
         if self.ours != self.ours:
             return Verdict.DIFFERS
         if self.given is not None:
@@ -151,7 +152,7 @@ class Row:
 
 
 def unstated(rows: tuple[Row, ...]) -> tuple[Row, ...]:
-    """The rows of a study with settings that are not those of its source: every number stands alone."""
+    """The rows without their statements, for a study with settings other than those of its source."""
     return tuple(replace(row, source=None, fitted=(), erratum="", why=None, given=None) for row in rows)
 
 
@@ -166,9 +167,10 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Chart:
-    """Curves over a common quantity; `across` and `up` name the axes, with their units.
+    """Curves over a common quantity; `across` and `up` label the axes, with units.
 
-    figure: that of the source beside which it stands, such as "fig. 3.11"; log: whether up goes by powers of ten.
+    figure: the figure of the source to compare with, such as "fig. 3.11"; log: whether the vertical axis is
+    logarithmic.
     """
 
     title: Text
@@ -181,9 +183,9 @@ class Chart:
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """What the arm did in one of the runs: times (k,), s, and joint values (k, n), rad or m, of a robot by its name.
+    """The motion of a robot in one run: times (k,), s, and joint values (k, n), rad or m.
 
-    parameters: lengths of the robot that were chosen, mm, as `load` takes them; title: the name of the run.
+    robot: its name; parameters: changed lengths, mm, in the form that `load` takes; title: the name of the run.
     """
 
     robot: str
@@ -195,7 +197,7 @@ class Motion:
 
 @dataclass(frozen=True, eq=False)
 class Result:
-    """What a study came to: its rows, its curves, and what the arm did in each of its runs."""
+    """The results of a study: rows, charts, and the motion of the arm in each run."""
 
     rows: tuple[Row, ...]
     charts: tuple[Chart, ...] = ()
@@ -203,15 +205,15 @@ class Result:
 
     @property
     def fitted(self) -> tuple[Fitted | Reading, ...]:
-        """All values and readings that were chosen so that printed statements hold."""
+        """All values and interpretations chosen so that printed statements hold, each once."""
         return tuple(dict.fromkeys(value for row in self.rows for value in row.fitted))
 
 
 class Study(Protocol):
     """A module of `studies/`.
 
-    SOURCE: author, year, section; or that it is your own. Options: annotated with the settings of `ik.method`, as those
-    of a method are.
+    SOURCE: author, year, section; or that it is your own. Options: annotated with the settings of `ik.method`, like the
+    options of a method.
     """
 
     TITLE: Text
@@ -221,10 +223,10 @@ class Study(Protocol):
 
     @property
     def Options(self) -> type:
-        """The class of its settings; its defaults are those of the source, or what was chosen where that gives none."""
+        """The class of its settings; defaults are the values of the source, or chosen values where it gives none."""
 
     def run(self, options: Any, short: bool, progress: Progress) -> Result:
-        """Run it. short: a coarser or shorter form of a few seconds; what it cannot judge is no row of it.
+        """Run the study. short: a quick run of a few seconds, which leaves out rows that it cannot judge.
 
-        progress: told the share that is done, 0 to 1.
+        progress: called with the completed fraction, 0 to 1.
         """

@@ -14,7 +14,19 @@ from helicoide.kinematics.singularity import singularity
 from helicoide.studies.study import Figure, Progress, Reading, Result, Row, printed
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra_wrist
 from helicoide.studies.vargas.paths import faster, path_10, places
-from helicoide.studies.vargas.runs import POSE, Run, Way, each, largest, record, sizes, tracking, turned, way
+from helicoide.studies.vargas.runs import (
+    POSE,
+    Experiment,
+    Run,
+    Way,
+    each,
+    largest,
+    record,
+    sizes,
+    tracking,
+    turned,
+    way,
+)
 from helicoide.studies.vargas.table import (
     WISHED,
     GainInCm,
@@ -96,8 +108,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     dt = max(options.dt, 1e-2) if short else options.dt
     usual, fast = (tracking(arm, faster(path_10, k), POSE, turned(1, pi / 2)) for k in (1.0, FAST))
     half = max(options.dt, 5e-3) if short else dt / 2
-    plans = {(key, 1.0): partial(record, arm, one, usual, RATE, TOOL_DOWN, dt, 31.5) for key, one in ways.items()}
-    plans |= {(key, FAST): partial(record, arm, ways[key], fast, RATE, TOOL_DOWN, half, 12.6) for key in FAST_ONES}
+    printed_speed = Experiment(arm, usual, RATE, TOOL_DOWN, dt, 31.5)
+    faster_run = Experiment(arm, fast, RATE, TOOL_DOWN, half, 12.6)
+    plans = {(key, 1.0): partial(record, printed_speed, one) for key, one in ways.items()}
+    plans |= {(key, FAST): partial(record, faster_run, ways[key]) for key in FAST_ONES}
     runs = each(plans, progress)
     slow, at_speed = {key: runs[key, 1.0] for key in ways}, {key: runs[key, FAST] for key in FAST_ONES}
     rows = [
@@ -146,7 +160,7 @@ def slope(run: Run) -> float:
 
 
 def peak(run: Run) -> float:
-    """When the wrist is fastest after the transient, s."""
+    """The time, s, of the largest wrist velocity after the transient."""
     later = run.t >= SINCE
     return float(run.t[later][np.abs(run.rates[later, 3:]).max(axis=1).argmax()])
 
@@ -191,7 +205,7 @@ def _passage(of: Text, run: Run, shown: Figure | None) -> list[Row]:
 
 
 def _recovered(runs: dict[str, Run]) -> list[Row]:
-    """What is left of the passage after 29 s, of all methods."""
+    """The remaining errors of all methods after 29 s."""
     late = runs["inverse"].t > 29
     position = Text(en="error of position after 29 s, at most", pt_BR="erro de posição após 29 s, no máximo")
     orientation = Text(en="error of orientation after 29 s, at most", pt_BR="erro de orientação após 29 s, no máximo")

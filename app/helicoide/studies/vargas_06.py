@@ -63,7 +63,7 @@ class Options:
 
     @property
     def ways(self) -> dict[str, Way]:
-        """The methods that are beside each other."""
+        """The compared methods."""
         ones, zero = f"γ = {self.gain:g}, Θ(0) = 0.1", f"γ = {self.gain:g}, Θ(0) = 0"
         return {
             **compared_ways(VALUES.ways),

@@ -71,7 +71,7 @@ class Options:
 
     @property
     def ways(self) -> dict[str, Way]:
-        """The methods that are beside each other."""
+        """The compared methods."""
         return {"pseudoinverse": PSEUDOINVERSE, **VALUES.ways, **filters([k * self.gain for k in TIMES])}
 
 

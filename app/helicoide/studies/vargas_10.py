@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.studies.study import Progress, Result, Row, printed
-from helicoide.studies.vargas.arm import DAMPING, SINCE, followers, result
+from helicoide.studies.vargas.arm import DAMPING, SINCE, Drawing, followers, result
 from helicoide.studies.vargas.arms import FOLDED
 from helicoide.studies.vargas.crossing import crossing_rows
 from helicoide.studies.vargas.paths import path_6
@@ -45,12 +45,12 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Two methods on trajectory 6; 8 s of it in the short form."""
+    """Two methods on trajectory 6; 8 s of it in a quick run."""
     ways = options.ways
     dt, seconds = (max(options.dt, 5e-3), 8.0) if short else (options.dt, 20.0)
     runs = followers(path_6, FOLDED, ways, dt, seconds, progress)
     rows = [*_statements(ways, runs), *crossing_rows(ways, runs, PLACE, slow=printed("< 0.2", PLACE))]
-    return result(rows, ways, runs, path_6, (0, 1), (PLACE, "fig. 4.9"), ("filtered", "damping"))
+    return result(rows, ways, runs, Drawing(path_6, (0, 1), PLACE, "fig. 4.9"), ("filtered", "damping"))
 
 
 def _statements(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:

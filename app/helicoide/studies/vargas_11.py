@@ -8,7 +8,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.studies.study import Figure, Progress, Reading, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, FASTEST_LATER, PSEUDOINVERSE, PUSH, SINCE, SQUARED, followers, result
+from helicoide.studies.vargas.arm import (
+    DAMPING,
+    FASTEST_LATER,
+    PSEUDOINVERSE,
+    PUSH,
+    SINCE,
+    SQUARED,
+    Drawing,
+    followers,
+    result,
+)
 from helicoide.studies.vargas.arms import FOLDED, REACH
 from helicoide.studies.vargas.crossing import crossing_rows
 from helicoide.studies.vargas.paths import path_7
@@ -22,8 +32,8 @@ SOURCE = "Vargas 2013, §4.5, sim. 11, figs. 4.12–4.17"
 ABOUT = Text(
     en="""The path crosses the axis of the waist every five seconds, where the shoulder is singular and the \
 pseudoinverse asks for ten thousand radians a second. Look at the error at those instants: damping leaves the path by \
-millimetres, the filtered inverse by a quarter of one, at the same joint rates. Compare δ with V_c, which tells how \
-far Θ is from an inverse: both rise where J is badly conditioned.""",
+millimetres, the filtered inverse by a quarter of one, at the same joint velocities. Compare δ with V_c, which tells \
+how far Θ is from an inverse: both rise where J is badly conditioned.""",
     pt_BR="""O caminho cruza o eixo da cintura a cada cinco segundos, onde o ombro é singular e a pseudoinversa pede \
 dez mil radianos por segundo. Observe o erro nesses instantes: a inversa amortecida sai do caminho por milímetros, a \
 filtrada por um quarto de milímetro, com as mesmas velocidades de junta. Compare δ com V_c, que mede quanto Θ está \
@@ -75,8 +85,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         plain = runs["pseudoinverse"]
         title = in_steps(FASTEST_LATER, dt)
         rows.append(row(title, PSEUDOINVERSE.title, largest(plain.rates, plain.t >= SINCE), "rad/s"))
-    figures = (PLACE, "figs. 4.13–4.14")
-    return result(rows, ways, runs, path_7, (1, 2), figures, ("filtered", "damping"))
+    drawing = Drawing(path_7, (1, 2), PLACE, "figs. 4.13–4.14")
+    return result(rows, ways, runs, drawing, ("filtered", "damping"))
 
 
 def _statements(runs: Mapping[str, Run]) -> list[Row]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.studies.study import Progress, Reading, Result, Row
-from helicoide.studies.vargas.arm import DAMPED, DAMPING, PSEUDOINVERSE, SINCE, followers, result
+from helicoide.studies.vargas.arm import DAMPED, DAMPING, PSEUDOINVERSE, SINCE, Drawing, followers, result
 from helicoide.studies.vargas.arms import NEARLY_UPRIGHT, REACH
 from helicoide.studies.vargas.crossing import crossing_rows
 from helicoide.studies.vargas.paths import path_7
@@ -20,8 +20,8 @@ TITLE = Text(en="Simulation 11b: an ill-conditioned start", pt_BR="Simulação 1
 SOURCE = "Vargas 2013, §4.5, figs. 4.18–4.19"
 ABOUT = Text(
     en="""The path of simulation 11, from a posture beside the upright arm. Look at δ: as long as damping is on, for \
-more than twenty seconds, the arm does not follow, since small joint rates count more than the path; when it goes off, \
-the joints race. The filtered inverse is on the path within five seconds.""",
+more than twenty seconds, the arm does not follow, since small joint velocities count more than the path; when it goes \
+off, the joints race. The filtered inverse is on the path within five seconds.""",
     pt_BR="""O caminho da simulação 11, a partir de uma postura junto ao braço na vertical. Observe δ: enquanto há \
 amortecimento, por mais de vinte segundos, o braço não acompanha, pois velocidades pequenas contam mais do que o \
 caminho; quando ele sai, as juntas disparam. A inversa filtrada chega ao caminho em cinco segundos.""",
@@ -55,7 +55,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Four methods on trajectory 7, for 40 s, 20 s in the short form."""
+    """Four methods on trajectory 7, for 40 s, 20 s in a quick run."""
     ways = options.ways
     dt, seconds = (max(options.dt, 5e-3), WATCHED) if short else (options.dt, 40.0)
     runs = followers(path_7, NEARLY_UPRIGHT, ways, dt, seconds, progress)
@@ -70,7 +70,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         last = damped.t >= SINCE
         when = Text(en="the joints are fastest at, damped", pt_BR="as juntas são mais rápidas em, amortecida")
         rows.append(row(when, None, float(damped.t[last][np.abs(damped.rates[last]).max(axis=1).argmax()]), "s"))
-    return result(rows, ways, runs, path_7, (1, 2), (PLACE, "fig. 4.18"), ("filtered", "damping"))
+    return result(rows, ways, runs, Drawing(path_7, (1, 2), PLACE, "fig. 4.18"), ("filtered", "damping"))
 
 
 def _statements(damped: Run) -> list[Row]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import nan
 
 from helicoide.studies.study import Figure, Progress, Reading, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, SINCE, dips, first_dip, followers, hertz, re_entry, result
+from helicoide.studies.vargas.arm import DAMPING, SINCE, Drawing, dips, first_dip, followers, hertz, re_entry, result
 from helicoide.studies.vargas.arms import FOLDED, REACH
 from helicoide.studies.vargas.paths import path_8, places
 from helicoide.studies.vargas.reach import AFTER, reach_rows
@@ -61,7 +61,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Four methods on trajectory 8 for 20 s, 15 s in the short form."""
+    """Four methods on trajectory 8 for 20 s, 15 s in a quick run."""
     ways = options.ways
     dt, seconds = (max(options.dt, 2e-3), 15.0) if short else (options.dt, 20.0)
     runs = followers(path_8, FOLDED, ways, dt, seconds, progress)
@@ -77,8 +77,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     rows += reach_rows(DAMPING, runs["damping"], Figure(PLACE), dt)
     beyond = Text(en="path beyond the border, at most", pt_BR="caminho além da fronteira, no máximo")
     rows.append(row(beyond, None, float(sizes(places(path_8, runs["damping"].t)).max() - REACH), "cm"))
-    figures = (PLACE, "figs. 4.21–4.22, 4.26")
-    return result(rows, ways, runs, path_8, (0, 1), figures, ("filtered_1", "damping"))
+    drawing = Drawing(path_8, (0, 1), PLACE, "figs. 4.21–4.22, 4.26")
+    return result(rows, ways, runs, drawing, ("filtered_1", "damping"))
 
 
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:

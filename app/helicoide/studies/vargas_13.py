@@ -11,6 +11,7 @@ from helicoide.studies.vargas.arm import (
     FASTEST_LATER,
     PUSH,
     SINCE,
+    Drawing,
     dips,
     followers,
     off_the_border,
@@ -65,7 +66,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Three methods on trajectory 8 for 20 s, 15 s in the short form."""
+    """Three methods on trajectory 8 for 20 s, 15 s in a quick run."""
     ways = options.ways
     dt, seconds = (max(options.dt, 2e-3), 15.0) if short else (options.dt, 20.0)
     runs = followers(path_8, FOLDED, ways, dt, seconds, progress)
@@ -76,8 +77,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         en="largest distance from the nearest point of the border", pt_BR="maior distância ao ponto da fronteira"
     )
     rows.append(row(off, ways["modified_25"].title, off_the_border(runs["modified_25"]), "cm"))
-    figures = (PLACE, "figs. 4.29–4.30")
-    return result(rows, ways, runs, path_8, (0, 1), figures, ("modified_25", "modified_1"))
+    drawing = Drawing(path_8, (0, 1), PLACE, "figs. 4.29–4.30")
+    return result(rows, ways, runs, drawing, ("modified_25", "modified_1"))
 
 
 def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:

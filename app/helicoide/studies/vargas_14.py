@@ -13,7 +13,7 @@ from helicoide.studies.study import Chart, Figure, Fitted, Progress, Reading, Re
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra
 from helicoide.studies.vargas.paths import Vector, path_11, places
 from helicoide.studies.vargas.readings import EXACT_STEP
-from helicoide.studies.vargas.runs import POSE, Run, each, largest, record, sizes, tracking, turned, way
+from helicoide.studies.vargas.runs import POSE, Experiment, Run, each, largest, record, sizes, tracking, turned, way
 from helicoide.studies.vargas.table import (
     WISHED,
     GainInDm,
@@ -83,11 +83,12 @@ def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Pro
 
     rows = np.array([*gains[:3], *[gains[3]] * 3])
     aiming = tracking(arm, in_dm, POSE, turned(1, pi))
-    return record(arm, way("filtered_modified", gain=gain), aiming, rows, TOOL_DOWN, dt, seconds, progress)
+    experiment = Experiment(arm, aiming, rows, TOOL_DOWN, dt, seconds)
+    return record(experiment, way("filtered_modified", gain=gain), progress)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Six pairs of gains for 32 s; to the farthest point in the short form."""
+    """Six pairs of gains for 32 s; to the farthest point in a quick run."""
     dt, seconds = (max(options.dt, 8e-3), 10.0) if short else (options.dt, 32.0)
     runs = each({key: partial(weighted, case, options.gain, dt, seconds) for key, case in CASES.items()}, progress)
     rows = _statements(runs)

@@ -79,7 +79,7 @@ def closest(run: Run) -> float:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Six heights of the hill and none, three in the short form."""
+    """Six heights of the hill and none, three in a quick run."""
     dt = max(options.dt, 1e-2) if short else options.dt
     weights = FEW if short else WEIGHTS
     runs = each({alpha: partial(round_the_obstacle, alpha, options.gain, dt, SECONDS) for alpha in weights}, progress)

@@ -90,7 +90,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Three obstacles, seen by none, one and eight points on each link; for 16 s, half the time, in the short form."""
+    """Three obstacles, seen by none, one and eight points on each link; for 16 s, half the time, in a quick run."""
     dt, seconds = (max(options.dt, 1e-2), SECONDS / 2) if short else (options.dt, SECONDS)
     distances: dict[Key, float] = {}
 

@@ -56,7 +56,7 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """Θ (k, n, r) on its way at t (k,), s, for K (r, n)."""
+    """Θ (k, n, r) at times t (k,), s, for a constant K (r, n)."""
 
     K: Array
     t: Array
@@ -73,7 +73,7 @@ class Path:
 
 
 def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float) -> Path:
-    """From a random Θ(0), by the rule of tab. 4.1 in steps of a tenth of what it bears, seen more often at first."""
+    """From a random Θ(0), by the rule of tab. 4.1, with a tenth of the stable step, stored more often at first."""
     t: Array = seconds * np.linspace(0, 1, 601) ** 3
     longest = filtered_inverse.step_limit(K, float(np.linalg.norm(np.atleast_2d(gain), 2)), update) / 10
     Theta = np.random.default_rng(1).normal(size=K.T.shape)
@@ -87,7 +87,7 @@ def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float
 
 
 def farthest(K: Array, gain: float, seconds: float) -> float:
-    """The largest ‖Θ − K†‖ that is left of random Θ(0), by the rule of tab. 4.1 in steps of half of what it bears."""
+    """The largest ‖Θ − K†‖ that remains from random Θ(0), by the rule of tab. 4.1, with half the stable step."""
     steps, left = ceil(2 * seconds / filtered_inverse.step_limit(K, gain)), []
     for Theta in np.random.default_rng(1).normal(size=(STARTS, *K.T.shape)):
         for _ in range(steps):
@@ -97,7 +97,7 @@ def farthest(K: Array, gain: float, seconds: float) -> float:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """A Jacobian with a joint to spare, the same turned round, and one that is singular."""
+    """A Jacobian of a redundant arm, its transpose, and a singular one."""
     gain, robot = options.gain, planar().robot
     wide, singular = geometric(robot, READY)[:2], geometric(robot, STRETCHED)[:2]
     seconds = 100.0 / gain
@@ -151,7 +151,7 @@ def _converged(left: Mapping[str, float], of_matrix: Path) -> list[Row]:
 
 
 def _growth(path: Path) -> Row:
-    """That V_c never grows on the way."""
+    """Rows: V_c never increases."""
     falls = stated("V̇_c ≤ 0", "V̇_c ≤ 0", "§4.3", 1e-9, "≤")
     grows = Text(en="largest growth of V_c in a step", pt_BR="maior crescimento de V_c em um passo")
     return row(grows, None, float(np.diff(_errors(path)).max()), "", falls)
@@ -191,13 +191,13 @@ PLACES = ("eq. 4.52", "eq. 4.54")
 
 
 def _rate(t: Array, values: Array) -> float:
-    """How fast values fade, 1/s, down to a thousandth of the first if they ever come to it."""
+    """The decay rate, 1/s, of values, down to a thousandth of the first if they reach it."""
     there = int((values < 1e-3 * values[0]).argmax()) or len(values)
     return float(-np.polyfit(t[:there], np.log(values[:there]), 1)[0])
 
 
 def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
-    """What never decays: how much of it is left."""
+    """Rows: the parts of Θ that never decay."""
     of_spare, of_many, of_stuck = (one.seen(gain) for one in (spare, many, stuck))
     rows_of = stated(
         "with S_r alone the rows of Nul(K) never decay", "só com S_r as linhas de Nul(K) não decaem",

@@ -41,7 +41,7 @@ class Options:
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """The worst case followed for 1000 s, 100 s in the short form, and the crossing in steps of its own length."""
+    """The worst case followed for 1000 s, 100 s in a quick run, and the crossing in steps of its own length."""
     worst_rows, worst_chart = _worst(options.beta, 100.0 if short else 1000.0)
     progress(0.5)
     crossing_rows, crossing_charts = _crossing(options, 5e-3 if short else 5e-4)

@@ -61,7 +61,7 @@ def in_a_slab(weight: float, steepness: int, gain: float, dt: float, seconds: fl
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Without a barrier, and with three; for 17 s in the short form. The source has no slab: all numbers are ours."""
+    """Without a barrier, and with three; for 17 s in a quick run. The source has no slab: all numbers are ours."""
     dt, seconds = (max(options.dt, 1e-2), 17.0) if short else (options.dt, SECONDS)
     runs = each({key: partial(in_a_slab, *key, options.gain, dt, seconds) for key in CASES}, progress)
     names = {key: digits(f"α = {key[0]:g}, k = {key[1]}") for key in CASES}

@@ -73,7 +73,7 @@ class Options:
 
 
 def second_arm(t: float, per_link: int = 4, base: float = BASE) -> Array:
-    """Points of the second arm, a planar 3R on a base at (base, 0), (3 · per_link, 3), m."""
+    """Points (3 · per_link, 3), ℓ, of the second arm at time t, s: a planar 3R with its base at (base, 0)."""
     robot = planar().robot
     q = np.array([np.pi - 0.5 + 0.3 * np.sin(0.3 * t), 0.6 + 0.2 * np.sin(0.4 * t), 0.4])
     points: Array = watched(robot, "links", per_link).at(link_poses(robot.chain, q))
@@ -84,23 +84,25 @@ def beside_it(
     weight: float,
     gain: float,
     dt: float,
-    seconds: float,
     progress: Progress,
     radius: float = RADIUS,
     base: float = BASE,
 ) -> Run:
-    """Four points on each link see twelve points of the other arm."""
+    """A run in which four points on each link keep away from twelve points of the second arm.
+
+    weight: height α of the cost of each point; gain: γ; dt, s; radius: of the cost, ℓ; base: x of the second arm, ℓ.
+    """
     hills = chosen("second_arm", weight=weight, radius=radius)
     aiming = augmented(planar(), hills, follow(path_1), lambda t: second_arm(t, base=base))
-    return filtered(aiming, (0.6, -1.2, 0.4), gain, dt, progress, seconds)
+    return filtered(aiming, (0.6, -1.2, 0.4), gain, dt, progress, SECONDS)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
-    """Without a hill and with two heights."""
+    """Runs without a cost and with two heights of it."""
     dt = max(options.dt, 8e-3) if short else options.dt
-    plans = {(alpha, dt): partial(beside_it, alpha, options.gain, dt, SECONDS) for alpha in WEIGHTS}
+    plans = {(alpha, dt): partial(beside_it, alpha, options.gain, dt) for alpha in WEIGHTS}
     if not short:
-        plans[ALPHA, dt / 2] = partial(beside_it, ALPHA, options.gain, dt / 2, SECONDS)
+        plans[ALPHA, dt / 2] = partial(beside_it, ALPHA, options.gain, dt / 2)
     runs = each(plans, progress)
     near = {key: nearest(one, second_arm) for key, one in runs.items()}
     names = {valued("α", alpha): runs[alpha, dt] for alpha in WEIGHTS}

@@ -56,7 +56,7 @@ def path_rows(robot: Robot) -> Folder:
             _free,
         ),
         Button(
-            lambda _: Text(en="In the least time", pt_BR="No menor tempo"),
+            lambda _: Text(en="Time-optimal", pt_BR="Tempo mínimo"),
             lambda _: PlayFastest(),
             Icon.BOLT,
             _free,

@@ -13,7 +13,7 @@ from helicoide.arrays import Array
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics import differential
 from helicoide.studies import coutinho_s1, coutinho_s2, coutinho_s3, coutinho_s4
-from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, control, dia10, run
+from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, Insertion, control, dia10, run
 from helicoide.studies.study import Row, Statement
 
 PLACE = np.array([0.194, 1.019, 0.958])  # table 4.2, m
@@ -35,9 +35,11 @@ def standing(q: Array) -> Array:
 def rows(q: Array) -> list[Row]:
     """All rows of the four simulations from q (8,), rad."""
     found = [
-        row for name, stated in STATED.items() for row in stated(run(name, control(), STEPS[name], q), STEPS[name])
+        row
+        for name, stated in STATED.items()
+        for row in stated(run(name, control(), STEPS[name], Insertion(q)), STEPS[name])
     ]
-    damped = (run("S3", control(of_tool=DLS, of_arm=arm), STEPS["S3"], q) for arm in (PSEUDOINVERSE, DLS))
+    damped = (run("S3", control(of_tool=DLS, of_arm=arm), STEPS["S3"], Insertion(q)) for arm in (PSEUDOINVERSE, DLS))
     return [*found, *coutinho_s3.stated(*damped)]
 
 

@@ -6,7 +6,7 @@ each value changed by 5 and 10 %; the last column is what half the step changes.
 
 from __future__ import annotations
 
-from helicoide.studies.vargas.secondary import SECONDS, nearest, silent
+from helicoide.studies.vargas.secondary import nearest, silent
 from helicoide.studies.vargas_two_arms import ALPHA, BASE, RADIUS, Options, beside_it, second_arm
 
 STEPS, FACTORS = (4e-3, 2e-3), (0.9, 0.95, 1.0, 1.05, 1.1)
@@ -14,7 +14,7 @@ STEPS, FACTORS = (4e-3, 2e-3), (0.9, 0.95, 1.0, 1.05, 1.1)
 
 def distance(weight: float, dt: float, radius: float, base: float) -> float:
     """The least distance of both arms after the transient, ℓ."""
-    run = beside_it(weight, Options().gain, dt, SECONDS, silent, radius, base)
+    run = beside_it(weight, Options().gain, dt, silent, radius, base)
     return nearest(run, lambda t: second_arm(t, base=base))
 
 

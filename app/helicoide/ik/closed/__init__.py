@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from collections.abc import Mapping
 from functools import cache, lru_cache
 from types import MappingProxyType
 from typing import cast
 
+from helicoide import content
 from helicoide.arrays import Array
 from helicoide.ik.postures.answer import Answer, Form, as_found
 from helicoide.ik.postures.branch import check_pose
@@ -19,8 +18,7 @@ from helicoide.text import HelicoideError
 @cache
 def found() -> dict[str, Form]:
     """Every closed form by the name of its file."""
-    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
-    return {name: cast(Form, importlib.import_module(f"{__name__}.{name}")) for name in names}
+    return cast(dict[str, Form], content.modules(__name__))
 
 
 @lru_cache(maxsize=64)

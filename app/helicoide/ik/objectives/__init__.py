@@ -5,27 +5,20 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from functools import cache
 from typing import cast
 
+from helicoide import content
 from helicoide.ik.objective import Objective
-from helicoide.text import HelicoideError, Text
+from helicoide.text import Text
 
 
 def names() -> tuple[str, ...]:
     """The names of all objectives: those of their files."""
-    return tuple(sorted(module.name for module in pkgutil.iter_modules(__path__)))
+    return content.module_names(__name__)
 
 
 @cache
 def named(name: str) -> Objective:
     """An objective by its name; raises HelicoideError, which lists the names."""
-    if name not in names():
-        raise HelicoideError(
-            Text(
-                en="There is no objective {name!r}; there is: {known}.", pt_BR="Não há objetivo {name!r}; há: {known}."
-            ).format(name=name, known=", ".join(names()))
-        )
-    return cast(Objective, importlib.import_module(f"{__name__}.{name}"))
+    return cast(Objective, content.module(__name__, name, names(), Text(en="objective", pt_BR="objetivo")))

@@ -6,12 +6,11 @@ file's bytes, as they are, with what is not finite, as `Raw`. It raises `Broken`
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from dataclasses import dataclass
 from functools import cache
 from typing import Protocol, cast
 
+from helicoide import content
 from helicoide.arrays import Array
 from helicoide.perception.broken import Broken
 from helicoide.perception.units import Unit
@@ -44,8 +43,7 @@ class Format(Protocol):
 @cache
 def found() -> tuple[Format, ...]:
     """Every format there is."""
-    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
-    return tuple(cast(Format, importlib.import_module(f"{__name__}.{name}")) for name in names)
+    return tuple(cast(Format, module) for module in content.modules(__name__).values())
 
 
 @cache

@@ -1,4 +1,4 @@
-"""The two arms of Cerbaro 2022 and what they aim at: rows in mm, so that λ and K are those of the source."""
+"""The two arms of Cerbaro 2022 and their tasks, in mm, so that λ and K have the values of the source."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Path = Callable[[float], tuple[Array, Array]]
 
 
 def orca(limits: float = 1.0) -> Problem:
-    """The ORCA without planes; the source draws its limits in a figure only: ours, or ours times a factor."""
+    """The ORCA without planes; its joint limits are assumed, times a factor, as the source only draws them."""
     robot = load("orca")
     return Problem(robot, Limits(limits * robot.lower, limits * robot.upper, robot.speed), planes_of(()), scale=MM)
 
@@ -45,23 +45,23 @@ def inverse(damping: float) -> tuple[Method, Any]:
 
 
 def limit_distance() -> Chosen:
-    """The joints away from their limits (Cerbaro 2022, eqs. 12 and 14)."""
+    """The objective that keeps joints away from their limits (Cerbaro 2022, eqs. 12 and 14)."""
     objective = objectives.named("limit_distance")
     return [(objective, objective.Options())]
 
 
 def standing(x: float, y: float, z: float = 0.0) -> Path:
-    """A point, m, that stands still."""
+    """A fixed point, m, with zero velocity."""
     return lambda t: (np.array([x, y, z]), np.zeros(3))
 
 
 def along(ellipse: Ellipse, velocity: Callable[[float], Array] | None = None) -> Path:
-    """A point that runs along an ellipse; velocity: the ẋ_d that is said of it, m/s, its own where none is given."""
+    """A point that moves along an ellipse; velocity: the ẋ_d of the control law, m/s, by default that of the point."""
     return lambda t: (ellipse.point(t), (velocity or ellipse.velocity)(t))
 
 
 def position(problem: Problem, path: Path, rows: int = 3) -> Aiming:
-    """The tool's position along a path: three rows, or two for an arm in a plane."""
+    """The task of tool position along a path; rows: 3, or 2 for a planar arm."""
     T = np.eye(4)
 
     def aim(q: Array, t: float) -> Aim:
@@ -74,7 +74,7 @@ def position(problem: Problem, path: Path, rows: int = 3) -> Aiming:
 
 
 def with_heading(problem: Problem, path: Path, phi: float = 0.0) -> Aiming:
-    """The position of an arm in a plane and its φ = q₁ + q₂ + q₃, rad; the third row is zero."""
+    """Position and heading φ = q₁ + q₂ + q₃, rad, of a planar arm; the third row is zero."""
     plain = position(problem, path)
 
     def aim(q: Array, t: float) -> Aim:
@@ -90,7 +90,7 @@ def with_pitch_and_roll(problem: Problem, path: Path, pitch: float, roll: float 
 
 
 def with_sums(problem: Problem, path: Path, sums: Array, wanted: Array) -> Aiming:
-    """Position, and sums (k, n) of joints that are wanted, (k,), rad."""
+    """Position and joint sums: `sums` (k, n) times q equals `wanted` (k,), rad."""
     plain = position(problem, path)
 
     def aim(q: Array, t: float) -> Aim:
@@ -102,7 +102,7 @@ def with_sums(problem: Problem, path: Path, sums: Array, wanted: Array) -> Aimin
 
 
 def start_at(problem: Problem, aiming: Aiming, q: Array) -> Array:
-    """The posture of an aim to rounding, by Newton's steps from q (n,)."""
+    """The joint values that solve a task to rounding, by Newton's method from q (n,), rad."""
     newton = by_method(problem, *inverse(0.0), 1.0)
     report = converged(problem, newton, still(aiming, 0.0), q, Tolerance(1e-12, 1e-12))
     assert report.reached
@@ -110,5 +110,5 @@ def start_at(problem: Problem, aiming: Aiming, q: Array) -> Array:
 
 
 def tool(problem: Problem, q: Array) -> Array:
-    """Where the tool is at q (n,): (3,), m."""
+    """The tool position (3,), m, at q (n,), rad."""
     return np.asarray((link_poses(problem.robot.chain, q)[-1] @ problem.robot.T_link_tool)[:3, 3])

@@ -1,4 +1,4 @@
-"""What the three studies of chapter 6 say: the sentences of §6.2 and §6.3, and the curves of figs. 47 to 64."""
+"""The result of the three studies of chapter 6: sentences of §6.2 and §6.3, and the curves of figs. 47 to 64."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from helicoide.text import Text
 from helicoide.trajectory import Ellipse
 
 CASES_TOLD = Text(
-    en="Case 1 holds the orientation, so that no freedom is left; case 2 leaves it free and keeps off the joint limits "
-    "by one gain, case 3 by the gains of Algorithm 1. The guarded step is ours: each step is the best one within the "
-    "limits of every joint and every distance. The error is how far the tool is from its target, the deviation how far "
-    "from the path that was wanted.",
+    en="Case 1 keeps the orientation, so that no freedom is left; case 2 leaves it free and keeps the joints off their "
+    "limits with one gain, case 3 with the gains of Algorithm 1. The constrained QP step is not in the source: each "
+    "step is the best one within the limits of all joints and distances. The error is the distance of the end effector "
+    "from its target, the deviation its distance from the desired path.",
     pt_BR="O caso 1 mantém a orientação, e não sobra liberdade; o caso 2 a deixa livre e se afasta dos limites de "
-    "junta com um só ganho, o caso 3 com os ganhos do Algoritmo 1. O passo vigiado é nosso: cada passo é o melhor que "
-    "respeita os limites de todas as juntas e de todas as distâncias. O erro é quanto falta ao efetuador até o seu "
-    "alvo; o desvio, até o caminho desejado.",
+    "junta com um só ganho, o caso 3 com os ganhos do Algoritmo 1. O passo com restrições (QP) não é da "
+    "fonte: cada passo é o melhor que respeita os limites de todas as juntas e de todas as distâncias. O erro é a "
+    "distância do efetuador ao seu alvo; o desvio, ao caminho desejado.",
 )
 
 
 def study(path: Ellipse, figures: tuple[int, int], options: Options, short: bool, progress: Progress) -> Result:
-    """All runs of a path and what they say. figures: the first and last of the source.
+    """All runs of a path and their result. figures: numbers of the first and last figure of the source.
 
-    short: 121 samples by one rule, a third of the guarded turn.
+    short: 121 samples by one rule, a third of the run with the constrained step.
     """
     found = runs(path, options, short, progress)
     rows = sentences(found, path, options)
@@ -38,7 +38,7 @@ def study(path: Ellipse, figures: tuple[int, int], options: Options, short: bool
 
 
 def motions(found: Runs) -> tuple[Motion, ...]:
-    """Every run by its name."""
+    """The motion of every run."""
     named = [(title(*run), course.q, found.period) for run, course in found.courses.items()]
     named.append((GUARDED, found.guard.q, len(found.guard.q) / 100))
     return tuple(_motion(name, q, seconds) for name, q, seconds in named)

@@ -21,7 +21,7 @@ AZIMUTH, ELEVATION = np.radians(-50), np.radians(25)
 
 
 def charts(runs: Runs, path: Ellipse, figures: tuple[int, int]) -> tuple[Chart, ...]:
-    """The most telling first. figures: the first and last of the source."""
+    """All charts, the most important first. figures: numbers of the first and last figure of the source."""
     first, last = figures
     shown, whole = f"figs. {first}–{first + 2}", f"figs. {first}–{last}"
     turned = Text(en="across (mm)", pt_BR="na horizontal (mm)"), Text(en="up (mm)", pt_BR="na vertical (mm)")
@@ -43,19 +43,19 @@ def _case(case: int) -> Text:
 
 
 def _share(runs: Runs, course: Course) -> Array:
-    """Where on the turn the samples are; the guarded step need not go round."""
+    """The share of the path at each sample; the constrained step may end before the whole turn."""
     end = TICK * len(course.q) / runs.period if course is runs.guard else 1.0
     return few(np.linspace(0.0, end, len(course.q)))
 
 
 def _seen() -> Array:
-    """Across and up as seen from there, (2, 3)."""
+    """The horizontal and vertical axes of the view in space, (2, 3)."""
     (c, s), (c2, s2) = ((np.cos(angle), np.sin(angle)) for angle in (AZIMUTH, ELEVATION))
     return np.array([[-s, c, 0.0], [-s2 * c, -s2 * s, c2]])
 
 
 def _paths(runs: Runs, name: Text, view: Array, axes: tuple[Text, Text], figure: str) -> Chart:
-    """What was wanted, what was left of it, and where the tool went, by two rows (2, 3) of a view."""
+    """The desired path, the trimmed path and the tool's paths, projected by the axes of a view (2, 3)."""
     first = runs.cases[1]
     named = [
         (Text(en="desired", pt_BR="desejado"), first.desired),
@@ -106,16 +106,16 @@ def _joints(runs: Runs, joints: tuple[int, ...], figure: str) -> Chart:
 def _distances(runs: Runs, of: Text, course: Course, figure: str = "") -> Chart:
     near, x = 1000 * few(course.near), _share(runs, course)
     lines = [Line(name, x, near[:, i]) for i, name in enumerate(PLANES)]
-    lines.append(_level(Text(en="critical", pt_BR="crítica"), CRITICAL))
-    lines.append(_level(Text(en="warning", pt_BR="alerta"), WARNING))
+    lines.append(_level(Text(en="safety distance", pt_BR="distância de segurança"), CRITICAL))
+    lines.append(_level(Text(en="warning distance", pt_BR="distância de aviso"), WARNING))
     title = Text(en="Distances to the planes, {of}", pt_BR="Distâncias aos planos, {of}").format(of=of)
     return Chart(title, SHARE, Text(en="least distance (mm)", pt_BR="menor distância (mm)"), tuple(lines), figure)
 
 
 def _orientation(runs: Runs, path: Ellipse, figure: str) -> Chart:
-    """‖vector part of Δq‖ of case 1, sin(θ/2): the turn left is one about y and one about x (eqs. 91, 92)."""
+    """‖vector part of Δq‖ of case 1, sin(θ/2); the error is a rotation about y and one about x (eqs. 91, 92)."""
     q = few(runs.cases[1].q)
     cosine = np.cos((path.pitch - q[:, 1:4].sum(axis=1)) / 2) * np.cos((path.roll - q[:, 4]) / 2)
     line = Line(_case(1), _share(runs, runs.cases[1]), np.sqrt(np.maximum(0.0, 1 - cosine**2)))
-    title = Text(en="Orientation error where it is held", pt_BR="Erro de orientação onde ela é mantida")
+    title = Text(en="Orientation error in case 1", pt_BR="Erro de orientação no caso 1")
     return Chart(title, SHARE, same("‖Δq‖"), (line,), figure)

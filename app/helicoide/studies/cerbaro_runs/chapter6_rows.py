@@ -1,4 +1,4 @@
-"""What §6.2 and §6.3 say of the paths in an enclosure, and numbers of ours that tell the rules apart."""
+"""Statements of §6.2 and §6.3 about the paths in an enclosure, and numbers that distinguish the rules."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ RATCHET = Text(
 
 
 def sentences(runs: Runs, path: Ellipse, options: Options) -> tuple[Row, ...]:
-    """What the source says in words, by its own rule with eq. 36 put right; distances of the points that it watches."""
+    """Rows about the sentences of the source, by its rule with eq. 36 corrected, for the points that it monitors."""
     cases, ratchets = runs.cases, options.former == "adapted"
     least = {case: margins(confined(), course.q) for case, course in cases.items()}
     worst = int(least[1].argmin())
@@ -113,7 +113,7 @@ def sentences(runs: Runs, path: Ellipse, options: Options) -> tuple[Row, ...]:
 
 
 def numbers(runs: Runs) -> tuple[Row, ...]:
-    """Eq. 36 as it is printed, and numbers of ours that tell the rules apart."""
+    """Rows about eq. 36 as printed, and numbers that distinguish the rules."""
     rows: list[Row] = []
     for (kind, case), course in runs.courses.items():
         of = title(kind, case)
@@ -138,7 +138,7 @@ def numbers(runs: Runs) -> tuple[Row, ...]:
 
 
 def tool_to_walls(course: Course) -> float:
-    """Least distance of the tool to walls and bench, for which alone the source watches it, mm."""
+    """Least distance of the tool to walls and bench, mm; the source monitors only the tool for them."""
     planes, others = confined().planes, list(WALLS_AND_BENCH)
     return float(1000 * (course.tool @ planes.normals[others].T - planes.offsets[others]).min())
 
@@ -149,12 +149,12 @@ def least_to_ceiling(course: Course) -> float:
 
 
 def farther(course: Course, other: Course) -> float:
-    """By how much the joint nearest to its limit stays farther from it than in another run, degrees."""
+    """The least margin to a joint limit minus that of another run, degrees."""
     return float(margins(confined(), course.q).min() - margins(confined(), other.q).min())
 
 
 def border(course: Course) -> float:
-    """Share of the samples in which the nearest point is between δ_c and 1.1 δ_c, to which eq. 36 sends it, %."""
+    """Share of samples, %, whose nearest point is between δ_c and 1.1 δ_c, the distance set by eq. 36."""
     near = 1000 * course.near.min(axis=1)
     return float(100 * ((near >= CRITICAL - 1e-6) & (near <= MARGIN * CRITICAL)).mean())
 
@@ -197,14 +197,14 @@ _TOOL_TO_WALLS = Text(
     pt_BR="casos 2 e 3: menor distância do efetuador a paredes e bancada",
 )
 _TO_WALLS = Text(
-    en="case {case}: least distance of any point, watched or not, to walls and bench",
-    pt_BR="caso {case}: menor distância de qualquer ponto, vigiado ou não, a paredes e bancada",
+    en="case {case}: least distance of any point, monitored or not, to walls and bench",
+    pt_BR="caso {case}: menor distância de qualquer ponto, monitorado ou não, a paredes e bancada",
 )
 _INSIDE = Text(en="{of}: least joint margin", pt_BR="{of}: menor folga de junta")
 
 
 def _error(of: Text, largest: float, options: Options) -> Row:
-    """The largest error of position, mm; where all points are reached it is what the inner loop was asked for."""
+    """The largest position error, mm; no result if all points are reached, as the tolerance then bounds it."""
     quantity = Text(en="{of}: largest position error", pt_BR="{of}: maior erro de posição").format(of=of)
     given = CONSTRUCTED if largest <= options.tolerance else None
     return Row(quantity, largest, "mm", printed("< 10", SAID), why=BEYOND_REACH, given=given)

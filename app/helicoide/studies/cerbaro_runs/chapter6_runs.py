@@ -1,4 +1,4 @@
-"""The runs of a path of chapter 6: by each rule in each case, and by the guarded step."""
+"""The runs of a path of chapter 6: by each rule in each case, and by the constrained QP step."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ PLANES = (
     same("−z"),
 )
 CRITICAL, WARNING = 80.0, 110.0
-GUARDED = Text(en="guarded step, orientation free", pt_BR="passo vigiado, orientação livre")
+GUARDED = Text(en="constrained QP step, orientation free", pt_BR="passo com restrições (QP), orientação livre")
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Options:
 
 
 class Kind(Enum):
-    """By which rule targets give way."""
+    """The rules by which targets are moved away from planes."""
 
     SOURCE = Text(en="by the source’s rule", pt_BR="pela regra da fonte")
     STEADY = Text(
@@ -77,7 +77,7 @@ class Kind(Enum):
         en="with no rule, its path only kept 110 mm off walls and bench beforehand",
         pt_BR="sem regra, com o caminho apenas afastado antes a 110 mm de paredes e bancada",
     )
-    PLANES = Text(en="every point watched against every plane", pt_BR="todo ponto vigiado contra todo plano")
+    PLANES = Text(en="every point monitored for every plane", pt_BR="todo ponto monitorado para todo plano")
 
 
 def title(kind: Kind, case: int) -> Text:
@@ -103,13 +103,13 @@ def rule(kind: Kind, options: Options) -> Rule:
 
 
 def gains(kind: Kind, options: Options) -> Gains:
-    """The gains of a kind."""
+    """The gains that go with a kind of rule."""
     return replace(options.gains, growth=1.0) if kind is Kind.STEADY else options.gains
 
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Every run of a path, by its kind and case, and one by the guarded step; s of the whole turn."""
+    """The runs of a path by rule and case, the run with the constrained step, and the period of the path, s."""
 
     courses: Mapping[tuple[Kind, int], Course]
     guard: Course
@@ -127,7 +127,7 @@ WHOLE += ((Kind.STEADY, 3), (Kind.PRINTED, 3), (Kind.UNDAMPED, 3), (Kind.PLANES,
 
 
 def runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> Runs:
-    """All of them; short: by one rule, at fewer samples, and a third of the guarded turn."""
+    """All runs; short: one rule, fewer samples, and a third of the run with the constrained step."""
     asked, samples = (SHORT, SAMPLES_SHORT) if short else (WHOLE, SAMPLES)
     count = len(asked) + 1
     courses = {

@@ -1,7 +1,8 @@
-"""Chapter 6 of Cerbaro 2022: three paths in a foam enclosure, each in three cases, by the source's rules or guarded.
+"""Chapter 6 of Cerbaro 2022: three paths in a foam enclosure, each in three cases.
 
-Case 1 holds the orientation (five tasks, no freedom left); case 2 leaves it free and keeps off the joint limits by one
-gain; case 3 by the gains of Algorithm 1, which grow.
+Case 1 keeps the orientation (five tasks, no freedom left); case 2 leaves it free and keeps the joints off their limits
+with one gain; case 3 does so with the gains of Algorithm 1, which grow. Runs follow the source's rules, or take the
+constrained QP step.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ DT = 1e-3
 
 @dataclass(frozen=True)
 class Gains:
-    """What the source does not give: k₀, 1/s; κ, the step factor; tolerance, m; λ, mm/rad. growth: of Algorithm 1."""
+    """Values that the source omits: k₀, 1/s; step factor κ; tolerance, m; λ, mm/rad; growth of gains in Algorithm 1."""
 
     k0: float
     factor: float
@@ -52,7 +53,7 @@ class Gains:
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """A run along a path: desired points (k, 3), m, and what came of them; q, tool, near as in `Track`."""
+    """A run along a path: desired and trimmed points (k, 3), m, and the outcome; q, tool, near as in `Track`."""
 
     desired: Array
     trimmed: Array
@@ -70,12 +71,12 @@ class Course:
 
     @property
     def deviations(self) -> Array:
-        """Distance of the tool from the desired path's point, mm."""
+        """Distance of the tool from the desired point, (k,), mm."""
         return np.asarray(1000 * np.linalg.norm(self.tool - self.desired, axis=1))
 
     @property
     def deviation(self) -> float:
-        """Their mean."""
+        """The mean deviation, mm."""
         return float(self.deviations.mean())
 
 
@@ -86,18 +87,18 @@ def confined() -> Problem:
 
 
 def source_rule() -> Rule:
-    """As in the source but for eq. 36: the ceiling alone is watched, and a warning forbids to rise."""
+    """The source's rule with eq. 36 corrected: only the ceiling is monitored; in its warning zone nothing may rise."""
     return Rule((CEILING,), level=True)
 
 
 def margins(problem: Problem, q: Array) -> Array:
-    """How far each joint stays from its nearer limit at worst, degrees, (n,); negative beyond it."""
+    """The least margin of each joint to its limits, degrees, (n,); negative outside."""
     lower, upper = problem.limits.lower, problem.limits.upper
     return np.asarray(np.degrees(np.minimum(q - lower, upper - q).min(axis=0)))
 
 
 def solver(problem: Problem, case: int, gains: Gains) -> Run:
-    """The inverse kinematics of a case: damped least squares, the objective and Algorithm 1 where the case has them."""
+    """The solver of a case: damped least squares, with the objective in cases 2 and 3 and Algorithm 1 in case 3."""
     method, options = arms.inverse(gains.damping)
     if case == 1:
         return by_method(problem, method, options, gains.factor)
@@ -111,7 +112,7 @@ def solver(problem: Problem, case: int, gains: Gains) -> Run:
 
 
 def aim_of(problem: Problem, case: int, path: Ellipse, target: Array) -> Aiming:
-    """What a case aims at for a target (3,), m."""
+    """The task of a case for a target (3,), m."""
     point = arms.standing(*target)
     if case == 1:
         return arms.with_pitch_and_roll(problem, point, path.pitch, path.roll)
@@ -119,12 +120,12 @@ def aim_of(problem: Problem, case: int, path: Ellipse, target: Array) -> Aiming:
 
 
 def desired(path: Ellipse, samples: int) -> Array:
-    """Points of one turn, both ends among them, (k, 3), m."""
+    """Points of one turn, including both ends, (k, 3), m."""
     return np.array([path.point(s) for s in np.linspace(0, path.period, samples)])
 
 
 def by_rule(path: Ellipse, case: int, gains: Gains, rule: Rule, samples: int, progress: Progress) -> Course:
-    """The source's experiment: from home to the first point, then along the path, which gives way to planes."""
+    """The source's experiment: from home to the first point, then along the path, which is moved away from planes."""
     problem = confined()
     run, aimed = solver(problem, case, gains), partial(aim_of, problem, case, path)
     points = desired(path, samples)
@@ -142,10 +143,10 @@ def _course(problem: Problem, points: Array, targets: Array, track: Track, gains
 
 
 def guarded(path: Ellipse, k0: float, seconds: float, progress: Progress) -> Course:
-    """The same path as the page drives it: the guarded step, with the objective in a level below the task.
+    """The same path with the constrained QP step of the page; the objective has a lower priority than the task.
 
-    Joint limits are hard rows there. No joint is ever beyond one, Algorithm 1 has nothing to clip, and cases 2 and 3
-    are one. Args: k0, 1/s; seconds: along the path, from its start on.
+    Joint limits are hard constraints, so Algorithm 1 has nothing to clip and cases 2 and 3 coincide. k0: 1/s; seconds:
+    duration along the path, from its start.
     """
     state, turn = _on_the_path(path, k0), round(seconds / TICK)
     points, q, near = [], [], []
@@ -161,7 +162,7 @@ def guarded(path: Ellipse, k0: float, seconds: float, progress: Progress) -> Cou
 
 
 def _on_the_path(path: Ellipse, k0: float) -> State:
-    """The page's state with the arm where the path begins, or as near to it as the planes let it come."""
+    """The page's state with the arm at the start of the path, or as near to it as the planes allow."""
     state = initial(load("movemaster"))
     drive = Drive(secondary=Secondary("limit_distance", objectives.named("limit_distance").Options(), k0))
     state = commanded(

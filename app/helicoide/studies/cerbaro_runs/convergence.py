@@ -1,4 +1,4 @@
-"""Coming from home to a target by a constant share of the error a step: how many steps it takes, and where it ends."""
+"""Convergence from home to a target, each step a constant fraction of the error: number of steps, and the end."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ OTHER_FACTOR = Text(
 
 @dataclass(frozen=True, eq=False)
 class Coming:
-    """What is aimed at from home; what the source prints of the count, and by which factor it comes out; others."""
+    """A task from home, the printed number of iterations, the step factor inferred from it, and other factors."""
 
     problem: Problem
     aiming: Aiming
@@ -38,7 +38,7 @@ class Coming:
 
 
 def result(coming: Coming, factor: float, damping: float) -> Result:
-    """The count of iterations with the chosen factor and with others, and the posture that is reached."""
+    """The number of iterations with the chosen factor and with others, and the posture reached."""
     reports = {f: _came(coming, f, damping) for f in sorted({factor, *coming.others})}
     quantity = Text(en="iterations, step factor {f:g}", pt_BR="iterações, fator de passo {f:g}")
     stated = Row(quantity.format(f=factor), reports[factor].iterations, "", coming.statement, (coming.inferred,))
@@ -63,7 +63,7 @@ def _motion(coming: Coming, factor: float, damping: float, report: Report) -> Mo
 
 
 def _margin(coming: Coming) -> tuple[Row, ...]:
-    """How far inside its limits the exact solution is, by the joint that is nearest to one."""
+    """The least margin of the exact solution to the joint limits, degrees."""
     limits = coming.problem.limits
     q = arms.start_at(coming.problem, coming.aiming, coming.problem.robot.poses["home"])
     quantity = Text(en="exact solution: least margin to its limits", pt_BR="solução exata: menor folga até os limites")

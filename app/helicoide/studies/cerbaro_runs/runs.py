@@ -1,4 +1,4 @@
-"""A closed loop run to its end and kept step by step."""
+"""A closed-loop run stored step by step, and its charts."""
 
 from __future__ import annotations
 
@@ -52,12 +52,12 @@ class Run:
 
     @property
     def error(self) -> Array:
-        """Error of position (s,), mm."""
+        """Position error (s,), mm."""
         return np.asarray(np.linalg.norm(self.errors[:, :3], axis=1))
 
     @property
     def turned(self) -> Array:
-        """Error of orientation (s,), rad; zero where that is free."""
+        """Orientation error (s,), rad; zero if the orientation is free."""
         return np.asarray(np.linalg.norm(self.errors[:, 3:], axis=1))
 
     def since(self, t0: float) -> Run:
@@ -72,12 +72,12 @@ class Run:
         return replace(self, t=self.t[s], q=self.q[s], errors=self.errors[s], fastest=self.fastest[s])
 
     def degrees(self, joint: int) -> tuple[float, float]:
-        """The range of a joint, the first is 1."""
+        """The smallest and largest value of a joint, degrees; the first joint is 1."""
         return float(np.degrees(self.q[:, joint - 1].min())), float(np.degrees(self.q[:, joint - 1].max()))
 
 
 def ran(moments: Iterable[Moment], seconds: float, progress: Progress = lambda share: None) -> Run:
-    """The moments of a closed loop whose lengths are in mm, up to a time."""
+    """Collect the steps of a closed loop, with lengths in mm, up to a time, s."""
     t, q, errors, fastest = [], [], [], []
     for step, moment in enumerate(moments):
         if moment.t >= seconds:
@@ -93,7 +93,7 @@ def ran(moments: Iterable[Moment], seconds: float, progress: Progress = lambda s
 
 
 def few(values: Array) -> Array:
-    """Some hundred of many samples, evenly, with the first and the last."""
+    """About `SHOWN` evenly spaced samples, including the first and the last."""
     return np.asarray(values[np.unique(np.linspace(0, len(values) - 1, SHOWN).round().astype(int))])
 
 
@@ -107,19 +107,19 @@ TIME = Text(en="time (s)", pt_BR="tempo (s)")
 
 
 def error_chart(figure: str, *named: Named) -> Chart:
-    """Position errors of runs, mm, over time, by powers of ten."""
+    """Position errors of runs, mm, over time, logarithmic."""
     title, up = Text(en="Position error", pt_BR="Erro de posição"), Text(en="error (mm)", pt_BR="erro (mm)")
     return Chart(title, TIME, up, tuple(Line(words, few(run.t), few(run.error)) for words, run in named), figure, True)
 
 
 def turned_chart(figure: str, *named: Named) -> Chart:
-    """Errors of orientation of runs, rad, over time, by powers of ten."""
+    """Orientation errors of runs, rad, over time, logarithmic."""
     title, up = Text(en="Orientation error", pt_BR="Erro de orientação"), Text(en="error (rad)", pt_BR="erro (rad)")
     return Chart(title, TIME, up, tuple(Line(words, few(run.t), few(run.turned)) for words, run in named), figure, True)
 
 
 def limit_lines(problem: Problem, joint: int, seconds: float) -> tuple[Line, ...]:
-    """Both limits of a joint, the first is 1, as level lines, degrees."""
+    """Both limits of a joint as horizontal lines, degrees; the first joint is 1."""
     bounds = (
         (Text(en="lower limit", pt_BR="limite inferior"), problem.limits.lower[joint - 1]),
         (Text(en="upper limit", pt_BR="limite superior"), problem.limits.upper[joint - 1]),
@@ -128,7 +128,7 @@ def limit_lines(problem: Problem, joint: int, seconds: float) -> tuple[Line, ...
 
 
 def joint_charts(figure: str, problem: Problem, joints: tuple[int, ...], *named: Named) -> tuple[Chart, ...]:
-    """A chart for each joint, the first is 1: the runs between its limits."""
+    """A chart for each joint with its limits; the first joint is 1."""
     charts = []
     for j in joints:
         curves = tuple(Line(title, few(run.t), np.degrees(few(run.q)[:, j - 1])) for title, run in named)
@@ -139,7 +139,7 @@ def joint_charts(figure: str, problem: Problem, joints: tuple[int, ...], *named:
 
 
 def pitch_chart(figure: str, name: str, *named: Named) -> Chart:
-    """What `pitch` is, degrees, over time. Args: name: how the source calls it."""
+    """`pitch`, degrees, over time. name: its symbol in the source."""
     lines = tuple(Line(title, few(run.t), np.degrees(pitch(few(run.q)))) for title, run in named)
     title = Text(en="Orientation {name}, left free", pt_BR="Orientação {name}, deixada livre").format(name=name)
     return Chart(title, TIME, same(f"{name} (°)"), lines, figure)
@@ -166,12 +166,12 @@ def motion(robot: str, title: Text, run: Run) -> Motion:
 
 
 def joint_chart(figure: str, run: Run, joints: tuple[int, ...]) -> Chart:
-    """Joints, degrees, over time; the first is 1."""
+    """Joint values, degrees, over time; the first joint is 1."""
     t, q = few(run.t), np.degrees(few(run.q))
     lines = tuple(Line(same(f"J{j}"), t, q[:, j - 1]) for j in joints)
     return Chart(Text(en="Joints", pt_BR="Juntas"), TIME, Text(en="joint (°)", pt_BR="junta (°)"), lines, figure)
 
 
 def part(progress: Progress, index: int, count: int) -> Progress:
-    """The progress of one of several runs of equal length, the first is 0."""
+    """The progress of one of `count` runs of equal length; the first index is 0."""
     return lambda share: progress((index + min(1.0, share)) / count)

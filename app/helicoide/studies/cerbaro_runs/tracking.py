@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import cos, pi, radians, sin
+from typing import NamedTuple
 
 import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import limit_gains
 from helicoide.ik.clik import followed
-from helicoide.ik.limit_gains import GROWTH, Memory
+from helicoide.ik.limit_gains import Memory
 from helicoide.ik.secondary import push
 from helicoide.studies.cerbaro_runs import arms
 from helicoide.studies.cerbaro_runs.runs import Run, ran
@@ -29,21 +30,21 @@ Velocity = Callable[[float], Array]
 
 
 def in_degrees(k0: float, joints: int) -> float:
-    """k₀, 1/s, as it acts in radians where eq. 14 is taken in degrees, with the 6 that it prints for any arm."""
+    """k₀, 1/s, converted to radians if eq. 14 is read in degrees, with the factor 6 that it prints for any arm."""
     return k0 * 2 * joints / 6 * radians(1) ** 2
 
 
 def nothing(share: float) -> None:
-    """A progress that nobody hears."""
+    """Ignore progress."""
 
 
 def round_once(path: Ellipse) -> Array:
-    """A path as points (k, 3), m."""
+    """Points of a whole path, (k, 3), m."""
     return np.array([path.point(t) for t in np.linspace(0, path.period, 181)])
 
 
 def unfed(t: float) -> Array:
-    """No velocity of the path in the control law, (3,), m/s."""
+    """Zero feedforward velocity, (3,), m/s."""
     return np.zeros(3)
 
 
@@ -53,7 +54,7 @@ def eq_32(t: float) -> Array:
 
 
 def circle(dt: float, place: float, turn: float, progress: Progress = nothing, seconds: float = TURN) -> Run:
-    """The ORCA round its circle with its heading held. Args: place, turn: Λ of position and of heading, times Δt."""
+    """The ORCA follows its circle with fixed heading. place, turn: Λ Δt of position and of heading."""
     orca = arms.orca()
     aiming = arms.with_heading(orca, arms.along(CIRCLE))
     q = arms.start_at(orca, aiming, orca.robot.poses["home"])
@@ -69,9 +70,9 @@ def ellipse(
     seconds: float = TURN,
     velocity: Velocity = ELLIPSE.velocity,
 ) -> Run:
-    """The Movemaster round its ellipse with pitch and roll held.
+    """The Movemaster follows its ellipse with fixed pitch and roll.
 
-    Args: place and turn as in `circle`; velocity: ẋ_d of the control law, m/s, that of the path if it is right.
+    place, turn: as in `circle`; velocity: feedforward ẋ_d of the control law, m/s.
     """
     movemaster = arms.movemaster()
     aiming = arms.with_pitch_and_roll(movemaster, arms.along(ELLIPSE, velocity), ELLIPSE.pitch)
@@ -81,7 +82,7 @@ def ellipse(
 
 
 def free_circle(k0: float, dt: float, progress: Progress = nothing, seconds: float = TURN, limits: float = 1.0) -> Run:
-    """The ORCA round its circle, its heading free, the joints off their limits by k₀. Args: limits: times ours."""
+    """The ORCA follows its circle with free heading and limit gain k₀, 1/s. limits: scale of the assumed limits."""
     orca = arms.orca(limits)
     q = arms.start_at(orca, arms.with_heading(orca, arms.along(CIRCLE)), orca.robot.poses["home"])
     pushed = push(orca, arms.limit_distance(), k0)
@@ -98,33 +99,38 @@ def start_of_ellipse(pitch_deg: float = -60.0) -> Array:
 
 
 def start_inside(degrees: float) -> Array:
-    """The posture at (440, 0, 200) mm with J3 so far inside its lower limit, and no roll."""
+    """The posture at (440, 0, 200) mm with J3 `degrees` inside its lower limit, and no roll."""
     movemaster = arms.movemaster()
     sums, wanted = np.eye(5)[[2, 4]], np.array([movemaster.limits.lower[2] + np.radians(degrees), 0.0])
     aiming = arms.with_sums(movemaster, arms.standing(*ELLIPSE.point(0.0)), sums, wanted)
     return arms.start_at(movemaster, aiming, movemaster.robot.poses["ready"])
 
 
+class LimitGain(NamedTuple):
+    """The gain k₀, 1/s, of the objective that keeps joints away from their limits.
+
+    growth: by Algorithm 1, the factor of a joint's gain each time the joint is clipped; None without that algorithm.
+    """
+
+    k0: float
+    growth: float | None = None
+
+
 def free_ellipse(
     q: Array,
-    k0: float,
+    gain: LimitGain,
     dt: float,
-    grows: bool,
     progress: Progress = nothing,
     seconds: float = TURN,
     velocity: Velocity = ELLIPSE.velocity,
-    growth: float = GROWTH,
 ) -> Run:
-    """The Movemaster round its ellipse from q (5,), orientation free, by one k₀, 1/s, or by Algorithm 1 (grows).
-
-    Args: velocity as in `ellipse`; growth: of a gain with each clip.
-    """
+    """The Movemaster follows its ellipse from q (5,), rad, with free orientation; velocity as in `ellipse`."""
     movemaster, chosen = arms.movemaster(), arms.limit_distance()
-    aiming, gain = arms.position(movemaster, arms.along(ELLIPSE, velocity)), 1.8 / dt
+    aiming, feedback = arms.position(movemaster, arms.along(ELLIPSE, velocity)), 1.8 / dt
     method, options = arms.inverse(DAMPING)
-    if not grows:
-        pushed = push(movemaster, chosen, k0)
-        return ran(followed(movemaster, method, options, aiming, gain, q, dt, pushed), seconds, progress)
-    memory = Memory(np.full(5, k0))
-    moments = limit_gains.followed(movemaster, method, options, aiming, gain, chosen, memory, q, dt, growth=growth)
+    if gain.growth is None:
+        pushed = push(movemaster, chosen, gain.k0)
+        return ran(followed(movemaster, method, options, aiming, feedback, q, dt, pushed), seconds, progress)
+    memory, growth = Memory(np.full(5, gain.k0)), gain.growth
+    moments = limit_gains.followed(movemaster, method, options, aiming, feedback, chosen, memory, q, dt, growth=growth)
     return ran(moments, seconds, progress)

@@ -1,9 +1,9 @@
-"""Sims. 10 to 13 of Vargas 2013: the position of the Zebra-ZERO by three joints, in cm, λ = 2, from Θ = 0."""
+"""Sims. 10 to 13 of Vargas 2013: position of the Zebra-ZERO with three joints, in cm, λ = 2, Θ(0) = 0."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from helicoide.arrays import Array
 from helicoide.studies.study import Progress, Result, Row
 from helicoide.studies.vargas.arms import REACH, zebra_arm
 from helicoide.studies.vargas.paths import Path, path_8, places
-from helicoide.studies.vargas.runs import IN_SPACE, Instants, Run, Way, compared, sizes, tracking, way
+from helicoide.studies.vargas.runs import IN_SPACE, Experiment, Instants, Run, Way, compared, sizes, tracking, way
 from helicoide.studies.vargas.table import (
     ERROR_FROM,
     FASTEST_FROM,
@@ -47,27 +47,33 @@ def followers(
 ) -> dict[str, Run]:
     """A run of each method along a trajectory."""
     arm = zebra_arm()
-    return compared(arm, ways, tracking(arm, path, IN_SPACE), RATE, start, dt, seconds, progress)
+    return compared(Experiment(arm, tracking(arm, path, IN_SPACE), RATE, start, dt, seconds), ways, progress)
+
+
+class Drawing(NamedTuple):
+    """A trajectory, the two axes in which it is drawn, and the figures of the source: of the runs, and of the paths."""
+
+    path: Path
+    plane: tuple[int, int]
+    figure: str
+    path_figure: str
 
 
 def result(
     rows: Sequence[Row],
     ways: Mapping[str, Way],
     runs: Mapping[str, Run],
-    path: Path,
-    plane: tuple[int, int],
-    figures: tuple[str, str],
+    drawing: Drawing,
     shown: tuple[str, ...],
 ) -> Result:
-    """Rows; charts of what the source shows, V_c of the filtered inverses and δ of the damped ones; the motions.
+    """The result: rows, charts that the source shows, V_c of the filtered inverses, δ of the damped ones, and motions.
 
-    plane: the coordinates in which the paths are drawn; figures: where the source shows the simulation, and the paths;
-    shown: the runs whose joint velocities are drawn, and of the first of them the joint angles.
+    shown: the runs whose joint velocities are drawn; the joint angles are drawn for the first of them.
     """
-    names, (place, ways_place) = titled(ways, runs), figures
+    names, plane, place = titled(ways, runs), drawing.plane, drawing.figure
     filtered = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("filtered")}
     damped = {ways[key].title: run for key, run in runs.items() if ways[key].method.startswith("damped")}
-    wished = places(path, next(iter(runs.values())).t)
+    wished = places(drawing.path, next(iter(runs.values())).t)
     drawn = {name: (wished - run.e)[:, plane] for name, run in names.items()}
     across, up = (f"{'xyz'[axis]}, cm" for axis in plane)
     charts = [
@@ -75,7 +81,7 @@ def result(
         *(rates_chart(runs[key], ways[key].title, place) for key in shown),
         figures_chart(Text(en="inversion error of Θ", pt_BR="erro de inversão de Θ"), "V_c", filtered, "", place),
         *([figures_chart(DAMPED_TITLE, "δ", damped, "cm²", place)] if damped else []),
-        way_chart({WISHED: wished[:, plane], **drawn}, across, up, ways_place),
+        way_chart({WISHED: wished[:, plane], **drawn}, across, up, drawing.path_figure),
         w_chart(names, "cm³", place),
         joints_chart(runs[shown[0]], ways[shown[0]].title, place),
         fastest_chart(names),
@@ -90,19 +96,19 @@ DAMPED_TITLE = Text(en="damping", pt_BR="amortecimento")
 
 
 def effector(run: Run) -> Array:
-    """Where the effector is on trajectory 8, (k, 3), cm: p = p_d − e."""
+    """The end-effector position on trajectory 8, (k, 3), cm: p = p_d − e."""
     return np.asarray(places(path_8, run.t) - run.e)
 
 
 def unreachable(t: Array) -> Instants:
-    """When trajectory 8 is outside the workspace, (k,)."""
+    """Whether trajectory 8 is outside the workspace at times t, (k,)."""
     return np.asarray(sizes(places(path_8, t)) > REACH)
 
 
 def dips(run: Run) -> tuple[Array, Array]:
-    """When, and how far, cm, the effector draws back from the border of the workspace while trajectory 8 is beyond it.
+    """Times, s, and depths, cm, at which the end effector moves inwards from the border of the workspace.
 
-    Dips of less than 1e-3 cm do not count.
+    Only while trajectory 8 is outside; dips of less than 1e-3 cm do not count.
     """
     outside = (run.t > 11.41) & (run.t < 13.2)
     depth = REACH - sizes(effector(run)[outside])
@@ -111,25 +117,25 @@ def dips(run: Run) -> tuple[Array, Array]:
 
 
 def first_dip(run: Run) -> float:
-    """How far, cm, it draws back first; 0 where it does not."""
+    """The depth, cm, of the first dip; 0 without dips."""
     depth = dips(run)[1]
     return float(depth[0]) if depth.size else 0.0
 
 
 def hertz(run: Run) -> float:
-    """How often a second the elbow swings there: it passes the stretched arm twice in a period; 0 where it does not."""
+    """The frequency, Hz, of the elbow outside the workspace; two dips are one period. 0 without dips."""
     when = dips(run)[0][:4]
     return float(0.5 / np.diff(when).mean()) if when.size > 1 else 0.0
 
 
 def off_the_border(run: Run) -> float:
-    """The largest distance, cm, from the point of the border that is nearest to trajectory 8, while that is beyond."""
+    """The largest distance, cm, from the border point nearest to trajectory 8, while the trajectory is outside."""
     outside = (run.t > 11.6) & (run.t < 13.6)
     wished = places(path_8, run.t[outside])
     return float(sizes(effector(run)[outside] - REACH * wished / sizes(wished)[:, None]).max())
 
 
 def re_entry(run: Run) -> tuple[float, float, float]:
-    """‖e‖, cm, a quarter, half and a whole second after trajectory 8 has come back at 13.73 s."""
+    """‖e‖, cm, 0.25, 0.5 and 1 s after trajectory 8 returns to the workspace at 13.73 s."""
     quarter, half, whole = (float(np.interp(13.73 + after, run.t, run.size)) for after in (0.25, 0.5, 1.0))
     return quarter, half, whole

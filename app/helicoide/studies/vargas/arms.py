@@ -30,12 +30,12 @@ def _problem(robot: Robot, scale: float) -> Problem:
 
 @cache
 def planar() -> Problem:
-    """Planar 3R, l = (2, 1, 1), its lengths as they are."""
+    """Planar 3R with links (2, 1, 1), unscaled."""
     return _problem(load("planar3r", settings=LENGTHS), 1.0)
 
 
 def limited(joint: int, lower: float, upper: float) -> Problem:
-    """The planar arm with other limits, rad, of one of its joints, 0 for the first."""
+    """The planar arm with other limits, rad, of one joint; the first joint is 0."""
     arm = planar()
     low, high = arm.limits.lower.copy(), arm.limits.upper.copy()
     low[joint], high[joint] = lower, upper
@@ -51,7 +51,7 @@ def zebra_arm() -> Problem:
 
 @cache
 def zebra_wrist() -> Problem:
-    """Zebra-ZERO with the wrist point for its tool, in cm."""
+    """Zebra-ZERO with the tool frame at the wrist point, in cm."""
     robot = load("zebra_zero")
     T = np.eye(4)
     T[:3, 3] = 0.2794, 0, 0.2286
@@ -60,5 +60,5 @@ def zebra_wrist() -> Problem:
 
 @cache
 def zebra() -> Problem:
-    """Zebra-ZERO, the effector for its tool, in dm."""
+    """Zebra-ZERO with its end effector, in dm."""
     return _problem(load("zebra_zero"), 0.1)

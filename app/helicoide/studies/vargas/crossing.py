@@ -20,10 +20,10 @@ def crossing_rows(
     follows: Statement | None = None,
     slow: Statement | None = None,
 ) -> list[Row]:
-    """The fastest joint, of the whole run and after the transient, and the largest error after it.
+    """The largest joint velocity, in the whole run and after the transient, and the largest error after it.
 
-    figures: where the source shows both methods that it compares; follows: what it says of the filtered inverse;
-    slow: of the joints of both.
+    figures: those of the two methods that the source compares; follows: its statement about the filtered inverse;
+    slow: its statement about the joints of both methods.
     """
     rows = []
     for key in [key for key in runs if key != "pseudoinverse"]:

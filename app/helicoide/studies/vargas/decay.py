@@ -13,7 +13,7 @@ from helicoide.studies.study import Figure, Progress, Result
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import path_1, places
 from helicoide.studies.vargas.readings import LINKS
-from helicoide.studies.vargas.runs import Run, Way, each, largest, record, way
+from helicoide.studies.vargas.runs import Experiment, Run, Way, each, largest, record, way
 from helicoide.studies.vargas.table import (
     FASTEST,
     WISHED,
@@ -43,15 +43,14 @@ def slope(run: Run) -> float:
 
 
 def decays(options: Any, aiming: Aiming, by: Way, dt: float, figures: str, progress: Progress) -> Result:
-    """The errors of a method with λ = 1 and 2, and of the filtered inverse beside it.
+    """The errors of a method with λ = 1 and 2, compared with the filtered inverse.
 
     figures: where the source shows errors, joint velocities and joint angles.
     """
     arm, soft = planar(), way("filtered", f"γ = {options.gain:g}", gain=options.gain)
     plans = {(by, 1.0): by, (by, 2.0): by, (soft, 2.0): soft}
-    runs = each(
-        {key: partial(record, arm, one, aiming, key[1], START, dt, SECONDS) for key, one in plans.items()}, progress
-    )
+    experiments = {rate: Experiment(arm, aiming, rate, START, dt, SECONDS) for rate in RATES}
+    runs = each({key: partial(record, experiments[key[1]], one) for key, one in plans.items()}, progress)
     title, rows = in_steps(SLOPE, dt), []
     for rate in RATES:
         law = stated(

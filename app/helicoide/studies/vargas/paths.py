@@ -29,7 +29,7 @@ path_6, path_7, path_8, path_10, path_11 = (_path(number) for number in (6, 7, 8
 
 
 def faster(path: Path, times: float) -> Path:
-    """The same way at a multiple of the speed."""
+    """The same path, traversed `times` as fast."""
 
     def at(t: float) -> tuple[Vector, Vector]:
         x, (a, b, c) = path(times * t)
@@ -39,5 +39,5 @@ def faster(path: Path, times: float) -> Path:
 
 
 def places(path: Path, t: Array) -> Array:
-    """The points of a trajectory at the instants t (k,), (k, 3)."""
+    """The points (k, 3) of a trajectory at times t (k,), s."""
     return np.array([path(now)[0] for now in t])

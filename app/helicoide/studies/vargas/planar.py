@@ -1,4 +1,4 @@
-"""Sims. 4 to 7 of Vargas 2013: methods beside each other on the planar arm.
+"""Sims. 4 to 7 of Vargas 2013: methods compared on the planar arm.
 
 The source names the works from which it takes the settings of both methods, and prints none: one set for all four was
 searched at which its statements hold (tests/studies/fits/vargas_planar.py).
@@ -17,7 +17,7 @@ from helicoide.studies.study import Chart, Fitted, Line, Progress, Reading, Resu
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, places
 from helicoide.studies.vargas.readings import EXPONENT, TRANSPOSE
-from helicoide.studies.vargas.runs import IN_PLANE, Run, Way, compared, largest, tracking, way
+from helicoide.studies.vargas.runs import IN_PLANE, Experiment, Run, Way, compared, largest, tracking, way
 from helicoide.studies.vargas.table import (
     ERROR_FROM,
     FASTEST,
@@ -47,7 +47,7 @@ COMPARED = ("damping", "feedback")
 
 @dataclass(frozen=True)
 class Values:
-    """What the source leaves open: λ; δ₀ and w₀ of the damping; g, c and α of the feedback."""
+    """Values that the source omits: λ; δ₀ and w₀ of the damping; g, c and α of the feedback inverse."""
 
     rate: float = 1.0
     damping: float = 0.1
@@ -58,7 +58,7 @@ class Values:
 
     @property
     def ways(self) -> dict[str, Way]:
-        """Both methods with these settings."""
+        """The damped inverse and the feedback inverse with these values."""
         return {
             "damping": way("damped_by_manipulability", damping=self.damping, threshold=self.threshold),
             "feedback": way("feedback", gain=self.gain, coupling=self.coupling, leak=self.leak),
@@ -100,7 +100,7 @@ class Five:
 
     @property
     def ways(self) -> dict[str, Way]:
-        """The methods that are beside each other."""
+        """The compared methods."""
         return {"pseudoinverse": PSEUDOINVERSE, **VALUES.ways, **filters([self.gain])}
 
 
@@ -113,13 +113,14 @@ def followers(
     rate: float = VALUES.rate,
 ) -> dict[str, Run]:
     """A run of each method along a trajectory, with λ."""
-    return compared(planar(), ways, tracking(planar(), path, IN_PLANE), rate, start, dt, SECONDS, progress)
+    aiming = tracking(planar(), path, IN_PLANE)
+    return compared(Experiment(planar(), aiming, rate, start, dt, SECONDS), ways, progress)
 
 
 def of_both(
     quantity: Text, ours: Mapping[str, float], unit: str, source: Statement, *more: Fitted | Reading
 ) -> list[Row]:
-    """A row for each of both methods, with the values that were chosen for it; more: what else was chosen."""
+    """A row for each of the two methods, with the values chosen for it; more: further chosen values."""
     return [
         row(quantity, VALUES.ways[key].title, value, unit, source, fitted=(*FITTED[key], *more))
         for key, value in ours.items()
@@ -127,13 +128,13 @@ def of_both(
 
 
 def below(bound: str, place: str, runs: Mapping[str, Run], *more: Reading) -> list[Row]:
-    """That no joint of both methods is ever as fast as it is printed."""
+    """Rows that hold the joint velocities of both methods to a printed bound."""
     fastest = {key: largest(runs[key].rates) for key in COMPARED}
     return of_both(FASTEST, fastest, "rad/s", printed(bound, place), *more)
 
 
 def ours(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
-    """The fastest joint and the largest error after the transient, of the methods that the source does not run here."""
+    """Largest joint velocity and error after the transient, of methods that the source does not apply here."""
     rows = []
     for key in [key for key in runs if key not in COMPARED]:
         later = runs[key].t >= SINCE
@@ -152,7 +153,7 @@ def result(
     figures: str,
     more: tuple[Chart, ...] = (),
 ) -> Result:
-    """Rows, charts of what the source shows of each simulation, and the motions.
+    """The result: rows, the charts that the source shows, and motions.
 
     figures: where the source shows them.
     """
@@ -174,7 +175,7 @@ def result(
 
 
 def ellipses(path: Path, run: Run, instants: Sequence[float], size: float = 0.3) -> Chart:
-    """The velocities that ‖q̇‖ = 1 reaches, drawn at the end effector at some instants, `size` times as large.
+    """The manipulability ellipses at some times, s, drawn at the end effector and scaled by `size`.
 
     Source: Vargas 2013, eq. 3.4: axes uᵢ, semi-lengths σᵢ.
     """

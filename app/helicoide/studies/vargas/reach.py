@@ -13,7 +13,7 @@ AFTER = Text(en="error 0.5 s after coming back", pt_BR="erro 0,5 s após a volta
 
 
 def reach_rows(one: Way, run: Run, shown: Figure | None, dt: float | None = None) -> list[Row]:
-    """The numbers of a method after the transient; dt: the step, s, where they depend on it."""
+    """The rows of a method after the transient; dt: the step, s, if they depend on it."""
     later = run.t >= SINCE
     of = one.title if dt is None else in_steps(one.title, dt)
     return [

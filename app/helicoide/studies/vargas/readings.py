@@ -1,4 +1,4 @@
-"""The readings of Vargas 2013 upon which whole simulations rest."""
+"""Interpretations of Vargas 2013 on which whole simulations depend."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from helicoide.text import Text
 
 
 def links(otherwise: Text) -> Reading:
-    """The lengths of the planar arm, which the source does not give; otherwise: what comes out with 1, 2, 1."""
+    """The link lengths of the planar arm, which the source omits; otherwise: the result with 1, 2, 1."""
     return Reading(Text(en="links 2, 1, 1", pt_BR="elos 2; 1; 1"), otherwise)
 
 

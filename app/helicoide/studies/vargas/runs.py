@@ -1,4 +1,4 @@
-"""Runs of a method along a trajectory, and what is measured on them (Vargas 2013, §2.4, §4.5)."""
+"""Runs of a method along a trajectory, and quantities measured on them (Vargas 2013, §2.4, §4.5)."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ Key = TypeVar("Key")
 Instants = NDArray[np.bool_]
 
 IN_PLANE, WITH_ANGLE, IN_SPACE, POSE = [0, 1], [0, 1, 5], [0, 1, 2], [0, 1, 2, 3, 4, 5]
-# how many instants of a run charts and the motion of the arm show
+# number of times of a run that charts show
 SHOWN = 2000
 
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A method by its name, with its settings, and what it is called in tables."""
+    """A method with options, and its title in tables."""
 
     title: Text
     method: str
@@ -39,13 +39,13 @@ class Way:
 
 
 def way(method: str, note: str = "", **options: Any) -> Way:
-    """A method with settings; its title, with a note that tells it from others, such as "γ = 25"."""
+    """A method with options; its title ends with a note that distinguishes it, such as "γ = 25"."""
     title, more = methods.named(method).TITLE, digits(note and f", {note}")
     return Way(Text(en=title.en + more.en, pt_BR=title.pt_BR + more.pt_BR), method, options)
 
 
 def digits(note: str) -> Text:
-    """Symbols and numbers, such as "γ = 2.5", with a comma in Portuguese."""
+    """A note such as "γ = 2.5" in both languages, with a decimal comma in Portuguese."""
     return Text(en=note, pt_BR=note.replace(".", ","))
 
 
@@ -53,7 +53,8 @@ def digits(note: str) -> Text:
 class Run:
     """A run step by step: t (k,), s; q (k, n), rad; e (k, r) and J (k, r, n) in the arm's ℓ; q̇ (k, n), rad/s.
 
-    ahead (k, r): ẋ_d, and −f in the last row of an augmented aim. figures: of the solutions at every `stride`-th step.
+    ahead (k, r): ẋ_d, and −f in the last row of an augmented task. figures: what the method
+    reports at every `stride`-th step.
     """
 
     t: Array
@@ -72,11 +73,11 @@ class Run:
 
     @property
     def shown(self) -> Array:
-        """The instants of `figures`, s."""
+        """The times of `figures`, s."""
         return self.t[:: self.stride]
 
     def figure(self, symbol: str) -> Array:
-        """A figure of the method at the instants of `shown`."""
+        """A quantity that the method reports, at the times of `shown`."""
         return np.array([one[symbol] for one in self.figures])
 
     @cached_property
@@ -96,7 +97,7 @@ class Run:
 
     @property
     def push(self) -> Array:
-        """The largest joint acceleration from each step to the next, (k − 1,), rad/s²."""
+        """The largest joint acceleration between consecutive steps, (k − 1,), rad/s²."""
         return np.asarray(np.abs(np.diff(self.rates, axis=0)).max(axis=1) / (self.t[1] - self.t[0]))
 
 
@@ -107,7 +108,7 @@ def tracking(
     R_target: Array | None = None,
     measure: OrientationError = "quaternion",
 ) -> Aiming:
-    """Aim at a trajectory, in lengths of the problem's ℓ, with some rows of the twist of the tool."""
+    """The task of following a trajectory, in the length unit ℓ of the problem, with chosen rows of the tool's twist."""
     T, ahead, first = np.eye(4), np.zeros(6), len(rows) if rows == list(range(len(rows))) else 0
     if R_target is not None:
         T[:3, :3] = R_target
@@ -125,20 +126,25 @@ def tracking(
     return aiming
 
 
-def record(
-    problem: Problem,
-    by: Way,
-    aiming: Aiming,
-    gains: Array | float,
-    q: Sequence[float] | Array,
-    dt: float,
-    seconds: float,
-    progress: Progress = lambda share: None,
-) -> Run:
-    """A run of a method from q (n,), rad, in steps of dt, s; gains: Λ, 1/s."""
-    method, steps = methods.named(by.method), round(seconds / dt) + 1
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """What all methods of a comparison share: arm, task, gains Λ, 1/s, start (n,), rad, step and duration, s."""
+
+    problem: Problem
+    aiming: Aiming
+    gains: Array | float
+    start: Sequence[float] | Array
+    dt: float
+    seconds: float
+
+
+def record(experiment: Experiment, by: Way, progress: Progress = lambda share: None) -> Run:
+    """A run of a method in an experiment."""
+    method, steps = methods.named(by.method), round(experiment.seconds / experiment.dt) + 1
     stride = max(1, steps // SHOWN)
-    moments = followed(problem, method, method.Options(**by.options), aiming, gains, np.array(q, float), dt)
+    problem, aiming, gains = experiment.problem, experiment.aiming, experiment.gains
+    start, options = np.array(experiment.start, float), method.Options(**by.options)
+    moments = followed(problem, method, options, aiming, gains, start, experiment.dt)
     columns: list[tuple[float, Array, Array, Array, Array, Array]] = []
     figures = []
     for i, now in enumerate(islice(moments, steps)):
@@ -151,7 +157,7 @@ def record(
 
 
 def each(runs: Mapping[Key, Callable[[Progress], Run]], progress: Progress) -> dict[Key, Run]:
-    """Runs one after another; progress is told the share of all."""
+    """Do runs one after another; progress gets the completed fraction of all."""
     done: dict[Key, Run] = {}
     for key, one in runs.items():
         done[key] = one(lambda share: progress((len(done) + share) / len(runs)))
@@ -159,20 +165,9 @@ def each(runs: Mapping[Key, Callable[[Progress], Run]], progress: Progress) -> d
     return done
 
 
-def compared(
-    problem: Problem,
-    ways: Mapping[str, Way],
-    aiming: Aiming,
-    gains: Array | float,
-    q: Sequence[float] | Array,
-    dt: float,
-    seconds: float,
-    progress: Progress,
-) -> dict[str, Run]:
-    """A run of each of several methods, as in `record`."""
-    return each(
-        {key: partial(record, problem, one, aiming, gains, q, dt, seconds) for key, one in ways.items()}, progress
-    )
+def compared(experiment: Experiment, ways: Mapping[str, Way], progress: Progress) -> dict[str, Run]:
+    """A run of each of several methods in the same experiment."""
+    return each({key: partial(record, experiment, one) for key, one in ways.items()}, progress)
 
 
 def turned(axis: int, angle: float) -> Array:
@@ -182,16 +177,16 @@ def turned(axis: int, angle: float) -> Array:
 
 
 def largest(values: Array, when: Instants | slice = slice(None)) -> float:
-    """The largest absolute entry over the chosen instants."""
+    """The largest absolute value at the chosen times."""
     return float(np.abs(values[when]).max())
 
 
 def sizes(vectors: Array) -> Array:
-    """‖e‖ at every instant, (k,), of e (k, r)."""
+    """‖e‖ at each time, (k,), of e (k, r)."""
     return np.asarray(np.linalg.norm(vectors, axis=1))
 
 
 def left_at(run: Run, by: float = 0.01) -> float:
-    """When some joint has first moved by an angle, rad, from where it began, s; infinite when none has."""
+    """The time, s, at which a joint has first moved by an angle, rad, from its start; infinite if none has."""
     moved = np.abs(run.q - run.q[0]).max(axis=1) > by
     return float(run.t[moved.argmax()]) if moved.any() else np.inf

@@ -15,7 +15,7 @@ Law = Callable[[float, float], float]
 
 
 def filtered(k: Callable[[float], float], theta: float, beta: float, dt: float, t_0: float, t_1: float) -> Array:
-    """θ at t₀, t₀ + dt, … t₁, (s + 1,), by exact steps with k as it is in their middle."""
+    """θ at t₀, t₀ + dt, … t₁, (s + 1,), by exact steps with k taken at their midpoints."""
     found = [theta]
     for i in range(round((t_1 - t_0) / dt)):
         theta = scalar_filter.stepped(k(t_0 + (i + 0.5) * dt), theta, beta, dt)

@@ -1,4 +1,4 @@
-"""Vargas 2013, §4.7: the planar arm by the modified law with one row more, Λ = 5 I, and what is measured there."""
+"""Vargas 2013, §4.7: the planar arm with the modified law and one additional row, Λ = 5 I."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.studies.study import Chart, Progress
 from helicoide.studies.vargas.arms import planar
 from helicoide.studies.vargas.paths import Path, path_5, places
-from helicoide.studies.vargas.runs import IN_PLANE, Run, record, tracking, way
+from helicoide.studies.vargas.runs import IN_PLANE, Experiment, Run, record, tracking, way
 from helicoide.studies.vargas.table import ERROR_FROM, FASTEST_FROM, over_time, settled
 from helicoide.text import Text
 
@@ -31,39 +31,39 @@ COST = Text(en="cost of the additional row", pt_BR="custo da linha adicional")
 
 
 def silent(share: float) -> None:
-    """Progress that nobody follows."""
+    """Ignore progress."""
 
 
 def chosen(name: str, **options: Any) -> Chosen:
-    """One objective with some of its options."""
+    """One secondary objective with changed options."""
     objective = objectives.named(name)
     return [(objective, replace(objective.Options(), **options))]
 
 
 def follow(path: Path) -> Aiming:
-    """The planar arm's tool on a trajectory, its angle free."""
+    """The task of following a trajectory with the planar arm; its orientation is free."""
     return tracking(planar(), path, IN_PLANE)
 
 
 def filtered(aiming: Aiming, start: Sequence[float], gain: float, dt: float, progress: Progress, seconds: float) -> Run:
-    """A run of the modified law with its γ."""
-    return record(planar(), way(MODIFIED, gain=gain), aiming, RATE, start, dt, seconds, progress)
+    """A run with the modified law and gain γ."""
+    return record(Experiment(planar(), aiming, RATE, start, dt, seconds), way(MODIFIED, gain=gain), progress)
 
 
 def cost_chart(runs: Mapping[Text, Run], figure: str) -> Chart:
-    """f, which stands with its sign turned in the last row of ν₊."""
+    """The cost f; the last row of ν₊ is −f."""
     return over_time(COST, "f", runs, lambda run: -run.ahead[:, -1], figure)
 
 
 def tool(run: Run, path: Path) -> Array:
-    """Where the tool is, (k, 2), m: p = p_d − e."""
+    """The tool position, (k, 2), ℓ: p = p_d − e."""
     return np.asarray(places(path, run.t)[:, :2] - run.e[:, :2])
 
 
 def distances(run: Run, points: Callable[[float], Array], every: float = 0.05) -> tuple[Array, Array]:
-    """The least distances, ℓ, of forty points on each link from other points at a time, (k, 3), m; seen every 50 ms.
+    """The least distances, ℓ, between forty points on each link and `points`(t) (k, 3).
 
-    Returns when, s, and the distances.
+    Returns times, s, `every` s apart, and the distances.
     """
     arm, step = planar().robot, max(1, round(every / (run.t[1] - run.t[0])))
     fine, t = along_links(arm, 40), run.t[::step]
@@ -75,7 +75,7 @@ def distances(run: Run, points: Callable[[float], Array], every: float = 0.05) -
 
 
 def nearest(run: Run, points: Callable[[float], Array]) -> float:
-    """The least of the distances after the transient, ℓ."""
+    """The least distance after the transient, ℓ."""
     t, away = distances(run, points)
     return float(away[t >= SINCE - 1e-9].min())
 
@@ -87,16 +87,15 @@ def beside_the_links(
     dt: float,
     seconds: float,
     progress: Progress = silent,
-    weight: float = 2.0,
 ) -> tuple[Run, float]:
-    """Fig. 4.42: trajectory 5 with an obstacle at μ that so many points of each link see, of height α; 0: no term.
+    """Fig. 4.42: trajectory 5 with an obstacle at μ (x, y), ℓ, whose cost acts on `per_link` points of each link.
 
-    Returns the run, and the least distance of the arm from μ after the transient.
+    Returns the run, and the least distance of the arm from μ after the transient, ℓ. per_link 0: no cost.
     """
     aiming = follow(path_5)
     if per_link:
         at = {"x": mu[0], "y": mu[1], "z": 0.0, "a": 0.2, "b": 0.2, "c": 0.2}
-        hill = chosen("ellipsoid", weight=weight, where="links", per_link=per_link, **at)
+        hill = chosen("ellipsoid", weight=2.0, where="links", per_link=per_link, **at)
         aiming = augmented(planar(), hill, aiming)
     run = filtered(aiming, (0.9, -1.2, -0.6), gain, dt, progress, seconds)
     return run, nearest(run, lambda t: np.array([[*mu, 0.0]]))

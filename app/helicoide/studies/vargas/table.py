@@ -1,4 +1,4 @@
-"""How the studies of Vargas 2013 write rows, draw charts, and hand over the motion of the arm."""
+"""Rows, charts and motions of the studies of Vargas 2013."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ GainInCm = Annotated[float, Quantity(OF_THE_ZEBRA, 0.1, 1e4, "1/(cm² s)", decad
 GainInDm = Annotated[float, Quantity(OF_THE_ZEBRA, 0.1, 1e4, "1/(dm² s)", decades=True)]
 Step = Annotated[float, Quantity(Text(en="step", pt_BR="passo"), 1e-4, 2e-2, "s", decades=True)]
 
-# What words ask of a number, the same in all studies (sources, Vargas 9). Parts of the arm's reach: a null error, the
-# error of an arm that tracks, a small one. Times what it is compared with: much; and how far from one time is similar.
+# The numbers that stand for words, the same in all studies (sources, Vargas 9). As fractions of the arm's reach: a null
+# error, the error of an arm that tracks, a small error. As ratios: much, and the deviation from 1 that is similar.
 NULL, TRACKED, SMALL = 0.001, 0.01, 0.05
 MUCH, SIMILAR = 5.0, 0.25
 # the correlation of two curves that look alike
 ALIKE = 0.7
-# rad: by so much a joint moves that does move, and by less differ joints that are practically identical
+# rad: a joint that moves by more has moved; joints that differ by less are practically identical
 MOVED = 0.01
 
 SECONDS = Text(en="t, s", pt_BR="t, s")
@@ -43,14 +43,14 @@ ERROR_FROM = Text(en="largest error from {since:g} s on", pt_BR="maior erro a pa
 
 
 def settled(rate: float) -> float:
-    """When the transient is over, s: ė = −λe has left e⁻¹⁰ of the error of the start."""
+    """The end of the transient, s, when ė = −λe has reduced the initial error to e⁻¹⁰."""
     return 10 / rate
 
 
 def row(
     quantity: Text, of: Text | None, ours: float, unit: str = "", source: Statement | Figure | None = None, **more: Any
 ) -> Row:
-    """A quantity of one of the runs; more: what else a row has."""
+    """A row about one run; more: further fields of the row."""
     title = quantity if of is None else Text(en=f"{quantity.en}: {of.en}", pt_BR=f"{quantity.pt_BR}: {of.pt_BR}")
     return Row(title, ours, unit, source, **more)
 
@@ -62,12 +62,12 @@ def in_steps(what: Text, dt: float) -> Text:
 
 
 def stated(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
-    """A sentence of the source that asks something of a number."""
+    """A sentence of the source, as a condition on a number."""
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
 def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
-    """What a study came to."""
+    """The result of a study."""
     return Result(tuple(rows), tuple(charts), tuple(motions))
 
 
@@ -96,7 +96,7 @@ def w_chart(runs: Mapping[Text, Run], unit: str, figure: str = "") -> Chart:
 
 
 def fastest_chart(runs: Mapping[Text, Run], figure: str = "") -> Chart:
-    """The fastest joint at each instant of several runs, by powers of ten."""
+    """The largest joint velocity of several runs over time, logarithmic."""
     return over_time(FASTEST, "max |q̇ᵢ|, rad/s", runs, lambda run: np.abs(run.rates).max(axis=1), figure, log=True)
 
 
@@ -119,7 +119,7 @@ def _of_joints(title: Text, t: Array, values: Array, symbol: str, unit: str, fig
 
 
 def figures_chart(title: Text, symbol: str, runs: Mapping[Text, Run], unit: str = "", figure: str = "") -> Chart:
-    """A figure of the method, such as V_c or δ, of several runs."""
+    """A quantity that the method reports, such as V_c or δ, of several runs."""
     lines = tuple(Line(name, run.shown, run.figure(symbol)) for name, run in runs.items())
     return Chart(title, SECONDS, same(f"{symbol}{unit and ', ' + unit}"), lines, figure)
 
@@ -137,26 +137,26 @@ def titled(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> dict[Text, Run]:
 
 
 def valued(symbol: str, value: float) -> Text:
-    """What tells a run from others, such as "α = 0.5"."""
+    """A symbol with its value, such as "α = 0.5"."""
     return digits(f"{symbol} = {value:g}")
 
 
 def thinned(values: Array, most: int = 2000) -> Array:
-    """At most about so many of the values, evenly picked."""
+    """About `most` of the values, evenly spaced."""
     return values[:: max(1, len(values) // most)]
 
 
-# what the arm did: a few hundred instants of each run
+# number of postures in a motion
 POSTURES = 300
 
 
 def planar_motions(runs: Mapping[Text, Run]) -> list[Motion]:
-    """What the planar arm did in each of the runs."""
+    """The motions of the planar arm."""
     return [Motion("planar3r", *_postures(run), LENGTHS, title) for title, run in runs.items()]
 
 
 def zebra_motions(runs: Mapping[Text, Run]) -> list[Motion]:
-    """What the Zebra-ZERO did in each of the runs; its last three joints at 0 where the run has three."""
+    """The motions of the Zebra-ZERO; joints 4 to 6 are 0 in runs with three joints."""
     moved = {title: _postures(run) for title, run in runs.items()}
     return [
         Motion("zebra_zero", t, np.pad(q, ((0, 0), (0, 6 - q.shape[1]))), title=title)

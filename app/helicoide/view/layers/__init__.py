@@ -6,9 +6,7 @@ shown and hidden by a person. What it builds has `update(old, new)`, which write
 
 from __future__ import annotations
 
-import importlib
 import logging
-import pkgutil
 from dataclasses import dataclass
 from functools import cache
 from types import ModuleType
@@ -16,6 +14,7 @@ from typing import Protocol
 
 import viser
 
+from helicoide import content
 from helicoide.kinematics.robot import Robot
 from helicoide.view.rows import Act, View
 from helicoide.view.shapes import Shape
@@ -56,7 +55,7 @@ class Layer(Protocol):
 @cache
 def found() -> tuple[ModuleType, ...]:
     """Every layer there is."""
-    return tuple(importlib.import_module(f"{__name__}.{module.name}") for module in pkgutil.iter_modules(__path__))
+    return tuple(content.modules(__name__).values())
 
 
 def optional() -> list[ModuleType]:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
 from types import ModuleType
+
+from helicoide import content
 
 
 def found() -> list[ModuleType]:
     """Every panel there is, in its order."""
-    names = [module.name for module in pkgutil.iter_modules(__path__)]
-    return sorted((importlib.import_module(f"{__name__}.{name}") for name in names), key=lambda panel: panel.ORDER)
+    return sorted(content.modules(__name__).values(), key=lambda panel: panel.ORDER)

@@ -32,7 +32,7 @@ ICON = Icon.FLASK
 MOST_CHARTS, DIGITS = 14, 5
 
 RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End the run", pt_BR="Encerrar a execução")
-BEFORE = Text(en="before", pt_BR="antes")
+BEFORE = Text(en="previous", pt_BR="anterior")
 SIGNS = {
     Verdict.PRINTED: "✓",
     Verdict.FITTED: "≈",
@@ -57,7 +57,7 @@ def rows(robot: Robot) -> list[Row]:
         Words(_about),
         Folder(Text(en="Settings", pt_BR="Ajustes"), Changing(lambda view: view.desk.study, _settings), open=False),
         Tick(
-            Text(en="short form", pt_BR="forma curta"),
+            Text(en="Quick run", pt_BR="Execução rápida"),
             lambda view: view.desk.short,
             lambda on: ForDesk(lambda desk: replace(desk, short=bool(on))),
         ),
@@ -75,7 +75,7 @@ def rows(robot: Robot) -> list[Row]:
             Changing(lambda view: tuple(motion.title for motion in _motions(view)), _players),
         ),
         Tick(
-            Text(en="compare with the previous run", pt_BR="comparar com a execução anterior"),
+            Text(en="Compare with previous run", pt_BR="Comparar com a execução anterior"),
             lambda view: view.desk.compared,
             lambda on: ForDesk(lambda desk: replace(desk, compared=bool(on))),
         ),
@@ -224,7 +224,7 @@ def _merged(runs: tuple[Run, ...]) -> tuple[Chart, ...]:
 
 def _before(chart: Chart, others: tuple[Chart, ...]) -> list[Line]:
     return [
-        replace(line, title=Text(en="{title}, before", pt_BR="{title}, antes").format(title=line.title))
+        replace(line, title=Text(en="{title}, previous", pt_BR="{title}, anterior").format(title=line.title))
         for other in others
         if other.title == chart.title
         for line in other.lines

@@ -42,7 +42,7 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
     until(page, lambda: page.locator(".uplot").count() >= 1)
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).before is not None, 300)
-    page.get_by_label("compare with the previous run").click()
+    page.get_by_label("Compare with previous run").click()
     until(page, lambda: "before" in page.locator(".helicoide-study").inner_text())
     last = desk(lab).last
     assert last is not None

@@ -159,7 +159,7 @@ def test_a_taught_path_is_gone_through(lab: Lab, page: Page) -> None:
     lab.post(gate.set_joint(0, 0.3))
     until(page, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-4)
     page.get_by_label("reached by").first.click()
-    page.get_by_role("option", name="straight line", exact=True).click()
+    page.get_by_role("option", name="linear move", exact=True).click()
     page.get_by_role("button", name="Add waypoint").click()
     until(page, lambda: len(lab.state.taught.waypoints) == 2)
     page.get_by_role("button", name="Go through the points").click()

@@ -125,7 +125,7 @@ POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
         (GOOD[: len(GOOD) // 2], "not a file of waypoints"),
         (GOOD + "speed = 3\n", "no such key as speed (at $.waypoint[2])"),
         (GOOD.replace('name = "b"', 'name = "a"'), "a waypoint 'a' already"),
-        (GOOD.replace('"line"', '"jump"'), "the ways are: joints (all joints evenly), line"),
+        (GOOD.replace('"line"', '"jump"'), "the move types are: joints (joint move), line"),
         (GOOD.replace('"line"', "3"), "not a file of waypoints"),
         (GOOD.replace("dwell = 0.5", "dwell = -0.5"), "0 to 3600 s, not -0.5"),
         (GOOD.replace("dwell = 0.5", "dwell = nan"), "0 to 3600 s, not nan"),

@@ -79,7 +79,7 @@ HERE = taught("movemaster")
         (lambda: deleted(Taught(ROBOT), "a"), "there is: none yet"),
         (
             lambda: waypoint(ROBOT, "x", READY, "jump"),
-            "joints (all joints evenly), line (straight line), screw (a",
+            "joints (joint move), line (linear move), screw (screw move)",
         ),
         (lambda: waypoint(ROBOT, "x", READY, "line", -1.0), "for 0 to 3600 s, not -1"),
         (lambda: waypoint(ROBOT, "x", READY, "line", float("nan")), "for 0 to 3600 s, not nan"),

@@ -20,11 +20,11 @@ class GearFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_fiel
     zero_deg: float = 0
 
     def drive(self) -> Gear:
-        """The same in rad."""
+        """The gear in rad."""
         return Gear(math.degrees(self.pulses_per_deg), math.radians(self.zero_deg))
 
     def check(self, name: str) -> None:
-        """Raise HelicoideError unless it turns its joint."""
+        """Raise HelicoideError if pulses do not move the joint."""
         if self.pulses_per_deg == 0:
             raise _error(
                 "pulses_per_deg of actuator {name} is zero; it may be positive or negative",
@@ -42,7 +42,7 @@ class BallScrewFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag
     zero_deg: float
 
     def drive(self) -> BallScrew:
-        """The same in m and rad."""
+        """The ball screw in m and rad."""
         a, b = self.sides_mm
         return BallScrew(
             (a / 1000, b / 1000), self.pulses_per_mm * 1000, self.length_at_zero_mm / 1000, math.radians(self.zero_deg)
@@ -87,7 +87,7 @@ class ActuatorsFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     coupling: tuple[tuple[int, ...], ...] | None = None
 
     def check(self, joints: Sequence[str]) -> None:
-        """Raise HelicoideError unless every joint has a drive and the joint angles can be told from the driven ones."""
+        """Raise HelicoideError unless every joint has a drive and the coupling is invertible."""
         n = len(joints)
         if len(self.drives) != n:
             raise _error(

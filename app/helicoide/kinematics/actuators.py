@@ -1,8 +1,8 @@
-"""Joint space and actuator space: what the motors of an arm count when its joints stand at q.
+"""Joint space and actuator space: the encoder pulses of the motors for joint angles q, and back.
 
-Two steps lead there. The mechanism drives sums of joint angles, φ = C q: a forearm that is pushed from the base turns
-by q₂ + q₃, a wrist roll that the pitch drags along is driven by q₅ − q₄. Each actuator then turns one driven angle
-into pulses of its encoder, through a gear or through a ball screw that closes a triangle.
+There are two steps. The mechanism drives sums of joint angles, φ = C q: a forearm that is pushed from the base is
+driven by q₂ + q₃, a wrist roll that follows the pitch by q₅ − q₄. Each actuator then converts one driven angle into
+pulses of its encoder, through a gear or through a ball screw that closes a triangle.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ ACTUATORS = Text(en="actuators: {told}", pt_BR="atuadores: {told}")
 GEAR = Text(en="{label} {n} pulses", pt_BR="{label} {n} pulsos")
 SCREW = Text(en="{label} {n} pulses, screw {mm:.1f} mm long", pt_BR="{label} {n} pulsos, fuso com {mm:.1f} mm")
 HELD = Text(
-    en="The ball screw of {label} can hold {low:.4g}° to {high:.4g}°, not {given:.4g}°.",
-    pt_BR="O fuso de esferas de {label} sustenta de {low:.4g}° a {high:.4g}°, não {given:.4g}°.",
+    en="The ball screw of {label} allows {low:.4g}° to {high:.4g}°, not {given:.4g}°.",
+    pt_BR="O fuso de esferas de {label} permite de {low:.4g}° a {high:.4g}°, não {given:.4g}°.",
 )
 COUNTED = Text(
     en="The ball screw of {label} closes its triangle from {low:.0f} to {high:.0f} {unit}, not at {given:.0f}.",
     pt_BR="O fuso de esferas de {label} fecha o triângulo de {low:.0f} a {high:.0f} {unit}, não em {given:.0f}.",
 )
-# What rounding may add at either end of a ball screw's range, as a part of the range.
+# Tolerance for rounding at either end of a ball screw's range, as a fraction of the range.
 ROUNDING = 1e-9
 
 
 @dataclass(frozen=True)
 class Gear:
-    """A motor whose pulses grow evenly with the driven angle.
+    """A motor whose pulses are proportional to the driven angle.
 
-    pulses_per_rad: negative if it turns against the angle; zero: the driven angle at zero pulses, rad.
+    pulses_per_rad: negative if it counts against the angle; zero: the driven angle at zero pulses, rad.
     """
 
     pulses_per_rad: float
@@ -46,7 +46,7 @@ class Gear:
 
     @property
     def angles(self) -> tuple[float, float]:
-        """The driven angles that it can hold, rad: all of them."""
+        """Range of the driven angle, rad: unlimited."""
         return -math.inf, math.inf
 
     def pulses(self, angle: ArrayLike) -> Array:
@@ -62,7 +62,7 @@ class Gear:
 class BallScrew:
     """A screw as the third side of a triangle with two fixed sides, m, that opens the angle ψ between them.
 
-    pulses_per_m: negative if counting up draws the screw in; length_at_zero, m; zero: the driven angle at ψ = 0, rad.
+    pulses_per_m: negative if rising counts shorten the screw; length_at_zero, m; zero: driven angle at ψ = 0, rad.
     """
 
     sides: tuple[float, float]
@@ -72,7 +72,7 @@ class BallScrew:
 
     @property
     def angles(self) -> tuple[float, float]:
-        """The driven angles, rad, between the folded triangle, L = |α − β|, and the flat one, L = α + β."""
+        """Range of the driven angle, rad, from the folded triangle, L = |α − β|, to the flat one, L = α + β."""
         return self.zero, self.zero + math.pi
 
     def length(self, angle: ArrayLike) -> Array:
@@ -81,7 +81,7 @@ class BallScrew:
         Args: angle (...), rad. Source: Campos 1998, s.55 (names the arm); Craig, chapter 3.
         """
         a, b = self.sides
-        # with the half angle, rounding cannot bring what is under the root of a folded triangle below zero
+        # with the half angle, rounding cannot make the radicand of a folded triangle negative
         return np.sqrt((a - b) ** 2 + 4 * a * b * np.sin((np.asarray(angle) - self.zero) / 2) ** 2)
 
     def pulses(self, angle: ArrayLike) -> Array:
@@ -104,9 +104,9 @@ class BallScrew:
 
 @dataclass(frozen=True, eq=False)
 class Actuators:
-    """The actuators A1 … An of an arm with the joints of those names.
+    """The actuators A1 … An of an arm with the named joints.
 
-    coupling (n, n), whole numbers: driven angles φ = C q. drives: how each driven angle is turned into pulses.
+    coupling C (n, n), integers: driven angles φ = C q. drives: the gear or ball screw of each driven angle.
     """
 
     joints: tuple[str, ...]
@@ -126,7 +126,7 @@ class Actuators:
     def from_joints(self, q: ArrayLike) -> Array:
         """Pulses of the actuators at joint angles, Aᵢ = pulsesᵢ((C q)ᵢ), (..., n).
 
-        Args: q (..., n), rad. Raises HelicoideError where a ball screw cannot hold its angle.
+        Args: q (..., n), rad. Raises HelicoideError if an angle is outside the range of its ball screw.
         Source: Cerbaro 2022, fig. 20 and tab. 4; Campos 1998, s.55.
         """
         angles = self._values(q) @ self.coupling.T
@@ -137,7 +137,7 @@ class Actuators:
     def to_joints(self, pulses: ArrayLike) -> Array:
         """Joint angles at the pulses of the actuators, q = C⁻¹ φ with φᵢ = angleᵢ(Aᵢ), (..., n), rad.
 
-        Args: pulses (..., n). Raises HelicoideError where a ball screw is too short or too long for its triangle.
+        Args: pulses (..., n). Raises HelicoideError if a ball screw is too short or too long for its triangle.
         Source: Cerbaro 2022, fig. 20 and tab. 4; Campos 1998, s.55.
         """
         values = self._values(pulses)
@@ -147,7 +147,7 @@ class Actuators:
         return np.asarray(angles @ self.uncoupling.T)
 
     def lengths(self, q: ArrayLike) -> Array:
-        """Lengths of the ball screws at joint angles, (..., n), m; NaN where a gear drives. Args: q (..., n), rad."""
+        """Lengths of the ball screws at joint angles, (..., n), m; NaN for gears. Args: q (..., n), rad."""
         angles = self._values(q) @ self.coupling.T
         return np.stack(
             [
@@ -158,7 +158,7 @@ class Actuators:
         )
 
     def words(self, q: ArrayLike) -> Text:
-        """What the actuators count at joint angles (n,), rad, and how long the screws are; or why they cannot hold."""
+        """A sentence with the pulses and screw lengths at joint angles (n,), rad; or with the reason there are none."""
         try:
             counted = self.from_joints(q)
         except HelicoideError as error:
@@ -199,7 +199,7 @@ def _sum(row: Array, joints: Sequence[str]) -> str:
 
 
 def _check(refusal: Text, label: str, values: Array, ends: Array) -> None:
-    """Raise the refusal if a value lies beyond one of the ends by more than rounding."""
+    """Raise the error if a value lies outside the ends by more than rounding."""
     low, high = sorted(ends.tolist())
     slack = ROUNDING * (high - low)
     given = np.atleast_1d(values)

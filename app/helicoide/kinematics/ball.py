@@ -1,4 +1,4 @@
-"""A golf ball that a gripper takes along: what there is to grasp in a scene."""
+"""A golf ball that the gripper can grasp and carry."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ import numpy as np
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics.robot_parts import Gripper
 
-# The least radius that the rules of golf allow, m.
+# Smallest radius that the rules of golf allow, m.
 RADIUS = 0.02135
-# A ball is between the fingers where its centre is so near to the tool's point, m: ours.
+# The ball is between the fingers if its centre is within this distance of the tool's origin, m (assumed).
 CATCH = 0.008
 
 
 @dataclass(frozen=True, eq=False)
 class Ball:
-    """A ball in the scene: centre (3,), m, world frame; stands (k, 3), m: the tops of what it may stand on.
+    """A ball in the scene: centre (3,), m, world frame; stands (k, 3), m: top points of its supports.
 
-    held: its centre in the tool's frame while the fingers hold it, (3,), m; None where they do not. It has no weight:
-    it stays where it is let go.
+    held: its centre in the tool frame while the fingers hold it, (3,), m; else None. It has no weight: it stays where
+    it is released.
     """
 
     centre: Array
@@ -29,7 +29,7 @@ class Ball:
     held: Array | None = None
 
     def gripped(self, gripper: Gripper, before: float, after: float, T_world_tool: Array) -> tuple[Ball, float]:
-        """The ball, and how far the fingers are open, 0 to 1, as they go from `before` to `after`: it stops them."""
+        """The ball and the opening of the fingers, 0 to 1, on the way from `before` to `after`: the ball stops them."""
         on_it = closed_on(gripper)
         if after > before:
             return (self if self.held is None or after <= on_it else replace(self, held=None)), after
@@ -41,12 +41,12 @@ class Ball:
         return replace(self, held=frozen(T_world_tool[:3, :3].T @ (self.centre - T_world_tool[:3, 3]))), on_it
 
     def carried(self, T_world_tool: Array) -> Ball:
-        """The ball where the tool, T_world_tool (4, 4), m, takes it, if it holds it."""
+        """The ball moved with the tool, T_world_tool (4, 4), m, if the fingers hold it."""
         if self.held is None:
             return self
         return replace(self, centre=frozen(T_world_tool[:3, :3] @ self.held + T_world_tool[:3, 3]))
 
 
 def closed_on(gripper: Gripper) -> float:
-    """How far open, 0 to 1, a gripper is that holds the ball; more than 1 where the ball is too large for it."""
+    """Opening, 0 to 1, of a gripper that holds the ball; more than 1 if the ball is too large for it."""
     return 2 * RADIUS / gripper.opening

@@ -1,4 +1,4 @@
-"""Where the files of a robot contradict each other: screws, DH rows, URDF, limits and named postures."""
+"""Contradictions in the files of a robot: between screws, DH rows, URDF, limits and named postures."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ SINGULAR = Text(
 
 
 def remarks_and_faults(robot: Robot) -> tuple[Text, ...]:
-    """All that is to be said of a robot: how its files were read, what is not drawn, and what contradicts itself."""
+    """All remarks on a robot: how its files were read, what is not drawn, and contradictions."""
     return (*robot.all_remarks, *faults(robot))
 
 
@@ -71,7 +71,7 @@ def postures(robot: Robot) -> list[Array]:
 
 
 def apart(T: Array, other: Array) -> Text | None:
-    """How far two poses (4, 4), m, are from each other, in words; None where they agree."""
+    """The distance and angle between two poses (4, 4), m, as a sentence; None if they agree."""
     if np.abs(T - other).max() <= AGREE:
         return None
     turned = rotation.from_matrix(T[:3, :3].T @ other[:3, :3])
@@ -80,7 +80,7 @@ def apart(T: Array, other: Array) -> Text | None:
 
 
 def _dh(robot: Robot) -> Iterator[Text]:
-    """The first joint of which the DH frames do not move as its screw displaces them: Aᵢ(q) = Hᵢ(q) Aᵢ(0)."""
+    """The first joint whose DH frame does not move with its screw: Aᵢ(q) = Hᵢ(q) Aᵢ(0) is violated."""
     at_zero = dh_frames(robot, frozen(np.zeros(len(robot.lower))))
     joints: tuple[Joint | None, ...] = (None, *robot.joints)
     for q in postures(robot):
@@ -92,7 +92,7 @@ def _dh(robot: Robot) -> Iterator[Text]:
 
 
 def _tools(robot: Robot, urdf: yourdfpy.URDF | None) -> Iterator[Text]:
-    """Whether the DH rows, and the URDF where there is one to ask, bring the tool where the screws bring it."""
+    """Differences of the tool pose by DH rows, and by the URDF if there is one, from that by screws."""
     differ = list[Text]()
     for q in postures(robot):
         tools = [(DH, tool_by_dh(robot, q))]
@@ -106,7 +106,7 @@ def _tools(robot: Robot, urdf: yourdfpy.URDF | None) -> Iterator[Text]:
 
 
 def _poses(robot: Robot) -> Iterator[Text]:
-    """Named postures: in the limits, but for `home`, which may lie at switches; told apart; `ready` is not singular."""
+    """Faults of named postures: outside the limits (`home` may be), equal to another, or `ready` singular."""
     for name, q in robot.poses.items():
         out = (q < robot.lower - 1e-12) | (q > robot.upper + 1e-12)
         if out.any() and name != "home":

@@ -1,4 +1,4 @@
-"""A robot from any URDF file: the chain from its root to a link, screws read from the joints at zero."""
+"""A robot from any URDF file: the chain from its base to a link, with screw axes from the joints at zero."""
 
 from __future__ import annotations
 
@@ -92,14 +92,14 @@ def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Ro
 
 
 def _assumed(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> tuple[str, ...]:
-    """What of the variables is not in the file."""
+    """What the file does not give of the variables: limits, speeds."""
     speeds = {joint.name: speed_of(joint) for joint in given}
     limits = any(variable.assumed for variable in variables)
     return (*["limits"] * limits, *["speeds"] * any(speeds[variable.name] is None for variable in variables))
 
 
 def _boundless(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> list[Text]:
-    """That ranges are assumed, but for joints that turn without end, of which everybody knows it."""
+    """A remark on assumed ranges, except those of continuous joints."""
     continuous = {joint.name for joint in given if joint.type == "continuous"}
     assumed = [variable for variable in variables if variable.assumed and variable.name not in continuous]
     return [NO_LIMITS.format(ranges=", ".join(map(_range, assumed)))] if assumed else []
@@ -121,7 +121,7 @@ def _frames(joints: tuple[Joint, ...], T_world_tool_0: Array) -> dict[str, Frame
 
 
 def _meeting_point(joints: tuple[Joint, ...]) -> Array:
-    """Where the axes of turning joints meet, (3,), m, at zero; the point of the last joint where they do not."""
+    """The point where the axes of revolute joints meet at zero, (3,), m; else the point of the last joint."""
     across = [np.eye(3) - np.outer(joint.direction, joint.direction) for joint in joints]
     sides = np.concatenate([P @ joint.point for P, joint in zip(across, joints, strict=True)])
     point, *_ = np.linalg.lstsq(np.vstack(across), sides)
@@ -132,7 +132,7 @@ def _meeting_point(joints: tuple[Joint, ...]) -> Array:
 def _chain(
     path: Path, way: Sequence[yourdfpy.Joint], beside: Sequence[yourdfpy.Joint], tip: str
 ) -> tuple[tuple[Joint, ...], tuple[Variable, ...], Array]:
-    """The moving joints of the way to a link, the leaders beside it, and the pose of the link at zero, base frame."""
+    """The moving joints up to a link, the leaders outside the chain, and the pose of the link at zero, base frame."""
     free = [joint.name for joint in (*way, *beside) if joint.type in MOVING and joint.mimic is None]
     if not 0 < (count := len(free)) <= MOST_JOINTS:
         raise broken(
@@ -185,9 +185,9 @@ def _joint(path: Path, joint: yourdfpy.Joint, T: Array, size: float, free: list[
 def _within_limits_of_mimics(
     joints: Sequence[Joint], led_by: Sequence[Variable]
 ) -> tuple[tuple[Joint, ...], tuple[Variable, ...], list[Text]]:
-    """The joints and the leaders beside them, each variable narrowed to what the joints that follow it allow.
+    """The joints and leaders, with each variable's range narrowed to the limits of the joints that follow it.
 
-    Limits of a follower that leave its leader no range are left out, and said: grippers have them with a wrong sign.
+    Limits of a follower that leave its leader no range are ignored with a remark: in some grippers their sign is wrong.
     """
     variables = [*(joint for joint in joints if joint.mimic is None), *led_by]
     followers = [(joint, joint.mimic) for joint in joints if joint.mimic is not None and joint.lower < joint.upper]
@@ -209,6 +209,6 @@ def _within_limits_of_mimics(
 
 
 def _within(variable: Moved, lower: float, upper: float) -> Moved:
-    """A variable with a narrower range, which is assumed no more where both ends are of joints that follow it."""
+    """A variable with a narrower range, which is no longer assumed if both ends come from joints that follow it."""
     assumed = variable.assumed and (lower == variable.lower or upper == variable.upper)
     return replace(variable, lower=lower, upper=upper, assumed=assumed)

@@ -1,4 +1,4 @@
-"""What is wrong with a URDF, by link or joint, in words; what the kinematics does not use is never looked at."""
+"""Checks of a URDF, with errors that name the link or joint; parts that the kinematics does not use are ignored."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from helicoide.kinematics.urdf_xml import broken
 from helicoide.text import Text
 
 KINDS = {"link": Text(en="link", pt_BR="elo"), "joint": Text(en="joint", pt_BR="junta")}
-# Of xacro, what changes no link and no joint.
+# Xacro elements that change no link and no joint.
 HARMLESS = ("xacro:property", "xacro:arg")
 UNRESOLVED = ("${", "$(")
 XACRO = Text(
     en="it is xacro ({what}); make a URDF of it with xacro", pt_BR="é xacro ({what}); gere um URDF com o xacro"
 )
-# How many numbers, and how large they may be, that a joint needs.
+# Count and largest absolute value of the numbers of a joint.
 NEEDED = {
     "origin": {"xyz": (3, MOST), "rpy": (3, MOST)},
     "axis": {"xyz": (3, MOST)},
@@ -30,7 +30,7 @@ NEEDED = {
 
 
 def check_parts(path: Path, root: Element) -> None:
-    """Refuse what is no URDF, names that are missing or there twice, and what is wrong in a link or a joint."""
+    """Raise HelicoideError for a file that is no URDF, for missing or repeated names, and for invalid joints."""
     if root.tag != "robot":
         raise broken(
             path, Text(en=f"it starts with {root.tag!r}, not 'robot'", pt_BR=f"começa com {root.tag!r}, não 'robot'")
@@ -87,7 +87,7 @@ def _wrong_number(joint: Element, given: str, count: int) -> Text:
 
 
 def check_tree(path: Path, robot: yourdfpy.Robot) -> None:
-    """Refuse unknown links, links with two parents, cycles, and several roots."""
+    """Raise HelicoideError for unknown links, links with two parents, cycles, and several roots."""
     links, parents = {link.name for link in robot.links}, dict[str, str]()
     for joint in robot.joints:
         for name in (joint.parent, joint.child):
@@ -109,7 +109,7 @@ def check_tree(path: Path, robot: yourdfpy.Robot) -> None:
 
 
 def _check_cycles(path: Path, parents: Mapping[str, str], sound: set[str]) -> None:
-    """Refuse links whose way up ends in none that is sound."""
+    """Raise HelicoideError for links whose chain of parents does not end at a root."""
     for name in parents:
         way, on_it = [name], {name}
         while way[-1] not in sound:

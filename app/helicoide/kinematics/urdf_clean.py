@@ -1,6 +1,6 @@
-"""A URDF reduced to what is used of it: links with what is drawn of them, and joints.
+"""A URDF reduced to the parts in use: links with their visuals, and joints.
 
-Inertia, collisions, transmissions and what other programs add never stop an arm; what is seen of it does not either.
+Errors in inertia, collisions, transmissions, extensions of other programs or visuals do not prevent loading an arm.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ UNKNOWN = Text(en="{tag} is unknown", pt_BR="{tag} é desconhecido")
 
 
 class NotDrawn(Exception):
-    """Why a visual of a link is left out."""
+    """The reason why a visual of a link is left out."""
 
     def __init__(self, why: Text) -> None:
         super().__init__(why.en)
@@ -35,9 +35,9 @@ class NotDrawn(Exception):
 
 
 def cleaned(root: Element, name: str) -> tuple[Element, list[tuple[str, Text]]]:
-    """The same robot with nothing else in it, and of which links something is not drawn, and why.
+    """The robot with only these parts, and the links with omitted visuals, each with the reason.
 
-    name: what it is called where it has no name of its own. Its joints are right already.
+    name: used if the robot has none. The joints must have been checked.
     """
     robot, left_out = Element("robot", name=root.get("name") or name), list[tuple[str, Text]]()
     for part in root:
@@ -75,7 +75,7 @@ def _joint(part: Element) -> Element:
 
 
 def _unit(axis: NDArray[np.float64]) -> list[float]:
-    """The direction of an axis; zero where it has none."""
+    """The unit vector along an axis; zero for a zero axis."""
     largest = float(np.abs(axis).max())
     if not largest > 0:
         return [0.0, 0.0, 0.0]
@@ -84,7 +84,7 @@ def _unit(axis: NDArray[np.float64]) -> list[float]:
 
 
 def _placed(part: Element) -> Element:
-    """The origin of a joint or a visual, zero where none is given."""
+    """The origin of a joint or a visual; zero if none is given."""
     given = part.find("origin")
     found = {key: numbers("0 0 0" if given is None else given.get(key, "0 0 0"), 3, MOST) for key in ("xyz", "rpy")}
     if not all(found.values()):
@@ -93,7 +93,7 @@ def _placed(part: Element) -> Element:
 
 
 def _visuals(visual: Element) -> Iterator[Element]:
-    """What is drawn of a visual: itself, or a capsule as a cylinder between two spheres."""
+    """The visual itself, or a capsule as a cylinder between two spheres."""
     geometry = visual.find("geometry")
     if geometry is None or len(geometry) == 0:
         raise NotDrawn(NO_GEOMETRY)
@@ -120,7 +120,7 @@ def _visual(visual: Element, origin: Element, tag: str, sizes: dict[str, str]) -
 
 
 def _capsule(visual: Element, origin: Element, solid: Element) -> Iterator[Element]:
-    """length is that of the straight piece, as in SDFormat and MuJoCo."""
+    """A capsule as three solids; its length is that of the cylinder, as in SDFormat and MuJoCo."""
     sizes = _sizes(solid, ROUND)
     if sizes["radius"] == NOTHING:
         return
@@ -152,7 +152,7 @@ def _mesh(solid: Element) -> dict[str, str]:
 
 
 def _material(material: Element) -> Element | None:
-    """Name and colour of a material; None where it has neither."""
+    """Name and colour of a material; None if it has neither."""
     kept = Element("material", {"name": material.get("name", "")} if material.get("name") else {})
     colour = material.find("color")
     words = "" if colour is None else colour.get("rgba", "")

@@ -1,4 +1,4 @@
-"""Where the URDF of a robot contradicts its robot.toml: joints, links, limits, axes and places."""
+"""Contradictions between the URDF of a robot and its robot.toml: joints, links, limits, axes and positions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reading a URDF file, and refusing a broken one with what is wrong and where."""
+"""Reading a URDF file, with errors that say what is wrong and where."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ MORE = Text(en="; and {n} more", pt_BR="; e mais {n}")
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """The links and joints of a URDF, what was left out of it, and what is not drawn of which links, and why.
+    """The links and joints of a URDF, remarks on omitted parts, and links with undrawn visuals and the reasons.
 
-    held: the joints that are fixed because their lower limit is their upper one.
+    held: the joints that are fixed because their lower and upper limits are equal.
     """
 
     robot: yourdfpy.Robot
@@ -46,9 +46,9 @@ class Reading:
 
 
 def read(path: Path, parameters: Mapping[str, float] = PLAIN) -> Reading:
-    """What a URDF says, with ${name} replaced by parameters (m).
+    """Read a URDF, with ${name} replaced by parameters (m).
 
-    Raises HelicoideError when it cannot be read, is no tree, or has a number that is not finite.
+    Raises HelicoideError if it cannot be read, is not a tree, or has a number that is not finite.
     """
     root = tree(path, parameters)
     check_parts(path, root)
@@ -56,7 +56,7 @@ def read(path: Path, parameters: Mapping[str, float] = PLAIN) -> Reading:
     clean_bytes = io.BytesIO(ElementTree.tostring(clean))
     try:
         robot = yourdfpy.URDF.load(clean_bytes, load_meshes=False, build_scene_graph=False).robot
-    except Exception as error:  # yourdfpy and lxml raise whatever makes them stumble; what that is was checked before
+    except Exception as error:  # yourdfpy and lxml may raise anything; common errors were checked before
         raise broken(path, NOT_UNDERSTOOD) from error
     loose = _without_loose_links(robot)
     check_tree(path, robot)
@@ -66,7 +66,7 @@ def read(path: Path, parameters: Mapping[str, float] = PLAIN) -> Reading:
 
 
 def parsed(path: Path, parameters: Mapping[str, float] = PLAIN, meshes: bool = False) -> yourdfpy.URDF:
-    """The URDF with ${name} replaced by parameters (m), with its meshes if asked. Raises as `read`."""
+    """The URDF with ${name} replaced by parameters (m), with or without its meshes. Raises as `read`."""
     robot = read(path, parameters).robot
     if not meshes:
         return yourdfpy.URDF(robot, build_scene_graph=False, load_meshes=False)
@@ -74,7 +74,7 @@ def parsed(path: Path, parameters: Mapping[str, float] = PLAIN, meshes: bool = F
 
 
 def not_drawn(path: Path, parameters: Mapping[str, float] = PLAIN) -> Text | None:
-    """What of a URDF's links cannot be drawn, and why, in one sentence; None where all can. Reads the meshes.
+    """A sentence on links that cannot be drawn, with the reasons; None if all can be drawn. Reads the meshes.
 
     Raises as `read`.
     """
@@ -88,26 +88,26 @@ def not_drawn(path: Path, parameters: Mapping[str, float] = PLAIN) -> Text | Non
 
 
 def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
-    """The robot with all that can be drawn of it; of what is beside the arm, whatever it follows. Changes it."""
-    for joint in robot.joints:  # beside the arm there may be some of which the scene can make nothing
+    """The URDF with its scene and all readable meshes. In `robot`, fixes unusable joints and removes bad meshes."""
+    for joint in robot.joints:  # outside the arm there may be joints that the scene cannot handle
         if joint.type not in MOVING or not np.any(joint.axis):
             joint.type, joint.mimic = "fixed", None
     leaders = {joint.name for joint in robot.joints if joint.mimic is None and joint.type != "fixed"}
     for joint in robot.joints:
         if joint.mimic is not None and joint.mimic.joint not in leaders:
             joint.mimic = None
-    without_meshes(path, robot)  # one that cannot be read would end it all
+    without_meshes(path, robot)  # one unreadable mesh would make loading fail
     return yourdfpy.URDF(robot, build_scene_graph=True, load_meshes=True, filename_handler=mesh_file(path))
 
 
 def root_of(robot: yourdfpy.Robot) -> str:
-    """The link that all others hang on."""
+    """The root link, which is no joint's child."""
     children = {joint.child for joint in robot.joints}
     return next(str(link.name) for link in robot.links if link.name not in children)
 
 
 def _without_loose_links(robot: yourdfpy.Robot) -> list[str]:
-    """Take away the links that no joint names, unless there are no others; returns their names."""
+    """Remove the links that no joint names, unless there are no others; returns their names."""
     held = {name for joint in robot.joints for name in (joint.parent, joint.child)}
     loose = [str(link.name) for link in robot.links if link.name not in held] if held else []
     robot.links = [link for link in robot.links if link.name not in loose]

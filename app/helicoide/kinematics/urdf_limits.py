@@ -1,4 +1,4 @@
-"""The range and the speed of a URDF's joint; where the file gives none that bounds anything, they are assumed."""
+"""Range and speed of a URDF's joint; they are assumed if the file gives none, or none that limits the joint."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BOUNDLESS_SLIDE, SLIDE = 100.0, 10.0
 
 
 def speed_of(joint: yourdfpy.Joint) -> float | None:
-    """How fast a joint moves, rad/s or m/s; None where the file does not say."""
+    """Speed limit of a joint, rad/s or m/s; None if the file does not give it."""
     speed = joint.limit.velocity if joint.limit is not None else None
     return float(speed) if speed and 0 < speed <= FASTEST else None
 
@@ -56,7 +56,7 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
 
 
 def wrong_limits(name: str, lower: float, upper: float) -> Text:
-    """That a joint cannot be anywhere."""
+    """The error for a lower limit that is not below the upper one."""
     return Text(
         en="the limits of joint {name!r} are {lower:g} to {upper:g}; lower must be below upper",
         pt_BR="os limites da junta {name!r} são {lower:g} a {upper:g}; lower deve ser menor que upper",

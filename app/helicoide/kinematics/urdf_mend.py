@@ -1,4 +1,4 @@
-"""A URDF's joints put right: those that cannot move are fixed, those that follow follow one that moves by itself."""
+"""Repairs of a URDF's joints: joints that cannot move become fixed, and each mimic joint follows an independent one."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ MOVING = ("revolute", "continuous", "prismatic")
 
 
 def mend(robot: yourdfpy.Robot) -> list[str]:
-    """Fix the joints whose range is one value, compose what follows a follower, and fix what follows a fixed joint.
+    """Fix joints whose range is one value, compose mimics of mimics, and fix mimics of fixed joints.
 
-    A follower stands at x = r y + s of a joint at y, which may stand at y = r′ z + s′ of another one itself:
-    x = r r′ z + r s′ + s. One that follows itself, or none that is there, is left as it is. Returns the joints that
-    their limits hold at one value.
+    A mimic joint has x = r y + s for the value y of its leader, which may itself have y = r′ z + s′:
+    x = r r′ z + r s′ + s. A joint that follows itself, or an unknown one, is left unchanged. Returns the names of the
+    joints that their limits fix.
     """
     held = list[str]()
     stands = {joint.name: 0.0 for joint in robot.joints if joint.type == "fixed"}
@@ -36,7 +36,7 @@ def mend(robot: yourdfpy.Robot) -> list[str]:
 
 
 def _only_value(joint: yourdfpy.Joint) -> float | None:
-    """Where a joint stands whose lower limit is its upper one."""
+    """The value of a joint whose lower and upper limits are equal; else None."""
     limit = joint.limit
     if joint.type == "continuous" or limit is None or limit.lower is None or limit.lower != limit.upper:
         return None
@@ -44,7 +44,7 @@ def _only_value(joint: yourdfpy.Joint) -> float | None:
 
 
 def _composed(joint: yourdfpy.Joint, known: dict[str, yourdfpy.Joint]) -> yourdfpy.Mimic | None:
-    """Whom a joint follows in the end, and how; None where that is nobody, or itself."""
+    """The mimic relation to the independent joint at the end of the chain of mimics; None if there is none."""
     ratio, shift, seen = 1.0, 0.0, {joint.name}
     while joint.mimic is not None and joint.type in MOVING:
         if joint.mimic.joint not in known or joint.mimic.joint in seen:
@@ -57,14 +57,14 @@ def _composed(joint: yourdfpy.Joint, known: dict[str, yourdfpy.Joint]) -> yourdf
 
 
 def _fix(joint: yourdfpy.Joint, value: float) -> None:
-    """Make a joint one that stands at a value, rad or m, for good."""
+    """Make a joint fixed at a value, rad or m."""
     origin = np.eye(4) if joint.origin is None else joint.origin
     joint.origin = origin @ moved(joint, value)
     joint.type, joint.mimic = "fixed", None
 
 
 def moved(joint: yourdfpy.Joint, value: float) -> Array:
-    """How a joint moves what it carries, (4, 4), m, from zero to a value, rad or m."""
+    """Displacement of a joint's child link, (4, 4), m, from zero to a value, rad or m."""
     T, axis = np.eye(4), np.asarray(joint.axis, dtype=np.float64)
     if joint.type == "prismatic":
         T[:3, 3] = value * axis

@@ -1,4 +1,4 @@
-"""Where the mesh files of a URDF lie, and which of them can be drawn."""
+"""Finds the mesh files of a URDF, and removes those that cannot be drawn."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ EMPTY_MESH = Text(en="there is no surface in the mesh {file}", pt_BR="não há s
 
 
 def mesh_file(path: Path) -> Callable[[str], str]:
-    """Where the mesh files that a URDF names lie: seen from it, or for package:// in or as a folder above it."""
+    """A function from mesh names in a URDF to paths: relative to the URDF; package:// is searched in folders above."""
     return partial(_mesh_file, path.absolute().parent)
 
 
@@ -39,7 +39,7 @@ def _mesh_file(folder: Path, fname: str) -> str:
 
 
 def _alike(place: Path) -> Path | None:
-    """The file of that name, be its suffix in capitals or not; None where there is none."""
+    """The file of that name, with its suffix in either case; None if there is none."""
     try:
         names = (place, *(place.with_suffix(way(place.suffix)) for way in (str.lower, str.upper) if place.suffix))
         return next((name for name in names if name.is_file()), None)
@@ -48,7 +48,7 @@ def _alike(place: Path) -> Path | None:
 
 
 def without_meshes(path: Path, robot: yourdfpy.Robot) -> list[tuple[str, Text]]:
-    """Take away the meshes of which nothing can be drawn; returns of which links, and why."""
+    """Remove the meshes that cannot be drawn; returns their links and the reasons."""
     found = list[tuple[str, Text]]()
     for link in robot.links:
         for visual in [visual for visual in link.visuals if visual.geometry.mesh]:
@@ -66,10 +66,10 @@ def _why_not(file: Path) -> Text | None:
 
 @lru_cache(maxsize=1024)
 def _read(file: Path, changed: int) -> Text | None:
-    """Why there is nothing to be drawn in a file, which was changed last at that time, ns; None where there is."""
+    """The reason why a mesh file cannot be drawn, or None; `changed`, its time of change in ns, is for the cache."""
     try:
         scene = trimesh.load_scene(file, ignore_broken=True)
-    except Exception:  # readers raise whatever a broken file makes them stumble over
+    except Exception:  # readers may raise anything for a broken file
         return BROKEN_MESH
     surfaces = (mesh for mesh in scene.geometry.values() if isinstance(mesh, trimesh.Trimesh))
     return None if any(mesh.area > 0 for mesh in surfaces) else EMPTY_MESH

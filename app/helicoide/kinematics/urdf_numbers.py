@@ -1,4 +1,4 @@
-"""Numbers as a URDF has them: apart by spaces, or by commas as some programs write."""
+"""Lists of numbers in a URDF: separated by spaces, or by commas as some programs write them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ MOST = 1e9
 
 
 def numbers(words: str | None, count: int, most: float = MOST) -> list[float]:
-    """So many numbers up to a size, or none where there are not; infinity where the size is."""
+    """The numbers in a text; empty unless there are `count` of absolute value at most `most`."""
     try:
         values = [float(word) for word in (words or "").replace(",", " ").split()]
     except ValueError:
@@ -18,5 +18,5 @@ def numbers(words: str | None, count: int, most: float = MOST) -> list[float]:
 
 
 def written(values: Sequence[float]) -> str:
-    """The numbers as `numbers` reads them, to the last bit."""
+    """The numbers as text, from which `numbers` reads them back exactly."""
     return " ".join(repr(0.0 if value == 0 or math.isnan(value) else float(value)) for value in values)

@@ -1,4 +1,4 @@
-"""Where the arm of a URDF ends when nobody says it."""
+"""The default tip of an arm in a URDF, used if none is given."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Below = Mapping[str, list[yourdfpy.Joint]]
 
 RIGID = ("fixed", "planar", "floating")
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
-# What a link is called that is the tool: the first row of which there is one counts.
+# Words in the names of tool links; earlier rows take precedence.
 TOOLS = (
     {"tool", "tcp", "ee", "hand", "flange"},
     {"eef", "effector", "endeffector", "eff"},
@@ -32,7 +32,7 @@ HELD = Text(
 
 
 def below(robot: yourdfpy.Robot) -> Below:
-    """The joints that hang on each link."""
+    """The joints whose parent is each link."""
     found: dict[str, list[yourdfpy.Joint]] = {}
     for joint in robot.joints:
         found.setdefault(joint.parent, []).append(joint)
@@ -40,14 +40,15 @@ def below(robot: yourdfpy.Robot) -> Below:
 
 
 def moves(joint: yourdfpy.Joint) -> bool:
-    """Whether a joint counts as moving; one of a type that nobody knows does, so that it is not passed over."""
+    """Whether a joint counts as moving; a joint of unknown type does, so that it is reported."""
     return joint.type not in RIGID
 
 
 def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str]) -> str:
-    """The link where the arm ends: follow the longest moving branch until two are alike, such as fingers.
+    """The link where the arm ends: the longest moving branch is followed until two are equally long, such as fingers.
 
-    held: the joints that would move if their limits let them.
+    held: joints that would move if their limits were not equal. Raises HelicoideError if the end is ambiguous or
+    nothing moves.
     """
     joints_below = below(robot)
     beyond = _moving_beyond(base, joints_below)
@@ -80,11 +81,10 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
 
 
 def _is_jaw(joint: yourdfpy.Joint, above: str, held: str, joints_below: Below) -> bool:
-    """Whether the last moving joint closes a gripper: it slides or turns by at most half a turn, and the tool begins at
-    the link that the joint before it moves.
+    """Whether the last moving joint closes a gripper and so does not belong to the arm.
 
-    It begins where what is fixed to that link is called a tool, what is above it is not, or by a name that says it less
-    plainly, and what lies beyond is by none that says it more plainly.
+    It must slide or rotate by at most half a turn, and the tool must begin at the link that the joint before it moves:
+    the names of the links fixed there rank higher as tools than those above, and no lower than those beyond.
     """
     limit = joint.limit
     half = joint.type == "revolute" and limit is not None and (limit.upper or 0.0) - (limit.lower or 0.0) <= np.pi
@@ -93,13 +93,13 @@ def _is_jaw(joint: yourdfpy.Joint, above: str, held: str, joints_below: Below) -
 
 
 def _rank(links: Sequence[str]) -> int:
-    """The first row of names of tools that one of these links has; how many rows there are where none has any."""
+    """Number of the first row of `TOOLS` that matches one of the links; the number of rows if none matches."""
     words = set[str]().union(*map(_words, links))
     return next((i for i, names in enumerate(TOOLS) if words & names), len(TOOLS))
 
 
 def _moving_beyond(root: str, joints_below: Below) -> dict[str, int]:
-    """How many moving joints the longest branch beyond each link has."""
+    """Number of moving joints in the longest branch beyond each link."""
     order = [root]
     for link in order:
         order += [joint.child for joint in joints_below.get(link, [])]
@@ -110,7 +110,7 @@ def _moving_beyond(root: str, joints_below: Below) -> dict[str, int]:
 
 
 def _tool_of(link: str, held: str, joints_below: Below) -> str:
-    """The link called a tool that is fixed beyond a link, else anywhere on what the last joint holds, else the link."""
+    """The link named as a tool that is fixed beyond a link, else one fixed to the last joint, else the link itself."""
     for names in TOOLS:
         for start in (link, held):
             if named := [name for name in _fixed_to(start, joints_below) if _words(name) & names]:
@@ -119,7 +119,7 @@ def _tool_of(link: str, held: str, joints_below: Below) -> str:
 
 
 def _fixed_to(start: str, joints_below: Below) -> list[str]:
-    """A link and all that is fixed to it and lies beyond it."""
+    """A link and all links beyond it that are fixed to it."""
     fixed, found = [start], list[str]()
     while fixed:
         found.append(fixed.pop())
@@ -128,6 +128,6 @@ def _fixed_to(start: str, joints_below: Below) -> list[str]:
 
 
 def _words(name: str) -> set[str]:
-    """The words of a name: of left_EndEffector-2 left, end and effector; and, as they stand together, endeffector."""
+    """The words of a name and their neighbouring pairs: left_EndEffector-2 has left, end, effector, endeffector …"""
     words = [word.lower() for word in WORD.findall(name)]
     return {*words, *("".join(pair) for pair in pairwise(words))}

@@ -1,4 +1,4 @@
-"""The joints of a URDF between the base and the tip of an arm, and whom those follow that follow another."""
+"""The joints of a URDF between the base and the tip of an arm, and the leaders of its mimic joints."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ BESIDE = Text(
 def between(
     path: Path, robot: yourdfpy.Robot, base: str | None, tip: str
 ) -> tuple[str, list[yourdfpy.Joint], list[Text]]:
-    """The base, the joints from there to a tip, and what is to be said of that.
+    """The base, the joints from there to a tip, and remarks.
 
-    Without a base that is the root, or the link under the last joint that leaves the whole arm free. Raises
-    HelicoideError for links that are not there or not one above the other, and for joints that no arm has.
+    The default base is the root, or the child of the last planar or floating joint. Raises HelicoideError for unknown
+    links, a base that is not above the tip, and joints of unknown type.
     """
     for link in (tip, base):
         if link is not None and link not in (names := [link.name for link in robot.links]):
@@ -60,7 +60,7 @@ def between(
 
 
 def _way_up(robot: yourdfpy.Robot, base: str | None, tip: str) -> tuple[list[yourdfpy.Joint], str]:
-    """The joints from a base, or from the root, to a tip, and the link above them."""
+    """The joints from a base, or from the root, to a tip, and the link at which they begin."""
     parents = {joint.child: joint for joint in robot.joints}
     way, link = list[yourdfpy.Joint](), tip
     while link in parents and link != base:
@@ -86,9 +86,9 @@ def _unknown(joint: yourdfpy.Joint) -> Text:
 
 
 def leaders(path: Path, robot: yourdfpy.Robot, way: Sequence[yourdfpy.Joint]) -> dict[str, list[str]]:
-    """The joints beside a way that joints of it follow, and which ones, by name.
+    """The joints outside a chain that joints of the chain follow, each with its followers, by name.
 
-    Raises HelicoideError for one that follows itself, or what does not move.
+    Raises HelicoideError for a joint that follows itself, or a joint that does not move.
     """
     known, on_way = {joint.name: joint for joint in robot.joints}, {joint.name for joint in way}
     found: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""The XML of a URDF as a tree: in whatever encoding, with its prefixes declared or not, and nothing from outside."""
+"""The XML of a URDF as a tree: any encoding, prefixes declared or not, without external entities."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MARKS = (
 )
 DECLARED = re.compile(rb"<\?xml[^>]*?encoding\s*=\s*[\"']([\w.:-]+)[\"']")
 DECLARATION = re.compile(r"<\?xml\s[^>]*\?>")
-# What is wrong in words of ours, by the number that expat gives it.
+# Error messages by the error number of expat.
 EMPTY = Text(en="nothing is there", pt_BR="não há nada")
 WRONG = {
     3: EMPTY,
@@ -55,7 +55,7 @@ def broken(path: Path, reason: Text) -> HelicoideError:
 def tree(path: Path, parameters: Mapping[str, float] = PLAIN) -> Element:
     """The root of a URDF with ${name} replaced by parameters (m); tags and attributes keep their prefixes.
 
-    Raises HelicoideError when the file cannot be read or is no XML. External entities are never followed.
+    Raises HelicoideError if the file cannot be read or is not XML. External entities are never loaded.
     """
     text = Template(_text(path)).safe_substitute(parameters)
     text = DECLARATION.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), text, count=1)
@@ -70,14 +70,14 @@ def tree(path: Path, parameters: Mapping[str, float] = PLAIN) -> Element:
 
 
 def root_link(path: Path, parameters: Mapping[str, float] = PLAIN) -> str:
-    """The link of a URDF that is no joint's child. Raises HelicoideError as `tree`."""
+    """The root link of a URDF file, which is no joint's child. Raises HelicoideError as `tree`."""
     root = tree(path, parameters)
     children = {child.get("link") for child in root.findall("joint/child")}
     return next(name for link in root.findall("link") if (name := link.get("name", "")) not in children)
 
 
 def _text(path: Path) -> str:
-    """What a file says, in the encoding of its byte order mark, else of its declaration, else in UTF-8 or Latin-1."""
+    """The text of a file, in the encoding of its byte order mark, else of its declaration, else UTF-8 or Latin-1."""
     try:
         content = written.raw(path, MOST_BYTES)
     except HelicoideError as error:
@@ -88,7 +88,7 @@ def _text(path: Path) -> str:
     declared = DECLARED.search(content[:1000])
     encoding = marked or (declared[1].decode() if declared else "utf-8")
     if marked is None and encoding.lower().startswith(("utf", "ucs")):
-        encoding = "utf-8"  # what says in single bytes that it is UTF-16 is not
+        encoding = "utf-8"  # a declaration in single bytes cannot be right about UTF-16
     try:
         return content.decode(encoding)
     except (UnicodeError, LookupError) as error:

@@ -1,4 +1,4 @@
-"""Paths of the tool and of the joints, their time scaling, and paths that were taught point by point."""
+"""Paths of the tool and of the joints, time scaling, and taught waypoints."""
 
 from __future__ import annotations
 

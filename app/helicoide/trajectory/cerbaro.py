@@ -13,10 +13,10 @@ from helicoide.trajectory.loop import Loop
 
 @dataclass(frozen=True)
 class Ellipse:
-    """The family of Cerbaro 2022, eq. 31: one closed turn in `period` seconds.
+    """The ellipses of Cerbaro 2022, eq. 31, run through once in `period` seconds.
 
-    Args: centre and radii, m; pitch, rad: angle of the tool above the horizontal; roll, rad: turn about the tool axis.
-    The heading is that of the point seen from the waist, the only one that an arm with five joints can hold.
+    Args: centre and radii, m; pitch, rad: angle of the tool above the horizontal; roll, rad: angle about the tool axis.
+    The yaw is the direction from the waist to the point, the only one possible for an arm with five joints.
     """
 
     centre: tuple[float, float, float]
@@ -27,12 +27,12 @@ class Ellipse:
 
     @property
     def duration(self) -> float:
-        """One turn, s."""
+        """Duration of the ellipse, s."""
         return self.period
 
     @property
     def is_closed(self) -> bool:
-        """It comes back to where it began."""
+        """True: it ends where it begins."""
         return True
 
     def point(self, s: float) -> Array:
@@ -63,7 +63,7 @@ class Ellipse:
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes: ω = (x ẏ − y ẋ)/(x² + y²) about z.
 
-        Above the waist, where there is no heading, ω is 0.
+        On the waist axis, where the yaw is undefined, ω is 0.
         """
         (x, y, _), v = self.point(s), self.velocity(s)
         from_axis = x * x + y * y
@@ -77,7 +77,7 @@ EQ_33 = Ellipse(centre=(0.52, 0.0, 0.23), radii=(0.06, 0.28, 0.14), pitch=-pi / 
 EQ_34 = Ellipse(centre=(0.55, 0.0, 0.23), radii=(0.0, 0.25, 0.05), pitch=0.0, roll=pi / 2)
 EQ_35 = Ellipse(centre=(0.48, 0.1, 0.2), radii=(0.22, 0.22, 0.0), pitch=radians(-70), roll=radians(30))
 
-# The demonstrations (§4.4.3 and §4.4.4), run through in the sense of eq. 31, which the source does not tell for them.
+# The demonstrations (§4.4.3 and §4.4.4), in the direction of eq. 31; the source does not state theirs.
 # The ORCA keeps its φ = 0.
 MOVEMASTER_ELLIPSE = Ellipse(centre=(0.52, 0.0, 0.2), radii=(0.08, 0.08, 0.05), pitch=-pi / 3, roll=0.0, period=60.0)
 ORCA_CIRCLE = Loop(

@@ -1,4 +1,4 @@
-"""Paths one after another."""
+"""Paths joined in sequence."""
 
 from __future__ import annotations
 
@@ -15,35 +15,35 @@ from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import JointPath, Path
 
 Piece = TypeVar("Piece", Path, JointPath)
-# Where one path ends and the next begins may differ by this much, m, rad, or an entry of a pose.
+# Largest gap between the end of a path and the start of the next: m, rad, or an entry of a pose.
 MEETS = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Sequel(Generic[Piece]):
-    """Paths of one kind one after another."""
+    """A sequence of paths of one kind."""
 
     paths: tuple[Piece, ...]
 
     @cached_property
     def starts(self) -> Array:
-        """When each path begins, and the last ends, (k + 1,), s."""
+        """Start of each path and end of the last, (k + 1,), s."""
         return np.cumsum([0.0, *(path.duration for path in self.paths)])
 
     @property
     def duration(self) -> float:
-        """All of them together, s."""
+        """Total duration, s."""
         return float(self.starts[-1])
 
     def running(self, s: float) -> tuple[Piece, float]:
-        """The path that runs at s, at a corner the one that follows, and its own parameter then, s."""
+        """The path that contains s (at a corner the following one), and its own parameter, s."""
         i = min(max(int(np.searchsorted(self.starts, s, side="right")) - 1, 0), len(self.paths) - 1)
         return self.paths[i], s - float(self.starts[i])
 
 
 @dataclass(frozen=True, eq=False)
 class Chain(Sequel[Path]):
-    """Paths of the target one after another; `chain` makes one of paths that meet."""
+    """A sequence of paths of the target; `chain` makes one and checks that they meet."""
 
     @property
     def is_closed(self) -> bool:
@@ -63,7 +63,7 @@ class Chain(Sequel[Path]):
 
 @dataclass(frozen=True, eq=False)
 class JointChain(Sequel[JointPath]):
-    """Paths of the joints one after another; `joint_chain` makes one of paths that meet."""
+    """A sequence of paths of the joints; `joint_chain` makes one and checks that they meet."""
 
     @property
     def is_closed(self) -> bool:
@@ -82,13 +82,13 @@ class JointChain(Sequel[JointPath]):
 
 
 def chain(paths: Sequence[Path]) -> Chain:
-    """Paths of the target that meet, one after another; raises HelicoideError where two do not, or without any."""
+    """Join paths of the target; raises HelicoideError if two do not meet or there is none."""
     _check([(path.pose(0.0), path.pose(path.duration)) for path in paths])
     return Chain(tuple(paths))
 
 
 def joint_chain(paths: Sequence[JointPath]) -> JointChain:
-    """Paths of the joints that meet, one after another; raises HelicoideError where two do not, or without any."""
+    """Join paths of the joints; raises HelicoideError if two do not meet or there is none."""
     _check([(path.q(0.0), path.q(path.duration)) for path in paths])
     return JointChain(tuple(paths))
 

@@ -1,8 +1,8 @@
-"""The fastest time scaling of a path of the joints that keeps their limits of speed and acceleration.
+"""Time-optimal scaling of a joint path, for a given time law, within the limits of speed and acceleration.
 
     |q'ᵢ| ṡ ≤ vᵢ,   |q'ᵢ s̈ + q''ᵢ ṡ²| ≤ aᵢ,   s = L σ(t/T):   ṡ goes with 1/T, s̈ with 1/T²
 
-So for a law σ the least T is known at once from what the law would ask of the joints in one second.
+So the shortest T for a law σ follows from the velocities and accelerations of the joints at T = 1 s.
 """
 
 from __future__ import annotations
@@ -17,25 +17,26 @@ from helicoide.trajectory.path import SmoothJointPath
 from helicoide.trajectory.timing import Constant, Law, MinimumJerk, TimedJoints, Trapezoid
 
 Shape = Literal["trapezoid", "minimum jerk", "constant speed"]
-# The limits are kept with this share of the time to spare.
+# The duration is longer than the shortest one by this fraction.
 MARGIN = 1e-3
-# What takes less time than this, s, is no motion.
+# A shorter duration, s, counts as no motion.
 AT_REST = 1e-9
-# Ramps of a trapezoid take this share of its time or more, also where nothing limits the acceleration.
+# Shortest ramp of a trapezoid, as a share of its duration, even without limits of acceleration.
 SHORTEST_RAMP = 0.01
-# How many instants a path is looked at, at least, and between two of its knots; shares tried for a ramp at once.
+# Samples of a path, at least in all and between two knots; candidates for a ramp in one search.
 _INSTANTS, _BETWEEN, _TRIED = 2000, 8, 60
 _SHARES = np.linspace(0, 1, 401)
 
 
 def overload(path: SmoothJointPath, speed: Array, acceleration: Array) -> float:
-    """By how much a path is too fast: the least factor on its time that keeps every limit; 1 where one is just met.
+    """The factor by which the duration must be multiplied to just meet all limits; 1 if one is just met already.
 
-    max over i and s of |q̇ᵢ| / vᵢ and √(|q̈ᵢ| / aᵢ), on a fine grid between the knots. Args: speed, acceleration (n,).
+    max over i and s of |q̇ᵢ| / vᵢ and √(|q̈ᵢ| / aᵢ), on a fine grid between the knots. Args: limits of speed, rad/s or
+    m/s, and acceleration, rad/s² or m/s², (n,).
     """
     knots = path.knots
     count = max(_BETWEEN, -(-_INSTANTS // (len(knots) - 1)))
-    # just inside the ends: at a knot itself only one of two accelerations would be seen
+    # just inside the ends: at a knot the acceleration may jump, and only one of its two values would be sampled
     shares = np.linspace(1e-9, 1 - 1e-9, count)
     s = (knots[:-1, None] + np.diff(knots)[:, None] * shares).ravel()
     too_fast = np.abs(path.rates(s)) / speed
@@ -44,11 +45,11 @@ def overload(path: SmoothJointPath, speed: Array, acceleration: Array) -> float:
 
 
 def fastest(path: SmoothJointPath, shape: Shape, speed: Array, acceleration: Array) -> TimedJoints:
-    """The path in the least time in which this shape of scaling keeps all limits, with `MARGIN` to spare.
+    """The path with the shortest duration that keeps all limits under this time law, plus `MARGIN`.
 
     Args: speed, rad/s or m/s, and acceleration, rad/s² or m/s², (n,), positive; an acceleration may be infinite.
-    Raises HelicoideError where nothing moves, and for constant speed where a joint has a limit of acceleration and
-    would have to jump into motion or out of it.
+    Raises HelicoideError if nothing moves, and for constant speed if a joint with limited acceleration would have to
+    start or stop in a jump.
     """
     law = _law(path, shape, speed, acceleration)
     needed = overload(TimedJoints(path, law, 1.0), speed, acceleration)
@@ -87,7 +88,7 @@ def _refuse_jumps(path: SmoothJointPath, acceleration: Array) -> None:
 
 
 def _best_ramp(path: SmoothJointPath, speed: Array, acceleration: Array) -> float:
-    """The ramp β of the trapezoid that takes the least time: the best of a few, then of a few next to it."""
+    """The ramp β of the trapezoid of shortest duration, by a coarse and then a fine search."""
     shares = np.union1d(_SHARES, path.knots / path.duration)
     along = shares * path.duration
     first = path.duration * np.abs(path.rates(along) / speed).max(axis=1)

@@ -1,4 +1,4 @@
-"""Paths of the joints: a straight move, a spline through samples, and the tool as either carries it."""
+"""A joint move, and the tool pose in a posture."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from helicoide.trajectory.path import lasting
 
 @dataclass(frozen=True, eq=False)
 class JointMove:
-    """All joints evenly from one posture to another: q = q₀ + σ (q₁ − q₀), σ = s / T.
+    """Joint move: all joints at constant velocity from one posture to another, q = q₀ + σ (q₁ − q₀), σ = s / T.
 
     Args: start, end (n,), rad or m; duration T, s.
     """
@@ -29,7 +29,7 @@ class JointMove:
 
     @property
     def is_closed(self) -> bool:
-        """Whether it stays in one posture."""
+        """Whether it ends in the posture where it begins."""
         return np.array_equal(self.start, self.end)
 
     @property
@@ -40,18 +40,18 @@ class JointMove:
     def q(self, s: ArrayLike) -> Array:
         """Joint values (..., n), rad or m, at any array of parameters (...)."""
         share, way = np.asarray(s, dtype=float)[..., None] / self.duration, self.end - self.start
-        # from the nearer end: so both are met exactly, and an arm that stays does not tremble
+        # from the nearer end, so that both ends are exact and a move without motion is constant
         return np.where(share < 0.5, self.start + share * way, self.end - (1 - share) * way)
 
     def rates(self, s: ArrayLike) -> Array:
-        """dq/ds (..., n), rad/s or m/s: the same all the way."""
+        """dq/ds (..., n), rad/s or m/s: constant."""
         return np.broadcast_to((self.end - self.start) / self.duration, (*np.shape(s), len(self.start)))
 
     def accelerations(self, s: ArrayLike) -> Array:
-        """d²q/ds² (..., n), rad/s² or m/s²: none."""
+        """d²q/ds² (..., n), rad/s² or m/s²: zero."""
         return np.zeros((*np.shape(s), len(self.start)))
 
 
 def tool_at(robot: Robot, q: Array) -> Array:
-    """T_world_tool (4, 4), m, in a posture (n,)."""
+    """T_world_tool (4, 4), m, for joint values q (n,), rad or m."""
     return np.asarray(link_poses(robot.chain, frozen(q))[-1] @ robot.T_link_tool)

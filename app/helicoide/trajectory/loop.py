@@ -1,4 +1,4 @@
-"""Ellipses and circles in any plane, with the tool always turned the same way."""
+"""Ellipses and circles in any plane, with constant orientation of the tool."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from helicoide.geometry import rotation
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import lasting
 
-# A start may stand so far out of the plane of its circle, as a share of the radius.
+# Largest distance of a start from the plane of its circle, as a fraction of the radius.
 IN_PLANE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Loop:
-    """One turn of an ellipse in the xy plane of a frame: p = c + a cos φ x̂ + b sin φ ŷ, φ = 2π s / T.
+    """An ellipse in the xy plane of a frame, run through once: p = c + a cos φ x̂ + b sin φ ŷ, φ = 2π s / T.
 
     T_world_plane (4, 4), m: centre and axes of the ellipse; radii a, b, m; R_world_target (3, 3); duration T, s.
     """
@@ -34,7 +34,7 @@ class Loop:
 
     @property
     def is_closed(self) -> bool:
-        """It comes back to where it began."""
+        """True: it ends where it begins."""
         return True
 
     def pose(self, s: float) -> Array:
@@ -53,10 +53,10 @@ class Loop:
 
 
 def circle(centre: ArrayLike, normal: ArrayLike, start: ArrayLike, R_world_target: Array, duration: float) -> Loop:
-    """The circle about an axis that begins at a point and turns by the right-hand rule.
+    """The circle about an axis from a start point, in the right-hand sense.
 
     Args: centre, start (3,), m; normal (3,), any length; R_world_target (3, 3); duration, s. Raises HelicoideError
-    unless the way from the centre to the start is square to the normal and not zero.
+    unless the vector from the centre to the start is perpendicular to the normal and not zero.
     """
     n, arm = rotation.unit(normal), np.asarray(start, dtype=float) - centre
     radius = float(np.linalg.norm(arm))

@@ -1,4 +1,4 @@
-"""What a path is: the pose of a target, or all joint values, by a parameter in seconds, with exact derivatives."""
+"""The interfaces of paths: pose of a target, or joint values, by a parameter in seconds, with exact derivatives."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ class Path(Protocol):
 
     @property
     def is_closed(self) -> bool:
-        """Whether it ends in the pose where it begins."""
+        """Whether it ends in the pose in which it begins."""
 
     def pose(self, s: float) -> Array:
         """T_world_target (4, 4), m."""
 
     def twist(self, s: float) -> Array:
-        """(v, ω) of the target's point, (6,), m/s and rad/s, world axes; at a corner that of what follows."""
+        """(v, ω) of the target's origin, (6,), m/s and rad/s, world axes; at a corner that of the following piece."""
 
 
 class JointPath(Protocol):
@@ -42,21 +42,21 @@ class JointPath(Protocol):
 
     @property
     def is_closed(self) -> bool:
-        """Whether it ends in the joint values where it begins."""
+        """Whether it ends with the joint values with which it begins."""
 
     def q(self, s: float) -> Array:
         """Joint values (n,), rad or m."""
 
     def rates(self, s: float) -> Array:
-        """dq/ds (n,), rad/s or m/s; at a corner that of what follows."""
+        """dq/ds (n,), rad/s or m/s; at a corner that of the following piece."""
 
 
 class SmoothJointPath(JointPath, Protocol):
-    """A path of all joints without corners; every function takes any array of parameters (...) and gives (..., n)."""
+    """A path of all joints without corners; each function takes an array of parameters (...) and returns (..., n)."""
 
     @property
     def knots(self) -> Array:
-        """Where its second derivative may have a kink or a step, ends included, rising, (k,), s."""
+        """Parameters at which the second derivative may have a kink or a jump, with both ends, ascending, (k,), s."""
 
     def q(self, s: ArrayLike) -> Array:
         """Joint values (..., n), rad or m."""
@@ -69,14 +69,14 @@ class SmoothJointPath(JointPath, Protocol):
 
 
 def placed(path: Path | JointPath, s: float) -> float:
-    """A parameter within the path, s: a closed path is gone round again, an open one is left at its ends."""
+    """A parameter brought into [0, duration], s: a closed path repeats, an open one stays at its ends."""
     return s % path.duration if path.is_closed else min(max(s, 0.0), path.duration)
 
 
 def length(path: Path, pieces: int = 64) -> float:
-    """Length of the way of the target's point, m: ∫ ‖v‖ ds, by eight points of Gauss and Legendre in each piece.
+    """Length of the path of the target's origin, m: ∫ ‖v‖ ds, by Gauss-Legendre quadrature with eight nodes a piece.
 
-    It is exact to rounding where no corner lies inside a piece.
+    It is exact to rounding if no corner lies inside a piece.
     """
     half = path.duration / pieces / 2
     middles = half * (2 * np.arange(pieces) + 1)

@@ -1,4 +1,4 @@
-"""From taught waypoints to motion: a leg to each, in the least time that the joints allow, and the whole in one."""
+"""From taught waypoints to motion: a time-optimal leg to each waypoint, and all legs as one path."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from helicoide.trajectory.straight import Line, Screw
 from helicoide.trajectory.timing import TimedJoints
 from helicoide.trajectory.waypoints import Taught, Waypoint
 
-# The joints that carry the tool along a path from one posture to another: rows at even parameters from its start to its
-# end, (k, n), k ≥ 2, or None where the arm cannot follow.
+# Joint values that move the tool along a path from one posture to another: rows at equally spaced parameters, (k, n),
+# k ≥ 2; None if the arm cannot follow the path.
 Follow = Callable[[Path, Array, Array], Array | None]
-# The joints that follow may miss the taught postures at the ends by this much, rad or m.
+# Largest difference of these joint values from the taught postures at the ends, rad or m.
 ARRIVES = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class Leg:
-    """The way to one waypoint.
+    """The motion to one waypoint.
 
-    tool: that of the tool where it is asked to go straight or on a screw, with the parameter from 0 to 1 s; joints:
-    that of the joints by time, None where nothing moves, or where the arm cannot follow and so `blocked` is true.
+    tool: path of the tool for linear and screw moves, with its parameter from 0 to 1 s; else None. joints: path of the
+    joints by time; None if nothing moves, or if the arm cannot follow, which sets `blocked`.
     """
 
     waypoint: Waypoint
@@ -40,9 +40,9 @@ class Leg:
 
 
 def legs(taught: Taught, q: Array, follow: Follow, shape: Shape, acceleration: Array) -> Iterator[Leg]:
-    """A leg to each waypoint, from rest to rest; the first begins where the arm stands, q (n,), rad or m.
+    """A leg to each waypoint, from rest to rest; the first begins in the current posture q (n,), rad or m.
 
-    Args: acceleration: limits of the joints (n,), rad/s² or m/s²; those of speed are the robot's.
+    Args: acceleration: limits of the joints (n,), rad/s² or m/s²; speed limits are those of the robot.
     """
     for waypoint in taught.waypoints:
         yield _leg(taught.robot, q, waypoint, follow, shape, acceleration)
@@ -59,7 +59,7 @@ def _leg(robot: Robot, q: Array, to: Waypoint, follow: Follow, shape: Shape, acc
 
 
 def _ways(robot: Robot, q: Array, to: Waypoint, follow: Follow) -> tuple[Path | None, SmoothJointPath | None]:
-    """The ways of the tool and of the joints to a waypoint, with the parameter from 0 to 1 s."""
+    """The paths of the tool and of the joints to a waypoint, with the parameter from 0 to 1 s."""
     if to.way == "joints":
         return None, JointMove(q, to.q, 1.0)
     kind = Line if to.way == "line" else Screw
@@ -72,7 +72,7 @@ def _ways(robot: Robot, q: Array, to: Waypoint, follow: Follow) -> tuple[Path | 
 
 
 def whole(legs: Sequence[Leg]) -> JointChain | None:
-    """All legs with the stays at their ends as one path by time; None where one is blocked or nothing lasts."""
+    """All legs, each followed by its dwell, as one path by time; None if one is blocked or all take no time."""
     if any(leg.blocked for leg in legs):
         return None
     parts = [part for leg in legs for part in _parts(leg)]
@@ -87,7 +87,7 @@ def _parts(leg: Leg) -> Iterator[JointPath]:
 
 
 def grips(legs: Sequence[Leg]) -> Iterator[tuple[float, float]]:
-    """When on the whole path the gripper is asked for something, s, and what: 0 closed, 1 open."""
+    """The gripper commands on the whole path: time, s, and opening, 0 closed or 1 open."""
     s = 0.0
     for leg in legs:
         s += 0.0 if leg.joints is None else leg.joints.duration

@@ -14,9 +14,9 @@ from helicoide.text import HelicoideError, Text
 
 @dataclass(frozen=True, eq=False)
 class Spline:
-    """Through all samples, twice differentiable; its slopes at the ends are those of the cubics through four samples.
+    """Cubic spline through all samples, twice differentiable; its end slopes are those of cubics through four samples.
 
-    knots (k,), s, rising from 0; samples (k, n), rad or m. Raises HelicoideError for other arrays.
+    knots (k,), s, ascending from 0; samples (k, n), rad or m. Raises HelicoideError for other arrays.
     """
 
     knots: Array
@@ -49,7 +49,7 @@ class Spline:
 
     @property
     def is_closed(self) -> bool:
-        """Whether the last sample is the first."""
+        """Whether the last sample equals the first."""
         return np.array_equal(self.samples[0], self.samples[-1])
 
     @cached_property
@@ -87,7 +87,7 @@ class Spline:
         return np.asarray(a * self.bends[i] + b * self.bends[i + 1])
 
     def _within(self, s: ArrayLike) -> tuple[Array, Array, Array, NDArray[np.int64]]:
-        """The shares of both ends of the piece that holds s, its length, and its number."""
+        """Weights of both ends of the piece that contains s, its length, and its number."""
         at = np.asarray(s, dtype=float)
         i = np.clip(np.searchsorted(self.knots, at, side="right") - 1, 0, len(self.knots) - 2).astype(np.int64)
         h = (self.knots[i + 1] - self.knots[i])[..., None]
@@ -102,7 +102,7 @@ def _slope(s: Array, q: Array) -> Array:
 
 
 def _tridiagonal(half_diagonal: Array, beside: Array, right: Array) -> Array:
-    """Solve for (k, n) with 2 · half_diagonal (k,) on the diagonal and `beside` (k − 1,) next to it (Thomas)."""
+    """Solve a symmetric system for (k, n): diagonal 2 · half_diagonal (k,), off-diagonal `beside` (k − 1,) (Thomas)."""
     diagonal, right = 2 * half_diagonal, right.copy()
     for i in range(1, len(diagonal)):
         share = beside[i - 1] / diagonal[i - 1]

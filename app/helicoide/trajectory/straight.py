@@ -1,4 +1,4 @@
-"""Ways from one pose to another: a straight line with the shortest turn, or one screw."""
+"""Interpolation between two poses: a straight line with slerp, or one screw motion."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from helicoide.trajectory.path import lasting
 
 @dataclass(frozen=True, eq=False)
 class Between:
-    """A way from one pose to another: T_world_start, T_world_end (4, 4), m; duration T, s."""
+    """A path between two poses T_world_start, T_world_end (4, 4), m; duration T, s."""
 
     T_world_start: Array
     T_world_end: Array
@@ -26,20 +26,20 @@ class Between:
 
     @property
     def is_closed(self) -> bool:
-        """Whether it stays in one pose."""
+        """Whether it ends in the pose in which it begins."""
         return np.array_equal(self.T_world_start, self.T_world_end)
 
 
 @dataclass(frozen=True, eq=False)
 class Line(Between):
-    """Straight on, turning evenly by the shorter way (slerp): p = p₀ + σ (p₁ − p₀), R = R₀ exp(σ [w]ₓ), σ = s / T.
+    """Straight line with rotation at constant velocity (slerp): p = p₀ + σ (p₁ − p₀), R = R₀ exp(σ [w]ₓ), σ = s / T.
 
-    w = log(R₀ᵀ R₁).
+    w = log(R₀ᵀ R₁), ‖w‖ ≤ π.
     """
 
     @cached_property
     def turn(self) -> Array:
-        """The whole turn w as a rotation vector in the axes of the start, (3,), rad."""
+        """Rotation vector w from start to end, in the axes of the start, (3,), rad."""
         return rotation.logarithm(self.T_world_start[:3, :3].T @ self.T_world_end[:3, :3])
 
     def pose(self, s: float) -> Array:
@@ -51,14 +51,14 @@ class Line(Between):
         return T
 
     def twist(self, s: float) -> Array:
-        """(v, ω) of the target's point (6,), m/s and rad/s, world axes; the same all the way: ω = R₀ w / T."""
+        """(v, ω) of the target's origin (6,), m/s and rad/s, world axes; constant: ω = R₀ w / T."""
         way = self.T_world_end[:3, 3] - self.T_world_start[:3, 3]
         return np.append(way, self.T_world_start[:3, :3] @ self.turn) / self.duration
 
 
 @dataclass(frozen=True, eq=False)
 class Screw(Between):
-    """One screw by the shorter turn (ScLERP): M = M₀ exp(σ log(M₀* M₁)), σ = s / T.
+    """Screw motion with rotation by at most π (ScLERP): M = M₀ exp(σ log(M₀* M₁)), σ = s / T.
 
     Source: Kavan et al. 2008.
     """
@@ -70,7 +70,7 @@ class Screw(Between):
 
     @cached_property
     def log(self) -> Array:
-        """log(M₀* M₁) (16,), in the axes of the start: v + εu, half the turn and half the way of its origin."""
+        """log(M₀* M₁) (16,), in the axes of the start: v + εu, half the rotation and half the motion of its origin."""
         return motor.log(CL031.product(CL031.conjugate(self.start), rigid.motor_from_pose(self.T_world_end)))
 
     def pose(self, s: float) -> Array:

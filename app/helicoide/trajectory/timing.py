@@ -1,4 +1,4 @@
-"""Time scaling: how the share σ of a path grows from 0 to 1 with the share u of the time, and paths that run so."""
+"""Time scaling: the share σ of a path as a function of the share u of the time, and paths with a time scaling."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from helicoide.arrays import Array
 from helicoide.trajectory.path import Path, SmoothJointPath, lasting
 
 Kind = TypeVar("Kind", Path, SmoothJointPath)
-# Points of the table by which the time of a share is found.
+# Shares of time in the table that inverts a law.
 _TABLE = np.linspace(0, 1, 2001)
 
 
 class Law(Protocol):
-    """A time scaling: σ(0) = 0, σ(1) = 1, σ never falls."""
+    """A time scaling: σ(0) = 0, σ(1) = 1, σ is monotonic."""
 
     @property
     def corners(self) -> tuple[float, ...]:
-        """The shares of time between which it is smooth, from 0 to 1."""
+        """Shares of time, from 0 to 1, between which σ is smooth."""
 
     def at(self, u: ArrayLike) -> tuple[Array, Array, Array]:
         """σ, dσ/du and d²σ/du² at any array of shares of time u in [0, 1], each (...)."""
@@ -29,7 +29,7 @@ class Law(Protocol):
 
 @dataclass(frozen=True)
 class Constant:
-    """Constant speed, σ = u: it starts and stops with a jump."""
+    """Constant speed, σ = u: it starts and stops with a jump of velocity."""
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -44,9 +44,9 @@ class Constant:
 
 @dataclass(frozen=True)
 class Trapezoid:
-    """Even acceleration, even speed, even braking: σ' = k min(u, β, 1 − u), k = 1/(β (1 − β)).
+    """Trapezoidal velocity, with constant acceleration and deceleration: σ' = k min(u, β, 1 − u), k = 1/(β (1 − β)).
 
-    ramp: β, the share of time that speeding up takes, and slowing down, up to one half.
+    ramp: β, the share of time for acceleration, and also for deceleration, at most one half.
     """
 
     ramp: float
@@ -57,7 +57,7 @@ class Trapezoid:
         return 0.0, self.ramp, 1 - self.ramp, 1.0
 
     def at(self, u: ArrayLike) -> tuple[Array, Array, Array]:
-        """σ and its derivatives; at a corner those of what follows."""
+        """σ and its derivatives; at a corner those of the following piece."""
         share, b = np.asarray(u, dtype=float), self.ramp
         k = 1 / (b * (1 - b))
         left, rising, even = 1 - share, share < b, share < 1 - b
@@ -68,7 +68,7 @@ class Trapezoid:
 
 @dataclass(frozen=True)
 class MinimumJerk:
-    """The least jerk from rest to rest: σ = 10 u³ − 15 u⁴ + 6 u⁵. Source: Flash and Hogan 1985."""
+    """Minimum jerk from rest to rest: σ = 10 u³ − 15 u⁴ + 6 u⁵. Source: Flash and Hogan 1985."""
 
     @property
     def corners(self) -> tuple[float, ...]:
@@ -99,7 +99,7 @@ class Timed(Generic[Kind]):
         return self.path.is_closed
 
     def along(self, t: ArrayLike) -> tuple[Array, Array, Array]:
-        """The parameter of the path, its rate and acceleration at times t (...), s, kept within the duration."""
+        """Parameter of the path, and its first and second time derivatives, at times t (...), s, clipped to [0, T]."""
         length, duration = self.path.duration, self.duration
         share, rate, change = self.law.at(np.clip(np.asarray(t, dtype=float) / duration, 0.0, 1.0))
         return length * share, rate * (length / duration), change * (length / duration**2)
@@ -126,7 +126,7 @@ class TimedJoints(Timed[SmoothJointPath]):
 
     @property
     def knots(self) -> Array:
-        """Where its acceleration may step or bend, s: the corners of the law, and when it passes the path's knots."""
+        """Times at which the acceleration may have a kink or a jump, s: corners of the law and knots of the path."""
         passes = np.interp(self.path.knots / self.path.duration, self.law.at(_TABLE)[0], _TABLE)
         return self.duration * np.unique(np.append(passes, self.law.corners))
 

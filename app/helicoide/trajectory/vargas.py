@@ -1,4 +1,4 @@
-"""The eleven trajectories of Vargas 2013, App. C: sines and even motion along each axis."""
+"""The eleven trajectories of Vargas 2013, App. C: sines and constant velocities along each axis."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ class Wave:
     is_cosine: bool = False
 
     def at(self, t: float) -> float:
-        """Its value."""
+        """Value at time t."""
         return self.amplitude * (cos if self.is_cosine else sin)(self.rate * t + self.phase)
 
     def slope(self, t: float) -> float:
-        """Its derivative, 1/s."""
+        """Derivative at time t, 1/s."""
         angle = self.rate * t + self.phase
         return self.amplitude * self.rate * (-sin(angle) if self.is_cosine else cos(angle))
 
@@ -55,10 +55,10 @@ class Coordinate:
 
 @dataclass(frozen=True, eq=False)
 class Trajectory:
-    """A trajectory with the numbers of the source; `unit`: what one of them measures, m.
+    """A trajectory with the numbers of the source; `unit`: their unit of length, m.
 
-    R_world_target (3, 3): how the tool is turned, where the simulations that use it say so; duration, s: one period,
-    or what the source gives.
+    R_world_target (3, 3): orientation of the tool, if the simulations with this trajectory state one; duration, s: one
+    period, or the value of the source.
     """
 
     x: Coordinate
@@ -73,11 +73,11 @@ class Trajectory:
 
     @property
     def is_closed(self) -> bool:
-        """Whether it is periodic: without even motion."""
+        """Whether it is periodic, that is, without constant velocities."""
         return not any(each.speed for each in (self.x, self.y, self.z))
 
     def point(self, s: float) -> Array:
-        """Where the target is, (3,), m."""
+        """Position of the target, (3,), m."""
         return self.unit * np.array([self.x.at(s), self.y.at(s), self.z.at(s)])
 
     def pose(self, s: float) -> Array:

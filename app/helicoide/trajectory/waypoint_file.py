@@ -1,4 +1,4 @@
-"""The file of taught waypoints: TOML that a person can read, and that keeps every number to its last bit."""
+"""The file of taught waypoints: readable TOML that keeps every number exactly."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class WaypointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class TaughtFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """The whole file: whose waypoints they are, by the names of the robot and of its joints."""
+    """The whole file: the names of the robot and its joints, and the waypoints."""
 
     format: str
     robot: str
@@ -60,7 +60,7 @@ def encoded(taught: Taught) -> bytes:
 
 
 def _quoted(words: str) -> str:
-    """A basic string of TOML, which quotes as JSON does, and the one control character that JSON leaves."""
+    """A TOML string: as in JSON, with DEL escaped as well."""
     return json.dumps(words, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -69,7 +69,7 @@ def _joints(robot: Robot) -> tuple[str, ...]:
 
 
 def decoded(content: bytes, robot: Robot) -> Taught:
-    """The list of waypoints in a file for an arm; raises HelicoideError for a broken file or that of another robot."""
+    """The list of waypoints in a file for an arm; raises HelicoideError for an invalid file or another robot's."""
     file = _read(content)
     if file.robot != robot.name:
         raise HelicoideError(

@@ -1,4 +1,4 @@
-"""Taught waypoints: postures with a name, how to come there and how long to stay; lists of them are never changed."""
+"""Taught waypoints: named postures with move type, dwell and gripper action; lists of them are immutable."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from helicoide.trajectory.fastest import Shape
 Way = Literal["joints", "line", "screw"]
 WAYS: Mapping[Way, Text] = MappingProxyType(
     {
-        "joints": Text(en="all joints evenly", pt_BR="todas as juntas por igual"),
-        "line": Text(en="straight line", pt_BR="linha reta"),
-        "screw": Text(en="a single screw motion", pt_BR="um único movimento helicoidal"),
+        "joints": Text(en="joint move", pt_BR="movimento de juntas"),
+        "line": Text(en="linear move", pt_BR="movimento linear"),
+        "screw": Text(en="screw move", pt_BR="movimento helicoidal"),
     }
 )
 Grip = Literal["", "open", "closed"]
@@ -32,19 +32,19 @@ GRIPS: Mapping[Grip, Text] = MappingProxyType(
         "closed": Text(en="closed", pt_BR="fechada"),
     }
 )
-# A gripper opens or closes in so many s, for which an arm stays at a waypoint at least.
+# Time for the gripper to open or close, s: the shortest dwell at a waypoint with a gripper action.
 GRIPPING = 0.5
 LONGEST_NAME = 60
 LONGEST_DWELL = 3600.0
-# A posture may stand so far outside the limits and the named postures of its arm, rad or m.
+# Largest distance of a posture outside the limits and the named postures of its arm, rad or m.
 OUTSIDE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
 class Waypoint:
-    """A taught posture: q (n,), rad or m; way: how to come there from the one before; dwell: how long to stay, s.
+    """A taught posture: q (n,), rad or m; way: type of the move to it; dwell: time that the arm stays there, s.
 
-    gripper: what it does there, before the arm goes on.
+    gripper: its action there, before the arm moves on.
     """
 
     name: str
@@ -55,15 +55,15 @@ class Waypoint:
 
     @property
     def stay(self) -> float:
-        """How long the arm is there, s: as it was told, and at least as long as its gripper takes."""
+        """Time that the arm stays, s: the dwell, and at least the time of a gripper action."""
         return max(self.dwell, GRIPPING) if self.gripper else self.dwell
 
 
 @dataclass(frozen=True, eq=False)
 class Taught:
-    """The waypoints of one arm, each name once, in the order in which they are visited.
+    """The waypoints of one arm, with unique names, in the order in which they are visited.
 
-    shape: the time scaling of the way to each.
+    shape: time law of the moves.
     """
 
     robot: Robot
@@ -76,7 +76,7 @@ class Taught:
         return tuple(waypoint.name for waypoint in self.waypoints)
 
     def index(self, name: str) -> int:
-        """The place of a waypoint; raises HelicoideError that lists the names there are."""
+        """The index of a waypoint; raises HelicoideError that lists the known names."""
         if name not in self.names:
             raise HelicoideError(
                 Text(
@@ -95,12 +95,12 @@ def _listed(names: tuple[str, ...]) -> Text:
 def waypoint(
     robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: float = 0.0, gripper: str = ""
 ) -> Waypoint:
-    """A waypoint of an arm; raises HelicoideError for a name, posture, way, time or gripper that cannot be one."""
+    """A checked waypoint of an arm; raises HelicoideError for an invalid name, posture, way, dwell or gripper."""
     if way not in WAYS:
         raise HelicoideError(
             Text(
-                en="Waypoint {name!r} cannot be reached by {way!r}; the ways are: {ways}.",
-                pt_BR="Não se chega ao ponto {name!r} por {way!r}; as maneiras são: {ways}.",
+                en="Waypoint {name!r} cannot be reached by {way!r}; the move types are: {ways}.",
+                pt_BR="Não se chega ao ponto {name!r} por {way!r}; os tipos de movimento são: {ways}.",
             ).format(name=name, way=way, ways=_told(WAYS))
         )
     if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
@@ -134,7 +134,7 @@ def _gripping(robot: Robot, name: str, gripper: str) -> Grip:
 
 
 def _told(known: Mapping[Any, Text]) -> Text:
-    """Keys with what they mean."""
+    """Keys with their meanings."""
     return Text(
         en=", ".join(f"{key} ({words.en})" if key != words.en else key for key, words in known.items()),
         pt_BR=", ".join(f"{key} ({words.pt_BR})" for key, words in known.items()),
@@ -154,7 +154,7 @@ def _named(name: str) -> str:
 
 
 def _within(robot: Robot, name: str, q: Array) -> Array:
-    """The posture, unless it is one that the arm cannot have: outside its limits and beyond its named postures."""
+    """The posture; raises HelicoideError if it is outside the limits and the range of the named postures."""
     reached = np.array([robot.lower, robot.upper, *robot.poses.values()])
     lower, upper = reached.min(axis=0) - OUTSIDE, reached.max(axis=0) + OUTSIDE
     if (outside := np.flatnonzero((q < lower) | (q > upper))).size:
@@ -176,7 +176,7 @@ def _within(robot: Robot, name: str, q: Array) -> Array:
 
 
 def inserted(taught: Taught, at: int, new: Waypoint) -> Taught:
-    """The list with one more before the place `at`, 0 to its length; raises HelicoideError where the name is taken."""
+    """The list with a waypoint inserted at index `at`, 0 to its length; raises HelicoideError for a name in use."""
     _free(taught, new.name)
     place = _place(at, len(taught.waypoints))
     return replace(taught, waypoints=(*taught.waypoints[:place], new, *taught.waypoints[place:]))
@@ -189,13 +189,13 @@ def deleted(taught: Taught, name: str) -> Taught:
 
 
 def moved(taught: Taught, name: str, to: int) -> Taught:
-    """The list with a waypoint brought to the place `to`, 0 to its length less one; the others keep their order."""
+    """The list with a waypoint moved to index `to`, 0 to its length − 1; the others keep their order."""
     here = taught.waypoints[taught.index(name)]
     return inserted(deleted(taught, name), to, here)
 
 
 def renamed(taught: Taught, name: str, new: str) -> Taught:
-    """The list with another name for a waypoint."""
+    """The list with a waypoint renamed."""
     taught.index(name)
     if new != name:
         _free(taught, new)
@@ -203,17 +203,17 @@ def renamed(taught: Taught, name: str, new: str) -> Taught:
 
 
 def reached_by(taught: Taught, name: str, way: str) -> Taught:
-    """The list with another way to a waypoint."""
+    """The list with another move type of a waypoint."""
     return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, way, old.dwell, old.gripper))
 
 
 def stayed_at(taught: Taught, name: str, dwell: float) -> Taught:
-    """The list with another stay at a waypoint, s."""
+    """The list with another dwell of a waypoint, s."""
     return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, dwell, old.gripper))
 
 
 def gripping_at(taught: Taught, name: str, gripper: str) -> Taught:
-    """The list with what the gripper does at a waypoint, one of `GRIPS`."""
+    """The list with another gripper action at a waypoint, one of `GRIPS`."""
     return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, old.dwell, gripper))
 
 

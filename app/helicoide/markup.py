@@ -1,7 +1,7 @@
-"""What other libraries write as HTML: Markdown and formulas.
+"""HTML from other libraries: Markdown and formulas.
 
-Here alone what is no literal is taken as Markup. Everywhere else Markup is made of literals, whose `format` and `join`
-escape what is filled in.
+Only this module makes Markup of a text that is not a literal. Everywhere else Markup is made of literals, whose
+`format` and `join` escape what is filled in.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from markdown_it.renderer import RendererHTML
 from markdown_it.token import Token
 from markupsafe import Markup
 
-SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # how a drawing begins, which needs its name in a file alone
+SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # start of a drawing; only a separate file needs the namespace
 _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
 def markdown(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
-    """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name up to a colon, "vargas-2".
+    """Markdown as HTML; tags in it are escaped. The anchor of a heading is its text up to a colon, such as "vargas-2".
 
-    drawings: SVG of ours by its name; an image of that name is the drawing itself, in the colour of the words.
+    drawings: SVG by name; an image of that name becomes the drawing itself, in the colour of the text.
     """
     return Markup(_markdown.render(text, {"drawings": drawings}))
 
@@ -50,10 +50,10 @@ _markdown.add_render_rule("image", _image)
 
 @lru_cache(maxsize=256)
 def formula(tex: str, index: str = "") -> Markup:
-    """A formula as MathML; index: a name that stands below it, as it is."""
+    """A formula as MathML; index: a subscript written as plain text."""
     math = convert_to_element(tex)
     for node in math.iter():
-        node.text = unescape(node.text or "")  # the library writes its signs as numbers of HTML
+        node.text = unescape(node.text or "")  # the library writes symbols as HTML character references
     if index:
         below = Element("msub")
         below.extend(math)

@@ -1,4 +1,4 @@
-"""Every sentence a person reads, in both languages; a missing translation is a type error."""
+"""Sentences that people read, in both languages; a missing translation is a type error."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Text:
         return self.pt_BR if language == "pt_BR" else self.en
 
     def format(self, **fields: object) -> Text:
-        """Fill the fields of both; a Text is filled in its own language, a number gets its decimal comma."""
+        """Fill the fields in both languages; a field may be a `Text`; floats get a decimal comma in Portuguese."""
         return Text(
             en=self.en.format(**{k: v["en"] if isinstance(v, Text) else v for k, v in fields.items()}),
             pt_BR=_WITH_COMMA.format(
@@ -43,12 +43,12 @@ class Text:
 
 
 def same(word: str) -> Text:
-    """A name or symbol that is written alike in both languages."""
+    """A name or symbol that is the same in both languages."""
     return Text(en=word, pt_BR=word)
 
 
 def joined(texts: Sequence[Text], by: str = "; ") -> Text:
-    """Several texts as one, one after another."""
+    """Several texts joined into one."""
     return Text(en=by.join(text.en for text in texts), pt_BR=by.join(text.pt_BR for text in texts))
 
 

@@ -1,4 +1,4 @@
-"""Files that people write and name.
+"""Reading files that people write and name.
 
-Each function raises a HelicoideError that holds the reason alone; who calls it adds which file it is and what is valid.
+Each function raises a HelicoideError with the reason alone; the caller adds the name of the file and what is valid.
 """

@@ -1,4 +1,4 @@
-"""What the system refuses of a file or a port, in our words: its own are in one language, and for programmers."""
+"""Errors of the operating system for files and ports, in both languages; its own messages are for programmers."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ _REFUSED = Text(en="the system refuses it ({code})", pt_BR="o sistema não deixa
 
 
 def why(error: OSError) -> Text:
-    """Why the system refused, as the part of a sentence; what is rare by its code alone, such as EIO."""
-    if isinstance(error, socket.gaierror):  # it counts its errors by numbers of its own
+    """The reason of an OSError as part of a sentence; rare errors by their code alone, such as EIO."""
+    if isinstance(error, socket.gaierror):  # its error numbers are not those of errno
         return NO_HOST
     code = errno.errorcode.get(error.errno or 0, type(error).__name__)
     return _WHY.get(error.errno or 0, _REFUSED.format(code=code))

@@ -1,4 +1,4 @@
-"""TOML that people write, as a table and as a struct, or what is wrong with it, and where."""
+"""Reading TOML that people write, as a table and as a struct, with errors that say what is wrong and where."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _KINDS = {
     "date": Text(en="a date", pt_BR="uma data"),
     "time": Text(en="a time", pt_BR="uma hora"),
 }
-# What tomllib and msgspec say, by its beginning, and how we say it.
+# Messages of tomllib and msgspec, by patterns of their beginnings, and their translations.
 _SAID: Mapping[str, Text] = {
     r"(Cannot overwrite|Cannot declare|Cannot mutate)": Text(
         en="something is given twice", pt_BR="algo aparece duas vezes"
@@ -66,7 +66,7 @@ _PLACES: Mapping[str, Text] = {
 
 
 def table(words: str, parse_float: Callable[[str], float] = float) -> dict[str, Any]:
-    """The table that a TOML text holds."""
+    """Parse a TOML text into a table."""
     if not words.strip():
         raise HelicoideError(Text(en="it is empty", pt_BR="está vazio"))
     if _LONG_KEY.search(words):
@@ -83,7 +83,7 @@ def table(words: str, parse_float: Callable[[str], float] = float) -> dict[str, 
 
 
 def struct(found: object, kind: type[Struct]) -> Struct:
-    """A table as the struct of a file's format."""
+    """Convert a table to the struct of a file format."""
     try:
         return msgspec.convert(found, kind)
     except RecursionError as error:
@@ -93,7 +93,7 @@ def struct(found: object, kind: type[Struct]) -> Struct:
 
 
 def _reason(said: str) -> Text:
-    """What a library says, in our words."""
+    """The translation of a library's message, with its place."""
     place = next((match, words) for start, words in _PLACES.items() if (match := re.search(start, said)))
     what = next((match, words) for start, words in _SAID.items() if (match := re.match(start, said)))
     fields = {name: _KINDS.get(value, value) for name, value in what[0].groupdict().items() if value is not None}

@@ -1,4 +1,4 @@
-"""What is written in a file that a person names, or why it cannot be had."""
+"""Reading a file that a person names, or the reason why it cannot be read."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ A_FOLDER = Text(en="it is a folder: name a file in it", pt_BR="é uma pasta: ind
 
 
 def text(path: Path, most: int) -> str:
-    """What is written in a file of at most so many bytes, in UTF-8."""
+    """The text of a UTF-8 file of at most `most` bytes."""
     return decoded(raw(path, most), most)
 
 
 def raw(path: Path, most: int) -> bytes:
-    """The bytes of a file, or the first of one that has more than so many; a device or a pipe may never end."""
+    """The bytes of a file, at most `most` + 1 of them, as a device or a pipe may never end."""
     try:
         if not path.is_file():
             raise HelicoideError(A_FOLDER if path.is_dir() else MISSING)
@@ -28,7 +28,7 @@ def raw(path: Path, most: int) -> bytes:
 
 
 def decoded(content: bytes, most: int) -> str:
-    """The words in at most so many bytes."""
+    """The UTF-8 text in at most `most` bytes."""
     if len(content) > most:
         long = Text(en="it is too long: at most {kb:g} kB", pt_BR="é longo demais: no máximo {kb:g} kB")
         raise HelicoideError(long.format(kb=most / 1000))

@@ -1,4 +1,4 @@
-"""Any small Clifford algebra Cl(p, q, r): the products, conjugations, duals and inverses of bare arrays."""
+"""Small Clifford algebras Cl(p, q, r): products, conjugations, duals and inverses of coefficient arrays."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["CL031", "PGA", "QUATERNIONS", "Algebra", "Array"]
 
 Places = NDArray[np.intp]
 
-# Where a divides zero, rounding leaves an answer that is huge, or that misses a a⁻¹ = 1 by about 1.
+# If a is a zero divisor, rounding makes the computed inverse huge, or a a⁻¹ differs from 1 by about 1.
 WORST_CONDITION = 1e12
 INVERSE_TOLERANCE = 1e-6
 
@@ -32,7 +32,7 @@ def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
     for k in range(count):
         total = 0.0
         for j in range(count):
-            # An unsigned place saves the question whether it counts from the end.
+            # An unsigned index saves the check for negative indices.
             total += table[0, k, j] * (a[np.uintp(table[1, k, j])] * b[j])
         out[k] = total
 
@@ -41,8 +41,8 @@ def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
 class Algebra(Signature):
     """The operations of Cl(p, q, r) on arrays.
 
-    A multivector is an array whose last axis holds one coefficient a blade, in the order of `blades`; the other
-    axes broadcast. Two single multivectors take the short way through a kernel.
+    A multivector is an array whose last axis holds one coefficient for each blade, in the order of `blades`; the other
+    axes broadcast. Products of two single multivectors are computed by a kernel.
     """
 
     def product(self, a: Array, b: Array) -> Array:
@@ -54,11 +54,11 @@ class Algebra(Signature):
         return self._combine(self._geometric, a, b)
 
     def outer(self, a: Array, b: Array) -> Array:
-        """Outer product a ∧ b of shapes (..., 2ⁿ): the part of a b in which the grades add up."""
+        """Outer product a ∧ b of shapes (..., 2ⁿ): the part of a b whose grade is the sum of the grades."""
         return self._combine(self._outer, a, b)
 
     def left_contraction(self, a: Array, b: Array) -> Array:
-        """Left contraction, the inner product that takes a out of b: a ⌋ b = Σ ⟨⟨a⟩ⱼ ⟨b⟩ₖ⟩ₖ₋ⱼ, shapes (..., 2ⁿ).
+        """Left contraction, an inner product: a ⌋ b = Σ ⟨⟨a⟩ⱼ ⟨b⟩ₖ⟩ₖ₋ⱼ, shapes (..., 2ⁿ).
 
         Source: Dorst 2002, §2.
         """
@@ -84,7 +84,7 @@ class Algebra(Signature):
         return np.where(self.grades == k, a, 0.0)
 
     def reverse(self, a: Array) -> Array:
-        """Reverse ã, each product of vectors read backwards: ⟨a⟩ₖ → (−1)^(k(k−1)/2) ⟨a⟩ₖ."""
+        """Reverse ã, with the order of vectors in each product reversed: ⟨a⟩ₖ → (−1)^(k(k−1)/2) ⟨a⟩ₖ."""
         return a * self._reverse_signs
 
     def involute(self, a: Array) -> Array:
@@ -118,10 +118,10 @@ class Algebra(Signature):
         return np.sqrt(np.abs(self.squared_norm(a)))
 
     def inverse(self, a: Array) -> Array:
-        """Inverse of every a that has one, by its characteristic polynomial: a a⁻¹ = a⁻¹ a = 1.
+        """Inverse, by the characteristic polynomial: a a⁻¹ = a⁻¹ a = 1.
 
         a⁻¹ = u_{N−1}/⟨a u_{N−1}⟩₀ with u₀ = 1, uₖ = a uₖ₋₁ − (N/k) ⟨a uₖ₋₁⟩₀, N = 2^⌊(n+1)/2⌋.
-        a: (..., 2ⁿ). Raises HelicoideError where a divides zero. Source: Shirokov 2021.
+        a: (..., 2ⁿ). Raises HelicoideError if a is a zero divisor. Source: Shirokov 2021.
         """
         one = self.blade("1")
         count = 2 ** ((len(self.squares) + 1) // 2)
@@ -146,17 +146,17 @@ class Algebra(Signature):
 
     @cached_property
     def product_into(self) -> Into:
-        """Writes the product of two, each (2ⁿ,), into a third: by its file in `products`, where it has one."""
+        """Function that writes the product of two (2ⁿ,) into a third: generated in `products`, else by the table."""
         return self._of_two.product
 
     @cached_property
     def product_of_own(self) -> Into:
-        """The same for contiguous arrays of float64 alone, which it does not check: multivectors hold no others."""
+        """The same for contiguous float64 arrays, without checks: a `Multivector` holds no others."""
         return entry(self.product_into, *np.zeros((3, self.count)))
 
     @cached_property
     def sandwich_into(self) -> Into:
-        """Writes the sandwich of two, each (2ⁿ,), into a third."""
+        """Function that writes the sandwich of two (2ⁿ,) into a third."""
         return self._of_two.sandwich
 
     @cached_property
@@ -175,7 +175,7 @@ class Algebra(Signature):
         return OfTwo(times, sandwich)
 
     def _combine(self, table: Table, a: Array, b: Array) -> Array:
-        """Two by the kernel; of many, turn the smaller operand into its matrix, so that a motor builds only one."""
+        """Two single multivectors by the kernel; for many, the smaller operand is converted to its matrix."""
         left, right, partner, whole = table
         if a.ndim == b.ndim == 1:
             out = empty(self.count)
@@ -208,7 +208,7 @@ class Algebra(Signature):
 
     @cached_property
     def _rest(self) -> NDArray[np.intp]:
-        """Place of the blade with all other generators."""
+        """Index of the complementary blade, with all other generators."""
         return np.asarray(self.partner[-1])
 
     @cached_property
@@ -223,7 +223,7 @@ class Algebra(Signature):
 
     @cached_property
     def _solid(self) -> NDArray[np.bool_]:
-        """Blades without null generators: the others are nilpotent and do not decide whether there is an inverse."""
+        """Blades without null generators; the others are nilpotent and do not affect invertibility."""
         return np.array([all(self.squares[g] for g in blade) for blade in self.blades])
 
     @cached_property
@@ -243,7 +243,7 @@ CL031 = Algebra(0, 3, 1)
 """The algebra of the sources; its even part Cl⁺(0,3,1) is that of the dual quaternions (dictionary in `rigid`)."""
 
 PGA = Algebra(3, 0, 1)
-"""Modern projective geometry; its null generator is e here as well, and e0 in compact names."""
+"""The algebra of modern projective geometric algebra; its null generator is named e here, and e0 in compact names."""
 
 QUATERNIONS = Algebra(0, 2, 0)
 """Hamilton's quaternions with i = e1, j = e2, k = e1e2, so that the blades stand in the order w, x, y, z."""

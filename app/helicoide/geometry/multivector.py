@@ -1,4 +1,4 @@
-"""One multivector with operators, for places where people read formulas."""
+"""One multivector with operators, for code that people read as formulas."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ _new = object.__new__
 
 
 class Multivector:
-    """Coefficients and their algebra, which stay as they are; ^ | & >> bind weaker than + and need brackets."""
+    """An immutable multivector: coefficients and their algebra. ^ | & >> bind weaker than + and need brackets."""
 
     __slots__ = ("_algebra", "_own")
 
-    # Without this, numpy scalars on the left would spread the product over an object array.
+    # Without this, a numpy scalar on the left would make an object array of the product.
     __array_ufunc__ = None
 
     _algebra: Algebra
     _own: Array
 
     def __init__(self, values: Array, algebra: Algebra) -> None:
-        """Keep an own copy of the coefficients."""
+        """Copy the coefficients, shape (2ⁿ,)."""
         own = np.array(values, dtype=float)
         if own.shape != (algebra.count,):
             raise HelicoideError(
@@ -82,7 +82,7 @@ class Multivector:
             return self._make(self._number(other) * self._own)
         if other._algebra is not algebra:
             return self._into(algebra.product_of_own, other)
-        # What `_into` does, without the calls: formulas are made of this.
+        # `_into` written out, to save calls in the most used operation.
         made = _new(Multivector)
         made._algebra = algebra
         made._own = out = empty(algebra.count)
@@ -154,7 +154,7 @@ class Multivector:
         return float(self._algebra.norm(self._own))
 
     def inverse(self) -> Multivector:
-        """The multivector with a a⁻¹ = 1; raises HelicoideError where there is none."""
+        """The multivector with a a⁻¹ = 1; raises HelicoideError if there is none."""
         return self._make(self._algebra.inverse(self._own))
 
     def __str__(self) -> str:
@@ -162,17 +162,17 @@ class Multivector:
         return notation.text(self._own, self._algebra)
 
     def __repr__(self) -> str:
-        """The sum, and where it belongs."""
+        """The sum, and the name of the algebra."""
         return f"{self} in {self._algebra}"
 
     def _make(self, values: Array) -> Multivector:
-        """One of the same algebra that keeps this array itself: a new contiguous one of float64, or a multivector's."""
+        """A multivector of the same algebra that keeps the array without a copy: contiguous float64, not shared."""
         made = _new(Multivector)
         made._own, made._algebra = values, self._algebra
         return made
 
     def _into(self, of_two: Into, other: Multivector | float) -> Multivector:
-        """One of the same algebra that is made of this and another."""
+        """The multivector that a function of two operands writes."""
         made = _new(Multivector)
         made._algebra = self._algebra
         made._own = out = empty(self._own.size)
@@ -193,7 +193,7 @@ class Multivector:
         return other._own
 
     def _number(self, other: float) -> float:
-        """An operand that is no multivector."""
+        """A number as an operand; raises HelicoideError for anything else."""
         if not isinstance(other, Real):
             raise HelicoideError(
                 Text(

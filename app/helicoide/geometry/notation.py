@@ -1,4 +1,4 @@
-"""Multivectors as people write them: as text, as LaTeX and as MathML, in the sources' naming or the modern one."""
+"""Multivectors as text, LaTeX and MathML, with blades named as in the sources or in modern texts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from latex2mathml.converter import convert
 from helicoide.geometry.clifford import Algebra, Array
 
 Naming = Literal["factors", "compact"]
-"""How blades are called: e1e2e as in the sources, or as modern texts do, e12, with a null generator in front, e012."""
+"""Names of blades: e1e2e as in the sources, or as in modern texts e12, with the null generator in front, e012."""
 
 DECIMALS = 3
 
@@ -19,7 +19,7 @@ DECIMALS = 3
 def text(values: Array, algebra: Algebra, naming: Naming = "factors") -> str:
     """Sum of the blades that are not zero after rounding, such as 0.866 + 0.5 e1e2.
 
-    values: (2ⁿ,). Compact names keep the multivector: −e1e is written e01, as e has moved past e1.
+    values: (2ⁿ,). Compact names may change signs: −e1e is written e01, since moving e past e1 changes the sign.
     """
     return _sum(_terms(values, algebra, naming, " ", str))
 

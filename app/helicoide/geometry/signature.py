@@ -21,7 +21,7 @@ MAX_GENERATORS = 6
 
 
 class Table(NamedTuple):
-    """What a product does to the coefficients, arranged as the matrix of either operand needs it.
+    """The structure constants of a product, arranged for the matrix of either operand.
 
     (a b)ₖ = Σⱼ left[k, j] a[partner[k, j]] b[j] = Σᵢ right[k, i] a[i] b[partner[k, i]].
     """
@@ -31,7 +31,7 @@ class Table(NamedTuple):
     partner: NDArray[np.intp]
 
     whole: NDArray[np.intp]
-    """Left and partner as one array (2, 2ⁿ, 2ⁿ) of integers: a kernel is called the faster, the fewer it is given."""
+    """`left` and `partner` as one integer array (2, 2ⁿ, 2ⁿ): a kernel with fewer arguments is called faster."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class Signature:
     r: int
 
     def __post_init__(self) -> None:
-        """Refuse signatures whose tables would be too large."""
+        """Raise HelicoideError for signatures whose tables would be too large."""
         if min(self.p, self.q, self.r) < 0 or self.p + self.q + self.r > MAX_GENERATORS:
             raise HelicoideError(
                 Text(
@@ -74,7 +74,7 @@ class Signature:
 
     @cached_property
     def count(self) -> int:
-        """How many blades there are, 2ⁿ."""
+        """Number of blades, 2ⁿ."""
         return len(self.blades)
 
     @cached_property
@@ -90,16 +90,16 @@ class Signature:
 
     @cached_property
     def compact_names(self) -> tuple[str, ...]:
-        """The same blades as modern texts write them, such as "e12"; a single null generator is 0 and comes first.
+        """The blades as modern texts write them, such as "e12"; a single null generator is 0 and comes first.
 
-        On its way there it passes the others, so "e01" is −e1e: `read` tells the sign.
+        Moving it to the front changes the sign, so "e01" is −e1e: `read` gives the sign.
         """
         return tuple("e" + "".join(sorted(self._labels[g] for g in blade)) if blade else "1" for blade in self.blades)
 
     def read(self, name: str) -> tuple[int, int]:
-        """Place and sign of a blade in either naming, generators in any order: "e31" is the place of e1e3, and −1.
+        """Index and sign of a blade in either naming, generators in any order: "e31" gives the index of e1e3, and −1.
 
-        Raises HelicoideError for what is not a blade of this algebra.
+        Raises HelicoideError for a name that is not a blade of this algebra.
         """
         well_formed = name == "1" or re.fullmatch(r"(e\d*)+", name)
         factors = [label for labels in re.findall(r"e(\d*)", name) for label in labels or "0"]
@@ -114,17 +114,17 @@ class Signature:
         return np.asarray(np.eye(self.count)[place] * sign)
 
     def factor(self, a: Blade, b: Blade) -> int:
-        """Factor of the product of two blades: one swap for each inversion, then the squares of shared generators."""
+        """Factor ±1 or 0 of the product of two blades: sign of the permutation times squares of shared generators."""
         return _parity(product(a, b)) * prod(self.squares[g] for g in set(a) & set(b))
 
     @cached_property
     def partner(self) -> NDArray[np.intp]:
-        """Place of the blade that takes blade i to blade j; also of their product, as blades are their own inverse."""
+        """Index, up to sign, of the product of blades i and j; also of the blade whose product with i is j."""
         sets = [frozenset(blade) for blade in self.blades]
         return np.array([[self._places[a ^ b] for b in sets] for a in sets])
 
     def table(self, keeps: Callable[[set[int], set[int]], bool]) -> Table:
-        """The table of the product that keeps those pairs of blades and loses the others."""
+        """The table of the product that keeps the pairs of blades for which `keeps` is true and drops the others."""
         factors = [[self.factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
         table, places = np.array(factors, dtype=float), np.arange(self.count)
         left, right = table[self.partner, places], table[places, self.partner]
@@ -150,5 +150,5 @@ class Signature:
 
 
 def _parity(pairs: Iterable[tuple[int, int]]) -> int:
-    """Sign of the swaps that bring all pairs into ascending order."""
+    """Sign of the permutation with these pairs: −1 if an odd number of them is out of order."""
     return -1 if sum(i > j for i, j in pairs) % 2 else 1

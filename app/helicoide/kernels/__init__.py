@@ -1,4 +1,4 @@
-"""The one decorator of compiled functions, what is kept of them on disk, and the progress of compilation."""
+"""Compiled functions: their decorators, their cache on disk, and the progress of compilation."""
 
 from __future__ import annotations
 
@@ -41,12 +41,11 @@ KERNELS: dict[str, Kernel] = {}
 
 
 class Kernel(Interpretable):
-    """A compiled function, whose machine code is the same whether or not the arrays that it is given may be written,
-    and whether or not a number is known beforehand.
+    """A compiled function with the same machine code for writable and read-only arrays, and for literal numbers.
 
-    numba by itself compiles anew for each combination of the two, of which four arrays have sixteen; one that is met
-    for the first time in the middle of a motion would stop it for seconds. A kernel that writes into an array must
-    therefore be given one that may be written: nothing else keeps it from that.
+    numba by itself compiles once for each combination: sixteen times for four arrays. A combination that first occurs
+    during a motion would stop the arm for seconds. The price: nothing prevents a kernel from writing into a read-only
+    array, so a kernel that writes must be given a writable one.
     """
 
     def __init__(self, function: Callable[..., Any], makes_arrays: bool = True) -> None:
@@ -55,7 +54,7 @@ class Kernel(Interpretable):
         self._met: set[tuple[Any, ...]] = set()
 
     def compile(self, sig: Any) -> Any:
-        """The machine code for these types of arguments: loaded, or compiled and kept."""
+        """The machine code for these types of arguments: loaded from disk, or compiled and saved."""
         given, _ = sigutils.normalize_signature(sig)
         taken = tuple(map(_writable, given))
         code = super().compile(taken)
@@ -65,12 +64,12 @@ class Kernel(Interpretable):
         return code
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
-        """The same for a call from another kernel, also with an array of its module, which cannot be written."""
+        """The same for a call from another kernel, also with a constant array of its module, which is read-only."""
         return super().get_call_template([*map(_writable, args)], {name: _writable(kind) for name, kind in kws.items()})
 
 
 def _writable(kind: Any) -> Any:
-    """The type of the same arguments when their arrays may be written, and no number is a constant."""
+    """The type of an argument with writable arrays and without literal numbers."""
     kind = types.unliteral(kind)
     if isinstance(kind, types.Array):
         return kind if kind.mutable else kind.copy(readonly=False)
@@ -81,16 +80,16 @@ def _writable(kind: Any) -> Any:
 
 
 def kernel(function: Function) -> Function:
-    """Compile a function of numbers and arrays on its first call, and keep the machine code on disk."""
+    """Compile a function of numbers and arrays on its first call, and save the machine code on disk."""
     return _compiled(function, makes_arrays=True)
 
 
 def kernel_into(function: Function) -> Function:
-    """The same of a function that makes no array and returns none, but writes into what it is given.
+    """Like `kernel`, for a function that creates and returns no array but writes into its arguments.
 
-    numba need not count who holds its arrays, which saves 20 to 35 ns of each that a call hands in; where one is made
-    all the same, it refuses to compile. One that returns a tuple of views may be called by its own kind alone: a
-    `kernel` would count them out of memory.
+    numba then omits reference counting, which saves 20 to 35 ns per array argument; a function that creates an array
+    does not compile. A function that returns a tuple of views may be called only from another `kernel_into`: a `kernel`
+    would release their memory.
     """
     return _compiled(function, makes_arrays=False)
 
@@ -103,27 +102,27 @@ def _compiled(function: Function, makes_arrays: bool) -> Function:
 
 
 def plain(compiled: Function) -> Function:
-    """The Python function behind a kernel: slow, but there before anything is compiled."""
+    """The Python function of a kernel: slow, but available before compilation."""
     return cast(Function, getattr(compiled, "py_func", compiled))
 
 
 def entry(compiled: Function, *like: object) -> Function:
-    """What runs a kernel for arguments like these, without the 60 to 120 ns in which numba looks at what they are.
+    """The compiled function of a kernel for arguments like these, without the 60 to 120 ns for checking their types.
 
-    Who calls it answers for that: numbers of another type, or not side by side, would be read as if they were these.
+    The caller must guarantee the types: other numbers, or arrays that are not contiguous, would be misread.
     """
     return compiled.compile(tuple(map(numba.typeof, like))) if isinstance(compiled, Kernel) else compiled
 
 
 def is_cached(name: str) -> bool:
-    """Whether machine code for a kernel of `KERNELS` lies undamaged in the cache folder, made by this installation."""
+    """Whether the cache folder holds undamaged machine code of this installation for a kernel of `KERNELS`."""
     files = KERNELS[name]._cache.files
     return bool(files) and all(read(file) is not None for file in files)
 
 
 @contextmanager
 def counted(report: Callable[[int], None]) -> Iterator[None]:
-    """Call `report` with the number of kernels that there are, on disk or compiled, each time another one is."""
+    """Call `report` with the number of kernels ready, on disk or compiled, each time it grows."""
     done = {one for name, one in KERNELS.items() if is_cached(name)}
 
     class Listener(event.Listener):

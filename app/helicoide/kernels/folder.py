@@ -1,7 +1,7 @@
-"""The folder in which compiled kernels are kept.
+"""The cache folder of compiled kernels.
 
-A kernel does not notice a change in another file that it calls; the folder's name therefore carries a digest of every
-file that holds a kernel.
+numba does not notice a change in another file that a kernel calls. The name of the folder is therefore a digest of all
+files with kernels.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from platformdirs import user_cache_path
 
 from helicoide.text import Text
 
-# A full disk still lets an empty file be made; compiled, all kernels take some 10 MB.
+# Bytes written as a test, as an empty file can be made on a full disk. All kernels together take about 10 MB.
 PROBE = bytes(1 << 16)
 ENDING = ".kernel"
 
 
 def _digest() -> str:
-    """Digest of the sources of all kernels of the package, and of how they are compiled and kept."""
+    """Digest of the sources of all kernels of the package and of this package, which compiles and saves them."""
     digest, here = hashlib.sha256(), Path(__file__).parent
     for file in sorted(here.parent.rglob("*.py")):
         source = file.read_bytes()
@@ -34,7 +34,7 @@ def _digest() -> str:
 
 
 def _is_of_use(folder: Path) -> bool:
-    """Whether kernels can be kept there, or are."""
+    """Whether kernels can be saved there, or are there already."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder) as file:
@@ -45,7 +45,7 @@ def _is_of_use(folder: Path) -> bool:
 
 
 def choose() -> tuple[Path, Text | None]:
-    """The folder, and a line of explanation when it is not the usual one."""
+    """The folder, and an explanation if it is not the usual one."""
     name = _digest()
     given = Path(os.environ.get("NUMBA_CACHE_DIR") or user_cache_path("helicoide") / "kernels")
     usual = given if given.name == name else given / name  # a child process inherits the chosen folder

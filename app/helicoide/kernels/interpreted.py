@@ -1,6 +1,6 @@
-"""Kernels as plain Python while their machine code is not there yet: slower, with the same answers.
+"""Kernels run as plain Python until their machine code is ready: slower, with the same results.
 
-A tick of the arm takes half a millisecond so, and a tick is due every ten: an arm need not wait for a compiler.
+A tick of the arm then takes half a millisecond, of the ten available: the arm need not wait for the compiler.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ _by_machine_code: ContextVar[bool] = ContextVar("by_machine_code", default=False
 class Interpretable(CPUDispatcher):
     """A compiled function that can be run as Python instead.
 
-    Calls go through C, and cost nothing more, unless `interpret` has put a method of Python in their way.
+    Calls go directly to C, at no extra cost, unless `interpret` has replaced them by a Python method.
     """
 
     @staticmethod
     def interpret(plain: bool) -> None:
-        """Run every kernel as Python from now on, but in threads that are `by_machine_code`; or as ever again."""
+        """Run every kernel as Python from now on, except within `by_machine_code`; or run compiled kernels again."""
         if plain and not Interpretable.interpreted():
             Interpretable.__call__ = _interpreted  # type: ignore[method-assign, assignment]
         elif not plain and Interpretable.interpreted():
@@ -31,7 +31,7 @@ class Interpretable(CPUDispatcher):
 
     @staticmethod
     def interpreted() -> bool:
-        """Whether kernels run as Python."""
+        """Whether kernels currently run as Python."""
         return "__call__" in vars(Interpretable)
 
 
@@ -41,7 +41,7 @@ def _interpreted(kernel: Any, *args: Any) -> Any:
 
 @contextmanager
 def by_machine_code() -> Iterator[None]:
-    """Within, in this thread, kernels are loaded, compiled and run by their machine code whatever others do."""
+    """Within this context, in this thread, kernels run as machine code, whatever other threads do."""
     before = _by_machine_code.set(True)
     try:
         yield
@@ -51,7 +51,7 @@ def by_machine_code() -> Iterator[None]:
 
 @contextmanager
 def as_python() -> Iterator[None]:
-    """Within, kernels run as Python, for what is done in less time than their machine code takes to load."""
+    """Within this context kernels run as Python, for work that is shorter than loading their machine code."""
     before = Interpretable.interpreted()
     Interpretable.interpret(True)
     try:

@@ -1,7 +1,7 @@
-"""Compiled kernels on disk: what is damaged counts as missing, and what cannot be written is not kept.
+"""The cache of compiled kernels on disk: a damaged file counts as missing; a file that cannot be written is skipped.
 
-A file begins with the digest of the rest: machine code in which a bit has changed would bring the program down or,
-worse, count wrong.
+A file begins with the digest of its content, because machine code with a changed bit would crash the program or, worse,
+give wrong numbers.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ _only_kept: ContextVar[bool] = ContextVar("only_kept", default=False)
 
 
 class NotKept(Exception):
-    """A kernel is not on disk and was not to be compiled, or cannot be kept there and was to be."""
+    """A kernel is not on disk and must not be compiled, or cannot be saved although it must be."""
 
 
 @contextmanager
 def only_kept() -> Iterator[None]:
-    """Within, in this thread, kernels are loaded and not compiled: one that is not on disk raises `NotKept`."""
+    """Within this context, in this thread, kernels are only loaded: one that is not on disk raises `NotKept`."""
     before = _only_kept.set(True)
     try:
         yield
@@ -48,7 +48,7 @@ def only_kept() -> Iterator[None]:
 
 
 def read(file: Path) -> bytes | None:
-    """What was written into a file; None where there is none or it has been damaged since."""
+    """The content of a file; None if it is missing or damaged."""
     try:
         sealed = file.read_bytes()
     except OSError:
@@ -57,7 +57,7 @@ def read(file: Path) -> bytes | None:
 
 
 def write(file: Path, data: bytes) -> None:
-    """Write a file whole or not at all: beside it first, then in its place. Makes the folder."""
+    """Write a file atomically: a temporary file is renamed. Makes the folder."""
     file.parent.mkdir(parents=True, exist_ok=True)
     handle, beside = tempfile.mkstemp(dir=file.parent, suffix=".part")
     try:
@@ -70,10 +70,10 @@ def write(file: Path, data: bytes) -> None:
 
 
 class Kept(NullCache):
-    """The compiled versions of one function, a file for each; what numba asks for by the types of the arguments."""
+    """The cache of one function for numba: a file for each combination of argument types."""
 
     refusal: ClassVar[OSError | None] = None
-    """Why the last kernel that could not be written could not."""
+    """Error of the last kernel that could not be written."""
 
     def __init__(self, folder: Path, function: Callable[..., Any]) -> None:
         self._folder, self._function = folder, function
@@ -81,11 +81,11 @@ class Kept(NullCache):
 
     @property
     def files(self) -> list[Path]:
-        """Those that lie on disk and would be loaded here; others may lie beside them, made by another Python."""
+        """The files that this Python would load; the folder may hold others, made by another Python."""
         return [*self._folder.glob(f"{self._stem}-{self._maker()}-*{ENDING}")]
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """The compiled version for the types of the arguments, if it is kept."""
+        """The compiled version for the types of the arguments, if it is on disk."""
         target_context.refresh()
         data = read(self._file(sig))
         if data is not None:
@@ -95,7 +95,7 @@ class Kept(NullCache):
         return None
 
     def save_overload(self, sig: Any, cres: Any) -> None:
-        """Keep a compiled version, if it can be kept."""
+        """Save a compiled version, if it can be saved."""
         if cres.library.has_dynamic_globals:  # addresses of this process
             return
         try:
@@ -107,7 +107,7 @@ class Kept(NullCache):
         return self._folder / f"{self._stem}-{self._maker()}-{_digest(str(sig))}{ENDING}"
 
     def _maker(self) -> str:
-        """What made the machine code: this Python and numba, for this processor, from this very source."""
+        """Digest of everything the machine code depends on: Python, numba, processor and source."""
         processor = cpu_target.target_context.codegen().magic_tuple()
         source = _digest_of(inspect.getfile(self._function))
         return _digest(repr((VERSIONS, processor, source, self._function.__code__.co_firstlineno)))

@@ -1,4 +1,4 @@
-"""Products of the algebras in use, written out: a file for each, made by `python -m tests.geometry.write_products`."""
+"""Products of the algebras in use, as generated code: a file each, from `python -m tests.geometry.write_products`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Into = Callable[[Array, Array, Array], None]
 
 
 class OfTwo(NamedTuple):
-    """What multiplies two multivectors a and b, each (2ⁿ,), into a third."""
+    """Functions that multiply two multivectors a and b, each (2ⁿ,), into a third."""
 
     product: Into
     """The geometric product a b."""
@@ -28,7 +28,7 @@ def module_of(algebra: Signature) -> str:
 
 
 def written_out(algebra: Signature) -> OfTwo | None:
-    """The kernels of an algebra; None where no file holds them."""
+    """The generated kernels of an algebra; None if there are none."""
     name = f"{__name__}.{module_of(algebra)}"
     if find_spec(name) is None:
         return None

@@ -1,6 +1,6 @@
-"""Thousands of products at once: of multivectors that lie one after another, or with their coefficients as rows.
+"""Thousands of products at once, with one multivector per row or one per column.
 
-With rows, the same coefficient of neighbouring multivectors lies side by side, and one instruction takes several.
+With columns, the same coefficient of all multivectors is contiguous, which allows vector instructions.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from helicoide.text import HelicoideError, Text
 
 Places = NDArray[np.intp]
 
-# Blocks of so many multivectors of 16 coefficients stay in the fastest cache while all their terms are added up.
+# Blocks of this many multivectors with 16 coefficients fit into the fastest cache while their terms are added up.
 BLOCK = 64
 
 MOTOR_ROWS = np.flatnonzero(CL031.grades % 2 == 0)
-"""Places of the coefficients of a motor of Cl(0,3,1) or Cl(3,0,1): 1, e1e2, e1e3, e2e3, e1e, e2e, e3e, e1e2e3e."""
+"""Indices of the coefficients of a motor of Cl(0,3,1) or Cl(3,0,1): 1, e1e2, e1e3, e2e3, e1e, e2e, e3e, e1e2e3e."""
 
 POINT_ROWS = np.flatnonzero(CL031.grades == 3)
-"""Places of the coefficients of a point: e1e2e3, e1e2e, e1e3e, e2e3e."""
+"""Indices of the coefficients of a point: e1e2e3, e1e2e, e1e3e, e2e3e."""
 
 
 def products(algebra: Algebra, a: Array, b: Array) -> Array:
@@ -32,7 +32,7 @@ def products(algebra: Algebra, a: Array, b: Array) -> Array:
 
 
 def product_rows(algebra: Algebra, a: Array, b: Array) -> Array:
-    """The same with a multivector a column. a, b: (2ⁿ, N); returns (2ⁿ, N)."""
+    """Geometric products with one multivector per column. a, b: (2ⁿ, N); returns (2ⁿ, N)."""
     out = np.empty_like(a)
     multiply_columns(*algebra.terms, a, b, out)
     return out
@@ -60,7 +60,7 @@ def move_points(algebra: Algebra, motors: Array, points: Array) -> Array:
 
 
 def move_whole_points(algebra: Algebra, motors: Array, points: Array) -> Array:
-    """The same, a whole multivector a row; what is neither even in a motor nor of grade 3 in a point is not read.
+    """`move_points` with one whole multivector per row; odd blades of motors, and grades of points but 3, are ignored.
 
     motors, points: (N, 16); returns (N, 16).
     """
@@ -84,7 +84,7 @@ def _turn(algebra: Algebra) -> float:
 
 @kernel
 def move_columns(turn: float, scalars: Array, bivectors: Array, volumes: Array, points: Array, out: Array) -> None:
-    """Equation of `move_points`, column by column, with the parts of the motors by grade."""
+    """The equation of `move_points`, column by column, with the motors split by grade."""
     for i in range(points.shape[1]):
         s, d0 = scalars[i], -turn * volumes[i]
         gx, gy, gz = turn * bivectors[2, i], -turn * bivectors[1, i], turn * bivectors[0, i]

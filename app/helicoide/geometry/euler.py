@@ -1,4 +1,4 @@
-"""Euler angles of every convention: twelve sequences of axes, each about the turned axes or about the fixed ones."""
+"""Euler angles of every convention: twelve axis sequences, intrinsic (moving axes) or extrinsic (fixed axes)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from helicoide.text import HelicoideError, Text
 
 SEQUENCES = tuple("".join(axes) for axes in product("xyz", repeat=3) if axes[0] != axes[1] != axes[2])
 EXTRINSIC = "extrinsic "
-# "zyx" is intrinsic, R = R_z R_y R_x; "extrinsic zyx" turns about the fixed axes, R = R_x R_y R_z.
+# "zyx" is intrinsic, R = R_z R_y R_x; "extrinsic zyx" rotates about the fixed axes, R = R_x R_y R_z.
 CONVENTIONS = (*SEQUENCES, *(EXTRINSIC + sequence for sequence in SEQUENCES))
 # What Cerbaro 2022, eqs. 53–55, calls Roll (about z), Pitch (about y) and Yaw (about x), in this order.
 ROLL_PITCH_YAW = "zyx"
@@ -25,27 +25,27 @@ SINGULAR = 1e-13
 
 @dataclass(frozen=True)
 class Angles:
-    """Euler angles (..., 3), rad, and how far each set is from the singularity of its convention (...), rad."""
+    """Euler angles (..., 3), rad, and the distance of each set from the singularity of its convention (...), rad."""
 
     values: Array
     margin: Array
 
     @property
     def singular(self) -> NDArray[np.bool_]:
-        """Where the matrix determines only the sum or the difference of the first and last angle, shape (...)."""
+        """Whether the matrix determines only the sum or difference of the first and last angle, shape (...)."""
         return np.asarray(self.margin < SINGULAR)
 
 
 @dataclass(frozen=True)
 class _Product:
-    """The convention as R = R₁ R₂ R₃ about three axes of the frame: n₁, n₂, n₃ in rows, and the order of angles."""
+    """The convention as R = R₁ R₂ R₃ about axes n₁, n₂, n₃, in rows, and the order of its angles."""
 
     axes: Array
     order: slice
 
     @property
     def handedness(self) -> float:
-        """n₃ · (n₁ × n₂): ±1 for three different axes, 0 where the first comes back."""
+        """n₃ · (n₁ × n₂): ±1 for three different axes, 0 if the third is the first."""
         first, second, third = self.axes
         return float(third @ np.cross(first, second))
 
@@ -89,12 +89,11 @@ def _factors(angles: ArrayLike, convention: _Product) -> Array:
 def angles(R: Array, convention: str) -> Angles:
     """Euler angles of a rotation matrix, with the distance to the singularity of the convention.
 
-    M = [n₁ n₂ n₁×n₂]ᵀ R [n₃ n₂ n₃×n₂] = R_x(φ₁) R_y(β) R_x(φ₃), β = φ₂ + a constant. Singular is sin β = 0: φ₂ = ±π/2
-    for three different axes, φ₂ = 0 or π where the first comes back. The margin is atan2(|sin β|, |cos β|).
-    φ₂ is in [−π/2, π/2] for three different axes and in [0, π] where the first comes back; φ₁, φ₃ are in [−π, π].
-    Where singular, the angle of the leftmost factor of the product R₁ R₂ R₃ is 0 (the first of an intrinsic, the last
-    of an extrinsic convention) and that of the rightmost takes the whole turn: R is recovered, to 2 SINGULAR there and
-    to rounding elsewhere.
+    M = [n₁ n₂ n₁×n₂]ᵀ R [n₃ n₂ n₃×n₂] = R_x(φ₁) R_y(β) R_x(φ₃), β = φ₂ + a constant. It is singular for sin β = 0:
+    φ₂ = ±π/2 for three different axes, φ₂ = 0 or π if the third is the first. The margin is atan2(|sin β|, |cos β|).
+    φ₂ is in [−π/2, π/2] for three different axes, else in [0, π]; φ₁, φ₃ are in [−π, π]. At a singularity the angle of
+    the leftmost factor of R₁ R₂ R₃ is set to 0 (the first of an intrinsic, the last of an extrinsic convention), and
+    that of the rightmost takes the rest. The angles reproduce R to 2 SINGULAR there, and to rounding elsewhere.
     R: (..., 3, 3). Raises HelicoideError for an unknown convention. Source: Cerbaro 2022, eqs. 53–55, for "zyx".
     """
     factors = _product(convention)
@@ -105,14 +104,14 @@ def angles(R: Array, convention: str) -> Angles:
     margin = np.arctan2(sine, np.abs(cosine))
     first = np.where(margin < SINGULAR, 0.0, np.arctan2(side * M[..., 1, 0], -side * M[..., 2, 0]))
     second = np.arctan2(factors.handedness * cosine, sine) if factors.handedness else np.arctan2(sine, cosine)
-    # the last angle is read after turning back by the first, as in rotation.roll_pitch_yaw_zyx
+    # the last angle is computed after undoing the first, as in rotation.roll_pitch_yaw_zyx
     row = np.cos(first)[..., None] * M[..., 1, :] + np.sin(first)[..., None] * M[..., 2, :]
     third = np.arctan2(-row[..., 2], row[..., 1])
     return Angles(np.stack([first, second, third], axis=-1)[..., factors.order], margin)
 
 
 def velocity_matrix(angles: ArrayLike, convention: str) -> Array:
-    """Matrix E of the angular velocity of changing angles: ω = E φ̇, columns n₁, R₁ n₂, R₁ R₂ n₃: the turned axes.
+    """Matrix E from Euler angle rates to angular velocity: ω = E φ̇; its columns are the axes n₁, R₁ n₂, R₁ R₂ n₃.
 
     angles: (..., 3), rad; ω in the base frame, rad/s; returns (..., 3, 3).
     Raises HelicoideError for an unknown convention. Source: Vargas 2013, eq. 2.26, solved for ω.
@@ -138,8 +137,8 @@ def determinant(angles: ArrayLike, convention: str) -> Array:
 def jacobian(angles: ArrayLike, convention: str) -> Array:
     """Representation Jacobian: φ̇ = J_R(φ) ω, J_R = E⁻¹ with E of `velocity_matrix` and det J_R = 1/`determinant`.
 
-    angles: (..., 3), rad; ω in the base frame, rad/s; returns (..., 3, 3). Where |det E| < SINGULAR the rows of the
-    first and last angle are NaN, since no rate of theirs gives every ω; that of the second angle is always finite.
+    angles: (..., 3), rad; ω in the base frame, rad/s; returns (..., 3, 3). If |det E| < SINGULAR, the rows of the first
+    and last angle are NaN, since no rates give every ω; the row of the second angle is always finite.
     Raises HelicoideError for an unknown convention. Source: Vargas 2013, eqs. 2.26–2.27; Cerbaro 2022, eq. 68.
     """
     e1, e2, e3 = np.moveaxis(velocity_matrix(angles, convention), -1, 0)
@@ -149,11 +148,11 @@ def jacobian(angles: ArrayLike, convention: str) -> Array:
 
 
 def orientation_error(angles_target: ArrayLike, angles: ArrayLike) -> Array:
-    """Error of Euler angles: e = φ_d − φ, each turned by whole turns into [−π, π].
+    """Error of Euler angles: e = φ_d − φ, each reduced by multiples of 2π to [−π, π].
 
-    angles_target, angles: (..., 3), rad, of one convention; returns (..., 3), rad: rates of angles are to follow it,
-    not an angular velocity (φ̇ = J_R ω leads from one to the other). The sources subtract without turning, which takes
-    a target across ±π for a turn the long way round. Source: Vargas 2013, eq. 2.37; Cerbaro 2022, eq. 56.
+    angles_target, angles: (..., 3), rad, of one convention; returns (..., 3), rad. It is an error for Euler angle rates
+    φ̇ = J_R ω, not for an angular velocity. The sources do not reduce it, so that a target across ±π costs almost a full
+    rotation. Source: Vargas 2013, eq. 2.37; Cerbaro 2022, eq. 56.
     """
     difference = np.asarray(angles_target, dtype=float) - np.asarray(angles, dtype=float)
     return np.asarray(difference - 2 * np.pi * np.round(difference / (2 * np.pi)))

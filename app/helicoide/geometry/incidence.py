@@ -1,4 +1,4 @@
-"""Where points, lines and planes of Cl(0,3,1) join and meet, how far apart they are, and their feet and angles."""
+"""Incidence of points, lines and planes of Cl(0,3,1): join, meet, distances, angles, feet of perpendiculars."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ _ORIGIN = rigid.point((0, 0, 0))
 
 
 def join(*elements: Array) -> Array:
-    """What the elements span together, of unit size: a ∨ b/‖a ∨ b‖, ⋆(a ∨ b) = ⋆a ∧ ⋆b, from left to right.
+    """The element that all of these span, of unit size: a ∨ b/‖a ∨ b‖, ⋆(a ∨ b) = ⋆a ∧ ⋆b, from left to right.
 
     Points p, q give the line from p to q; points p, q, r the plane with n = (q − p)×(r − p)/‖·‖, which is
     −`rigid.plane_through`; a line of direction v and a point r the plane with n = v×(r − point of the line)/‖·‖.
-    Elements (..., 16), of weight one. What spans nothing (equal or collinear points, a point on its line) gives the
-    zero multivector. Source: Selig 2005, ch. 10; Cerbaro 2022, §5.2.4.
+    Elements (..., 16), of weight one. Degenerate input (equal or collinear points, a point on its line) gives the zero
+    multivector. Source: Selig 2005, ch. 10; Cerbaro 2022, §5.2.4.
     """
     return reduce(_unit(CL031.regressive), elements)
 
 
 def meet(*elements: Array) -> Array:
-    """What the elements have in common, of unit size: a ∧ b/‖a ∧ b‖, from left to right.
+    """The intersection of the elements, of unit size: a ∧ b/‖a ∧ b‖, from left to right.
 
     Planes π1, π2 give the line of direction n1×n2/‖·‖; a line and a plane, or three planes, the point of weight one.
     Elements (..., 16), of unit size. Parallel ones meet at infinity (`is_finite` is false): the weight (e2e3, e3e1,
-    e1e2 of a line, e1e2e3 of a point) is exactly zero, and of two the rest is as long as they are apart. Where one lies
-    in the other the zero multivector is returned. Source: Selig 2005, ch. 10.
+    e1e2 of a line, e1e2e3 of a point) is exactly zero, and for two of them the norm of the rest is their distance. If
+    one lies in the other, the zero multivector is returned. Source: Selig 2005, ch. 10.
     """
     return reduce(_unit(CL031.outer), elements)
 
 
 def is_finite(X: Array) -> NDArray[np.bool_]:
-    """Whether a point, line or plane has a place: it is neither at infinity nor zero. X: (..., 16); returns (...)."""
+    """Whether a point, line or plane is finite: neither at infinity nor zero. X: (..., 16); returns (...)."""
     return np.asarray(np.any(rigid.null_part(X) != X, axis=-1))
 
 
@@ -52,7 +52,7 @@ def foot(point: Array, X: Array) -> Array:
 
 
 def point_line_distance(line: Array, point: Array) -> Array:
-    """Distance of a point from a line, never negative: the size of their plane, l = ‖ℓ ∨ p‖ = ‖r×v − u‖.
+    """Distance of a point from a line, not negative: the norm of their join, l = ‖ℓ ∨ p‖ = ‖r×v − u‖.
 
     line: unit ℓ (..., 16); point: p (..., 16) of weight one; returns (...), m. Source: Selig 2005, ch. 10.
     """
@@ -70,9 +70,9 @@ def line_angle(line1: Array, line2: Array) -> Array:
 
 
 def line_distance(line1: Array, line2: Array) -> Array:
-    """Shortest distance of two lines, never negative: l = |ℓ1 ∨ ℓ2|/‖⟨ℓ1 ℓ2⟩₂‖ = |v1·u2 + v2·u1|/‖v1×v2‖.
+    """Shortest distance of two lines, not negative: l = |ℓ1 ∨ ℓ2|/‖⟨ℓ1 ℓ2⟩₂‖ = |v1·u2 + v2·u1|/‖v1×v2‖.
 
-    Of parallel lines it is that of any point of one from the other. line1, line2: unit (..., 16); returns (...), m.
+    For parallel lines, the distance of any point of one from the other. line1, line2: unit (..., 16); returns (...), m.
     Source: Selig 2005, ch. 10.
     """
     sine = CL031.norm(CL031.grade(CL031.product(line1, line2), 2))
@@ -82,11 +82,11 @@ def line_distance(line1: Array, line2: Array) -> Array:
 
 
 def common_normal(line1: Array, line2: Array) -> tuple[Array, Array, Array]:
-    """Common normal N of two lines and its feet on them: the walls Wᵢ = ℓᵢ ∨ n∞ give N = W1 ∧ W2, pᵢ = ℓᵢ ∧ Wⱼ.
+    """Common normal N of two lines and its feet: the planes Wᵢ = ℓᵢ ∨ n∞ give N = W1 ∧ W2, pᵢ = ℓᵢ ∧ Wⱼ.
 
-    n∞ is the point at infinity of n = v1×v2, which is also the direction of N; lines that cross have both feet where
-    they do. Parallel lines have many: the one through the point of ℓ1 nearest to the origin, from ℓ1 to ℓ2; N is zero
-    if the two lines are one. line1, line2: unit (..., 16); returns N, p1, p2, each (..., 16).
+    n∞ is the point at infinity of n = v1×v2, which is also the direction of N; both feet of intersecting lines are the
+    intersection. For parallel lines N passes through the point of ℓ1 nearest to the origin, from ℓ1 to ℓ2; it is zero
+    if the lines coincide. line1, line2: unit (..., 16); returns N, p1, p2, each (..., 16).
     Source: Selig 2005, ch. 10; Denavit & Hartenberg 1955 for its use.
     """
     across, _ = rigid.direction_and_moment(CL031.product(line1, line2))
@@ -103,7 +103,7 @@ def common_normal(line1: Array, line2: Array) -> tuple[Array, Array, Array]:
 
 
 def line_plane_angle(line: Array, plane: Array) -> Array:
-    """Angle of a line with a plane, in [−π/2, π/2], positive if it leaves on the side of the normal: sin φ = n·v.
+    """Angle of a line with a plane, in [−π/2, π/2], positive if it points to the side of the normal: sin φ = n·v.
 
     φ = atan2(ℓ ∧ π, ‖⟨ℓ π⟩₁‖). line: unit ℓ (..., 16); plane: unit π (..., 16); returns (...), rad.
     Source: Selig 2005, ch. 10.
@@ -114,7 +114,7 @@ def line_plane_angle(line: Array, plane: Array) -> Array:
 
 
 def line_plane_distance(line: Array, plane: Array) -> Array:
-    """Distance of a line from a plane that is parallel to it, positive on the side of the normal; 0 if they cross.
+    """Distance of a line from a parallel plane, positive on the side of the normal; 0 if they intersect.
 
     l = ½ ⋆(πp − pπ), p the point of the line nearest to the origin. line: unit ℓ (..., 16); plane: unit π (..., 16);
     returns (...), m. Source: Cerbaro 2022, eq. 20.
@@ -124,13 +124,13 @@ def line_plane_distance(line: Array, plane: Array) -> Array:
 
 
 def _unit(product: Callable[[Array, Array], Array]) -> Callable[[Array, Array], Array]:
-    """The product scaled to unit size; what is as small as the rounding of its factors becomes exactly zero."""
+    """The product scaled to unit size; a result no larger than rounding of its factors becomes exactly zero."""
 
     def scaled(a: Array, b: Array) -> Array:
         raw = product(a, b)
         size, far = CL031.norm(raw)[..., None], rigid.null_part(raw)
         noise = rigid.COLLINEAR * _length(a) * _length(b)
-        # Points alone have a signed weight; of lines and planes e1e2e3 holds rounding.
+        # Only points have a signed weight; for lines and planes e1e2e3 is rounding noise.
         signed = np.where(2 * (raw @ _WEIGHT)[..., None] < -size, -size, size)
         at_infinity = np.where(_length(far) > noise, far, 0.0)
         return np.asarray(np.divide(raw, signed, out=at_infinity, where=size > noise))

@@ -1,4 +1,4 @@
-"""Rigid motions as exponentials of screws: exp, log, the screw axis of Chasles and the way along it."""
+"""Rigid motions as exponentials of screws: exp, log, Chasles' screw axis and interpolation along it (ScLERP)."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031, Array
 from helicoide.text import HelicoideError, Text
 
-# Turns below this angle (rad) have their axis in rounding noise, far away: they count as translations.
+# The axis of a rotation below this angle (rad) is lost in rounding: it counts as a translation.
 STRAIGHT = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
 class Screw:
-    """A motion as Chasles tells it: turn about an axis and advance along it; the fields broadcast.
+    """A screw displacement (Chasles): rotation about an axis and translation along it; the fields broadcast.
 
-    direction: unit (..., 3), right-hand sense of the turn; point: of the axis, nearest to the origin (..., 3), m;
-    angle: (...) in [0, π], rad; displacement: along the direction (...), m.
-    A translation has angle 0, its own direction and point 0. The identity has no axis: all four are zero.
+    direction: unit (..., 3), in the right-hand sense of the rotation; point: of the axis, nearest to the origin
+    (..., 3), m; angle: (...) in [0, π], rad; displacement: along the direction (...), m.
+    A translation has angle 0 and point 0. The identity has no axis: all four fields are zero.
     """
 
     direction: Array
@@ -31,7 +31,7 @@ class Screw:
 
     @property
     def pitch(self) -> Array:
-        """Advance for each radian, displacement/angle (...), m/rad: ∞ for a translation, 0 for the identity."""
+        """Translation per radian, displacement/angle (...), m/rad: ∞ for a translation, 0 for the identity."""
         without_turn = np.where(self.displacement == 0, 0.0, np.inf)
         return np.asarray(np.divide(self.displacement, self.angle, out=without_turn, where=self.angle > 0))
 
@@ -39,8 +39,8 @@ class Screw:
 def exp(B: Array) -> Array:
     """Exponential of a screw B = v + εu: exp B = cos θ + sinc θ B − ε sinc θ v·u + ε (cos θ − sinc θ)(n·u) n.
 
-    θ = ‖v‖, n = v/θ, and v, u the coefficients of eq. 17. A turn by +α about a line L is exp(+αL/2), as with the lines
-    of the sources; modern Cl(3,0,1) writes exp(−αL/2). Nothing cancels or divides near θ = 0.
+    θ = ‖v‖, n = v/θ, and v, u the coefficients of eq. 17. A rotation by +α about a line L is exp(+αL/2), with the
+    lines of the sources; modern Cl(3,0,1) writes exp(−αL/2). It is accurate near θ = 0.
     B: bivector (..., 16); returns a unit motor (..., 16).
     Source: Kavan et al. 2008, App. A, without its division by θ; Cerbaro 2022, eqs. 17, 98.
     """
@@ -51,11 +51,11 @@ def exp(B: Array) -> Array:
 
 
 def log(M: Array) -> Array:
-    """Logarithm of a motor, inverse of `exp` for the shorter turn: B = αL/2 + (half the advance), α in [0, π].
+    """Logarithm of a motor, inverse of `exp`: B = αL/2 + (half the translation), α in [0, π].
 
     For M = w + x + ε(w' + x') of M and −M the canonical: θ = atan2(‖x‖, w), n = x/‖x‖, v = x/sinc θ,
     u = x'/sinc θ + ((n·x')(cos θ − 1/sinc θ) − w' sin θ) n. So exp(log M) is `rigid.canonical(M)`, and at α = π
-    the axis is the one of the two opposite whose first non-zero component is positive.
+    the axis is that of the two opposite ones whose first non-zero component is positive.
     M: unit motor (..., 16); returns a bivector (..., 16). Source: the equation of `exp` solved for v and u.
     """
     parts = rigid.dual_quaternion(rigid.canonical(M))
@@ -68,9 +68,9 @@ def log(M: Array) -> Array:
 
 
 def normalized(M: Array) -> Array:
-    """Nearest motor of an even multivector that rounding has bent: M (1 − βI/2α)/√α with M M* = α + βI, I = e1e2e3e.
+    """Normalised motor of an even multivector with rounding errors: M (1 − βI/2α)/√α, M M* = α + βI, I = e1e2e3e.
 
-    M: (..., 16); returns (..., 16) with M M* = 1. Raises HelicoideError where M has odd blades or no rotation part.
+    M: (..., 16); returns (..., 16) with M M* = 1. Raises HelicoideError if M has odd blades or no rotation part.
     Source: Cerbaro 2022, eq. 97, as a condition.
     """
     square = CL031.product(M, CL031.conjugate(M))
@@ -99,10 +99,10 @@ def is_motor(M: Array, tolerance: float = 1e-9) -> NDArray[np.bool_]:
 
 
 def sclerp(M0: Array, M1: Array, s: ArrayLike) -> Array:
-    """Motor on the screw from M0 to M1, by the shorter turn: M0 exp(s log(M0* M1)).
+    """Screw interpolation (ScLERP) from M0 to M1, with rotation by at most π: M0 exp(s log(M0* M1)).
 
-    M0, M1: unit motors (..., 16), each the same pose as its negative; s: (...), 0 at M0, 1 at M1 or −M1.
-    At exactly half a turn between them the axis is that of `log`. Source: Kavan et al. 2008 (ScLERP).
+    M0, M1: unit motors (..., 16); s: (...), 0 at M0, 1 at M1 or −M1, which is the same pose.
+    For a rotation by exactly π the axis is that of `log`. Source: Kavan et al. 2008.
     """
     between = log(CL031.product(CL031.conjugate(M0), M1))
     return CL031.product(M0, exp(np.asarray(s, dtype=float)[..., None] * between))
@@ -111,8 +111,8 @@ def sclerp(M0: Array, M1: Array, s: ArrayLike) -> Array:
 def screw_of(M: Array) -> Screw:
     """Screw of a motor (Chasles): log M = ½(α + εd)(n + ε r×n), so n = v/‖v‖, α = 2‖v‖, d = 2 n·u, r = v×u/‖v‖².
 
-    M: unit motor (..., 16), M and −M give the same; returns fields of shape (..., 3) and (...). Turns below `STRAIGHT`
-    count as translations. Source: Selig 2005, ch. 2 (Chasles); Cerbaro 2022, eq. 62.
+    M: unit motor (..., 16), M and −M give the same; returns fields of shape (..., 3) and (...). Rotations below
+    `STRAIGHT` count as translations. Source: Selig 2005, ch. 2 (Chasles); Cerbaro 2022, eq. 62.
     """
     v, u = rigid.direction_and_moment(log(M))
     half = _length(v)

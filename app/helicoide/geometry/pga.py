@@ -1,15 +1,15 @@
-"""Between the algebra of the sources, Cl(0,3,1), and modern projective geometric algebra, Cl(3,0,1).
+"""Conversion between the algebra of the sources, Cl(0,3,1), and modern projective geometric algebra, Cl(3,0,1).
 
-Over the complex numbers the two are one algebra: Φ(eᵢ) = i fᵢ, Φ(e) = −i f₀ keeps every product. It takes a blade of
-grade k to iᵏ times a real blade, Φ(X) = iᵏ ψ(X), and so there are two real maps:
+Over the complex numbers the two algebras are isomorphic: Φ(eᵢ) = i fᵢ, Φ(e) = −i f₀ preserves every product. It maps a
+blade of grade k to iᵏ times a real blade, Φ(X) = iᵏ ψ(X), which gives two real maps:
 
 - ψ, for points, lines and planes: linear on all 16 blades, ψ(a ∧ b) = ψ(a) ∧ ψ(b), and ψ(a ∨ b) = −ψ(a) ∨ ψ(b) since
-  it turns the volume e1e2e3e over; it keeps no geometric product in general;
+  it changes the sign of the volume e1e2e3e; it does not preserve the geometric product in general;
 - Φ itself on even multivectors (iᵏ = ±1), for motors: linear, Φ(M N) = Φ(M) Φ(N), an isomorphism of the even algebras.
 
-They agree about motion, ψ(M X M*) = Φ(M) ψ(X) Φ(M)~, and about reflections, ψ(π X π*) = ψ(π) ψ(X) ψ(π). On bivectors
-they differ in sign, Φ(L) = −ψ(L): a line as a thing and the same line as a generator of turns. That is why a turn by +θ
-is exp(+θL/2) in the sources and exp(−θL/2) in modern algebra about the same line.
+They agree on motions, ψ(M X M*) = Φ(M) ψ(X) Φ(M)~, and on reflections, ψ(π X π*) = ψ(π) ψ(X) ψ(π). On bivectors they
+differ in sign, Φ(L) = −ψ(L): ψ maps a line as an element, Φ maps it as a generator of rotations. Therefore a rotation
+by +θ about the same line is exp(+θL/2) in the sources and exp(−θL/2) in modern algebra.
 """
 
 from __future__ import annotations

@@ -8,12 +8,12 @@ from numpy.typing import ArrayLike
 from helicoide.geometry import rotation
 from helicoide.geometry.clifford import CL031, Array
 
-# Below this sine, points count as collinear and directions as parallel: what they span would be rounding noise.
+# Below this sine, points count as collinear and directions as parallel, since their plane would be rounding noise.
 COLLINEAR = 1e-9
 
 
 def _rows(*names: str) -> Array:
-    """One blade a row; times coefficients it makes a multivector."""
+    """A matrix with one blade per row; coefficients @ matrix is a multivector."""
     return np.array([CL031.blade(name) for name in names])
 
 
@@ -31,16 +31,16 @@ _HAS_NULL = np.array([3 in blade for blade in CL031.blades])
 
 
 def null_part(a: Array) -> Array:
-    """The blades that hold e: the moment of a line, the offset of a plane, what of a point is not its weight.
+    """The blades with e: the moment of a line, the offset of a plane, the coordinates of a point.
 
-    Alone it is the element at infinity: the moment u of a line there, a point there in the direction (x, y, z).
+    By itself it is an element at infinity: a line with moment u, or a point in the direction (x, y, z).
     a: (..., 16). Source: Cerbaro 2022, eqs. 16–18.
     """
     return np.where(_HAS_NULL, a, 0.0)
 
 
 def null_negated(a: Array) -> Array:
-    """The same multivector with −e for e: the blades that hold e are negated. a: (..., 16)."""
+    """The multivector with e replaced by −e: the blades with e are negated. a: (..., 16)."""
     return np.where(_HAS_NULL, -a, a)
 
 
@@ -107,9 +107,9 @@ def normal_and_offset(plane: Array) -> tuple[Array, Array]:
 
 
 def rotor(axis: ArrayLike, angle: ArrayLike) -> Array:
-    """Turn about an axis through the origin: g = cos(φ/2) + sin(φ/2) (n_x e2e3 + n_y e3e1 + n_z e1e2), n = axis/‖axis‖.
+    """Rotation about an axis through the origin: g = cos(φ/2) + sin(φ/2) (n_x e2e3 + n_y e3e1 + n_z e1e2).
 
-    axis: (..., 3); angle: φ (...), rad; returns (..., 16). Raises HelicoideError for a zero axis.
+    axis: (..., 3), n = axis/‖axis‖; angle: φ (...), rad; returns (..., 16). Raises HelicoideError for a zero axis.
     Source: Cerbaro 2022, eq. 98.
     """
     return np.asarray(rotation.from_axis_angle(axis, angle) @ _ROTOR)
@@ -124,8 +124,9 @@ def translator(t: ArrayLike) -> Array:
 
 
 def screw_motor(direction: ArrayLike, through: ArrayLike, angle: ArrayLike, pitch: ArrayLike = 0.0) -> Array:
-    """Turn by +θ about a line L and advance by hθ along it: (1 + ½ hθ v e) exp(θL/2), exp(θL/2) = cos θ/2 + L sin θ/2.
+    """Rotation by +θ about a line L with translation hθ along it: M = (1 + ½ hθ v e) exp(θL/2).
 
+    exp(θL/2) = cos θ/2 + L sin θ/2.
     direction: v (..., 3), any length; through: a point of the axis (..., 3), m; angle: θ (...), rad;
     pitch: h (...), m/rad; returns (..., 16). Raises HelicoideError for a zero direction.
     The sign is that of the sources' lines; modern Cl(3,0,1) writes exp(−θL/2). Source: Cerbaro 2022, eqs. 17, 96–98.
@@ -137,9 +138,9 @@ def screw_motor(direction: ArrayLike, through: ArrayLike, angle: ArrayLike, pitc
 
 
 def motor_from_pose(T: Array) -> Array:
-    """Motor of a homogeneous matrix, rotation first: h = g + ½ t g e = (1 + ½ t e) g, of the two signs the canonical.
+    """Motor of a homogeneous matrix: h = g + ½ t g e = (1 + ½ t e) g, with the canonical sign.
 
-    T: T_a_b (..., 4, 4), m; returns M_a_b (..., 16). Holds at a rotation by π too. Source: Cerbaro 2022, eq. 96.
+    T: T_a_b (..., 4, 4), m; returns M_a_b (..., 16). Valid for a rotation by π too. Source: Cerbaro 2022, eq. 96.
     """
     return CL031.product(translator(T[..., :3, 3]), rotation.from_matrix(T[..., :3, :3]) @ _ROTOR)
 
@@ -147,7 +148,7 @@ def motor_from_pose(T: Array) -> Array:
 def pose_from_motor(M: Array) -> Array:
     """Homogeneous matrix of a motor: R from the rotor part g, t from the coefficients of 2 (dual part) g* = t e.
 
-    M: M_a_b (..., 16), of any length but zero; returns T_a_b (..., 4, 4), m. Source: Cerbaro 2022, eqs. 96, 102.
+    M: M_a_b (..., 16), of any norm but zero; returns T_a_b (..., 4, 4), m. Source: Cerbaro 2022, eqs. 96, 102.
     """
     q = M @ _ROTOR.T
     shift = 2 * CL031.product(null_part(M), CL031.conjugate(q @ _ROTOR))
@@ -167,9 +168,9 @@ def move(M: Array, X: Array) -> Array:
 
 
 def canonical(M: Array) -> Array:
-    """The one of M and −M, which are one pose, with a positive scalar part.
+    """The one of M and −M, which represent the same pose, with a positive scalar part.
 
-    Where the scalar is zero the first non-zero of e2e3, e3e1, e1e2 is positive. M: (..., 16).
+    If the scalar is zero, the first non-zero of e2e3, e3e1, e1e2 is positive. M: (..., 16).
     Source: Cerbaro 2022, eq. 98.
     """
     return np.asarray(M * rotation.hemisphere(M @ _ROTOR.T))
@@ -192,7 +193,7 @@ def plane_through(p1: Array, p2: Array, p3: Array) -> Array:
     with any two points. Collinear points give σ = 0 and have no plane: the zero multivector is returned.
     Source: Cerbaro 2022, eqs. 25–26.
     """
-    # Differences leave the antisymmetric σ as it is, and keep its digits when the points are close together.
+    # Differences do not change the antisymmetric σ, and avoid cancellation when the points are close together.
     sigma = 6 * CL031.outer(CL031.outer(hodge(p1), hodge(p2 - p1)), hodge(p3 - p1))
     length = np.linalg.norm(hodge(sigma) @ _VECTOR.T, axis=-1)[..., None]
     longest = np.maximum(np.maximum(_squared_length(p2 - p1), _squared_length(p3 - p2)), _squared_length(p1 - p3))

@@ -1,4 +1,4 @@
-"""Rotations as unit quaternions wxyz (Hamilton, active), as matrices and as the angles of the sources."""
+"""Rotations as unit quaternions wxyz (Hamilton, active), as matrices and as roll, pitch and yaw of the sources."""
 
 from __future__ import annotations
 
@@ -36,12 +36,12 @@ def rotate(q: Array, v: ArrayLike) -> Array:
 
 
 def _length(v: Array) -> Array:
-    """‖v‖ of shape (..., 1), also where the squares of the components would underflow or overflow."""
+    """‖v‖ of shape (..., 1), without underflow or overflow of the squares."""
     return np.asarray(np.hypot.reduce(v, axis=-1, keepdims=True))
 
 
 def unit(v: ArrayLike) -> Array:
-    """Scale vectors to length one: v/‖v‖, shape (..., 3). Raises HelicoideError for a vector without direction."""
+    """Unit vectors v/‖v‖, shape (..., 3). Raises HelicoideError for a zero or infinite vector."""
     vector = np.asarray(v, dtype=float)
     length = _length(vector)
     directed = np.isfinite(length) & (length > 0)
@@ -57,7 +57,7 @@ def unit(v: ArrayLike) -> Array:
 
 
 def hemisphere(q: Array) -> Array:
-    """Sign that makes the first non-zero component of q positive, of two opposite quaternions always the same one.
+    """Sign ±1 that makes the first non-zero component of q positive, so that q and −q give the same quaternion.
 
     sgn(w), else sgn(x), sgn(y), sgn(z). q: (..., 4); returns ±1 of shape (..., 1).
     """
@@ -66,7 +66,7 @@ def hemisphere(q: Array) -> Array:
 
 
 def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
-    """Quaternion of a turn about an axis: q = cos(θ/2) + sin(θ/2) (n_x i + n_y j + n_z k), n = axis/‖axis‖.
+    """Quaternion of a rotation about an axis: q = cos(θ/2) + sin(θ/2) (n_x i + n_y j + n_z k), n = axis/‖axis‖.
 
     axis: (..., 3); angle: (...), rad; returns (..., 4). Raises HelicoideError for a zero axis.
     Source: Cerbaro 2022, eq. 88.
@@ -112,7 +112,7 @@ def _sinc(x: Array) -> Array:
 def from_matrix(R: Array) -> Array:
     """Quaternion of a rotation matrix, w ≥ 0: a row of 4 q qᵀ, which is linear in R, divided by its length.
 
-    R: (..., 3, 3); returns (..., 4). The row of the largest component is taken, so nothing cancels near θ = π.
+    R: (..., 3, 3); returns (..., 4). The row with the largest diagonal entry is used, so nothing cancels near θ = π.
     Source: Shepperd 1978.
     """
     if R.ndim == 2:
@@ -125,7 +125,7 @@ def from_matrix(R: Array) -> Array:
 
 
 def _of_one(R: list[list[float]]) -> list[float]:
-    """The quaternion of one matrix; in plain numbers, which for so few are ten times as fast as arrays."""
+    """The quaternion of one matrix, in Python floats, which are ten times as fast as arrays here."""
     outer = _four_q_q_transposed(R)
     row = outer[max(range(4), key=lambda i: outer[i][i])]
     length = math.copysign(math.hypot(*row), next((entry for entry in row if entry != 0), 1.0))
@@ -144,7 +144,7 @@ def _four_q_q_transposed(R: Any) -> list[list[Any]]:
 
 
 def to_matrix(q: Array) -> Array:
-    """Rotation matrix of a quaternion of any length but zero: its columns are q i q*/‖q‖², q j q*/‖q‖², q k q*/‖q‖².
+    """Rotation matrix of a non-zero quaternion: its columns are q i q*/‖q‖², q j q*/‖q‖², q k q*/‖q‖².
 
     q: (..., 4); returns (..., 3, 3). Source: Cerbaro 2022, eq. 89.
     """
@@ -153,7 +153,7 @@ def to_matrix(q: Array) -> Array:
 
 
 def rotation_vector(q: Array) -> Array:
-    """Axis times angle of the shorter turn: θ n, θ = 2 atan2(‖v‖, |w|) in [0, π], v the vector part.
+    """Rotation vector of a quaternion, of the rotation by at most π: θ n, θ = 2 atan2(‖v‖, |w|), v the vector part.
 
     q: (..., 4), unit; returns (..., 3), rad. Exact at θ = 0 and π. Source: Cerbaro 2022, eq. 88, solved for θ n.
     """
@@ -164,7 +164,7 @@ def rotation_vector(q: Array) -> Array:
 
 
 def logarithm(R: Array) -> Array:
-    """Rotation vector of a matrix, the shorter turn: v with exp([v]ₓ) = R and ‖v‖ ≤ π.
+    """Rotation vector of a matrix: v with exp([v]ₓ) = R and ‖v‖ ≤ π.
 
     R: (..., 3, 3); returns (..., 3), rad. Exact at θ = 0 and π. Source: Coutinho 2015, eq. 2.7, solved for v.
     """
@@ -172,7 +172,7 @@ def logarithm(R: Array) -> Array:
 
 
 def axis_angle(q: Array) -> tuple[Array, Array]:
-    """Axis n, ‖n‖ = 1, and angle θ in [0, π] of the shorter turn; without a turn the axis is (0, 0, 1).
+    """Axis n, ‖n‖ = 1, and angle θ in [0, π] of a quaternion; the axis of the identity is (0, 0, 1).
 
     q: (..., 4), unit; returns (..., 3) and (...), rad. Source: Cerbaro 2022, eq. 88, solved for n and θ.
     """
@@ -192,7 +192,7 @@ def quaternion_jacobian(q: Array) -> Array:
 
 
 def quaternion_jacobian_body(q: Array) -> Array:
-    """The same for ω in the turned (body) frame: η̇ = −½ εᵀω, ε̇ = ½ (η I + [ε]ₓ) ω, that is ½ q ω.
+    """Representation Jacobian for ω in the body frame: η̇ = −½ εᵀω, ε̇ = ½ (η I + [ε]ₓ) ω, that is ½ q ω.
 
     q = (η, ε): (..., 4), unit; ω in the body frame, rad/s; returns (..., 4, 3). Source: Coutinho 2015, eq. 2.64.
     """
@@ -200,7 +200,7 @@ def quaternion_jacobian_body(q: Array) -> Array:
 
 
 def orientation_error(q_target: Array, q: Array) -> Array:
-    """Rotation vector that brings q to q_target by the shorter way: θ n of q_target q⁻¹.
+    """Rotation vector from q to q_target, ‖θ n‖ ≤ π: that of q_target q⁻¹.
 
     q_target, q: unit quaternions (..., 4) in one frame; returns (..., 3), rad, in that frame.
     Source: Cerbaro 2022, eq. 91; its eq. 92 keeps sin(θ/2) n instead of θ n.
@@ -209,7 +209,7 @@ def orientation_error(q_target: Array, q: Array) -> Array:
 
 
 def quaternion_error(q_target: Array, q: Array) -> Array:
-    """Vector part of Δq = q_target q⁻¹ by the shorter way, sin(θ/2) n: Δε, or −Δε where Δη < 0.
+    """Vector part of Δq = q_target q⁻¹ with θ ≤ π, sin(θ/2) n: Δε, or −Δε if Δη < 0.
 
     Δη = η_d η + ε_dᵀε, Δε = η ε_d − η_d ε − ε_d × ε. With ω = K Δε in the base frame the angle obeys
     tan(θ/4) = tan(θ₀/4) e^{−Kt/2}; without the change of sign Δη = −1 would be a second equilibrium.
@@ -220,16 +220,16 @@ def quaternion_error(q_target: Array, q: Array) -> Array:
 
 
 def quaternion_error_body(q_target: Array, q: Array) -> Array:
-    """The same in the turned (body) frame, for a body velocity ω = K Δε: vector part of Δq = q⁻¹ q_target.
+    """The same error in the body frame, for a body velocity ω = K Δε: vector part of Δq = q⁻¹ q_target.
 
     It is Rᵀ times the error in the base frame. q_target, q: unit quaternions (..., 4) in one frame; returns (..., 3).
-    Source: Coutinho 2015, eqs. 2.62–2.66, which feeds a body velocity with the error in the base frame and so fails.
+    Source: Coutinho 2015, eqs. 2.62–2.66, which uses the error in the base frame for a body velocity and so fails.
     """
     return _short_vector_part(multiply(conjugate(q), q_target))
 
 
 def _short_vector_part(q: Array) -> Array:
-    """sin(θ/2) n of the shorter turn."""
+    """sin(θ/2) n of a quaternion, with θ ≤ π."""
     return np.asarray((q * hemisphere(q))[..., 1:])
 
 
@@ -237,8 +237,8 @@ def roll_pitch_yaw_zyx(R: Array) -> Array:
     """Angles (φ, ϑ, ψ) with R = R_z(φ) R_y(ϑ) R_x(ψ): the source's Roll is about z, its Yaw about x.
 
     φ = atan2(a₂₁, a₁₁), ϑ = atan2(−a₃₁, √(a₃₂² + a₃₃²)), ψ = atan2(a₃₂, a₃₃).
-    R: (..., 3, 3); returns (..., 3), rad. ψ is read after turning back by φ, which is the same angle but also
-    gives R back at ϑ = ±π/2, where only φ ∓ ψ is determined. Source: Cerbaro 2022, eqs. 53–55.
+    R: (..., 3, 3); returns (..., 3), rad. ψ is computed from R_z(−φ) R: the same angle, but one that also reproduces R
+    at ϑ = ±π/2, where only φ ∓ ψ is determined. Source: Cerbaro 2022, eqs. 53–55.
     """
     roll = np.arctan2(R[..., 1, 0], R[..., 0, 0])
     pitch = np.arctan2(-R[..., 2, 0], np.hypot(R[..., 2, 1], R[..., 2, 2]))
@@ -252,6 +252,6 @@ def roll_pitch_yaw_of_quaternion(q: Array) -> Array:
 
     φ = atan2(2(wz + xy), 1 − 2(y² + z²)), ϑ = asin(2(wy − zx)), ψ = atan2(2(wx + yz), 1 − 2(x² + y²)), read from
     the matrix, which keeps ϑ exact at ±π/2. q: (..., 4); returns (..., 3), rad.
-    Source: Cerbaro 2022, eq. 90 corrected: as printed, 2 asin(x, y, z) holds for turns about one axis of the frame.
+    Source: Cerbaro 2022, eq. 90 corrected: as printed, 2 asin(x, y, z) holds for rotations about one coordinate axis.
     """
     return roll_pitch_yaw_zyx(to_matrix(q))

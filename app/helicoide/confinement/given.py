@@ -1,4 +1,4 @@
-"""Planes from what people know of them: coefficients, three points, or a box."""
+"""Planes from user input: coefficients, three points, or a box."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from helicoide.confinement.planes import Plane, Planes
 from helicoide.geometry import rigid
 from helicoide.text import HelicoideError, Text
 
-# What is farther away than this, m, is no room of an arm: a slip of the pen, or of the unit.
+# Larger distances, m, are refused as a typing error or a wrong unit.
 FARTHEST = 1000.0
-# A point must be so far from a plane, m, to tell its sides apart.
+# Smallest distance of a point from a plane, m, at which its side is certain.
 TELLING = 1e-6
 BOX = ("+z", "+y", "-y", "-z")
 
@@ -20,8 +20,8 @@ BOX = ("+z", "+y", "-y", "-z")
 def from_coefficients(coefficients: ArrayLike, inside: ArrayLike) -> Plane:
     """The plane a x + b y + c z = d, of any scale: n = ±(a, b, c)/‖·‖, l = n·r − d > 0 at the point inside.
 
-    Args: coefficients (a, b, c, d) (4,), d in m where (a, b, c) is of length one; inside: a point on the allowed side,
-    (3,), m. Raises HelicoideError for a zero normal, other numbers, or a point that lies on the plane.
+    Args: coefficients (a, b, c, d) (4,), d in m if (a, b, c) has length one; inside: a point on the allowed side,
+    (3,), m. Raises HelicoideError for a zero normal, invalid numbers, or a point on the plane.
     Source: Cerbaro 2022, eq. 18; its sign so that l > 0 inside.
     """
     a, b, c, d = map(float, _finite(coefficients, 4, Text(en="A plane", pt_BR="Um plano"), most=np.inf))
@@ -43,8 +43,8 @@ def from_coefficients(coefficients: ArrayLike, inside: ArrayLike) -> Plane:
 def through_points(points: ArrayLike, inside: ArrayLike) -> Plane:
     """The plane through three points: π = ⋆σ/√((⋆σ)(⋆σ)*), with l > 0 at the point inside.
 
-    Args: points (3, 3), m, one a row; inside: a point on the allowed side, (3,), m. Raises HelicoideError for points
-    on one line, other numbers, or a point inside that lies on the plane. Source: Cerbaro 2022, eqs. 25–26.
+    Args: points (3, 3), m, one per row; inside: a point on the allowed side, (3,), m. Raises HelicoideError for
+    collinear points, invalid numbers, or a point `inside` on the plane. Source: Cerbaro 2022, eqs. 25–26.
     """
     three = _finite(points, 9, Text(en="A plane through three points", pt_BR="Um plano por três pontos"))
     pi = rigid.plane_through(*rigid.point(three.reshape(3, 3)))
@@ -60,10 +60,10 @@ def through_points(points: ArrayLike, inside: ArrayLike) -> Plane:
 
 
 def box(lower: ArrayLike, upper: ArrayLike) -> Planes:
-    """The inside of a box: ceiling, left and right wall and bench, as `BOX` names them; open to front and back.
+    """The planes of a box: ceiling, left and right wall and bench, named by `BOX`; open to front and back.
 
     Args: lower, upper: opposite corners, (3,), m. Raises HelicoideError unless the first is below the second in x, y
-    and z. Source: the enclosure of Cerbaro 2022, §6.1, whose planes across x are out of reach.
+    and z. Source: the enclosure of Cerbaro 2022, §6.1, whose planes perpendicular to x are out of reach.
     """
     corner = Text(en="A corner of the box", pt_BR="Um vértice da caixa")
     low, high = _finite(lower, 3, corner), _finite(upper, 3, corner)
@@ -80,7 +80,7 @@ def box(lower: ArrayLike, upper: ArrayLike) -> Planes:
 
 
 def facing(normal: Array, offset: float, inside: ArrayLike) -> Plane:
-    """The plane with the face turned to a point: −π for π where l < 0. Raises HelicoideError if the point is on it.
+    """The plane with its normal towards a point: −π for π if l < 0. Raises HelicoideError if the point is on it.
 
     Args: normal (3,), unit; offset, m; inside (3,), m. Source: Cerbaro 2022, eqs. 18, 20.
     """
@@ -97,7 +97,7 @@ def facing(normal: Array, offset: float, inside: ArrayLike) -> Plane:
 
 
 def _finite(values: ArrayLike, n: int, what: Text, most: float = FARTHEST) -> Array:
-    """The n numbers in a row; raises HelicoideError for any other."""
+    """The values as an array (n,); raises HelicoideError unless they are n finite numbers up to `most`."""
     try:
         array = np.asarray(values, dtype=np.float64).ravel()
     except (TypeError, ValueError, OverflowError):

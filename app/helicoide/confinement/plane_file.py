@@ -1,4 +1,4 @@
-"""Planes in a small text file that people can read and edit: names, normals, and a point of each, in metres."""
+"""The file of planes, in TOML: name, normal and a point of each, in metres."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from helicoide.files import toml
 from helicoide.files.written import decoded as text_of
 from helicoide.text import HelicoideError, Text
 
-# More planes are no enclosure, and a longer file is none of planes.
+# Largest number of planes, and of bytes of a file.
 MOST, MOST_BYTES = 32, 100_000
-# Normals of this length, to so much, are taken as they are, so that what was saved comes back bit by bit.
+# A normal whose length differs from 1 by no more is not scaled, so that saved planes are read back exactly.
 UNIT = 1e-12
 _HEAD = """\
 # Planes n·r = d that confine an arm. normal: towards the inside, of any length; centre_m: a point of the plane, where
@@ -49,7 +49,7 @@ class PlanesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 def written(names: Sequence[str], planes: Planes) -> str:
-    """The text of the file; `decoded` gives the same names and the very same numbers back."""
+    """The text of the file; `decoded` returns the same names and exactly the same numbers."""
     entries = [
         f"\n[[planes]]\nname = {_quoted(name)}\nnormal = {normal.tolist()}\ncentre_m = {centre.tolist()}\n"
         for name, normal, centre in zip(names, planes.normals, planes.centres, strict=True)
@@ -58,7 +58,7 @@ def written(names: Sequence[str], planes: Planes) -> str:
 
 
 def decoded(content: bytes, name: str) -> tuple[tuple[str, ...], Planes]:
-    """The names and planes of a file of that name; raises HelicoideError: what is wrong with it, and what is valid."""
+    """Names and planes in the content of a file; raises HelicoideError with the name, the reason and what is valid."""
     try:
         file = toml.struct(toml.table(text_of(content, MOST_BYTES)), PlanesFile)
         _check(file)
@@ -70,7 +70,7 @@ def decoded(content: bytes, name: str) -> tuple[tuple[str, ...], Planes]:
 
 
 def _check(file: PlanesFile) -> None:
-    """What types alone cannot say."""
+    """Checks beyond the types: number of planes, unique names, finite values, non-zero normals."""
     names = [entry.name for entry in file.planes]
     if not 1 <= len(names) <= MOST:
         raise HelicoideError(Text(en="it has {n} planes", pt_BR="tem {n} planos").format(n=len(names)))
@@ -90,11 +90,11 @@ def _unit(normal: tuple[float, float, float]) -> tuple[float, ...]:
     length = math.hypot(*normal)
     if abs(length - 1.0) <= UNIT:
         return normal
-    scale = max(map(abs, normal))  # first, since the length of very long or short ones is not a number
+    scale = max(map(abs, normal))  # first, since the length of extreme values overflows or underflows
     scaled = [value / scale for value in normal]
     return tuple(value / math.hypot(*scaled) for value in scaled)
 
 
 def _quoted(name: str) -> str:
-    """A TOML string: that of JSON, where DEL is escaped too."""
+    """A TOML string: as in JSON, with DEL escaped as well."""
     return json.dumps(name, ensure_ascii=False).replace("\x7f", "\\u007f")

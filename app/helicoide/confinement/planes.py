@@ -1,8 +1,8 @@
-"""Planes that confine the arm: what they are, distances from them, and how far a plane may be moved.
+"""Planes that confine the arm, distances from them, and how far a plane may be moved.
 
-A plane is n·r = d with a unit normal that points to the allowed side; the distance of a point is l = n·r − d.
-The points watched are the joint centres and the tool; links are straight, so no other point of the chain comes closer
-to a plane than these. Source: Cerbaro 2022, §6.1; eqs. 18 and 20, with every normal turned inward.
+A plane is n·r = d with a unit normal towards the allowed side; the distance of a point is l = n·r − d. Distances are
+taken from the joint centres and the tool; as links are straight, no other point of the chain is closer to a plane.
+Source: Cerbaro 2022, §6.1; eqs. 18 and 20, with every normal turned inward.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from helicoide.kernels import kernel
 from helicoide.kinematics.robot_parts import Pane
 from helicoide.text import Text, same
 
-# A plane whose inward normal points down at least so steeply is a ceiling.
+# A plane is a ceiling if the z component of its inward normal is at most this.
 DOWN = -np.sqrt(0.5)
 
 
@@ -37,16 +37,16 @@ PANE = (0.6, 0.6)
 
 
 def pane_on(plane: Plane, name: str, title: Text, centre: Array, size: tuple[float, float] = PANE) -> Pane:
-    """A pane that may be moved, on a plane at the foot of a point (3,), m; size, m."""
+    """A movable pane on a plane, centred at the foot of a point (3,), m; size, m."""
     return Pane(name, title, plane.normal, plane.offset, frozen(plane.foot(centre)), size, movable=True)
 
 
 @dataclass(frozen=True, eq=False)
 class Planes:
-    """k planes: unit inward normals (k, 3) and a point of each, the centre of its pane, (k, 3) m, world frame.
+    """k planes: unit inward normals (k, 3) and a point of each, the centre of its pane, (k, 3), m, world frame.
 
-    panes: what each is called and how it is shown; numbers for names where nothing is said. Their own normals and
-    centres are those that the planes began with.
+    panes: name and display of each plane; by default they are numbered. The normals and centres in the panes are the
+    initial ones.
     """
 
     normals: Array
@@ -68,43 +68,43 @@ class Planes:
         return np.asarray(np.einsum("ij,ij->i", self.normals, self.centres))
 
     def moved(self, index: int, normal: Array, centre: Array) -> Planes:
-        """The same planes with one replaced; the normal is made a unit vector."""
+        """The planes with one replaced; the normal is scaled to length one."""
         normals, centres = self.normals.copy(), self.centres.copy()
         normals[index], centres[index] = normal / np.linalg.norm(normal), centre
         return replace(self, normals=frozen(normals), centres=frozen(centres))
 
     def with_pane(self, pane: Pane) -> Planes:
-        """The same planes and one more; one of the same name is replaced."""
+        """The planes with one more; a plane of the same name is replaced."""
         rest = self.without(self.names.index(pane.name)) if pane.name in self.names else self
         return Planes(frozen([*rest.normals, pane.normal]), frozen([*rest.centres, pane.centre]), (*rest.panes, pane))
 
     def without(self, index: int) -> Planes:
-        """The same planes but one."""
+        """The planes without one."""
         normals, centres = np.delete(self.normals, index, axis=0), np.delete(self.centres, index, axis=0)
         return Planes(frozen(normals), frozen(centres), (*self.panes[:index], *self.panes[index + 1 :]))
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What the planes are called."""
+        """Names of the planes."""
         return tuple(pane.name for pane in self.panes)
 
 
 def planes_of(panes: tuple[Pane, ...]) -> Planes:
-    """The planes that a robot's file gives; pane centres are dropped onto their planes exactly."""
+    """The planes of a robot's file; pane centres are projected onto their planes."""
     normals = np.array([pane.normal for pane in panes]).reshape(-1, 3)
     centres = np.array([pane.centre - (pane.normal @ pane.centre - pane.offset) * pane.normal for pane in panes])
     return Planes(frozen(normals), frozen(centres.reshape(-1, 3)), panes)
 
 
 def standing(planes: Sequence[Plane], inside: Array) -> Planes:
-    """Planes with the centres of their panes at the feet of a point (3,), m, that lies inside them all."""
+    """Planes whose panes are centred at the feet of perpendiculars from a point inside, (3,), m."""
     normals = np.array([plane.normal for plane in planes]).reshape(-1, 3)
     centres = np.array([plane.foot(inside) for plane in planes]).reshape(-1, 3)
     return Planes(frozen(normals), frozen(centres))
 
 
 def pane_axes(normal: Array) -> Array:
-    """The axes of a pane, R_world_pane (3, 3): z along its normal (3,), x level where it can be, else along x."""
+    """The axes of a pane, R_world_pane (3, 3): z along its normal (3,), x horizontal, or ⊥ y if z is near vertical."""
     z = normal / np.linalg.norm(normal)
     x = np.cross([0.0, 0.0, 1.0] if abs(z[2]) < 0.9 else [0.0, 1.0, 0.0], z)
     x /= np.linalg.norm(x)
@@ -112,9 +112,9 @@ def pane_axes(normal: Array) -> Array:
 
 
 def stopped_at_arm(normal: Array, centre: Array, points: Array, critical: float) -> Array:
-    """Where the centre of a plane that is moved comes to rest: c − max(0, δ − minⱼ n·(pⱼ − c)) n.
+    """The centre of a moved plane, limited so that the arm keeps its distance: c − max(0, δ − minⱼ n·(pⱼ − c)) n.
 
-    Args: normal (3,), unit; centre (3,), m, as asked; points (m, 3), m, of the arm; critical: δ, m. Returns (3,), m.
+    Args: normal (3,), unit; centre (3,), m, requested; points (m, 3), m, of the arm; critical: δ, m. Returns (3,), m.
     """
     nearest = float(np.min((points - centre) @ normal))
     return centre - max(0.0, critical - nearest) * normal

@@ -1,4 +1,4 @@
-"""How near is near: the zones of the distance from a plane, and what may be chosen for them."""
+"""The zones of the distance from a plane: free, warning, critical; and their valid ranges."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from enum import Enum
 
 from helicoide.text import HelicoideError, Text
 
-# The shell of the arm extends this far from the screw axes (Cerbaro 2022, fig. 43): the planes watch points, so no
-# critical distance may be less. The source leaves 15 mm beyond it; at least MARGIN is always left.
+# The shell of the arm extends this far from the screw axes (Cerbaro 2022, fig. 43). Distances are taken from points, so
+# the critical distance must be larger. The source adds 15 mm; at least MARGIN is required here.
 SHELL, MARGIN = 0.065, 0.010
 LEAST_CRITICAL = SHELL + MARGIN
-# Beyond these an arm between walls 620 mm apart, those of the source, has hardly room left to move or to be free.
+# With larger values an arm between walls 620 mm apart, as in the source, has hardly any free space.
 MOST_CRITICAL, MOST_WARNING = 0.150, 0.250
-# The warning zone is at least so deep: what approaches at 1 m/s is in it for one tick at least.
+# Least depth of the warning zone: a point that approaches at 1 m/s is in it for at least one tick.
 LEAST_DEPTH = 0.010
 
 
 class Zone(Enum):
-    """How near a point is to a plane."""
+    """The zone of a point's distance from a plane."""
 
     FREE = "free"
     WARNING = "warning"
@@ -27,8 +27,9 @@ class Zone(Enum):
 
 @dataclass(frozen=True)
 class Zones:
-    """Distances in m: no guarded point comes closer to a plane than `critical`; from `warning` on the arm is said to be
-    near. `between`: what stays free between two bodies, measured from surface to surface.
+    """Distances, m: no guarded point comes closer to a plane than `critical`; below `warning` people are warned.
+
+    between: least clearance between two bodies, from surface to surface.
     """
 
     critical: float = 0.080
@@ -36,13 +37,13 @@ class Zones:
     between: float = 0.010
 
     def of(self, distance: float) -> Zone:
-        """The zone of a distance in m; what is held at the critical distance counts as critical."""
+        """The zone of a distance, m; a point limited at the critical distance counts as critical."""
         if distance <= self.critical + 1e-6:
             return Zone.CRITICAL
         return Zone.WARNING if distance < self.warning else Zone.FREE
 
     def adjusted(self, critical: float, warning: float) -> Zones:
-        """The same zones with other distances, m; raises HelicoideError outside the safe bounds, which it names."""
+        """The zones with other distances, m; raises HelicoideError outside the valid range, which it states."""
         if not LEAST_CRITICAL <= critical <= MOST_CRITICAL or not critical + LEAST_DEPTH <= warning <= MOST_WARNING:
             raise HelicoideError(
                 Text(

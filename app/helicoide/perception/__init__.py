@@ -1,1 +1,1 @@
-"""Seeing the enclosure: point clouds from files and depth cameras, and the planes in them."""
+"""Measuring the enclosure: point clouds from files and depth cameras, and planes fitted to them."""

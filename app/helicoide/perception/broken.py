@@ -1,4 +1,4 @@
-"""How formats refuse a file."""
+"""The error of formats for an invalid file."""
 
 from __future__ import annotations
 
@@ -6,4 +6,4 @@ from helicoide.text import HelicoideError
 
 
 class Broken(HelicoideError):
-    """What is wrong with a file, as the part of a sentence."""
+    """What is wrong with a file, as part of a sentence."""

@@ -1,4 +1,4 @@
-"""A depth camera on the arm: what it is, where it sits, and what it would see of the scene."""
+"""A depth camera on the arm: its interface, its geometry, and a simulated one."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from helicoide.text import HelicoideError, Text
 
 
 class DepthCamera(Protocol):
-    """What gives a cloud of what is in front of the arm: a simulated camera, or a real one."""
+    """A camera that measures a point cloud from the arm, simulated or real."""
 
     def cloud(self, state: State) -> Cloud:
-        """The points seen from where the arm is, base frame."""
+        """The points seen in the posture of the state, base frame."""
 
 
 @dataclass(frozen=True, eq=False)
 class Camera:
-    """A camera by its frame and its field of view; x to the right of the picture, y down, z along the view.
+    """Geometry of a camera; its x axis points to the right of the picture, y down, z forward.
 
-    T_tool_camera (4, 4), m; view: full angles across and down, rad; depths (along z) from nearest to farthest, m, can
-    be measured; what is deeper than clip is cut off.
+    T_tool_camera (4, 4), m; view: horizontal and vertical field of view, rad; nearest, farthest: range of measurable
+    depths (along z), m; clip: larger depths are dropped, m.
     """
 
     T_tool_camera: Array
@@ -38,7 +38,7 @@ class Camera:
     clip: float
 
     def directions(self, resolution: tuple[int, int]) -> Array:
-        """Rays through the middles of the pixels, rows from above, (w h, 3), camera frame, each with z = 1."""
+        """Rays through the centres of the pixels, row by row from the top, (w h, 3), camera frame, each with z = 1."""
         across, down = (
             tan(full / 2) * (np.arange(count) + 0.5 - count / 2) * 2 / count
             for full, count in zip(self.view, resolution, strict=True)
@@ -47,30 +47,30 @@ class Camera:
         return np.stack([x.ravel(), y.ravel(), np.ones(x.size)], axis=1)
 
     def in_reach(self, depths: Array) -> Array:
-        """The depths (k,), m, or nan where they are too near, too far, or clipped."""
+        """The depths (k,), m; nan if too near, too far, or clipped."""
         seen = (depths >= self.nearest) & (depths <= min(self.farthest, self.clip))
         return np.where(seen, depths, np.nan)
 
 
 def on_hand(behind: float, above: float) -> Array:
-    """T_tool_camera (4, 4), m: along the tool from so far behind its point and above its axis, picture upright."""
+    """T_tool_camera (4, 4), m, of a camera that looks along the tool, `behind` its origin and `above` its axis, m."""
     T = np.eye(4)
     T[:3, :3] = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
     T[:3, 3] = -behind, 0.0, above
     return frozen(T)
 
 
-# The field of view and the range are those of the D435, the clip that of Cerbaro 2022, §3.2. Where the camera sat the
-# source does not say: on a bracket behind the gripper, above the wrist, is assumed.
+# The field of view and the range are those of the D435, the clip that of Cerbaro 2022, §3.2. The source does not give
+# the position of the camera: a bracket behind the gripper, above the wrist, is assumed.
 D435 = Camera(on_hand(behind=0.200, above=0.070), (radians(87), radians(58)), nearest=0.3, farthest=3.0, clip=0.7)
 
 
 @dataclass(frozen=True, eq=False)
 class SimulatedCamera:
-    """Sees the panes and obstacles of a state, exactly but for what is asked for; the arm itself it does not see.
+    """A camera that sees the panes and obstacles of a state, exactly except for noise and outliers, but not the arm.
 
-    resolution: pixels across and down; noise: σ of the depth, m; outliers: the share of readings that are anywhere
-    within the reach of the camera instead; seed: of both, the same seed gives the same cloud.
+    resolution: width and height in pixels; noise: σ of the depth, m; outliers: share of readings that are random within
+    the range of the camera; seed: of both, the same seed gives the same cloud.
     """
 
     camera: Camera = field(default_factory=lambda: D435)
@@ -80,7 +80,7 @@ class SimulatedCamera:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        """Refuse what no camera has."""
+        """Raise HelicoideError for impossible values."""
         width, height = self.resolution
         if not (1 <= width <= 1280 and 1 <= height <= 720 and 0 <= self.noise <= 0.1 and 0 <= self.outliers <= 1):
             raise HelicoideError(
@@ -92,14 +92,14 @@ class SimulatedCamera:
             )
 
     def cloud(self, state: State) -> Cloud:
-        """The points seen from where the arm is, base frame; pixels that see nothing are counted as dropped."""
+        """The points seen in the posture of the state, base frame; pixels without a depth are counted as dropped."""
         T = state.T_world_tool @ self.camera.T_tool_camera
         rays = self.camera.directions(self.resolution) @ T[:3, :3].T
         depths = self._measured(self.camera.in_reach(depths_of(state, T[:3, 3], rays)))
         return cloud_of(T[:3, 3] + depths[:, None] * rays)
 
     def _measured(self, depths: Array) -> Array:
-        """Depths as read: with noise, and some of them anywhere."""
+        """Depths with noise and outliers."""
         rng, camera = np.random.default_rng(self.seed), self.camera
         noisy = depths + self.noise * rng.normal(size=len(depths))
         anywhere = rng.uniform(camera.nearest, min(camera.farthest, camera.clip), len(depths))
@@ -108,7 +108,7 @@ class SimulatedCamera:
 
 
 def depths_of(state: State, eye: Array, rays: Array) -> Array:
-    """How far along each ray, in its length, the first pane or obstacle is, (k,); inf where there is none.
+    """Distance to the first pane or obstacle along each ray, in lengths of the ray, (k,); inf if there is none.
 
     Args: eye (3,), m, world; rays (k, 3), world.
     """

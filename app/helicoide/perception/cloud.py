@@ -1,4 +1,4 @@
-"""Points that a depth camera saw."""
+"""A point cloud."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from helicoide.arrays import Array
 from helicoide.perception.units import METRES, Unit
 from helicoide.text import Text
 
-# Farther points, m, are no readings of a room; of the largest numbers even squares would be infinite.
+# Farther points, m, are dropped: they cannot be readings of a room, and squares of huge numbers overflow.
 FARTHEST = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
 class Cloud:
-    """points (k, 3), m; dropped: how many more there were without coordinates, such as pixels that saw nothing.
+    """A point cloud: points (k, 3), m; dropped: number of points without coordinates, such as pixels without a depth.
 
-    notes: sentences about how the points came out of a file, such as the unit that was assumed.
+    notes: sentences on how the points were read from a file, such as the assumed unit.
     """
 
     points: Array
@@ -27,7 +27,7 @@ class Cloud:
 
     @property
     def words(self) -> Text:
-        """How many points there are, over which room, and how many were left out."""
+        """A sentence with the number of points, their extent, and the number of dropped points."""
         size = np.ptp(self.points, axis=0) if len(self.points) else np.zeros(3)
         return Text(
             en="{k} points within {x:.2f} × {y:.2f} × {z:.2f} m; {dropped} without coordinates were left out.",
@@ -36,7 +36,7 @@ class Cloud:
 
 
 def cloud_of(coordinates: Array, unit: Unit = "m", notes: tuple[Text, ...] = ()) -> Cloud:
-    """The cloud of rows x, y, z (k, 3); rows that are not finite, or beyond `FARTHEST`, are dropped and counted."""
+    """The cloud of rows x, y, z (k, 3); rows not finite, or farther than `FARTHEST`, are dropped and counted."""
     with np.errstate(invalid="ignore"):
         points = np.ascontiguousarray(coordinates, dtype=np.float64) * METRES[unit]
         kept = np.asarray((np.abs(points) <= FARTHEST).all(axis=1))

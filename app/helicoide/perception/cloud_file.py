@@ -1,4 +1,4 @@
-"""Point clouds from files: which format a file has, what it may be at most, and what is wrong with it."""
+"""Point clouds from files: the format by the file's ending, limits of size, and errors."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from helicoide.perception.formats import MOST_BYTES, MOST_POINTS
 from helicoide.perception.units import Unit, unit_of
 from helicoide.text import LANGUAGES, HelicoideError, Text, joined
 
-# What the parsers below the formats raise when a file is not what it says.
+# Exceptions of the parsers for a damaged file.
 _OF_PARSERS = (ValueError, ArithmeticError, LookupError, RuntimeError, OSError, EOFError, MemoryError)
 _OF_ARCHIVES = (zlib.error, zipfile.BadZipFile, struct.error)
 
 
 def load(path: Path, unit: Unit | None = None) -> Cloud:
-    """The cloud in a file. Raises HelicoideError: what is wrong with the file, and what is valid."""
+    """The cloud in a file. Raises HelicoideError with what is wrong with the file and what is valid."""
     try:
         data = written.raw(path, MOST_BYTES)
     except HelicoideError as error:
@@ -31,10 +31,10 @@ def load(path: Path, unit: Unit | None = None) -> Cloud:
 
 
 def read(name: str, data: bytes, unit: Unit | None = None) -> Cloud:
-    """The cloud in the bytes of a file; the ending of its name says the format.
+    """The cloud in the bytes of a file; the ending of its name determines the format.
 
-    unit: what its numbers count; None: as the file says, or else as they look. Points without finite coordinates are
-    dropped and counted. Raises HelicoideError: what is wrong with the file, and what is valid.
+    unit: unit of its numbers; None: the unit stated in the file, else one guessed from the numbers. Points without
+    finite coordinates are dropped and counted. Raises HelicoideError with what is wrong and what is valid.
     """
     ending = Path(name).suffix.lower()
     if ending not in formats.endings():
@@ -49,7 +49,7 @@ def read(name: str, data: bytes, unit: Unit | None = None) -> Cloud:
         raise _refusal(name, _DAMAGED.format(ending=ending)) from error
     try:
         taken, why = unit_of(raw.rows, unit, raw.unit)
-    except Broken as broken:  # its format is right
+    except Broken as broken:  # the format is the right one
         raise HelicoideError(_UNREAD.format(name=name, reason=broken.text)) from broken
     cloud = cloud_of(raw.rows, taken)
     if not len(cloud.points):
@@ -58,7 +58,7 @@ def read(name: str, data: bytes, unit: Unit | None = None) -> Cloud:
 
 
 def _extent(cloud: Cloud, why: Text) -> Text:
-    """The unit, and from where to where the points lie."""
+    """A sentence with the unit and the range of the coordinates."""
     lower, upper = cloud.points.min(axis=0), cloud.points.max(axis=0)
     ends = {f"{axis}{k}": end[i] for k, end in enumerate((lower, upper)) for i, axis in enumerate("xyz")}
     return Text(

@@ -1,4 +1,4 @@
-"""Rows of points with x, y and z among other columns, as bytes whose layout a header told."""
+"""Rows of points in bytes, with x, y and z among other columns; a header gives the layout."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ AXES = ("x", "y", "z")
 
 @dataclass(frozen=True)
 class Column:
-    """A column: its name, the numpy type of its numbers, and how many there are of them in one row.
+    """A column: its name, the numpy type of its numbers, and their count in one row.
 
-    length: the numpy type of a number before them that says how many there are; "" where that is always the same.
+    length: for a list of variable length, the numpy type of the count that precedes it; else "".
     """
 
     name: str
@@ -28,12 +28,12 @@ class Column:
 
     @property
     def size(self) -> int:
-        """Bytes in a row; of a list, those of one of its numbers."""
+        """Bytes in a row; for a list, bytes of one number."""
         return np.dtype(self.type).itemsize * self.count
 
 
 def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
-    """Rows that follow each other as bytes: x, y, z of each, (k, 3)."""
+    """The columns x, y, z, (k, 3), of bytes stored row by row."""
     places = [place(columns, axis) for axis in AXES]
     begins = np.cumsum([0, *(column.size for column in columns)])
     row = np.dtype(
@@ -50,7 +50,7 @@ def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
 
 
 def from_fields(columns: Sequence[Column], points: int, data: bytes) -> Array:
-    """Columns that follow each other as bytes, each whole: x, y, z of each point, (k, 3)."""
+    """The columns x, y, z, (k, 3), of bytes stored column by column."""
     begins = np.cumsum([0, *(column.size * points for column in columns)])
     check_rows(len(data) * points // max(int(begins[-1]), 1), points)
     numbers = [_field(columns[i], points, data, int(begins[i])) for i in (place(columns, axis) for axis in AXES)]
@@ -62,7 +62,7 @@ def _field(column: Column, points: int, data: bytes, begin: int) -> Array:
 
 
 def check_rows(there: int, promised: int) -> None:
-    """Raise Broken where a file ends too early."""
+    """Raise Broken if a file has fewer rows than its header states."""
     if there < promised:
         raise Broken(
             Text(
@@ -72,7 +72,7 @@ def check_rows(there: int, promised: int) -> None:
 
 
 def place(columns: Sequence[Column], axis: str) -> int:
-    """The number of the column of that name; raises Broken where there is none."""
+    """The index of the column named `axis`; raises Broken if there is none."""
     names = [column.name for column in columns]
     if axis not in names and axis.upper() in names:
         return names.index(axis.upper())

@@ -1,4 +1,4 @@
-"""Rows of points as lines of text, with x, y and z among other columns, whose layout a header told."""
+"""Rows of points as lines of text, with x, y and z among other columns; a header gives the layout."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SAMPLE = 200
 
 
 def from_text(columns: Sequence[Column], points: int, data: bytes, above: bytes, skipped: int = 0) -> Raw:
-    """Rows that are lines of text, below a header and some lines that are skipped: x, y, z of each, (k, 3)."""
+    """The columns x, y, z, (k, 3), of lines of text, after a header and `skipped` lines."""
     begins = np.cumsum([0, *(column.count for column in columns)])
     places = [int(begins[place(columns, axis)]) for axis in AXES]
     lines = islice(io.TextIOWrapper(io.BytesIO(data), encoding="latin-1"), skipped, None)
@@ -33,7 +33,7 @@ def from_text(columns: Sequence[Column], points: int, data: bytes, above: bytes,
 
 
 def _without_lists(lines: Iterable[str], columns: Sequence[Column]) -> Iterator[str]:
-    """Lines with one dash in place of each list, so that every column has its place."""
+    """Lines with each list replaced by one dash, so that every column has a fixed index."""
     for line in lines:
         words, at, kept = line.split(), 0, list[str]()
         for column in columns:

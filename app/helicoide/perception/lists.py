@@ -1,4 +1,4 @@
-"""Rows of bytes with lists in them, each as long as a number before it says."""
+"""Rows of bytes with lists of variable length, each preceded by its count."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Whole = NDArray[np.int64]
 
 
 def from_lists(columns: Sequence[Column], points: int, data: bytes) -> Array:
-    """Rows that follow each other as bytes, each as long as its lists make it: x, y, z of each, (k, 3)."""
+    """The columns x, y, z, (k, 3), of bytes stored row by row, with rows of different lengths."""
     places = [place(columns, axis) for axis in AXES]
     check_rows(len(data) // sum(np.dtype(column.length or column.type).itemsize for column in columns), points)
     begins = np.zeros((points, 3), dtype=np.int64)
@@ -35,7 +35,7 @@ def walked(
     begins: NDArray[np.int64] | None = None,
     places: Sequence[int] = (),
 ) -> tuple[int, int]:
-    """Where so many rows of bytes end, and how many there are; where some of their columns begin goes to begins."""
+    """The end of `points` rows of bytes and their number; start bytes of columns `places` are written to `begins`."""
     sizes = np.array([np.dtype(column.type).itemsize * column.count for column in columns], dtype=np.int64)
     lengths = np.array([np.dtype(column.length).itemsize if column.length else 0 for column in columns], dtype=np.int64)
     big = any(column.length.startswith(">") for column in columns)
@@ -54,11 +54,11 @@ def walk(
     places: Whole,
     begins: Whole,
 ) -> tuple[int, int]:
-    """Go through rows: where the last one ends, and how many there were before the bytes end.
+    """Go through rows; returns the end of the last complete row and the number of complete rows.
 
-    Args: way: the first byte, how many rows, and whether numbers are big-endian; sizes (n,) of a number of each column,
-    bytes; lengths (n,): of the number that says how many there are, 0 where there is one; places (3,): the columns
-    whose first bytes are written into begins (rows, 3), or none where begins has no rows.
+    Args: way: first byte, number of rows, and whether numbers are big-endian; sizes (n,): bytes of one number of each
+    column; lengths (n,): bytes of the count that precedes a list, 0 for a single number; places (3,): the columns whose
+    start bytes are written to begins (rows, 3), unless begins is empty.
     """
     at, rows, big = way
     for row in range(rows):

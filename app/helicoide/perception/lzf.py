@@ -1,8 +1,8 @@
-"""LZF, with which PCD files are packed: literal runs, and repeats of what was unpacked before.
+"""LZF, the compression of PCD files: literal runs, and repeats of bytes that were unpacked before.
 
-A control byte below 32 begins a run of so many bytes and one. In another its three upper bits hold the length of a
-repeat less two, 7 for one that is told by the next byte; the five lower bits and one more byte hold how far back it
-begins, less one.
+A control byte c below 32 begins a run of c + 1 literal bytes. Otherwise its three upper bits hold the length of a
+repeat minus 2; if they are 7, the next byte is added. The five lower bits and one more byte hold the distance back to
+its start, minus 1.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Bytes = NDArray[np.uint8]
 
 
 def unpacked(packed: bytes, size: int) -> bytes:
-    """The bytes that were packed; raises Broken unless they are so many."""
+    """The unpacked bytes; raises Broken unless there are exactly `size`."""
     out = np.empty(size, dtype=np.uint8)
     if unpack(np.frombuffer(packed, dtype=np.uint8), out) != size:
         raise Broken(Text(en="its compressed points are damaged", pt_BR="os pontos comprimidos estão danificados"))
@@ -27,7 +27,7 @@ def unpacked(packed: bytes, size: int) -> bytes:
 
 @kernel
 def unpack(packed: Bytes, out: Bytes) -> int:
-    """Unpack into out; returns how many bytes were written, or −1 where that is impossible."""
+    """Unpack into out; returns the number of bytes written, or −1 for damaged data."""
     i, o = 0, 0
     while i < packed.shape[0]:
         control = int(packed[i])
@@ -49,7 +49,7 @@ def unpack(packed: Bytes, out: Bytes) -> int:
             i += 1
             if back < 0 or o + length > out.shape[0]:
                 return -1
-            for k in range(length):  # one by one: a repeat may run into itself
+            for k in range(length):  # byte by byte: a repeat may overlap itself
                 out[o + k] = out[back + k]
         o += length
     return o

@@ -1,4 +1,4 @@
-"""The plane that most of a cloud lies on, of those that face a given way."""
+"""Fits a plane with a given orientation to a point cloud, by random sampling and least squares."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ from helicoide.geometry import rigid
 from helicoide.kernels import kernel
 from helicoide.text import HelicoideError, Text
 
-# The source fits with 5 mm and 4°; the planes it prints tilt up to 5.5° from the axes that they are sought along.
+# The source uses 5 mm and 4°; the planes it prints are tilted by up to 5.5° from their axes.
 DISTANCE, ANGLE = 0.005, np.radians(10)
 MOST_DISTANCE = 0.1
-# Fewer points, or a smaller share of the cloud, are found on some plane in any cloud, also where there is no wall.
+# Any cloud has this many points, or this share, near some plane, even without a wall: more are needed.
 FEWEST, LEAST_SHARE = 50, 0.05
-# Planes tried through three points each: where a tenth of the points is on the wall, fewer than 10⁻⁸ of clouds miss it.
+# Number of planes through three random points; the chance to miss a wall with a tenth of the points is below 10⁻⁸.
 DRAWS = 20_000
-# Draws are judged by so many points of the cloud; the best is then fitted to all that are near it.
+# Each plane is scored on this many points of the cloud; the best one is then fitted to all points near it.
 JUDGES = 8000
-# A draw is given up when so many more have judged it and it is already worse than the best.
+# Scoring checks after this many points whether a plane is already worse than the best.
 BLOCK = 500
 REFITS = 30
-# What a plane covers is counted in cubes of this size, m; one that covers so many times as much is taken instead.
+# The area of a plane is counted in occupied cubes of this size, m; a plane with WIDER times as many is preferred.
 CELL, WIDER = 0.02, 1.5
 THINNED = 100_000
-# Points spread less along a plane than so many times across it lie on a line.
+# Points whose smaller spread along the plane is less than this multiple of the spread across it lie on a line.
 NARROW = 3.0
 
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """A plane in a cloud of k points.
+    """A plane fitted to a cloud of k points.
 
-    on_it (k,): which points lie within the distance asked for; share of them; rms of their distances, m; angle of the
-    normal to the one asked for, rad; centre of the points on it, (3,), m.
+    on_it (k,): whether each point lies within the given distance; share: fraction of such points; rms: of their
+    distances, m; angle: between the normal and the given direction, rad; centre: of these points, (3,), m.
     """
 
     plane: Plane
@@ -61,16 +61,16 @@ def find(
     angle: float = ANGLE,
     seed: int = 0,
 ) -> Found | Text:
-    """The plane with the most points near it whose inward normal is within an angle of a given one; else why not.
+    """The plane with the most points near it whose inward normal is within `angle` of `towards`; else the reason.
 
-    Where another one covers more than that, it is the plane: a small thing may hold more points than a wall.
+    A plane that covers a larger area is preferred, as a small object may have more points than a wall.
 
-    Planes through three random points (π = ⋆σ/‖⋆σ‖) with l > 0 at the point inside are judged by Σ min(l², t²); the
-    best is fitted by least squares to the points with |l| ≤ t until these stay the same.
-    Args: points (k, 3), m; towards: the inward normal looked for, (3,), of any length; inside: a point on its side,
-    (3,), m; distance: t, m; angle: the largest, rad; seed: of the draws, the same seed gives the same plane.
-    Raises HelicoideError for a direction, point, distance or angle that is none.
-    Source: Cerbaro 2022, §6.1 and eqs. 20, 25–26, with a fit for the three points taken at last.
+    Planes through three random points (π = ⋆σ/‖⋆σ‖) with l > 0 at the point inside are scored by Σ min(l², t²); the
+    best is fitted by least squares to the points with |l| ≤ t until these do not change.
+    Args: points (k, 3), m; towards: approximate inward normal, (3,), any length; inside: a point on the inner side,
+    (3,), m; distance: t, m; angle: largest deviation, rad; seed: the same seed gives the same plane.
+    Raises HelicoideError for an invalid direction, point, distance or angle.
+    Source: Cerbaro 2022, §6.1 and eqs. 20, 25–26, with a least-squares fit in place of the last three points.
     """
     if len(points) < FEWEST:
         return Text(
@@ -98,7 +98,7 @@ def find(
             return False
         return _share(thin, _fitted(thin, wide, point, distance)[0], distance) > WIDER * _share(thin, other, distance)
 
-    first = answered(dense)  # to all points, which takes longest; to the wide one only where it may be the answer
+    first = answered(dense)  # the fit to all points takes longest; the wide plane is fitted only if it is needed
     if isinstance(first, Found) and not is_wider(first.plane):
         return first
     second = answered(wide)
@@ -106,16 +106,16 @@ def find(
 
 
 def thinned(points: Array) -> Array:
-    """One of the points in each cube of `CELL`: as many as a thing is large, however densely it was seen."""
+    """One point from each cube of edge `CELL`, so that an object counts by its size and not by its point density."""
     cubes = np.floor(points / CELL).astype(np.int64)
     cubes -= cubes.min(axis=0)
     size = cubes.max(axis=0) + 1
     _, first = np.unique((cubes[:, 0] * size[1] + cubes[:, 1]) * size[2] + cubes[:, 2], return_index=True)
-    return points[np.sort(first)]  # in their order, which is random
+    return points[np.sort(first)]  # in the original, random order
 
 
 def _share(points: Array, plane: Plane | _Fit, distance: float) -> float:
-    """How much of some points lies within a distance of a plane."""
+    """Fraction of the points within a distance of a plane."""
     return float(np.mean(np.abs(points @ plane.normal - plane.offset) <= distance))
 
 
@@ -134,11 +134,11 @@ def _check(towards: Array, inside: Array, distance: float, angle: float) -> None
 
 @kernel
 def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distance: float) -> Array:
-    """The plane through one of many triples with the least Σ min(l², t²), (n_x, n_y, n_z, d); zero if none is allowed.
+    """The plane through a triple of points with the least Σ min(l², t²), (n_x, n_y, n_z, d); zero if none is valid.
 
-    n = ∓(p2 − p1)×(p3 − p1)/‖·‖, l = n·r − d. Triples on a line have no plane, nor do count those that face elsewhere.
-    Args: triples (k, 3, 3), m; judges (m, 3), m; cone (4,): the normal looked for and the least cosine with it;
-    inside (3,), m; distance: t, m. Source: Cerbaro 2022, eqs. 20, 25–26; the measure: Torr & Zisserman 2000.
+    n = ∓(p2 − p1)×(p3 − p1)/‖·‖, l = n·r − d. Collinear triples and planes outside the cone of normals are skipped.
+    Args: triples (k, 3, 3), m; judges (m, 3), m: points of the score; cone (4,): axis and least cosine of the normal;
+    inside (3,), m; distance: t, m. Source: Cerbaro 2022, eqs. 20, 25–26; the score: Torr & Zisserman 2000.
     """
     best, found = np.inf, np.zeros(4)
     square = distance * distance
@@ -172,7 +172,7 @@ def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distanc
 
 @dataclass(frozen=True, eq=False)
 class _Fit:
-    """A plane (n, d) of the points near it, their centre, and their rms across it and along it where narrowest."""
+    """A plane (n, d) fitted to points, their centre, and their rms across the plane and in its narrowest direction."""
 
     normal: Array
     offset: float
@@ -182,7 +182,7 @@ class _Fit:
 
 
 def _fitted(points: Array, drawn: Array, inside: Array, distance: float) -> tuple[_Fit, NDArray[np.bool_]]:
-    """Least squares of the points near a plane, and again of those near the result, until these stay the same."""
+    """Least-squares fit to the points near a plane, repeated until the set of near points does not change."""
     origin = drawn[3] * drawn[:3]
     sums, plane = np.zeros(10), drawn
     for _ in range(REFITS):
@@ -196,9 +196,9 @@ def _fitted(points: Array, drawn: Array, inside: Array, distance: float) -> tupl
 
 @kernel
 def near_sums(points: Array, plane: Array, origin: Array, distance: float) -> Array:
-    """Of the points with |l| ≤ t: how many, Σ r, and Σ of xx, xy, xz, yy, yz, zz, with r from an origin; (10,).
+    """Moments of the points with |l| ≤ t: count, Σ r, and Σ of xx, xy, xz, yy, yz, zz, r relative to origin; (10,).
 
-    Args: points (k, 3), m; plane (n_x, n_y, n_z, d); origin (3,), m, near them, which keeps their digits; distance:
+    Args: points (k, 3), m; plane (n_x, n_y, n_z, d); origin (3,), m, near the points, to avoid cancellation; distance:
     t, m.
     """
     sums = np.zeros(10)
@@ -215,9 +215,9 @@ def near_sums(points: Array, plane: Array, origin: Array, distance: float) -> Ar
 
 
 def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
-    """The plane through the centre of points across which they vary least: the least eigenvector of Σ r rᵀ.
+    """The least-squares plane: its normal is the eigenvector of the smallest eigenvalue of Σ r rᵀ about the centre.
 
-    Args: sums (10,) of `near_sums` from that origin; inside (3,), m: where the normal points.
+    Args: sums (10,) of `near_sums` with that origin; inside (3,), m: the normal points to its side.
     """
     mean = sums[1:4] / sums[0]
     products = sums[[4, 5, 6, 5, 7, 8, 6, 8, 9]].reshape(3, 3) / sums[0]
@@ -231,7 +231,7 @@ def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
 def _judged(
     points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float, covered: float
 ) -> Found | Text:
-    """The plane with what there is to say of it, or why it is none; covered: its share of all cubes with points."""
+    """The fitted plane, or the reason to reject it; covered: its share of all cubes with points."""
     if fit.along <= NARROW * fit.across or fit.along < 1e-9:
         return Text(
             en="No plane: the points lie along a line, and through a line there are many planes.",

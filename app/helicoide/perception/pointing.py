@@ -1,4 +1,4 @@
-"""What a ray from the eye points at: a point that was measured, or else the nearest thing in the scene."""
+"""The point under a ray from the camera of the page: a measured point, else the nearest object of the scene."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from helicoide.confinement import Planes
 from helicoide.perception.camera import depths_of
 from helicoide.state import State
 
-# A measured point is meant by a ray that passes it at less than this angle, rad.
+# A measured point is chosen if its angle to the ray is less than this, rad.
 NEAR = 0.01
 
 
 def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
-    """The point meant by a ray, (3,), m; None where it meets nothing, or is none.
+    """The point under a ray, (3,), m; None if it meets nothing or is not finite.
 
-    A point of the clouds is preferred, since it was measured; then the nearest pane or obstacle; then the floor. A pane
-    is looked through from behind, as from outside the enclosure.
+    Measured points of the clouds come first, then the nearest pane or obstacle, then the floor. Panes are transparent
+    from behind, as seen from outside the enclosure.
     Args: eye, where the ray starts, (3,), m; ray (3,), its direction.
     """
     length = float(np.linalg.norm(ray))
@@ -41,7 +41,7 @@ def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
 
 
 def _measured(state: State, eye: Array, along: Array) -> Array | None:
-    """The nearest to the eye of the points of all clouds that the ray passes closely."""
+    """Of the cloud points close to the ray, the one nearest to the eye."""
     points = np.concatenate([np.empty((0, 3)), *(seen.points for seen in state.seen.values())])
     ways = points - eye
     depths = ways @ along

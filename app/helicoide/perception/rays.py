@@ -1,4 +1,4 @@
-"""Where rays e + t v first meet a pane or a capsule: t in lengths of v, infinite where they miss it."""
+"""Intersections of rays e + t v with a pane or a capsule: t in lengths of v, infinite if they miss."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from helicoide.arrays import Array
 
 
 def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: tuple[float, float]) -> Array:
-    """The rectangle around a centre: t = n·(c − e)/n·v, where e + t v is inside. Either face is seen.
+    """Intersection with a rectangle about a centre: t = n·(c − e)/n·v if e + t v is inside; from either side.
 
     Args: eye, centre (3,), m; rays (k, 3); R_world_pane (3, 3), z its normal; size: full lengths along x and y, m.
     Returns (k,).
@@ -22,10 +22,10 @@ def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: t
 
 
 def to_capsule(eye: Array, rays: Array, ends: Array, radius: float) -> Array:
-    """The body within a radius, m, of the piece between two ends (2, 3), m: t > 0 where the ray enters, or leaves it.
+    """Intersection with the capsule of a radius, m, about the segment between two ends (2, 3), m: least t > 0.
 
-    It is convex, so that what a line has inside of it reaches from the first of its parts, side and balls, to the last.
-    Args: eye (3,), m; rays (k, 3); both ends alike are a ball. Returns (k,); of an eye inside, where the ray leaves.
+    A capsule is convex, so a line is inside it from its first to its last intersection with cylinder and spheres.
+    Args: eye (3,), m; rays (k, 3); equal ends make a sphere. Returns (k,); from inside, where the ray leaves.
     """
     spans = [_in_side(eye, rays, ends, radius), *(_in_ball(eye, rays, end, radius) for end in ends)]
     enters = np.min([span[0] for span in spans], axis=0)
@@ -37,13 +37,13 @@ Span = tuple[Array, Array]
 
 
 def _in_ball(eye: Array, rays: Array, centre: Array, radius: float) -> Span:
-    """Where a line is within a radius of a point: ‖e + t v − c‖ ≤ r."""
+    """Interval of t in a sphere: ‖e + t v − c‖ ≤ r."""
     start = eye - centre
     return _between_roots(np.einsum("ka,ka->k", rays, rays), rays @ start, float(start @ start) - radius**2)
 
 
 def _in_side(eye: Array, rays: Array, ends: Array, radius: float) -> Span:
-    """Where a line is within a radius of another, and between two planes through the ends of a piece of it."""
+    """Interval of t in the cylinder of a capsule, between the planes through its ends."""
     length = float(np.linalg.norm(ends[1] - ends[0]))
     if length == 0.0:
         return np.full(len(rays), np.inf), np.full(len(rays), -np.inf)
@@ -64,7 +64,7 @@ def _in_side(eye: Array, rays: Array, ends: Array, radius: float) -> Span:
 
 
 def _between_roots(a: Array, b: Array, c: float) -> Span:
-    """Where a t² + 2 b t + c ≤ 0, a ≥ 0: from the lesser root to the greater; from ∞ to −∞ where nowhere."""
+    """Interval with a t² + 2 b t + c ≤ 0, a ≥ 0, between the two roots; from ∞ to −∞ if it is empty."""
     discriminant = b * b - a * c
     with np.errstate(divide="ignore", invalid="ignore"):
         half = np.sqrt(np.maximum(discriminant, 0.0))

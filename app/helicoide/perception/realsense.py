@@ -1,4 +1,4 @@
-"""A RealSense depth camera on the arm, through the package pyrealsense2 where it is installed."""
+"""A RealSense depth camera on the arm, with the optional package pyrealsense2."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from helicoide.state import State
 from helicoide.text import HelicoideError, Text
 
 PACKAGE = "pyrealsense2"
-# Until the exposure has settled, depths are missing or wrong.
+# Pictures to skip: until the exposure has settled, depths are missing or wrong.
 SETTLING = 30
 PATIENCE_MS = 5000
 NO_PICTURE = Text(
@@ -40,7 +40,7 @@ NO_PACKAGE = Text(
 
 
 def installed() -> bool:
-    """Whether the package is there, so that a camera may be asked for."""
+    """Whether the package is installed."""
     return PACKAGE in sys.modules or importlib.util.find_spec(PACKAGE) is not None
 
 
@@ -56,7 +56,7 @@ class RealSense:
         Raises HelicoideError when no picture comes, as from a camera that was pulled out.
         """
         T = state.T_world_tool @ self._camera.T_tool_camera
-        self.points_in_view()  # this picture may have waited since before the arm came to rest
+        self.points_in_view()  # discard one picture, which may date from before the arm came to rest
         seen = self.points_in_view()
         points = T[:3, 3] + seen @ T[:3, :3].T
         points[np.isnan(self._camera.in_reach(seen[:, 2]))] = np.nan
@@ -74,10 +74,10 @@ class RealSense:
 
 @contextmanager
 def connected(camera: Camera = D435, resolution: tuple[int, int] = (848, 480), rate: int = 30) -> Iterator[RealSense]:
-    """The first RealSense camera that is plugged in, sending depths until the block ends.
+    """The first connected RealSense camera, which streams depths until the block ends.
 
-    camera: where it sits and what to cut off; resolution: pixels; rate: pictures a second. Raises HelicoideError where
-    the package or the camera is missing, or the camera has no such resolution.
+    camera: its pose and clipping; resolution: pixels; rate: pictures a second. Raises HelicoideError if the package or
+    the camera is missing, or the camera has no such resolution.
     """
     package = _package()
     pipeline, wished = package.pipeline(), package.config()

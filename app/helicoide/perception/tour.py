@@ -1,4 +1,4 @@
-"""The source's way to measure an enclosure: from three poses the camera on the wrist reads one plane each."""
+"""The source's method to measure an enclosure: from three postures the wrist camera measures one plane each."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from helicoide.perception.planes import Found, find
 from helicoide.state import Seen, State
 from helicoide.text import LANGUAGES, Text
 
-# What a simulated reading suffers from: as a depth camera at half a metre, σ in m and the share of wrong readings.
+# Noise of a simulated depth camera at half a metre: σ, m, and the share of wrong readings.
 NOISE, OUTLIERS = 0.002, 0.1
 FOUND = Text(
     en="{title}: {share:.0f} % of {k} points on it, rms {rms:.1f} mm, {angle:.1f}° from the axis",
@@ -27,7 +27,7 @@ NOT_FOUND = Text(en="{title}: {why}", pt_BR="{title}: {why}")
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """A plane to be read: its name and title, from which posture, and the inward normal that is looked for, (3,)."""
+    """A plane to be measured: the posture, the plane's name and title, and its approximate inward normal, (3,)."""
 
     pose: str
     name: str
@@ -43,12 +43,12 @@ READINGS = (
 
 
 def readings(robot: Robot) -> tuple[Reading, ...]:
-    """The planes that an arm can read: those for which it has a posture. Source: Cerbaro 2022, §6.1."""
+    """The planes that an arm can measure, those for which it has a posture. Source: Cerbaro 2022, §6.1."""
     return tuple(reading for reading in READINGS if reading.pose in robot.poses)
 
 
 def seen_by(camera: DepthCamera, state: State) -> Cloud:
-    """What a camera sees from where the arm is; a simulated one sees the enclosure of the robot's file."""
+    """The cloud that a camera sees in the posture of the state; a simulated one sees the planes of the robot's file."""
     if isinstance(camera, SimulatedCamera):
         enclosure = replace(state.problem, planes=planes_of(state.robot.panes))
         state = replace(state, problem=enclosure)
@@ -56,7 +56,7 @@ def seen_by(camera: DepthCamera, state: State) -> Cloud:
 
 
 def found_in(cloud: Cloud, reading: Reading, inside: Array, seed: int = 0) -> tuple[Seen, Pane | None]:
-    """The plane of a reading in a cloud: what is to be shown of it, and its pane, None where there is no plane.
+    """The plane of a reading in a cloud: its display, and its pane, or None if no plane is found.
 
     inside (3,), m: a point on the side of the arm.
     """
@@ -75,7 +75,7 @@ def found_in(cloud: Cloud, reading: Reading, inside: Array, seed: int = 0) -> tu
 
 
 def _told(words: Text, cloud: Cloud) -> Text:
-    """What was found, and how the points came out of their file."""
+    """The result, with the notes of the cloud."""
     if not cloud.notes:
         return words
     sentences = {
@@ -86,7 +86,7 @@ def _told(words: Text, cloud: Cloud) -> Text:
 
 
 def _pane(found: Found, cloud: Cloud, reading: Reading) -> Pane:
-    """A pane as large as what was seen of the plane."""
+    """A pane as large as the measured part of the plane."""
     spread = np.sort(np.ptp(cloud.points[found.on_it], axis=0))[1:]
     size = (float(max(spread[1], 0.3)), float(max(spread[0], 0.3)))
     return pane_on(found.plane, reading.name, reading.title, found.centre, size)

@@ -1,4 +1,4 @@
-"""What the numbers of a cloud count: as a person chose, as the file says, or as they look."""
+"""The unit of a cloud's numbers: chosen by a person, stated in the file, or guessed from the numbers."""
 
 from __future__ import annotations
 
@@ -20,9 +20,10 @@ TITLES: dict[Unit, Text] = {
     "inch": Text(en="inches", pt_BR="polegadas"),
     "ft": Text(en="feet", pt_BR="pés"),
 }
-# What an arm sees is not as wide in metres, nor as narrow in millimetres; between the two nobody can tell.
+# Clouds wider than the first, in metres, or narrower than the second, in mm, are implausible; between them the unit is
+# ambiguous.
 WIDEST_M, NARROWEST_MM = 10.0, 400.0
-# An arm looks for planes among points that are nearer to its base, m.
+# Largest distance of a cloud from the base of the arm, m.
 ROOM = 20.0
 ENOUGH = 200_000
 SAYS = Text(en="In {unit}, as the file says", pt_BR="Em {unit}, como diz o arquivo")
@@ -34,7 +35,7 @@ LOOKS = Text(
 
 
 def unit_of(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, Text]:
-    """What the numbers of rows (k, 3) count, and why; raises Broken where that cannot be told, or is far away."""
+    """The unit of rows (k, 3), and the reason; raises Broken if it is ambiguous, or the points are too far away."""
     unit, why = (chosen, CHOSEN) if chosen else (said, SAYS) if said else (None, LOOKS)
     some = _finite(rows)
     if unit is None:
@@ -44,13 +45,13 @@ def unit_of(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, 
 
 
 def _finite(rows: Array) -> Array:
-    """Of many rows some, and only those that are near enough to be of this Earth, in whatever unit."""
+    """A sample of the rows with plausible finite numbers."""
     some = rows[:: max(1, len(rows) // ENOUGH)]
     return some[(np.abs(some) < 1e15).all(axis=1)]
 
 
 def _looks(rows: Array) -> Unit:
-    """The unit by how widely most points are spread."""
+    """The unit guessed from the spread of most points."""
     if not len(rows):
         return "m"
     sizes = np.percentile(rows, 95, axis=0) - np.percentile(rows, 5, axis=0)
@@ -70,7 +71,7 @@ def _looks(rows: Array) -> Unit:
 
 
 def _nearest(rows: Array) -> float:
-    """How near the nearest points come to the base, along the axis where they are farthest, but for a few strays."""
+    """Distance of the nearest points from the base, as the largest coordinate, without the nearest 5 %."""
     return float(np.percentile(np.abs(rows).max(axis=1), 5))
 
 

@@ -1,8 +1,8 @@
-"""Machine parts as triangle meshes: outlines, rounded prisms, turned parts, cables, bolts, and the GLB to carry them.
+"""Machine parts as triangle meshes: outlines, rounded prisms, lathe parts, cables, bolts; and their GLB files.
 
-A drawing keeps to one unit of length throughout and `glb` turns it into metres. An outline is an (n, 2) array (u, v),
-counter-clockwise, drawn as it is seen from where `axis` points: u to the right and v up. Seen along the vertical, u is
-x, and v is y (axis "z") or -y (axis "-z").
+A drawing uses one unit of length, which `glb` converts to metres. An outline is an (n, 2) array (u, v),
+counter-clockwise, seen from the tip of `axis`: u to the right and v up. For a vertical axis u is x, and v is y (axis
+"z") or -y (axis "-z").
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ SMOOTH_COS = np.cos(np.radians(50.0))  # flatter edges are shaded round: a 45° 
 
 
 def circle(radius: float, sides: int = 32, centre: ArrayLike = (0.0, 0.0)) -> Array:
-    """A regular polygon of that circumscribed radius."""
+    """A regular polygon with the given circumscribed radius."""
     angle = 2 * np.pi * np.arange(sides) / sides
     ring: Array = radius * np.column_stack([np.cos(angle), np.sin(angle)]) + np.asarray(centre)
     return ring
@@ -49,7 +49,7 @@ def hull(*outlines: ArrayLike) -> Array:
 
 
 def stadium(a: ArrayLike, b: ArrayLike, radius_a: float, radius_b: float | None = None, sides: int = 32) -> Array:
-    """The outline of a link: the round of one axis, the round of the other and their two tangents."""
+    """The outline of a link: circles about two points, and their common tangents."""
     return hull(circle(radius_a, sides, a), circle(radius_a if radius_b is None else radius_b, sides, b))
 
 
@@ -73,7 +73,7 @@ def rounded(points: ArrayLike, radius: float, steps: int = 3) -> Array:
 
 
 def inset(outline: Array, distance: float) -> Array:
-    """The outline moved inwards by the distance, point for point (outwards when negative)."""
+    """The outline moved inwards by the distance, or outwards if negative, with the same number of points."""
     edge = np.roll(outline, -1, axis=0) - outline
     edge /= np.linalg.norm(edge, axis=1, keepdims=True)
     inward = np.column_stack([-edge[:, 1], edge[:, 0]])
@@ -113,7 +113,7 @@ def stacked(
 def prism(
     outline: Array, length: float, edge: float = 0.0, steps: int = 1, axis: Axis = "z", at: ArrayLike = ORIGIN
 ) -> trimesh.Trimesh:
-    """The outline drawn out along the axis; its rims are chamfered (one step) or rounded (more) by `edge`."""
+    """The outline extruded along the axis; its rims are chamfered (one step) or rounded (more) by `edge`."""
     turn = np.linspace(0, np.pi / 2, steps + 1) if edge else np.array([0.0])
     rim = [(inset(outline, edge * (1 - np.cos(t))), length / 2 - edge * (1 - np.sin(t))) for t in turn]
     return stacked([(ring, -height) for ring, height in reversed(rim)] + rim, axis, at)
@@ -122,7 +122,7 @@ def prism(
 def raised(
     outline: Array, height: float, edge: float = 0.0, steps: int = 1, axis: Axis = "z", at: ArrayLike = ORIGIN
 ) -> trimesh.Trimesh:
-    """A cover that stands on the plane through `at`, open underneath, its outer rim chamfered or rounded."""
+    """A cover on the plane through `at`, open underneath, with its outer rim chamfered or rounded."""
     turn = np.linspace(0, np.pi / 2, steps + 1) if edge else np.array([0.0])
     rim = [(inset(outline, edge * (1 - np.cos(t))), height - edge * (1 - np.sin(t))) for t in turn]
     return stacked([(outline, 0.0), *rim], axis, at, bottom=False)
@@ -238,7 +238,7 @@ def joined(solids: Iterable[trimesh.Trimesh]) -> trimesh.Trimesh:
 
 
 def wrapped(*solids: trimesh.Trimesh) -> trimesh.Trimesh:
-    """The tight convex skin around the solids: a housing that runs from one shape into another."""
+    """The convex hull of the solids, such as a housing between two shapes."""
     skin: trimesh.Trimesh = trimesh.convex.convex_hull(np.vstack([solid.vertices for solid in solids]))
     return skin
 
@@ -250,7 +250,7 @@ def cut(body: trimesh.Trimesh, *tools: trimesh.Trimesh) -> trimesh.Trimesh:
 
 
 def paint(red: int, green: int, blue: int, roughness: float, metallic: float = 0.0) -> PBRMaterial:
-    """A surface from the colour that a screen shows (sRGB 0 to 255); glTF stores it linear."""
+    """A material of a colour in sRGB, 0 to 255; glTF stores it linear."""
     screen = np.array([red, green, blue]) / 255
     linear = np.where(screen <= 0.04045, screen / 12.92, ((screen + 0.055) / 1.055) ** 2.4)
     return PBRMaterial(baseColorFactor=[*linear, 1.0], roughnessFactor=roughness, metallicFactor=metallic)

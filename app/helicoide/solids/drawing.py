@@ -1,4 +1,4 @@
-"""A machine drawn part by part, in millimetres: its solids by surface, and the files they become."""
+"""A machine drawn part by part, in millimetres: its solids by surface, and its GLB files."""
 
 from __future__ import annotations
 

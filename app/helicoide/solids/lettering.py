@@ -1,4 +1,4 @@
-"""Words in raised letters: one alphabet for the names on all machines."""
+"""Raised lettering for the names on all machines."""
 
 from __future__ import annotations
 
@@ -51,6 +51,6 @@ def word(
 
 
 def on_both_sides(text: str, height: float, depth: float, at: Place, pen: float = 0.9) -> list[Trimesh]:
-    """The word on the right side of the arm, centred on `at`, and on its left side, to be read on either."""
+    """The word on the right side of the arm, centred on `at`, and mirrored in position on its left side."""
     x, y, z = at
     return [word(text, height, depth, "-y", at, pen), word(text, height, depth, "y", (x, -y, z), pen)]

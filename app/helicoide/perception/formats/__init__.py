@@ -1,7 +1,7 @@
-"""The formats of point clouds, a file each.
+"""The formats of point clouds, one module each.
 
-A module has TITLE, the format in words, ENDINGS of file names, and `coordinates(data)`: the rows x, y, z (k, 3) of a
-file's bytes, as they are, with what is not finite, as `Raw`. It raises `Broken`, or what the parser below it raises.
+A module has TITLE, the name of the format, ENDINGS of file names, and `coordinates(data)`: the rows x, y, z (k, 3) in
+the bytes of a file as `Raw`, including rows that are not finite. It raises `Broken`, or an exception of its parser.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from helicoide.perception.broken import Broken
 from helicoide.perception.units import Unit
 from helicoide.text import Text
 
-# More takes longer to read than a person waits, and memory that others on the machine need.
+# Larger files take too long and too much memory.
 MOST_POINTS = 5_000_000
 MOST_BYTES = 200_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class Raw:
-    """What a file holds: rows x, y, z (k, 3), sentences on how they were read, and the unit where the file says one."""
+    """The content of a file: rows x, y, z (k, 3), notes on how they were read, and the unit if the file states one."""
 
     rows: Array
     notes: tuple[Text, ...] = ()
@@ -31,7 +31,7 @@ class Raw:
 
 
 class Format(Protocol):
-    """What a module of this folder holds."""
+    """The interface of a module of this folder."""
 
     TITLE: Text
     ENDINGS: tuple[str, ...]
@@ -42,7 +42,7 @@ class Format(Protocol):
 
 @cache
 def found() -> tuple[Format, ...]:
-    """Every format there is."""
+    """All formats."""
     return tuple(cast(Format, module) for module in content.modules(__name__).values())
 
 
@@ -53,7 +53,7 @@ def endings() -> dict[str, Format]:
 
 
 def check_count(points: int) -> int:
-    """The number of points; raises Broken where there are none, or too many."""
+    """The number of points; raises Broken if there are none, or too many."""
     if points < 1:
         raise Broken(Text(en="there are no points in it", pt_BR="não há pontos nele"))
     if points > MOST_POINTS:

@@ -1,7 +1,7 @@
-"""LAS, of laser scanners: a header, then points as whole numbers of steps from an origin.
+"""LAS, the format of laser scanners: a header, then points as integer multiples of a step from an origin.
 
-Source: ASPRS LAS 1.4 R15, tables 3 and 7; the coordinates stand alike in every version and kind of point.
-LAZ, its packed form, is known and not read: the package that unpacks it ends the whole lab where a file is damaged.
+Source: ASPRS LAS 1.4 R15, tables 3 and 7; the coordinates are stored alike in all versions and point formats.
+LAZ, its compressed form, is refused: the package that unpacks it crashes the program on damaged files.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""NPY, one array of numpy: rows of points (k, n), or the picture (h, w, n) of a depth camera.
+"""NPY, one array of numpy: rows of points (k, n), or an image (h, w, n) of a depth camera.
 
-x, y and z are the fields of that name, or else the first three numbers of a row, unless these look like something else.
+x, y and z are the fields of that name, else the first three numbers of a row unless these look like something else.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from helicoide.text import Text
 
 TITLE = Text(en="NPY (an array k × 3)", pt_BR="NPY (uma matriz k × 3)")
 ENDINGS = (".npy",)
-# More numbers in a row are no point with what belongs to it.
+# Largest number of columns.
 MOST_WIDE = 32
 SAMPLE = 200
 
@@ -60,16 +60,16 @@ def coordinates(data: bytes) -> Raw:
 
 
 def _rows(array: NDArray[Any]) -> Raw:
-    """The three columns of rows (k, n) that hold x, y and z."""
+    """The columns x, y and z of rows (k, n)."""
     spread = array[:: max(1, len(array) // SAMPLE)][:SAMPLE].astype(np.float64)
     columns, notes = unnamed.places(array[:SAMPLE].astype(np.float64), spread)
     return Raw(array[:, columns].astype(np.float64), notes)
 
 
 def _header(file: io.BytesIO) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
-    """Shape of the array, whether it lies column by column, and the type of its numbers."""
+    """Shape of the array, whether it is stored in column-major order, and the type of its numbers."""
     try:
-        with warnings.catch_warnings():  # of headers by Python 2
+        with warnings.catch_warnings():  # about headers written by Python 2
             warnings.simplefilter("ignore", UserWarning)
             version = npy_format.read_magic(file)
             read = npy_format.read_array_header_1_0 if version == (1, 0) else npy_format.read_array_header_2_0

@@ -1,4 +1,4 @@
-"""NPZ, several arrays of numpy: the one with a name of points, or the only one."""
+"""NPZ, several arrays of numpy: the array whose name means points is read, or the only one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.text import Text
 TITLE = Text(en="NPZ (with an array points)", pt_BR="NPZ (com uma matriz points)")
 ENDINGS = (".npz",)
 
-# What programs call the array of points, and libraries after them.
+# Usual names of the array of points.
 NAMES = ("points", "xyz", "point_cloud", "pointcloud", "cloud", "pcd", "vertices", "coords", "coordinates", "positions")
 
 

@@ -1,4 +1,4 @@
-"""PCD, the format of the Point Cloud Library: a header of fields, then numbers as text, bytes, or packed bytes.
+"""PCD, the format of the Point Cloud Library: a header of fields, then numbers as text, bytes, or compressed bytes.
 
 The points stay in the frame of the file; the viewpoint of the header is not applied, as PCL does not either.
 """
@@ -48,7 +48,7 @@ def coordinates(data: bytes) -> Raw:
 
 
 def _parsed(header: str) -> tuple[int, list[Column]]:
-    """How many points there are, and their columns."""
+    """The number of points, and their columns."""
     lines = [line.split() for line in header.splitlines() if not line.startswith("#")]
     entries = {words[0]: words[1:] for words in lines if words}
     fields, types = entries.get("FIELDS", []), entries.get("TYPE", [])
@@ -78,7 +78,7 @@ def _column(name: str, kind: str, size: str, count: str) -> Column:
 
 
 def _count(entries: dict[str, list[str]]) -> int:
-    """POINTS or, in older files, WIDTH times HEIGHT."""
+    """The number of points: POINTS or, in older files, WIDTH × HEIGHT."""
     for names in (("POINTS",), ("WIDTH", "HEIGHT")):
         words = [word for name in names for word in entries.get(name, [])]
         if len(words) == len(names) and all(word.isdecimal() for word in words):
@@ -87,7 +87,7 @@ def _count(entries: dict[str, list[str]]) -> int:
 
 
 def _from_packed(columns: list[Column], points: int, data: bytes) -> Array:
-    """All numbers of one field, then all of the next, packed together by LZF behind two lengths of four bytes."""
+    """Columns stored one after another and compressed together by LZF, after two lengths of four bytes."""
     packed, whole = struct.unpack_from("<II", data) if len(data) >= 8 else (0, 0)
     if len(data) < 8 + packed:
         raise Broken(Text(en="its compressed points break off", pt_BR="os pontos comprimidos acabam cedo"))

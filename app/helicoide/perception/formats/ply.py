@@ -50,7 +50,7 @@ def coordinates(data: bytes) -> Raw:
 
 
 def _behind(columns: list[Column], count: int, data: bytes, begin: int) -> int:
-    """Where an element ends that begins there."""
+    """The end of an element that starts at byte `begin`."""
     if not any(column.length for column in columns):
         return begin + count * sum(column.size for column in columns)
     end, there = walked(columns, count, data, begin)
@@ -65,7 +65,7 @@ def _behind(columns: list[Column], count: int, data: bytes, begin: int) -> int:
 
 
 def _parsed(header: str) -> tuple[str, list[tuple[str, int, list[Column]]]]:
-    """The order of bytes, "" for text, and the elements up to vertex: name, count, columns."""
+    """The byte order, "" for text, and the elements up to vertex: name, count, columns."""
     order, elements = None, list[tuple[str, int, list[Column]]]()
     for line in header.splitlines()[1:]:
         match line.split():

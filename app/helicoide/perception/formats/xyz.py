@@ -1,7 +1,7 @@
-"""Text with a point a line, its numbers parted by blanks, commas or semicolons, among columns of other things.
+"""Text with one point per line, separated by blanks, commas or semicolons, possibly with other columns.
 
-Names in a header say which columns are x, y and z; without names they are the first three, unless these look like
-something else. Where blanks or semicolons part the columns already, a comma is the decimal mark, as in Portuguese.
+A header names the columns x, y and z; without names they are the first three, unless these look like something else.
+If blanks or semicolons separate the columns, a comma is the decimal mark, as in Portuguese.
 Lines that begin with # or // are comments.
 """
 
@@ -33,7 +33,7 @@ def coordinates(data: bytes) -> Raw:
     if (lines := text.count("\n")) > MOST_POINTS:
         raise Broken(Text(en="it has {n} lines", pt_BR="tem {n} linhas").format(n=lines))
     text = unquoted(text)
-    if "1.#" in text or "1,#" in text:  # holes as Windows writes them, which are no comments
+    if "1.#" in text or "1,#" in text:  # missing values as Windows writes them, not comments
         text = _HOLES.sub("nan", text)
     head = head_of(text)
     source = islice(io.StringIO(_SLASHES.sub("", text) if "//" in text else text), head.begin, None)

@@ -1,1 +1,1 @@
-"""Points in text, as the many programs that write it do: its encoding, its columns and names, its numbers."""
+"""Reading points from text as various programs write it: encoding, columns, names and numbers."""

@@ -1,4 +1,4 @@
-"""A line of text as cells: how its columns are parted, and what a cell says."""
+"""Splitting a line of text into cells, and reading numbers from cells."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ _QUOTED_DECIMALS = re.compile(r'"[-+]?\d+,\d+"')
 
 @dataclass(frozen=True)
 class Cells:
-    """How a line is parted; between: None for blanks; decimal: whether a comma is the decimal mark."""
+    """How a line is split: between, the separator, None for blanks; decimal: whether a comma is the decimal mark."""
 
     between: str | None = None
     decimal: bool = False
 
     def of(self, line: str) -> list[str]:
-        """The cells of a line, without the blanks around them."""
+        """The cells of a line, without surrounding blanks."""
         if self.between is None:
             return line.split()
         return [cell.strip() for cell in line.strip("\n ").split(self.between)]
 
     def plain(self, text: str) -> str:
-        """The same text with points for decimal commas."""
+        """The text with decimal commas replaced by points."""
         return text.replace(",", ".") if self.decimal and "," in text else text
 
 
 def cells_of(line: str) -> Cells:
-    """How a row is parted, by the look of it."""
+    """The separator of a row, guessed from its characters."""
     for between in (";", "\t"):
         if between in line:
             return Cells(between)
@@ -40,14 +40,14 @@ def cells_of(line: str) -> Cells:
 
 
 def with_decimals(cells: Cells, lines: list[str]) -> Cells:
-    """The same, with what many rows say of the decimal mark."""
+    """The separator, with the decimal mark determined from many rows."""
     commas = cells.between != "," and any(_DECIMAL_COMMA.fullmatch(cell) for line in lines for cell in cells.of(line))
     return Cells(cells.between, commas)
 
 
 def number(cell: str) -> float:
-    """What a cell says, nan where it says that nothing is known; raises ValueError where it is no number."""
-    if "_" in cell:  # which Python takes for a part of numbers
+    """The number in a cell; nan for a missing value; raises ValueError for anything else."""
+    if "_" in cell:  # Python would accept it in numbers
         raise ValueError
     try:
         return float(cell)
@@ -58,7 +58,7 @@ def number(cell: str) -> float:
 
 
 def is_number(cell: str) -> bool:
-    """Whether a cell says a number, or that there is none."""
+    """Whether a cell holds a number or a missing value."""
     try:
         number(cell)
     except ValueError:
@@ -67,7 +67,7 @@ def is_number(cell: str) -> bool:
 
 
 def unquoted(text: str) -> str:
-    """The same text without quotation marks; commas between numbers in quotes that have commas become semicolons."""
+    """The text without quotation marks; separating commas become semicolons if quoted numbers have decimal commas."""
     if '"' not in text:
         return text
     if _QUOTED_DECIMALS.search(text, 0, 10_000):

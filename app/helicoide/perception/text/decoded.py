@@ -1,4 +1,4 @@
-"""Text out of bytes, in the encodings that programs write, with the line ends of any system."""
+"""Decoding of text in the usual encodings, with the line ends of any system."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _LOOK = 1000
 
 
 def decoded(data: bytes) -> str:
-    """The text, its lines ended by one newline each; raises Broken where the bytes are no text."""
+    """The text, with "\\n" at the end of each line; raises Broken if the bytes are not text."""
     encoding = _encoding(data)
     try:
         text = data.decode(encoding)
@@ -30,7 +30,7 @@ def decoded(data: bytes) -> str:
 
 
 def _encoding(data: bytes) -> str:
-    """By its mark; without one, UTF-16 is known by the zeros of its digits, and all else is taken for UTF-8."""
+    """The encoding by the byte order mark; without one, UTF-16 if every other byte is mostly zero, else UTF-8."""
     for mark, encoding in _MARKS.items():
         if data.startswith(mark):
             return encoding

@@ -1,4 +1,4 @@
-"""What stands above the rows of a text: comments, names, units, and how many rows there are."""
+"""The header of a text file of points: comments, column names, units, and the number of rows."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _BOTH_COMMAS = re.compile(r"0\d+")
 
 @dataclass(frozen=True)
 class Head:
-    """begin: lines above the first row; places: the columns of x, y and z; promised: how many rows there are to be."""
+    """The header: begin, lines above the first row; places, columns of x, y and z; promised, stated number of rows."""
 
     begin: int
     cells: Cells
@@ -36,14 +36,14 @@ class Head:
 
 @dataclass(frozen=True)
 class _Title:
-    """A line above the rows; comment: whether it may as well be none of names."""
+    """A line above the rows; comment: whether it begins as a comment and so need not hold names."""
 
     words: str
     comment: bool
 
 
 def head_of(text: str) -> Head:
-    """What stands above the rows; raises Broken where there are no rows, or nobody can tell x, y and z."""
+    """Read the header; raises Broken if there are no rows, or the columns x, y and z cannot be determined."""
     lines = text[:_LOOK].split("\n")
     if len(text) > _LOOK:
         lines.pop()
@@ -64,7 +64,7 @@ def head_of(text: str) -> Head:
 
 
 def _above(lines: list[str]) -> tuple[int, list[_Title], int | None]:
-    """How many lines stand above the first row, those that say something, and the number of rows where one says it."""
+    """The number of lines above the first row, those that are not empty, and the stated number of rows, if any."""
     titles, promised = list[_Title](), None
     for n, line in enumerate(lines):
         if len(titles) > _MOST_TITLES:
@@ -91,20 +91,20 @@ def _above(lines: list[str]) -> tuple[int, list[_Title], int | None]:
 def _is_row(line: str) -> bool:
     row = cells_of(line).of(line.partition("#")[0])[:_MOST_CELLS]
     known = [cell for cell in row if cell and is_number(cell)]
-    if row and row[0] == "" and known == [str(i) for i in range(len(row) - 1)]:  # pandas numbers columns without names
+    if row and row[0] == "" and known == [str(i) for i in range(len(row) - 1)]:  # pandas numbers unnamed columns
         return False
     return len(known) >= 3 or (len(row) >= 3 and len(known) >= 1 and all(map(is_number, row)))
 
 
 def _spread(text: str) -> list[str]:
-    """Lines from all over a text."""
+    """Sample lines from the whole text."""
     begins = [text.find("\n", at) + 1 for at in np.linspace(0, len(text), _SAMPLE, endpoint=False).astype(int).tolist()]
     ends = [(begin, text.find("\n", begin, begin + _LOOK)) for begin in sorted({*begins} - {0})]
     return [text[begin:end] for begin, end in ends if end > begin]
 
 
 def _numbers(cells: Cells, sample: list[list[str]], width: int) -> Array:
-    """Rows of cells as numbers (k, width), nan where there is none."""
+    """Rows of cells as numbers (k, width), nan for missing values."""
     numbers = np.full((len(sample), width), np.nan)
     for i, row in enumerate(sample):
         for k, cell in enumerate(row):
@@ -114,14 +114,14 @@ def _numbers(cells: Cells, sample: list[list[str]], width: int) -> Array:
 
 
 def _split(title: _Title, cells: Cells) -> list[str]:
-    """The names in a line, parted as the rows are, or else by whatever parts them."""
+    """The names in a line, split like the rows if possible, else at any separator."""
     if cells.between and cells.between in title.words:
         return cells.of(title.words)
     return _APART.split(_BEFORE_UNIT.sub("", title.words).strip())
 
 
 def _named(titles: list[_Title], cells: Cells, numbers: Array) -> tuple[tuple[int, int, int], Unit | None] | None:
-    """The columns of x, y and z by the last line that names them, and their unit."""
+    """The columns of x, y and z by the last line that names them, and their unit; None if no line does."""
     width = numbers.shape[1]
     for title in reversed(titles):
         names = _split(title, cells)
@@ -157,7 +157,7 @@ def _refuse(names: list[str]) -> None:
 
 
 def _check_commas(cells: Cells, sample: list[list[str]]) -> None:
-    """Raise Broken where commas part the numbers and are their decimal marks too, which cannot be told apart."""
+    """Raise Broken if commas are both separators and decimal marks, which is ambiguous."""
     if cells.between != "," or any("." in cell for row in sample for cell in row) or len(sample[0]) % 2:
         return
     if len(sample[0]) >= 6 and any(_BOTH_COMMAS.fullmatch(cell) for row in sample for cell in row[1::2]):

@@ -1,4 +1,4 @@
-"""Which columns hold x, y and z, by the names in a header."""
+"""Finds the columns of x, y and z by the names in a header."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _UNITS: dict[str, Unit] = {
     **dict.fromkeys(("in", "inch", "inches", "pol", "polegadas"), "inch"),
     **dict.fromkeys(("ft", "foot", "feet", "pé", "pés"), "ft"),
 }
-# What may stand beside the letter of a coordinate; normals, velocities and the like are none.
+# Words that may accompany the letter of a coordinate; normals, velocities and the like are not positions.
 _BESIDE = {
     "pos", "position", "posição", "posicao", "point", "points", "ponto", "pontos", "p", "pt", "coord", "coords",
     "coordinate", "coordinates", "coordenada", "coordenadas", "world", "base", "loc", "location", "cartesian", "axis",
@@ -28,7 +28,7 @@ _BOUNDARY = re.compile(r"(?<=[a-z])(?=[A-Z])")
 
 
 def places(names: Sequence[str]) -> tuple[int, int, int] | None:
-    """The columns of x, y and z; None where no name says a coordinate, Broken where not all of them are named once."""
+    """The columns of x, y and z; None if no name is a coordinate; raises Broken unless each is named exactly once."""
     words = [_words(name) for name in names]
     found = [[i for i, one in enumerate(words) if _says(one, k)] for k in range(3)]
     if not any(found):
@@ -52,19 +52,19 @@ SEVERAL = Text(
 
 
 def unit(names: Sequence[str]) -> Unit | None:
-    """The unit that all of some names or cells say, such as `x [mm]`."""
+    """The one unit in names or cells, such as `x [mm]`; None if there is none or more than one."""
     said = {next((_UNITS[word] for word in _all_words(name) if word in _UNITS), None) for name in names}
     return said.pop() if len(said) == 1 else None
 
 
 def is_unit(cell: str) -> bool:
-    """Whether a cell says a unit alone."""
+    """Whether a cell holds only a unit."""
     words = _all_words(cell)
     return len(words) == 1 and words[0] in _UNITS
 
 
 def listed(names: Sequence[str], most: int = 10) -> str:
-    """Some names, none of them long."""
+    """A list of names for a message, shortened."""
     return ", ".join(name[:30] or "–" for name in names[:most]) + (" …" if len(names) > most else "")
 
 
@@ -73,12 +73,12 @@ def _all_words(name: str) -> list[str]:
 
 
 def _words(name: str) -> list[str]:
-    """The words of a name, without units."""
+    """The words of a name without units."""
     return [word for word in _all_words(name) if word not in _UNITS]
 
 
 def _says(words: list[str], axis: int) -> bool:
-    """Whether the words of a name are those of a coordinate: x, pos_x, point.x, or Points:0."""
+    """Whether the words of a name denote a coordinate: x, pos_x, point.x, or Points:0."""
     if words.count(AXES[axis]) == 1:
         return all(word in _BESIDE or word.isdecimal() for word in words if word != AXES[axis])
     return len(words) == 2 and words[0] in _BESIDE and words[1] == str(axis)

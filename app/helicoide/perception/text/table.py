@@ -1,4 +1,4 @@
-"""Rows of numbers in text: quickly where all are well, and one by one where some are not."""
+"""Reading rows of numbers from text: fast if all are valid, else line by line."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from helicoide.perception.text.cells import Cells, number
 from helicoide.text import Text
 
 _BLOCK = 10_000
-# Rows that cannot be read are passed over up to this share; more say that the file is another than it seems.
+# Largest share of invalid rows that are skipped; more mean that the format was misunderstood.
 _FORGIVEN = 0.05
 
 
 @dataclass
 class _Bad:
-    """Rows that cannot be read: how many, and what is wrong with the first."""
+    """Invalid rows: their number, and what is wrong with the first."""
 
     count: int = 0
     first: Text | None = None
 
     def add(self, why: Text) -> None:
-        """One more."""
+        """Count one invalid row."""
         self.count += 1
         self.first = self.first or why
 
     def check(self, rows: int) -> None:
-        """Raise Broken where they are too many."""
+        """Raise Broken if there are too many."""
         if self.first is not None and self.count > max(_FORGIVEN * rows, 0):
             raise Broken(
                 Text(
@@ -41,7 +41,7 @@ class _Bad:
             )
 
     def notes(self, rows: int) -> tuple[Text, ...]:
-        """What is said of them."""
+        """A note on skipped rows, if any."""
         if self.first is None:
             return ()
         skipped = Text(en="Rows passed over: {n} of {k}; {first}.", pt_BR="Linhas não lidas: {n} de {k}; {first}.")
@@ -56,9 +56,9 @@ def table(
     most: int | None = None,
     comment: str | None = None,
 ) -> tuple[Array, tuple[Text, ...], int]:
-    """The numbers in some columns of lines (k, n), sentences on rows that were passed over, and how many there were.
+    """The numbers in the columns `places` (k, n), notes on skipped rows, and the number of rows.
 
-    begin: the number of the first line; most: how many rows there are; comment: what a comment begins with.
+    begin: number of the first line; most: largest number of rows; comment: start of a comment.
     """
     cells, bad = cells or Cells(), _Bad()
     parts, rows = list[Array](), 0
@@ -82,7 +82,7 @@ def table(
 
 
 def _quick(block: list[str], places: Sequence[int], cells: Cells, comment: str | None) -> Array:
-    with warnings.catch_warnings():  # of lines without numbers, which are not counted
+    with warnings.catch_warnings():  # about lines without numbers, which do not count
         warnings.simplefilter("ignore", UserWarning)
         rows = np.loadtxt(block, delimiter=cells.between, usecols=tuple(places), ndmin=2, comments=comment)
     return rows.reshape(-1, len(places))
@@ -91,7 +91,7 @@ def _quick(block: list[str], places: Sequence[int], cells: Cells, comment: str |
 def _careful(
     block: list[str], places: Sequence[int], cells: Cells, comment: str | None, begin: int, bad: _Bad
 ) -> Array:
-    """The same line by line; what is wrong is added to what is bad."""
+    """The numbers of a block, read line by line; invalid rows are added to `bad`."""
     numbers = list[list[float]]()
     for n, line in enumerate(block, begin):
         if comment is not None:

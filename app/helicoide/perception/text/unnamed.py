@@ -1,4 +1,4 @@
-"""Which columns hold x, y and z where nothing names them: the first three, unless their numbers speak against it."""
+"""Finds the columns of x, y and z without names: the first three, unless their numbers contradict this."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from helicoide.arrays import Array
 from helicoide.perception.broken import Broken
 from helicoide.text import Text
 
-# So many rows tell whether a column only ever grows, or counts.
+# Least number of rows to decide whether a column always grows, or counts.
 TELLING, COUNTING = 10, 5
 _UNIX, _HUGE = 1e8, 1e15
 Places = tuple[int, int, int]
 
 
 def places(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
-    """The columns of x, y, z, and what is to be said of them.
+    """The columns of x, y, z, and notes. Raises Broken if they cannot be determined.
 
-    sample: the first rows (k, n), nan where there is no number; spread: rows from all over the file (m, n).
+    sample: the first rows (k, n), nan for missing values; spread: rows from the whole file (m, n).
     """
     columns = [i for i in range(sample.shape[1]) if not np.isnan(sample[:, i]).all()][:4]
     if len(columns) < 3:
@@ -41,12 +41,12 @@ def places(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
 
 
 def counts(column: Array) -> bool:
-    """Whether the numbers of a column are those of its rows."""
+    """Whether a column holds row numbers."""
     return len(column) >= COUNTING and bool((np.diff(column) == 1).all()) and float(column[0]).is_integer()
 
 
 def _doubt(first: Array, others: Array, spread: Array) -> Text | None:
-    """Why a first column before three others is hardly x; in a picture x grows too, but begins anew with each row."""
+    """The reason why a first column before three others is hardly x. In images x grows too, but restarts every row."""
     if len(first) >= TELLING and (np.diff(first) > 0).all() and (np.diff(spread) > 0).all():
         return GROWS
     if _size(first) > _UNIX > 1e3 * _size(others):

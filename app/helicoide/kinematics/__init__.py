@@ -1,1 +1,1 @@
-"""Robots and their kinematics: poses by three roads, Jacobians."""
+"""Robots and their kinematics: forward kinematics in three formulations, Jacobians, singularities, workspaces."""

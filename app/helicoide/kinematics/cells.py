@@ -1,4 +1,4 @@
-"""Equal squares of a plane, or cubes of space, that a workspace is counted in."""
+"""The grid of a workspace map: equal squares in a plane, or equal cubes in space."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Mask = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """A grid of cells: d = 2 directions for an arm that stays in a plane, else 3.
+    """A grid of cells with d = 2 axes for a planar arm, else 3.
 
     origin (3,), m: the corner of the first cell, base frame; axes (d, 3): orthonormal; size: edge of a cell, m; shape
-    (d,): how many there are each way.
+    (d,): number of cells along each axis.
     """
 
     origin: Array
@@ -31,7 +31,7 @@ class Cells:
 
     @property
     def count(self) -> int:
-        """How many cells there are."""
+        """Number of cells."""
         return prod(self.shape)
 
     @cached_property
@@ -41,10 +41,10 @@ class Cells:
         return np.asarray(self.origin + self.size * steps @ self.axes)
 
     def measure(self, reached: Mask) -> float:
-        """Area, m², or volume, m³, of what lies in the reached cells (count,).
+        """Area, m², or volume, m³, of the reached cells (count,).
 
-        Those that are touched hold it, those whose neighbours are all touched lie in it: to first order the border is
-        as far outside the ones as inside the others, whichever way it runs, so the mean of both is taken.
+        All reached cells together contain the workspace; those with only reached neighbours lie inside it. To first
+        order the border is halfway between the two, so the mean of both is taken.
         """
         outer = np.pad(reached.reshape(self.shape), 1)
         inner = outer.copy()
@@ -55,7 +55,7 @@ class Cells:
 
 @kernel
 def cell_of(point: Array, origin: Array, axes: Array, size: float, shape: Counts) -> int:
-    """The number of the cell that holds a point (3,), m; −1 where none does. Args: as in `Cells`, shape (d,)."""
+    """The number of the cell that holds a point (3,), m; −1 outside the grid. Args: as in `Cells`, shape (d,)."""
     number = 0
     for k in range(shape.shape[0]):
         along = 0.0

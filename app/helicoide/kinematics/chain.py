@@ -1,4 +1,4 @@
-"""The moving axes of an arm as one array, in the form that the kernels take."""
+"""The moving joints of an arm, and the array in which the kernels take them."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from helicoide.text import Text
 Chain = NDArray[np.void]
 Kind = Literal["revolute", "prismatic"]
 
-# direction: unit, and offset from the axis point before, m, both at q = 0 in the base frame; the joint stands at
-# ratio · q[driver] + shift, an angle or, where it slides, a length.
+# direction: unit vector of the axis; offset: from the point of the joint before, m; both at q = 0 in the base frame.
+# The value of the joint is ratio · q[driver] + shift: an angle in rad, or a length in m if it slides.
 CHAIN = np.dtype(
     [("direction", "f8", 3), ("offset", "f8", 3), ("ratio", "f8"), ("shift", "f8"), ("driver", "i8"), ("slides", "?")],
     align=True,
@@ -26,7 +26,7 @@ CHAIN = np.dtype(
 
 @dataclass(frozen=True)
 class Mimic:
-    """A joint that follows another one: it stands at ratio · q[driver] + shift."""
+    """How a joint follows another one: its value is ratio · q[driver] + shift."""
 
     driver: int
     ratio: float
@@ -60,7 +60,7 @@ class Variable:
 class Joint(Variable):
     """A moving joint of an arm: its axis when all joints stand at zero, base frame, and the link that it moves.
 
-    mimic: what it follows instead of a variable of its own.
+    mimic: the joint that it follows; None if it has a variable of its own.
     """
 
     link: str
@@ -70,7 +70,7 @@ class Joint(Variable):
 
 
 def chain_of(joints: Sequence[Joint]) -> Chain:
-    """The joints, base first, as an array of `CHAIN`; those that follow no other take the variables in turn."""
+    """The joints, base first, as an array of `CHAIN`; joints that follow no other take the variables in order."""
     chain = np.zeros(len(joints), CHAIN)
     before, variables = np.zeros(3), 0
     for row, joint in zip(chain, joints, strict=True):
@@ -84,5 +84,5 @@ def chain_of(joints: Sequence[Joint]) -> Chain:
 
 
 def spread(chain: Chain, q: Array) -> Array:
-    """Where every joint of the chain stands, xᵢ = ratioᵢ q[driverᵢ] + shiftᵢ, (m,), for the variables q (n,)."""
+    """Values of all joints of the chain, xᵢ = ratioᵢ q[driverᵢ] + shiftᵢ, (m,), from the variables q (n,)."""
     return np.asarray(chain["ratio"] * q[chain["driver"]] + chain["shift"])

@@ -13,17 +13,17 @@ from helicoide.kinematics.chain import Joint
 
 Convention = Literal["standard", "modified"]
 
-# The common normal of axes that meet at a small sine s lies some 1/s away, so that rounding costs 1e-15/s m: below this
-# their row has a fifth number.
+# Where the angle between two axes has a small sine s, their common normal is about 1/s away, and rounding costs
+# 1e-15/s m. Below this sine their row gets a fifth number, β.
 NEARLY_PARALLEL = 1e-4
 COINCIDENT = 1e-12
 
 
 @dataclass(frozen=True)
 class DhRow:
-    """A Denavit-Hartenberg row in rad and m; the joint's variable is added to theta, or to d where it slides.
+    """A Denavit-Hartenberg row in rad and m; the joint's variable is added to theta, or to d if the joint slides.
 
-    beta: by how much the next axis, if it is nearly parallel, leans to x; 0 elsewhere. Source: Hayati 1983.
+    beta: rotation about y that Hayati adds for nearly parallel axes; 0 elsewhere. Source: Hayati 1983.
     """
 
     theta: float
@@ -35,7 +35,7 @@ class DhRow:
 
 @dataclass(frozen=True, eq=False)
 class DhTable:
-    """The rows of an arm from the constant T_world_dh (4, 4) to the last DH frame, and the tool in that, T_dh_tool.
+    """The DH rows of an arm, with the first DH frame T_world_dh (4, 4) and the tool in the last DH frame, T_dh_tool.
 
     standard: Aᵢ = Rz(θᵢ) Tz(dᵢ) Tx(aᵢ) Rx(αᵢ); modified (Craig): Aᵢ = Rx(αᵢ₋₁) Tx(aᵢ₋₁) Rz(θᵢ) Tz(dᵢ). Where axes are
     nearly parallel Ry(β) follows Rx(α).
@@ -58,10 +58,10 @@ def _about_x_and_y(a: float, alpha: float, beta: float) -> Array:
 
 
 def transform(convention: Convention, row: DhRow, joint: Joint, value: float) -> Array:
-    """Pose of a DH frame in the one before it, with the joint at a value.
+    """Pose of a DH frame in the frame before it, for a joint value.
 
     A = Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β) in the standard convention, Tx(a) Rx(α) Ry(β) Rz(θ) Tz(d) in the modified one.
-    Args: value: rad, or m where the joint slides. Returns (4, 4), m.
+    Args: value: rad, or m if the joint slides. Returns (4, 4), m.
     Source: Cerbaro 2022, eq. 57 (standard); Campos 1998, s.40 and Craig (modified); Hayati 1983 (β).
     """
     theta, d = (row.theta, row.d + value) if joint.slides else (row.theta + value, row.d)
@@ -72,7 +72,7 @@ def transform(convention: Convention, row: DhRow, joint: Joint, value: float) ->
 def poses(table: DhTable, joints: Sequence[Joint], values: Array) -> list[Array]:
     """Poses of all DH frames in the base frame: T₀ A₁ … Aᵢ for i = 0 to m, each (4, 4), m.
 
-    Args: values (m,): where each joint stands, rad or m.
+    Args: values (m,): value of each joint, rad or m.
     """
     frames = [table.T_world_dh]
     for row, joint, value in zip(table.rows, joints, values, strict=True):
@@ -81,11 +81,12 @@ def poses(table: DhTable, joints: Sequence[Joint], values: Array) -> list[Array]
 
 
 def recovered(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
-    """Standard rows of a chain that is given by its screw axes.
+    """Standard DH rows computed from the screw axes of a chain.
 
-    zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. Where they
-    are parallel or nearly so, origin i is where axis i + 1 meets the plane across axis i through origin i − 1, and xᵢ
-    lies, but for β, along the way there, or along xᵢ₋₁ where there is none. The last frame stays in place.
+    zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. If the axes
+    are parallel or nearly so, origin i is where axis i + 1 meets the plane through origin i − 1 that is perpendicular
+    to axis i; xᵢ points, but for β, from origin i − 1 to origin i, or along xᵢ₋₁ if the two coincide. The last joint
+    has a row of zeros.
     Args: joints, base first; T_world_tool_0 (4, 4), m, at q = 0. Source: Denavit and Hartenberg 1955; Hayati 1983.
     """
     first = joints[0]
@@ -104,7 +105,7 @@ def _frame(x: Array, z: Array, origin: Array) -> Array:
 
 
 def _across(wished: Array, z: Array) -> Array:
-    """The unit vector across z that is nearest to a wished one, or to the y axis where that lies along z."""
+    """The unit vector perpendicular to z that is nearest to a given vector, or to the y axis if that lies along z."""
     x = wished - (wished @ z) * z
     if np.linalg.norm(x) < 1e-3:
         return _across(np.eye(3)[1], z)
@@ -112,7 +113,7 @@ def _across(wished: Array, z: Array) -> Array:
 
 
 def _row(frame: Array, after: Joint) -> tuple[DhRow, Array]:
-    """The row from a frame, whose z lies along its joint's axis, to the frame on the axis of the joint after."""
+    """The DH row from a frame, whose z is the axis of its joint, to the frame on the next axis; and that frame."""
     x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
     across = np.cross(z, after.direction)
     sine = float(np.linalg.norm(across))
@@ -129,12 +130,12 @@ def _row(frame: Array, after: Joint) -> tuple[DhRow, Array]:
 
 
 def _angle(start: Array, end: Array, axis: Array) -> float:
-    """From one unit vector to another about an axis across both, rad."""
+    """Angle from one unit vector to another about an axis perpendicular to both, rad."""
     return float(np.arctan2(np.cross(start, end) @ axis, start @ end))
 
 
 def _nearly_parallel(frame: Array, after: Joint) -> tuple[DhRow, Array]:
-    """The row with β, and d = 0: z of the frame after is (sin β, −sin α cos β, cos α cos β) in the one of x and z."""
+    """The row with β and d = 0, and the next frame: its z is (sin β, −sin α cos β, cos α cos β) in the axes after θ."""
     x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
     end = after.point + (origin - after.point) @ z / (after.direction @ z) * after.direction
     length = float(np.linalg.norm(end - origin))
@@ -151,9 +152,9 @@ def _nearly_parallel(frame: Array, after: Joint) -> tuple[DhRow, Array]:
 
 
 def _common_normal(z: Array, origin: Array, normal: Array, sine: float, after: Joint) -> tuple[Array, Array, Array]:
-    """Foot of the common normal on the axis z through origin, its unit direction, its end on the axis after.
+    """Common normal of the axis z through origin and the next axis: its foot, its unit direction and its end.
 
-    Args: normal (3,): z × the direction of that axis, over its length, which is the sine.
+    Args: normal (3,): z × direction of the next axis, divided by its length, the sine.
     """
     between = after.point - origin
     along = np.cross(between, after.direction) @ normal / sine

@@ -1,4 +1,4 @@
-"""The Jacobians of an arm: of the tool, of any frame, point or line, in the base, in the body, by coordinates."""
+"""The Jacobians of an arm: of the tool, of any frame or point, in the base frame or in the frame of the body."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from helicoide.kinematics.robot_parts import Frame
 
 
 def frame_pose(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
-    """Pose of a frame of a link, T_world_frame = T_world_link T_link_frame; the tool's where none is given.
+    """Pose of a frame of a link, T_world_frame = T_world_link T_link_frame; by default that of the tool.
 
     Args: q (n,), rad or m. Returns (4, 4), m. Raises HelicoideError for a wrong q.
     """
@@ -35,7 +35,7 @@ def point_jacobian(robot: Robot, q: ArrayLike, point_link: ArrayLike, link: int)
 
 
 def geometric(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
-    """Geometric Jacobian of a frame, the tool where none is given: V_world = [v; ω] = J q̇, v that of its origin.
+    """Geometric Jacobian of a frame, by default the tool: V_world = [v; ω] = J q̇, v the velocity of its origin.
 
     Args: q (n,), rad or m. Returns J_world (6, n), rows vx vy vz ωx ωy ωz; its first three are the position part.
     Raises HelicoideError for a wrong q. Source: Vargas 2013, eqs. 2.16–2.21; Cerbaro 2022, eq. 67.
@@ -45,7 +45,7 @@ def geometric(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
 
 
 def body(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
-    """The same velocity in the axes of the frame itself: J_body = diag(Rᵀ, Rᵀ) J_world.
+    """Geometric Jacobian in the axes of the frame itself: J_body = diag(Rᵀ, Rᵀ) J_world.
 
     Args: q (n,), rad or m. Returns J_frame (6, n), rows vx vy vz ωx ωy ωz. Raises HelicoideError for a wrong q.
     Source: Coutinho 2015, eqs. 2.42–2.54, 3.12.
@@ -64,7 +64,7 @@ def adjoint(T_a_b: Array) -> Array:
 
 
 def turned(R_a_b: Array, J: Array) -> Array:
-    """A Jacobian, or a twist, along other axes: [v; ω]_a = diag(R_a_b, R_a_b) [v; ω]_b, of the same point.
+    """A Jacobian, or a twist, expressed in other axes: [v; ω]_a = diag(R_a_b, R_a_b) [v; ω]_b, at the same point.
 
     Args: R_a_b (3, 3); J (6, ...). Returns (6, ...). Source: Coutinho 2015, eq. 2.43 with p = 0.
     """

@@ -1,4 +1,4 @@
-"""A robot from its folder: `robots/<name>/robot.toml` in SI units."""
+"""Builds a robot from its folder: `robots/<name>/robot.toml`, converted to SI units."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def _dh(file: robot_file.RobotFile) -> DhTable:
 
 
 def _pane(file: robot_file.PlaneFile) -> Pane:
-    """The plane as measured: normal and offset are divided by the same norm, so that the plane stays where it is."""
+    """The plane with a unit normal: normal and offset are divided by the same norm, which keeps the plane."""
     norm = float(np.linalg.norm(file.normal))
     return Pane(
         name=file.name,
@@ -76,7 +76,7 @@ def _pane(file: robot_file.PlaneFile) -> Pane:
 
 
 def _frames(file: robot_file.RobotFile, joints: tuple[Joint, ...]) -> dict[str, Frame]:
-    """The frames that the file gives; the station is the base where it gives none, the wrist the last joint."""
+    """The frames of the file; by default the station is the base, and the wrist the point of the last joint."""
     last = joints[-1]
     given: dict[str, robot_file.FrameFile] = {
         "station": file.frames.station or robot_file.FrameFile("", (0, 0, 0)),
@@ -128,9 +128,9 @@ def _pairs(file: robot_file.RobotFile) -> tuple[tuple[int, int], ...]:
 
 
 def from_folder(folder: Path, parameters: Mapping[str, float] | None = None) -> Robot:
-    """The robot that a folder with a robot.toml describes, with some of its parameters (mm) changed.
+    """The robot described by a folder's robot.toml, with some of its parameters (mm) changed.
 
-    Raises HelicoideError when the file is wrong or has no such parameter.
+    Raises HelicoideError if the file is invalid or has no such parameter.
     """
     file = robot_reading.read(folder / "robot.toml", parameters)
     joints = tuple(map(_joint, file.joints))

@@ -1,7 +1,7 @@
-"""Forward kinematics: three independent roads to every link for people and tests, and the kernels that the loop runs.
+"""Forward kinematics: three independent formulations for people and tests, and the kernels of the control loop.
 
-The roads share nothing but linear algebra, so that their agreement says something about each robot's file. Each gives
-its partial poses too: DH its frames, screws the displacement of every link, dual quaternions the same as motors.
+The formulations share nothing but linear algebra, so their agreement checks each robot's file. Each also gives its
+partial results: the DH frames, the displacement of every link by screws, and the same displacements as motors.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def tool_by_dh(robot: Robot, q: Array) -> Array:
 
 
 def screw_transform(joint: Joint, value: float) -> Array:
-    """Displacement by a joint: R = I + sinθ [s]ₓ + (1 − cosθ) [s]ₓ², d = (I − R) s₀; where it slides, d = x s.
+    """Displacement by a joint: R = I + sinθ [s]ₓ + (1 − cosθ) [s]ₓ², d = (I − R) s₀; a prismatic joint has d = x s.
 
     Args: value: θ, rad, or x, m. Returns (4, 4), base frame. Source: Cerbaro 2022, eqs. 61–62 (signs corrected).
     """
@@ -52,7 +52,7 @@ def screw_transform(joint: Joint, value: float) -> Array:
 
 
 def screw_displacements(robot: Robot, q: Array) -> list[Array]:
-    """Displacements of the links from where they are at q = 0: H₁ … Hᵢ, i = 0 to m, each (4, 4), base frame, m.
+    """Displacements of the links from their poses at q = 0: H₁ … Hᵢ, i = 0 to m, each (4, 4), base frame, m.
 
     Args: q (n,), rad or m. Source: Cerbaro 2022, App. D.
     """
@@ -71,7 +71,7 @@ def tool_by_screws(robot: Robot, q: Array) -> Array:
 
 
 def joint_motor(joint: Joint, value: float) -> Array:
-    """Displacement by a joint as a motor of Cl(0,3,1): exp(θL/2), or where it slides the translator 1 + ½ x s e.
+    """Displacement by a joint as a motor of Cl(0,3,1): exp(θL/2); of a prismatic joint the translator 1 + ½ x s e.
 
     Args: value: θ, rad, or x, m. Returns (16,). Source: Cerbaro 2022, eqs. 96–99.
     """
@@ -81,7 +81,7 @@ def joint_motor(joint: Joint, value: float) -> Array:
 
 
 def link_motors(robot: Robot, q: Array) -> list[Array]:
-    """Displacements of the links from where they are at q = 0 as motors: m₁ … mᵢ, i = 0 to m, each (16,), m.
+    """Displacements of the links from their poses at q = 0 as motors: m₁ … mᵢ, i = 0 to m, each (16,), m.
 
     Args: q (n,), rad or m. Source: Cerbaro 2022, §5.1 (order and product corrected).
     """
@@ -100,7 +100,7 @@ def tool_motor(robot: Robot, q: Array) -> Array:
 
 
 def tool_by_dual_quaternions(robot: Robot, q: Array) -> Array:
-    """The pose that `tool_motor` stands for: T_world_tool (4, 4), m, from q (n,), rad or m."""
+    """Tool pose from dual quaternions: the matrix T_world_tool (4, 4), m, of `tool_motor`; q (n,), rad or m."""
     return rigid.pose_from_motor(tool_motor(robot, q))
 
 
@@ -108,17 +108,17 @@ ROADS = {"dh": tool_by_dh, "screws": tool_by_screws, "dual_quaternions": tool_by
 
 
 def disagreement(robot: Robot, q: Array) -> float:
-    """The largest difference between the tool poses of the roads, entry by entry (m, and 1 for rotations)."""
+    """Largest difference between entries of the tool poses of the three formulations (positions in m)."""
     poses = np.array([road(robot, q) for road in ROADS.values()])
     return float(np.max(poses.max(axis=0) - poses.min(axis=0)))
 
 
 @kernel
 def link_poses(chain: Chain, q: Array) -> Array:
-    """Poses of the base and all links: R ← R Rot(sᵢ, xᵢ), p ← p + R (s₀ᵢ − s₀ᵢ₋₁), and + R xᵢ sᵢ where joint i slides.
+    """Poses of the base and all links: R ← R Rot(sᵢ, xᵢ), p ← p + R (s₀ᵢ − s₀ᵢ₋₁), and + R xᵢ sᵢ if joint i slides.
 
-    Args: chain (m,) of `chain.CHAIN`; q (n,), rad or m; joint i stands at xᵢ = ratio · q[driver] + shift.
-    Returns Ts_world_link (m + 1, 4, 4); link 0 is the base, link i sits at the point of joint i.
+    Args: chain (m,) of `chain.CHAIN`; q (n,), rad or m; the value of joint i is xᵢ = ratio · q[driver] + shift.
+    Returns Ts_world_link (m + 1, 4, 4); link 0 is the base, the origin of link i is the point of joint i.
     """
     m = chain.shape[0]
     poses = np.zeros((m + 1, 4, 4))

@@ -1,4 +1,4 @@
-"""The geometric Jacobian of a point on any link, in the base frame: the kernels that the loop runs."""
+"""The geometric Jacobian of a point on any link, in the base frame: the kernels of the control loop."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from helicoide.kinematics.chain import Chain
 
 @kernel
 def joint_axes(poses: Array, chain: Chain) -> Array:
-    """Joint axes where the arm stands: sᵢ' = Rᵢ sᵢ.
+    """Joint axes in the current posture: sᵢ' = Rᵢ sᵢ.
 
     Args: poses (m + 1, 4, 4) of `forward.link_poses`; chain (m,) of `chain.CHAIN`. Returns (m, 3), world.
     """
@@ -41,9 +41,9 @@ def columns(chain: Chain) -> int:
 def geometric(poses: Array, chain: Chain, axes: Array, point: Array, link: int) -> Array:
     """Geometric Jacobian of a point on a link: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
 
-    Columns beyond the link are zero; the column of a joint that follows another is added, times its ratio, to that
-    one's. Args: poses (m + 1, 4, 4); chain (m,); axes (m, 3) of `joint_axes`; point (3,), m; link: number of the link
-    that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
+    Columns of joints after the link are zero. The column of a mimic joint, times its ratio, is added to the column of
+    the joint that it follows. Args: poses (m + 1, 4, 4); chain (m,); axes (m, 3) of `joint_axes`; point (3,), m; link:
+    number of the link that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
     Source: Cerbaro 2022, eq. 67; Vargas 2013, 2.16–2.21.
     """
     jacobian = np.zeros((6, columns(chain)))

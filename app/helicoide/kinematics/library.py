@@ -1,4 +1,4 @@
-"""Every robot by name: the shipped ones, the user's, those of installed packages, and any URDF file."""
+"""All robots by name: shipped ones, the user's, those of installed packages, and any URDF file."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def _name_of(file: Path) -> str:
 
 
 def _from_package(name: str, tip: str | None, base: str | None) -> Robot:
-    """The robot of the first file of that name that can be used; raises what is wrong with the first where none can."""
+    """The robot of the first usable file of that name; if none is usable, raises the error of the first."""
     first = packaged()[name]
     try:
         return _of_package(first, tip, base)
@@ -51,14 +51,14 @@ def _of_package(file: Path, tip: str | None, base: str | None) -> Robot:
 
 
 def _from_urdf(file: Path, tip: str | None, base: str | None) -> Robot:
-    """Imported when a URDF is asked for: its reader takes as long to import as all the rest that `fk` needs."""
+    """A robot from a URDF. Imports the reader here, as it takes as long to import as all else that `fk` needs."""
     from helicoide.kinematics.urdf_chain import from_urdf
 
     return from_urdf(file, tip, base)
 
 
 def _files(package: str) -> list[Path]:
-    """The URDF files of a package, none when it is not installed."""
+    """The URDF files of a package; empty if it is not installed."""
     try:
         files = distribution(package).files or []
     except PackageNotFoundError:
@@ -67,7 +67,7 @@ def _files(package: str) -> list[Path]:
 
 
 def names() -> list[str]:
-    """The robots that a name can mean: those in folders, then those of packages."""
+    """Names of all robots: those in folders, then those of packages."""
     folders = content.found("robots")
     return [*sorted(folders), *sorted(set(packaged()) - set(folders))]
 
@@ -76,12 +76,12 @@ _guests: dict[str, Robot] = {}
 
 
 def welcome(robot: Robot) -> None:
-    """Keep a robot that came from a file, or with other parameters, to be had by its name while the program runs."""
+    """Register a robot from a file, or one with changed parameters, under its name while the program runs."""
     _guests[robot.name] = robot
 
 
 def titles() -> dict[str, Text]:
-    """The titles of the robots that have a folder and of guests, by name; a title of two robots has the name added."""
+    """Titles by name of the robots with a folder and of registered ones; the name is added to a title used twice."""
     found = {**_titles_of_folders(), **{name: robot.title for name, robot in _guests.items()}}
     shown = [title.en for title in found.values()]
     double = Text(en="{title} ({name})", pt_BR="{title} ({name})")
@@ -128,7 +128,7 @@ def load(robot: str, tip: str | None = None, settings: Sequence[str] = (), base:
 
 @lru_cache(maxsize=32)
 def _from_folder(folder: Path, settings: tuple[str, ...], changed: int) -> Robot:
-    """The same robot as before while its files have not changed: what is worked out of it once is kept by it."""
+    """A robot from its folder, cached while its files do not change, with its cached properties."""
     return from_folder(folder, dict(map(_setting, settings)))
 
 
@@ -167,7 +167,7 @@ def _unknown(robot: str) -> HelicoideError:
 
 
 def _more() -> Text:
-    """How to get more robots: the path of a URDF file, or the packages that are not installed."""
+    """A sentence on how to get more robots: a URDF file, or packages that are not installed."""
     missing = [package for package in PACKAGES if not _files(package)]
     if not missing:
         return Text(en="Or give the path of a URDF file.", pt_BR="Ou dê o caminho de um arquivo URDF.")

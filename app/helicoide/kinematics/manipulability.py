@@ -1,4 +1,4 @@
-"""What a Jacobian lets an arm do: singular values, manipulability, ellipsoids, null space and pseudoinverse."""
+"""Analysis of a Jacobian: singular values, manipulability, ellipsoids, null space and pseudoinverse."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.kinematics.differential import geometric
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_parts import Frame
 
-# A singular value below this part of the largest one counts as zero.
+# A singular value below this fraction of the largest one counts as zero.
 RANK = 1e-10
 
 
@@ -27,9 +27,10 @@ class Ellipsoid:
 
 @dataclass(frozen=True, eq=False)
 class Manipulability:
-    """A Jacobian J (m, n) as J = U Σ Vᵀ = Σ σᵢ uᵢ vᵢᵀ, all rows in one unit, and what follows from it.
+    """Singular value decomposition J = U Σ Vᵀ = Σ σᵢ uᵢ vᵢᵀ of a Jacobian (m, n), and the quantities derived from it.
 
-    U (m, m) and V (n, n) are orthogonal, sigma (min(m, n),) falls. Source: Vargas 2013, eq. 3.1.
+    All rows of J have one unit. U (m, m) and V (n, n) are orthogonal; sigma (min(m, n),) is in descending order.
+    Source: Vargas 2013, eq. 3.1.
     """
 
     J: Array
@@ -57,7 +58,7 @@ class Manipulability:
 
     @cached_property
     def velocity_ellipsoid(self) -> Ellipsoid:
-        """What ‖q̇‖ = 1 reaches, νᵀ(J Jᵀ)⁻¹ν = 1: axes uᵢ, semi-lengths σᵢ, zero beyond p.
+        """Velocities that ‖q̇‖ = 1 gives, νᵀ(J Jᵀ)⁻¹ν = 1: axes uᵢ, semi-axes σᵢ, zero beyond p.
 
         Source: Yoshikawa 1985; Vargas 2013, eq. 3.4.
         """
@@ -65,7 +66,7 @@ class Manipulability:
 
     @cached_property
     def force_ellipsoid(self) -> Ellipsoid:
-        """What ‖τ‖ = 1 holds, fᵀ J Jᵀ f = 1: axes uᵢ, semi-lengths 1/σᵢ, infinite beyond the rank.
+        """Forces that ‖τ‖ = 1 balances, fᵀ J Jᵀ f = 1: axes uᵢ, semi-axes 1/σᵢ, infinite beyond the rank.
 
         Source: Yoshikawa 1985, by τ = Jᵀ f.
         """
@@ -75,7 +76,7 @@ class Manipulability:
 
     @cached_property
     def pseudoinverse(self) -> Array:
-        """J† = Σ vᵢ uᵢᵀ/σᵢ over the rank, (n, m): of all q̇ that miss ν least, J† ν is the shortest.
+        """J† = Σ vᵢ uᵢᵀ/σᵢ over the rank, (n, m): J† ν is the least-squares q̇ of least norm.
 
         It is Jᵀ(J Jᵀ)⁻¹ for full row rank. Source: Vargas 2013, eq. 2.49; Cerbaro 2022, eq. 70.
         """
@@ -99,7 +100,7 @@ class Manipulability:
     def lost(self) -> Array:
         """Orthonormal basis of the velocities that no q̇ gives, yᵀ J = 0: columns of (m, m − rank).
 
-        Read as forces, they are those that the arm carries without torque. Source: Vargas 2013, §3.1, App. A.2.
+        Forces along them need no joint torque. Source: Vargas 2013, §3.1, App. A.2.
         """
         return self.U[:, self.rank :]
 
@@ -114,15 +115,15 @@ def analysed(J: Array) -> Manipulability:
 
 
 def in_metres(J: Array, length: float) -> Array:
-    """A Jacobian (6, n) whose rows all have one unit: [J_p; ℓ J_o].
+    """A Jacobian (6, n) scaled so that all its rows have one unit: [J_p; ℓ J_o].
 
-    Args: length: characteristic length ℓ, m: a turn at 1 rad/s counts as much as a motion at ℓ metres a second.
+    Args: length: characteristic length ℓ, m: rotation at 1 rad/s counts as much as translation at ℓ metres a second.
     """
     return np.vstack([J[:3], length * J[3:]])
 
 
 def of_position(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Manipulability:
-    """Manipulability of the position of a frame, the tool where none is given: that of J_p (3, n), m/rad or 1.
+    """Manipulability of the position of a frame, by default the tool: that of J_p (3, n), m/rad or 1.
 
     Args: q (n,), rad or m. Raises HelicoideError for a wrong q. Source: Yoshikawa 1985; Cerbaro 2022, eq. 11.
     """
@@ -130,7 +131,7 @@ def of_position(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Manip
 
 
 def of_twist(robot: Robot, q: ArrayLike, length: float, frame: Frame | None = None) -> Manipulability:
-    """Manipulability of position and orientation of a frame, the tool where none is given: that of [J_p; ℓ J_o] (6, n).
+    """Manipulability of position and orientation of a frame, by default the tool: that of [J_p; ℓ J_o] (6, n).
 
     Args: q (n,), rad or m; length: characteristic length ℓ, m. Raises HelicoideError for a wrong q.
     Source: Yoshikawa 1985; Vargas 2013, eqs. 3.1–3.5.

@@ -1,4 +1,4 @@
-"""A posture to begin with, for an arm whose file names none."""
+"""An initial posture for an arm whose file names none."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ _PATTERN = (0.0, 1.0, -1.0, 0.5, 1.0, 0.0)
 
 
 def ready(robot: Robot) -> Array:
-    """The first well-conditioned posture from the middle outwards, its tool up; else the best of all, (n,), rad or m.
+    """A well-conditioned posture near the middle of the range, with the tool high; (n,), rad or m.
 
-    The middle is zero where a joint's range leaves a tenth of itself on both sides. From there the joints are bent more
-    and more, like an arm with its elbow up: stretched, as at zero, most arms are singular and cannot be pulled inwards.
+    The middle of a joint is zero if at least a tenth of its range lies on each side. From there the joints are bent
+    further and further, elbow up, until the Jacobian is well conditioned: stretched arms are singular. If no posture is
+    well conditioned, the one with the smallest condition number is returned.
     """
     lower, upper = robot.lower, robot.upper
     margin = 0.1 * (upper - lower)
@@ -37,6 +38,6 @@ def ready(robot: Robot) -> Array:
 
 
 def _condition(robot: Robot, q: Array) -> float:
-    """Largest over smallest singular value of the tool's Jacobian that can differ from zero, a radian as one reach."""
+    """Condition number of the tool's Jacobian within its usual rank, a radian counted as one reach."""
     sigma = of_twist(robot, q, robot.reach).sigma
     return float(sigma[0] / max(sigma[usual_rank(robot) - 1], 1e-12))

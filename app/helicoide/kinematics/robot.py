@@ -1,4 +1,4 @@
-"""A robot arm as the rest of the program sees it: SI units, radians, arrays ready for the kernels."""
+"""A robot arm as the rest of the program uses it: SI units, radians, arrays ready for the kernels."""
 
 from __future__ import annotations
 
@@ -20,25 +20,24 @@ from helicoide.kinematics.robot_parts import FRAME_TITLES, Capsule, Frame, Gripp
 from helicoide.kinematics.urdf_xml import root_link
 from helicoide.text import HelicoideError, Text
 
-# Radius of the bodies of an arm whose file gives none, as a share of its reach; shorter pieces are left out
-# unless a slide makes them longer. And what an arm is taken to reach that reaches nowhere, m: as a divisor, below which
-# the tool counts as not moving away from its axes, and where its file gives no length at all.
+# Radius of the bodies of an arm whose file gives none, as a fraction of its reach; shorter segments are left out
+# unless a prismatic joint extends them.
 SLENDER = 0.04
+# Below this reach, m, the tool counts as not moving away from its axes; and the reach of an arm without any length, m.
 NO_REACH, SOME_REACH = 1e-6, 0.5
 
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """An arm: m moving joints in a chain, driven by n variables q; n = m unless joints follow others.
+    """An arm: m moving joints in a chain, driven by n variables q; n = m unless some joints follow others.
 
     The frame of link i lies at the point of joint i, its axes parallel to the base at q = 0; link 0 is the base.
     guarded_points (p, 3), m, are given in the frames of the links guarded_joints (p,) that carry them.
-    parameters: lengths, m, that stand as ${name} in the URDF. floor: height of the floor, m. camera: from where the arm
-    is seen first, and where to, m. assumed: what the source does not give: lengths, limits or speeds. capsules: what
-    the file gives of its bodies; self_collision: pairs of them that must not touch, by number. base: the URDF link from
-    where the chain begins, "" for the root; leaders: the joints beside the chain that joints of it follow; remarks:
-    what is to be said of how its file was read; stated: whether screws, DH rows and the URDF are separate statements,
-    so that they can contradict each other.
+    parameters: lengths, m, that the URDF names as ${name}; floor: height of the floor, m; camera: position and target
+    of the first view, m; assumed: what the source does not give: lengths, limits or speeds; capsules: bodies that the
+    file gives; self_collision: pairs of them that must not touch, by number; base: URDF link at which the chain begins,
+    "" for the root; leaders: joints outside the chain that joints of it follow; remarks: sentences on how the file was
+    read; stated: whether screws, DH rows and the URDF are stated independently, so that they can contradict each other.
     """
 
     name: str
@@ -71,20 +70,20 @@ class Robot:
 
     @cached_property
     def all_remarks(self) -> tuple[Text, ...]:
-        """The remarks, and what of the robot is not drawn, and why, for which its meshes are read."""
-        from helicoide.kinematics.urdf_file import not_drawn  # who does not ask does not wait for the reader of meshes
+        """The remarks, and a sentence on visuals that cannot be drawn. Reads the meshes."""
+        from helicoide.kinematics.urdf_file import not_drawn  # imported here, as the reader of meshes loads slowly
 
         left_out = not_drawn(self.urdf, self.parameters)
         return self.remarks if left_out is None else (*self.remarks, left_out)
 
     @cached_property
     def variables(self) -> tuple[Variable, ...]:
-        """The joints that q holds, (n,): all that follow no other, then the leaders beside the chain."""
+        """The variables of q, (n,): joints that follow no other, then the leaders outside the chain."""
         return (*(joint for joint in self.joints if joint.mimic is None), *self.leaders)
 
     @cached_property
     def chain(self) -> Chain:
-        """What the kernels know of the joints, (m,)."""
+        """The joints as the kernels take them, (m,) of `CHAIN`."""
         return chain_of(self.joints)
 
     @cached_property
@@ -119,12 +118,12 @@ class Robot:
 
     @cached_property
     def bodies(self) -> tuple[Capsule, ...]:
-        """The capsules of the file; where it gives none, the straight pieces between the guarded points."""
+        """The capsules of the file; if it gives none, capsules between successive guarded points."""
         return self.capsules or _between_guarded_points(self)
 
     @cached_property
     def turns_whole(self) -> NDArray[np.bool_]:
-        """Whether the arm stands alike when a variable changes by 2π, (n,): not where one slides or is geared."""
+        """Whether adding 2π to a variable gives the same posture, (n,): not if it slides or drives other joints."""
         geared = self.chain["slides"] | (self.chain["ratio"] != np.round(self.chain["ratio"]))
         held = set(self.chain["driver"][geared])
         return np.array([not variable.slides and i not in held for i, variable in enumerate(self.variables)])
@@ -136,7 +135,7 @@ class Robot:
 
     @cached_property
     def stretched(self) -> float:
-        """Length of the stretched chain from the first axis to the tool, with every slide that is bounded out, m."""
+        """Length of the stretched chain from the first axis to the tool, with every bounded slide extended, m."""
         ways = np.diff([*self.points, self.T_world_tool_0[:3, 3]], axis=0)
         ways[0] -= (ways[0] @ self.directions[0]) * self.directions[0]
         return float(np.linalg.norm(ways, axis=1).sum() + self.strokes[~self._assumed].sum())
@@ -148,7 +147,7 @@ class Robot:
 
     @cached_property
     def strokes(self) -> Array:
-        """How far each joint that slides may be from zero, (m,), m; 0 where it turns."""
+        """Largest distance of each prismatic joint from zero, (m,), m; 0 for revolute joints."""
         ends = np.abs([spread(self.chain, self.lower), spread(self.chain, self.upper)]).max(axis=0)
         return frozen(np.where(self.chain["slides"], ends, 0.0))
 
@@ -159,12 +158,12 @@ class Robot:
 
     @cached_property
     def turns_only(self) -> bool:
-        """Whether the tool stays where it is, whatever the joints do: only its orientation changes."""
+        """Whether the joints change only the orientation of the tool and never its position."""
         return self.stretched < NO_REACH and not any(joint.slides for joint in self.joints)
 
     @cached_property
     def reach(self) -> float:
-        """How large the arm is, m, never zero: `stretched`, else how far its joints and its tool lie from the base."""
+        """Size of the arm, m, never zero: `stretched`, or the largest distance of a joint or the tool from the base."""
         if self.stretched >= NO_REACH:
             return self.stretched
         far = float(np.linalg.norm([*self.points, self.T_world_tool_0[:3, 3]], axis=1).max())
@@ -172,15 +171,15 @@ class Robot:
 
     @cached_property
     def base_link(self) -> str:
-        """The URDF link that stands still, from where the chain begins."""
+        """The fixed URDF link at which the chain begins."""
         return self.base or root_link(self.urdf, self.parameters)
 
     def check_joints(self, q: ArrayLike) -> Array:
-        """The joint values as a read-only array (n,); raises HelicoideError unless there are n finite numbers."""
+        """The joint values as a read-only copy (n,); raises HelicoideError unless they are n finite numbers."""
         return frozen(self.joints_of(q))
 
     def joints_of(self, q: ArrayLike) -> Array:
-        """The same as it is given where it is an array, for who keeps no more than its numbers."""
+        """The same without a copy, for callers that do not keep the array."""
         values = np.ascontiguousarray(q, dtype=np.float64)
         if values.shape != (len(self.variables),) or not all(map(isfinite, values.tolist())):
             raise HelicoideError(
@@ -216,7 +215,7 @@ def _between_guarded_points(robot: Robot) -> tuple[Capsule, ...]:
 
 
 def on_link(T_world_frame_0: Array, point: Array) -> Array:
-    """A frame at q = 0, (4, 4), m, as a link sees it whose joint has that point, (3,), m."""
+    """A frame at q = 0, (4, 4), m, in the frame of the link whose joint has the point (3,), m."""
     T = T_world_frame_0.copy()
     T[:3, 3] -= point
     return frozen(T)
@@ -225,7 +224,7 @@ def on_link(T_world_frame_0: Array, point: Array) -> Array:
 def guarded_centres(
     joints: tuple[Joint, ...], T_world_tool_0: Array
 ) -> tuple[tuple[GuardedPoint, ...], Array, NDArray[np.int64]]:
-    """The guarded points of an arm whose file names none: the centre of every joint, and the tool."""
+    """The guarded points, if the file names none: the centre of every joint, and the tool."""
     centre = Text(en="joint {n}", pt_BR="junta {n}")
     points = [GuardedPoint(joint.name, centre.format(n=i + 1)) for i, joint in enumerate(joints)]
     last = on_link(T_world_tool_0, joints[-1].point)[:3, 3]

@@ -1,4 +1,4 @@
-"""What the types of a robot file alone cannot say: references, counts, axes, sizes and limits."""
+"""Checks of a robot file beyond its types: references, counts, axes, sizes and limits."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import numpy as np
 from helicoide.kinematics.robot_file import CapsuleFile, FrameFile, JointFile, Matrix, PointFile, RobotFile
 from helicoide.text import HelicoideError, Text
 
-# Shorter directions are taken for zero, and matrices that are so far from a rotation for none; those that are written
-# with a few digits are nearer.
+# Shorter directions count as zero. Matrices that differ more from a rotation are refused; the tolerance allows for
+# entries written with a few digits.
 SHORTEST, TURNED = 1e-6, 1e-3
 
 
 def check(file: RobotFile) -> None:
-    """Raise HelicoideError, with the reason alone, for a robot that cannot be."""
+    """Raise HelicoideError, with the reason alone, for an impossible robot."""
     names = [joint.name for joint in file.joints]
     if not names:
         raise HelicoideError(
@@ -40,7 +40,7 @@ def check(file: RobotFile) -> None:
 
 
 def _check_parts(file: RobotFile, names: Sequence[str]) -> None:
-    """Each part is carried by a joint, or by none; frames are rotated, not bent."""
+    """Check that each part names a known joint, or none, and that each matrix is a rotation."""
     parts: list[PointFile | FrameFile | CapsuleFile] = [*file.guarded_points, *_given(file), *file.capsules]
     for carrier in [part.joint for part in parts]:
         if carrier not in ("", *names):
@@ -154,7 +154,7 @@ def _check_joint(joint: JointFile) -> None:
 
 
 def limits_of(joint: JointFile) -> tuple[tuple[float, float], float]:
-    """Limits and speed of a joint in the unit of its kind; raises HelicoideError for another unit, or none."""
+    """Limits and speed of a joint, in deg or mm by its kind; raises HelicoideError if they are missing or mixed."""
     turning, sliding = (joint.limits_deg, joint.speed_deg_s), (joint.limits_mm, joint.speed_mm_s)
     (limits, speed), other, unit = (turning, sliding, "deg") if joint.kind == "revolute" else (sliding, turning, "mm")
     if limits is None or speed is None or other != (None, None):
@@ -169,7 +169,7 @@ def limits_of(joint: JointFile) -> tuple[tuple[float, float], float]:
 
 
 def acceleration_of(joint: JointFile) -> float:
-    """Acceleration limit in the unit of the joint's kind, infinite where there is none; raises as `limits_of`."""
+    """Acceleration limit, in deg/s² or mm/s² by the joint's kind; infinite if there is none. Raises as `limits_of`."""
     given, other, unit = joint.acceleration_deg_s2, joint.acceleration_mm_s2, "deg"
     if joint.kind == "prismatic":
         given, other, unit = other, given, "mm"

@@ -1,4 +1,4 @@
-"""The format of `robots/<name>/robot.toml`: what a robot says of itself, in millimetres and degrees."""
+"""The format of `robots/<name>/robot.toml`, in millimetres and degrees."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Title(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
     @property
     def text(self) -> Text:
-        """The same as a Text."""
+        """The name as a `Text`."""
         return Text(en=self.en, pt_BR=self.pt_BR)
 
 
@@ -37,7 +37,7 @@ class Screw(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A Denavit-Hartenberg row; the joint's variable is added to theta, or to d where the joint slides.
 
-    a and α are those of the same joint in the standard convention, those of the joint before in the modified one.
+    In the standard convention a and α belong to the same joint; in the modified one, to the joint before.
     """
 
     theta_deg: float
@@ -47,7 +47,7 @@ class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A joint and the URDF link that it carries; limits in degrees or, where it slides, mm; acceleration if limited."""
+    """A joint and the URDF link that it moves; limits in degrees, or mm if prismatic; acceleration if limited."""
 
     name: str
     title: Title
@@ -64,7 +64,7 @@ class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class ToolFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """The tool frame at q = 0, and the same frame as the last DH frame sees it."""
+    """The tool frame at q = 0, in the base frame and in the last DH frame."""
 
     position_mm: Triple
     link: str
@@ -82,7 +82,7 @@ class FrameFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class FramesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """Where goals are given (station), where the wrist axes meet (wrist), the remote centre of motion (rcm)."""
+    """Other frames: where goals are given (station), where the wrist axes meet, remote centre of motion (rcm)."""
 
     station: FrameFile | None = None
     wrist: FrameFile | None = None
@@ -90,7 +90,7 @@ class FramesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class GripperFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """The URDF joint that opens the gripper, and the opening between the fingers."""
+    """The URDF joint that opens the gripper, and the full opening between the fingers."""
 
     joint: str
     opening_mm: float
@@ -106,7 +106,7 @@ class PointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class CapsuleFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A body of the arm, at q = 0: what lies within the radius of a straight piece; `joint` as in `PointFile`."""
+    """A body of the arm at q = 0: all points within the radius of a segment; `joint` as in `PointFile`."""
 
     name: str
     title: Title
@@ -117,21 +117,21 @@ class CapsuleFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 
 
 class CameraFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """From where the arm is seen first."""
+    """The first view of the arm."""
 
     position_mm: Triple
     look_at_mm: Triple
 
 
 class PoseFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A named posture: degrees, millimetres where a joint slides."""
+    """A named posture: degrees, or mm for prismatic joints."""
 
     title: Title
     joints: tuple[float, ...]
 
 
 class PlaneFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
-    """A confinement plane n·r = d with inward normal, and the pane that shows it; printed: as its source has it."""
+    """A confinement plane n·r = d with inward normal, and the pane that shows it; printed: as its source prints it."""
 
     name: str
     title: Title

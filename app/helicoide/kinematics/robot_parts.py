@@ -1,4 +1,4 @@
-"""The parts of a robot beside its joints: frames, guarded points, bodies, planes of its file, gripper."""
+"""The parts of a robot other than its joints: frames, guarded points, bodies, planes of its file, gripper."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ class GuardedPoint:
 
 @dataclass(frozen=True, eq=False)
 class Capsule:
-    """A body of the arm: all points within `radius`, m, of the straight piece between two points.
+    """A body of the arm: all points within `radius`, m, of the segment between two points.
 
-    ends (2, 3), m, in the frames of the links (2,) that carry them: one link, or two where something slides between.
+    ends (2, 3), m, in the frames of the links (2,) that carry them: two links if a prismatic joint lies between them.
     """
 
     name: str
@@ -53,16 +53,16 @@ class Capsule:
     radius: float
 
     def at(self, poses: Array) -> Array:
-        """Where its axis is, (2, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
+        """End points of its axis, (2, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
         carriers = poses[list(self.links)]
         return np.asarray(np.einsum("eij,ej->ei", carriers[:, :3, :3], self.ends) + carriers[:, :3, 3])
 
 
 @dataclass(frozen=True, eq=False)
 class Pane:
-    """A confinement plane n·r = d (m, inward normal) as the robot's file gives it, with the pane that shows it.
+    """A confinement plane n·r = d (d in m, inward normal) of the robot's file, with the pane that shows it.
 
-    printed: the plane as its source prints it, "" where none does.
+    printed: the plane as its source prints it, "" if none does.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Reading a robot file: its text, the sums of its parameters, and the refusal of what is wrong in it."""
+"""Reading a robot file: its text, sums of its parameters, and errors."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from helicoide.kinematics.robot_file import RobotFile
 from helicoide.text import HelicoideError, Text
 
 MOST_BYTES = 1_000_000
-# No number of an arm is greater, in mm, degrees or pulses; products of greater ones would overflow.
+# Largest number allowed in the file, in mm, degrees or pulses; products of larger ones could overflow.
 MOST = 1e9
 
 
@@ -39,7 +39,7 @@ def _number(words: str) -> float:
 
 
 def _with_parameters(table: dict[str, Any], changed: Mapping[str, float]) -> dict[str, Any]:
-    """The table with sums of parameters worked out wherever a list or a length holds one."""
+    """The table with each sum of parameters replaced by its value."""
     known = table.get("parameters", {})
     if not isinstance(known, dict) or not all(isinstance(value, int | float) for value in known.values()):
         return table
@@ -54,7 +54,7 @@ def _with_parameters(table: dict[str, Any], changed: Mapping[str, float]) -> dic
 
 
 def _summed(part: Any, known: Mapping[str, float]) -> Any:
-    """The same part of a file with each "l1 + l2" of known names as its sum."""
+    """A part of the file with each "l1 + l2" of known names replaced by its value."""
     match part:
         case dict():
             return {key: _summed(value, known) for key, value in part.items()}

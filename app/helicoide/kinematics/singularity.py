@@ -1,4 +1,4 @@
-"""How singular a posture is: kinds by the factors of det J where there are any, the rank, and the lost velocities."""
+"""How near a posture is to a singularity: factors of det J where they exist, rank of J, and lost velocities."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.spherical_wrist import Factor, factors, spherical_wrist
 from helicoide.text import Text, joined
 
-NEAR = 0.05  # of the largest: below it people are told
-TRIED = 64  # postures in which the usual rank and the largest singular value are looked for
+NEAR = 0.05  # fraction of the largest value below which people are warned
+TRIED = 64  # random postures in which the usual rank and the largest singular value are determined
 NONE_NEAR = Text(en="none near", pt_BR="nenhuma por perto")
 SINGULAR = Text(
     en="{what} moves in {rank} of its {usual} independent directions",
@@ -32,10 +32,10 @@ POINT = Text(en="the tool's point", pt_BR="o ponto do efetuador")
 
 @dataclass(frozen=True)
 class Freedom:
-    """In how many directions something moves here, and usually, in almost every posture.
+    """Rank of a Jacobian in this posture, and its usual rank, that in almost every posture.
 
-    relative: its singular value of that number over the largest that was found in any posture, 0 where it is singular;
-    1 for what no joint moves.
+    relative: the smallest of its `usual` largest singular values, divided by the largest such value of any sampled
+    posture; 0 at a singularity, 1 if no joint moves it.
     """
 
     what: Text
@@ -44,7 +44,7 @@ class Freedom:
     relative: float
 
     def words(self, within: float) -> Text | None:
-        """What is lost, or almost; None where nothing is."""
+        """A sentence on lost or slow directions; None if relative > within and no direction is lost."""
         if self.rank < self.usual:
             return SINGULAR.format(what=self.what, rank=self.rank, usual=self.usual)
         if self.relative <= within:
@@ -54,12 +54,12 @@ class Freedom:
 
 @dataclass(frozen=True, eq=False)
 class Singularity:
-    """How singular a posture is.
+    """How near a posture is to a singularity.
 
-    factors: of det J, for six joints with a spherical wrist, none for other arms. tool: by the rank of its J; point: by
-    that of its position alone, which an arm with few joints may lose while the tool still turns. lost: columns y
-    (6, 6 − rank) with yᵀ J = 0, velocities (v, ω) that no q̇ gives. An arm with fewer than six joints, or in a plane,
-    has a usual rank below 6 and always some of them; more where it is singular.
+    factors: of det J, for six joints with a spherical wrist; empty for other arms. tool: rank of its J; point: rank of
+    the position rows alone, which an arm with few joints may lose while the tool still rotates. lost: columns y
+    (6, 6 − rank) with yᵀ J = 0: velocities (v, ω) that no q̇ gives. An arm with fewer than six joints, or a planar arm,
+    has a usual rank below 6 and so always loses some; at a singularity it loses more.
     """
 
     factors: tuple[Factor, ...]
@@ -69,12 +69,12 @@ class Singularity:
 
     @property
     def rank(self) -> int:
-        """The rank of the tool's J here."""
+        """Rank of the tool's J in this posture."""
         return self.tool.rank
 
     @property
     def usual(self) -> int:
-        """Its rank in almost every posture."""
+        """Rank of the tool's J in almost every posture."""
         return self.tool.usual
 
     @property
@@ -88,18 +88,18 @@ class Singularity:
         return tuple(sorted(close, key=lambda factor: abs(factor.relative)))
 
     def words(self, within: float) -> Text:
-        """What is singular, or nearer to it than `within`, in words."""
+        """A sentence on what is singular, or nearer to it than `within`."""
         return self.told(within) or NONE_NEAR
 
     def told(self, within: float = NEAR) -> Text | None:
-        """The same; None where there is nothing to tell."""
+        """The same sentence; None if nothing is near a singularity."""
         if close := [factor.words for factor in self.near(within)]:
             return joined(close)
         return self.tool.words(within) or self.point.words(within)
 
 
 def singularity(robot: Robot, q: ArrayLike) -> Singularity:
-    """How singular a posture is: factors of the determinant where the wrist is spherical; rank and lost velocities.
+    """How near a posture is to a singularity: factors of det J for a spherical wrist; rank and lost velocities.
 
     Args: q (n,), rad or m. Raises HelicoideError for a wrong q. Source: Vargas 2013, §3.2, eqs. 3.8–3.9.
     """
@@ -118,7 +118,7 @@ def usual_rank(robot: Robot) -> int:
 
 @lru_cache(maxsize=32)
 def _usually(robot: Robot) -> tuple[tuple[int, float], ...]:
-    """Of the tool and of its point: the rank in a random posture, and the largest singular value of that number."""
+    """For the tool and for its point: the rank r in a random posture, and the largest σᵣ of all sampled postures."""
     postures = np.random.default_rng(0).uniform(robot.lower, robot.upper, (TRIED, len(robot.lower)))
     tried = [geometric(robot, q) for q in postures]
     ranks = [analysed(tried[0][:rows]).rank for rows in (6, 3)]
@@ -128,7 +128,7 @@ def _usually(robot: Robot) -> tuple[tuple[int, float], ...]:
 
 
 def _value(robot: Robot, J: Array, number: int) -> float:
-    """The singular value of that number of J (6, n), or of its first three rows, lengths in units of the reach."""
+    """Singular value σ of that number of J (6, n), or of its first three rows (3, n), with lengths in reaches."""
     if number == 0:
         return 1.0
     scaled = J * np.where([joint.slides for joint in robot.variables], robot.reach, 1.0)

@@ -1,4 +1,4 @@
-"""Arms of six turning joints whose last three axes meet: the factors of det J, and what is lost where one vanishes."""
+"""Arms with six revolute joints whose last three axes meet in a point: the factors of det J, by kind of singularity."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MEETING, PARALLEL = 1e-6, 1e-6
 
 
 class Kind(Enum):
-    """What such an arm can lose, in words."""
+    """The kinds of singularity of such an arm."""
 
     SHOULDER = Text(
         en="shoulder: the wrist centre stands over the first axis",
@@ -39,9 +39,9 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Factor:
-    """A factor of det J that belongs to a kind: its signed value, and the largest size that the arm's lengths allow.
+    """A factor of det J: its kind, its signed value, and the largest absolute value that the arm's lengths allow.
 
-    A shoulder's factor is in m, an elbow's in m², an arm's in m³; a wrist's has no unit.
+    Units: shoulder m, elbow m², arm m³, wrist none.
     """
 
     kind: Kind
@@ -50,19 +50,19 @@ class Factor:
 
     @property
     def relative(self) -> float:
-        """The factor over its largest size, in [−1, 1]: 0 is singular."""
+        """Value divided by the largest absolute value, in [−1, 1]; 0 is singular."""
         return self.value / self.largest
 
     @property
     def words(self) -> Text:
-        """The kind in words, with how near it is."""
+        """The kind as a sentence, with the relative value in percent."""
         return Text(
             en="{kind} (factor at {part:.1f} % of its largest)", pt_BR="{kind} (fator a {part:.1f} % do máximo)"
         ).format(kind=self.kind.value, part=100 * abs(self.relative))
 
 
 def spherical_wrist(robot: Robot) -> Frame | None:
-    """The frame "wrist" where the last three of six turning joints meet in it; None for other arms."""
+    """The frame "wrist" if the last three of six revolute axes meet in its origin; None for other arms."""
     wrist, joints = robot.frames.get("wrist"), robot.joints
     if wrist is None or len(joints) != 6 or wrist.link < 4 or any(joint.slides or joint.mimic for joint in joints):
         return None
@@ -74,8 +74,8 @@ def spherical_wrist(robot: Robot) -> Frame | None:
 def factors(robot: Robot, q: ArrayLike, wrist: Frame) -> tuple[Factor, ...]:
     """Factors of the determinant at the wrist centre p: J_G = [J₁₁ 0; J₂₁ J₂₂], det J_G = det J₁₁ det J₂₂.
 
-    −det J₂₂ = s₄·(s₆ × s₅), and where s₂ ∥ s₃ −det J₁₁ = [(s₁ × s₂)·(p − p₁)] [s₂·((p − p₂) × (p − p₃))]: shoulder and
-    elbow; of other arms −det J₁₁ is one factor. For the Zebra-ZERO they are l₁c₂ − l₂s₂₃, l₁l₂ cos q₃ and sin q₅.
+    −det J₂₂ = s₄·(s₆ × s₅) is the wrist's. If s₂ ∥ s₃, −det J₁₁ = [(s₁ × s₂)·(p − p₁)] [s₂·((p − p₂) × (p − p₃))],
+    shoulder and elbow; else −det J₁₁ is one factor. For the Zebra-ZERO: l₁c₂ − l₂s₂₃, l₁l₂ cos q₃ and sin q₅.
     Args: q (6,), rad. Raises HelicoideError for a wrong q. Source: Vargas 2013, §3.2, eqs. 3.8–3.9.
     """
     poses = link_poses(robot.chain, robot.check_joints(q))
@@ -87,7 +87,7 @@ def factors(robot: Robot, q: ArrayLike, wrist: Frame) -> tuple[Factor, ...]:
 
 
 def _shoulder_and_elbow(axes: Array, ways: Array) -> tuple[Factor, Factor]:
-    """The factors of −det J₁₁ where s₂ ∥ s₃, from the axes (6, 3) and the ways p − pᵢ (3, 3), m."""
+    """The two factors of −det J₁₁ for s₂ ∥ s₃, from the axes (6, 3) and the vectors p − pᵢ (3, 3), m."""
     side, across = np.cross(axes[0], axes[1]), axes[1]
     upper, fore = (float(np.linalg.norm(np.cross(across, link))) for link in (ways[1] - ways[2], ways[2]))
     offset, sine = abs(float(side @ (ways[0] - ways[1]))), float(np.linalg.norm(side))
@@ -98,7 +98,7 @@ def _shoulder_and_elbow(axes: Array, ways: Array) -> tuple[Factor, Factor]:
 
 
 def _arm(axes: Array, ways: Array) -> Factor:
-    """−det J₁₁ in one piece, from the same; at most the product of the stretched ways from the three joints."""
+    """−det J₁₁ as one factor; its bound is the product of the stretched lengths from the three joints to p."""
     columns = np.cross(axes[:3], ways)
     steps = np.linalg.norm([ways[0] - ways[1], ways[1] - ways[2], ways[2]], axis=1)
     longest = np.prod(np.cumsum(steps[::-1]))
@@ -106,7 +106,7 @@ def _arm(axes: Array, ways: Array) -> Factor:
 
 
 def _wrist(axes: Array) -> Factor:
-    """−det J₂₂ = s₄·(s₆ × s₅); at most the product of the sines between the neighbours."""
+    """−det J₂₂ = s₄·(s₆ × s₅); its bound is the product of the sines between neighbouring axes."""
     s4, s5, s6 = axes[3:]
     sines = np.linalg.norm(np.cross(s4, s5)) * np.linalg.norm(np.cross(s5, s6))
     return Factor(Kind.WRIST, float(s4 @ np.cross(s6, s5)), float(sines))

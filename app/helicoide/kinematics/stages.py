@@ -1,4 +1,4 @@
-"""Forward kinematics joint by joint, as its sources print it: what each joint adds, and where all up to it lead."""
+"""Forward kinematics joint by joint, as its sources print it: the factor of each joint and the partial product."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ SOURCE_LENGTH, SOURCE_ANGLE = 1000.0, float(np.degrees(1.0))
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """A joint, and what it and those before it come to.
+    """A joint, its parameters, and the product of the transforms up to it.
 
-    angles, rad, and lengths, m, numbers or (3,), by their signs; direction (3,): unit axis of a screw, else None.
+    angles, rad, and lengths, m, numbers or (3,), by their symbols; direction (3,): unit axis of a screw, else None.
     partial: T₀ A₁ … Aᵢ or H₁ … Hᵢ, (4, 4), m; or h₁ … hᵢ, (8,), the coefficients 1, i, j, k, ε, iε, jε, kε, m.
     """
 
@@ -34,9 +34,9 @@ class Stage:
 
 
 def dh_stages(robot: Robot, q: Array) -> list[Stage]:
-    """DH rows with the joint's variable in them, and the DH frames in the base: q (n,), rad or m.
+    """DH rows with the joint values q (n,), rad or m, and the DH frames in the base frame.
 
-    The last is the last DH frame, not the tool's. Source: Cerbaro 2022, eqs. 4, 57 and 59; Campos 1998, s.40.
+    The last stage is the last DH frame, not the tool. Source: Cerbaro 2022, eqs. 4, 57 and 59; Campos 1998, s.40.
     """
     stages = []
     values = spread(robot.chain, q)
@@ -48,7 +48,7 @@ def dh_stages(robot: Robot, q: Array) -> list[Stage]:
 
 
 def screw_stages(robot: Robot, q: Array) -> list[Stage]:
-    """Screws at q = 0, and the displacements from there, H₁ … Hᵢ, base frame: q (n,), rad or m.
+    """Screw axes at q = 0, and the displacements H₁ … Hᵢ from there, base frame; q (n,), rad or m.
 
     Source: Cerbaro 2022, App. D, eqs. 7 and 8.
     """
@@ -56,7 +56,7 @@ def screw_stages(robot: Robot, q: Array) -> list[Stage]:
 
 
 def product_stages(robot: Robot, q: Array) -> list[Stage]:
-    """Screws at q = 0, and the displacements from there as dual quaternions, h₁ … hᵢ: q (n,), rad or m.
+    """Screw axes at q = 0, and the displacements from there as dual quaternions, h₁ … hᵢ; q (n,), rad or m.
 
     Source: Cerbaro 2022, eqs. 15 and 103, with joint n innermost.
     """
@@ -82,7 +82,7 @@ def _of_screw(joint: Joint, value: float, partial: Array) -> Stage:
 
 
 def in_source_units(stage: Stage) -> Stage:
-    """The same in millimetres and degrees, as the sources print."""
+    """The stage in millimetres and degrees, as the sources print it."""
     partial = stage.partial.copy()
     partial[(slice(4, None),) if partial.ndim == 1 else (slice(0, 3), 3)] *= SOURCE_LENGTH
     angles = {name: SOURCE_ANGLE * value for name, value in stage.angles.items()}

@@ -1,4 +1,4 @@
-"""What many postures do to the cells of a workspace: the kernels that its maps are counted with."""
+"""The kernels that count postures into the cells of a workspace map."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.jacobian import geometric, joint_axes
 
 Flags = NDArray[np.uint8]
-# Orientations are told apart by turns about the normal, in a plane, or by bands of equal area around the vertical,
-# headings in a band, and rolls about the pointing axis: all of them equally likely of a random orientation.
+# Bins of orientation. In a plane: the angle about the normal. In space: bands of equal area around the vertical,
+# headings within a band, and rolls about the pointing axis; a random orientation falls into each bin equally likely.
 TURNS, BANDS, HEADINGS, ROLLS = 64, 4, 8, 4
 
 
 @kernel
 def share_of_turn(y: float, x: float, parts: int) -> int:
-    """In which of equal parts of a turn the angle Atan2(y, x) lies."""
+    """Number of the bin that holds the angle Atan2(y, x); parts: number of equal bins in 2π."""
     part = int(np.floor((np.arctan2(y, x) / (2 * np.pi) + 0.5) * parts))
     return min(part, parts - 1)
 
 
 @kernel
 def sector_of(R: Array, axes: Array) -> int:
-    """In which of the kinds of orientation a rotation lies. Args: R (3, 3); axes (d, 3) of the cells.
+    """Number of the orientation bin of a rotation. Args: R (3, 3); axes (d, 3) of the cells.
 
-    In a plane with the normal n by the turn φ = Atan2(n·vee(R − Rᵀ), tr R − nᵀ R n); in space by the band and heading
-    of its z axis and the roll of its x axis from the horizontal. Source for φ: Campos 1998, s.29.
+    In a plane with normal n: by the angle φ = Atan2(n·vee(R − Rᵀ), tr R − nᵀ R n). In space: by the band and heading of
+    the z axis and the roll of the x axis from the horizontal. Source for φ: Campos 1998, s.29.
     """
     if axes.shape[0] == 2:
         n = np.cross(axes[0], axes[1])
@@ -40,17 +40,16 @@ def sector_of(R: Array, axes: Array) -> int:
     x, y, z = R[0, 2], R[1, 2], R[2, 2]
     band = min(int((z + 1) / 2 * BANDS), BANDS - 1)
     heading = share_of_turn(y, x, HEADINGS)
-    # along (−y, x, 0), which is level, and along (−x z, −y z, x² + y²), its product with the z axis, of equal length
+    # along (−y, x, 0), which is horizontal, and along (−x z, −y z, x² + y²), its cross product with z, equally long
     level, upward = R[1, 0] * x - R[0, 0] * y, R[2, 0] * (x * x + y * y) - z * (R[0, 0] * x + R[1, 0] * y)
     return (band * HEADINGS + heading) * ROLLS + share_of_turn(upward, level, ROLLS)
 
 
 @kernel
 def spread_of(J: Array) -> float:
-    """Manipulability w = √det(J Jᵀ), or √det(Jᵀ J) where that is the smaller: the volume that the rows span.
+    """Manipulability w = √det(J Jᵀ), or √det(Jᵀ J) if n < d: the volume that the rows span, by Gram-Schmidt.
 
-    By taking from each row what lies along those before. Args: J (d, n). Source: Yoshikawa 1985; Coutinho 2015, eq.
-    3.36.
+    Args: J (d, n). Source: Yoshikawa 1985; Coutinho 2015, eq. 3.36.
     """
     rows = J.copy() if J.shape[0] <= J.shape[1] else J.T.copy()
     w = 1.0
@@ -77,11 +76,11 @@ def swept(
     sectors: Flags,
     best: Array,
 ) -> None:
-    """Count postures into the cells that hold their tool points: hits, and the sectors or the best w where asked.
+    """Count postures into the cells that hold their tool points: hits, and optionally orientation bins or the best w.
 
-    Args: postures (k, n), rad or m; the grid as in `Cells`; hits (count,); sectors (count, kinds of orientation) and
-    best (count,), each empty where it is not asked for. The last three are changed. The orientation counted is that of
-    the last link, from which that of the tool differs by a turn of its own.
+    Args: postures (k, n), rad or m; the grid as in `Cells`; hits (count,); sectors (count, orientation bins) and best
+    (count,), each empty if not wanted. The last three are changed. The orientation is that of the last link, from which
+    the tool's differs by a constant rotation.
     """
     for k in range(postures.shape[0]):
         poses = link_poses(chain, postures[k])

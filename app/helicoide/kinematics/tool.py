@@ -1,8 +1,8 @@
-"""The tool's pose and Jacobian in one call: for scripts; the page leaves them alone.
+"""The tool's pose and Jacobian in one call, for scripts.
 
-They take the arm as the one array of `packed`. The kernels, named `_into`, write into an array of the caller's: numba
-takes longer to hand out an array than they take for the mathematics, which is why the others make it before they call.
-Shapes are not checked. A frame is held as three rows (R, p) of four numbers, which stay in registers.
+The functions take the arm as one array, made by `packed`. The kernels whose names end in `_into` write into an array of
+the caller, as numba takes longer to return a new array than to compute its numbers. Shapes are not checked. A frame is
+three rows (R, p) of four numbers, which stay in registers.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ Triple = tuple[float, float, float]
 Row = tuple[float, float, float, float]
 Rows = tuple[Triple, Triple, Triple]
 
-# Columns of a joint: its axis s (three), the way s₀ᵢ − s₀ᵢ₋₁ to it (three), the number of the variable that drives it,
-# and what it does when that stands at q, a turn by θ = TURN q + TURN_SHIFT and a slide by x = SLIDE q + SLIDE_SHIFT.
+# Columns of a joint: its axis s (three), the offset s₀ᵢ − s₀ᵢ₋₁ (three), the number of its variable q, its rotation
+# θ = TURN q + TURN_SHIFT and its displacement x = SLIDE q + SLIDE_SHIFT.
 AXIS, WAY, DRIVER, TURN, TURN_SHIFT, SLIDE, SLIDE_SHIFT = 0, 3, 6, 7, 8, 9, 10
 COLUMNS = 12  # the last row is the tool: (R, p) on the last link, row by row
 
@@ -28,9 +28,9 @@ X, Y, Z = (1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0)  # th
 
 
 def packed(robot: Robot) -> Array:
-    """An arm as the kernels here take it: its m joints and its tool, (m + 1, 12), at q = 0 in the base frame, rad, m.
+    """An arm as one array for these kernels: its m joints and its tool, (m + 1, 12), at q = 0, base frame, rad, m.
 
-    It is not read-only, as other arrays are, because Numba takes longer to recognise one that is.
+    Unlike other arrays it is not read-only, because numba takes longer to recognise a read-only one.
     """
     chain, arm = robot.chain, np.zeros((len(robot.joints) + 1, COLUMNS))
     joints, turns = arm[:-1], ~chain["slides"]
@@ -43,7 +43,7 @@ def packed(robot: Robot) -> Array:
 
 @kernel
 def dot(a: Row | Triple, b: Row | Triple) -> float:
-    """a · b, of their first three numbers."""
+    """a · b of the first three numbers."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
@@ -55,13 +55,13 @@ def cross(a: Triple, b: Triple) -> Triple:
 
 @kernel
 def line(joint: Array) -> tuple[Triple, Triple]:
-    """A joint's axis, and the way to it."""
+    """A joint's axis s, and its offset s₀ᵢ − s₀ᵢ₋₁."""
     return (joint[0], joint[1], joint[2]), (joint[3], joint[4], joint[5])
 
 
 @kernel
 def carried(row: Row, axis: Triple, way: Triple, x: float, c: float, s: float) -> Row:
-    """A row (r, p) behind a joint: r cos θ + (1 − cos θ)(r·s) s + sin θ r × s (Rodrigues) and p + r·(way + x s)."""
+    """A row (r, p) after a joint: r cos θ + (1 − cos θ)(r·s) s + sin θ r × s (Rodrigues) and p + r·(way + x s)."""
     height = dot(row, axis)
     v = (1.0 - c) * height
     return (
@@ -74,7 +74,7 @@ def carried(row: Row, axis: Triple, way: Triple, x: float, c: float, s: float) -
 
 @kernel
 def standing(joint: Array, q: float) -> tuple[float, float, float]:
-    """The slide of a joint whose variable stands at q, and the cosine and the sine of its turn."""
+    """Displacement x of a joint for the value q of its variable, and cos θ and sin θ of its rotation."""
     c, s = cosine_and_sine(joint[TURN] * q + joint[TURN_SHIFT])
     return joint[SLIDE] * q + joint[SLIDE_SHIFT], c, s
 
@@ -93,13 +93,13 @@ def ending(row: Row, tool: tuple[Row, Row, Row]) -> Row:
 
 @kernel
 def rows_of(a: Array) -> tuple[Row, Row, Row]:
-    """The three rows of the tool."""
+    """The three rows of T_link_tool."""
     return (a[0], a[1], a[2], a[3]), (a[4], a[5], a[6], a[7]), (a[8], a[9], a[10], a[11])
 
 
 @kernel
 def write(T: Array, x: Row, y: Row, z: Row) -> None:
-    """Write a pose."""
+    """Write the rows of a pose into T (4, 4)."""
     T[0, 0], T[0, 1], T[0, 2], T[0, 3] = x
     T[1, 0], T[1, 1], T[1, 2], T[1, 3] = y
     T[2, 0], T[2, 1], T[2, 2], T[2, 3] = z
@@ -108,7 +108,7 @@ def write(T: Array, x: Row, y: Row, z: Row) -> None:
 
 @kernel
 def twist(p: Triple, s: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
-    """A joint's twist (v, ω) at the base's origin for q̇ = 1: ω = TURN s and v = SLIDE s + p × ω, p on its axis s."""
+    """A joint's twist (v, ω) at the origin of the base for q̇ = 1: ω = TURN s, v = SLIDE s + p × ω, p on its axis s."""
     w = (turn * s[0], turn * s[1], turn * s[2])
     v = cross(p, w)
     return (v[0] + slide * s[0], v[1] + slide * s[1], v[2] + slide * s[2]), w
@@ -149,7 +149,7 @@ def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
     x, y, z = X, Y, Z
     last = arm.shape[0] - 1
     for i in range(last):
-        # In place: called in a kernel of its own, LLVM hands frames over in memory; that takes a tenth longer.
+        # Written out here: in a separate kernel, LLVM would pass the frames through memory, which takes a tenth longer.
         (axis, way), (slid, c, s) = line(arm[i]), standing(arm[i], q[int(arm[i, DRIVER])])
         x, y, z = (
             carried(x, axis, way, slid, c, s),
@@ -164,7 +164,7 @@ def tool_pose_into(arm: Array, q: Array, T: Array) -> None:
 def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
     """Write the Jacobian of `tool_jacobian` into J (6, n).
 
-    On the way along the arm columns belong to the base's origin; at its end v ← v + ω × p takes them to the tool.
+    Along the arm, twists are taken at the origin of the base; at the end v ← v + ω × p moves them to the tool.
     """
     J[:] = 0.0
     x, y, z = X, Y, Z
@@ -191,7 +191,7 @@ def tool_jacobian_into(arm: Array, q: Array, J: Array) -> None:
 
 
 def tool_pose(arm: Array, q: Array) -> Array:
-    """Tool pose in a posture: T = (Πᵢ Tr(s₀ᵢ − s₀ᵢ₋₁ + xᵢ sᵢ) Rot(sᵢ, θᵢ)) T_link_tool.
+    """Tool pose for joint values q: T = (Πᵢ Tr(s₀ᵢ − s₀ᵢ₋₁ + xᵢ sᵢ) Rot(sᵢ, θᵢ)) T_link_tool.
 
     Args: arm of `packed`; q (n,), rad or m. Returns T_world_tool (4, 4), m.
     Source: Cerbaro 2022, App. D, with the link frames of `forward.link_poses`.
@@ -202,7 +202,7 @@ def tool_pose(arm: Array, q: Array) -> Array:
 
 
 def tool_jacobian(arm: Array, q: Array) -> Array:
-    """Geometric Jacobian of the tool in a posture: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
+    """Geometric Jacobian of the tool: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] if joint i slides.
 
     Args: arm of `packed`; q (n,), rad or m. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
     Source: Cerbaro 2022, eq. 67; Vargas 2013, eqs. 2.16–2.21.

@@ -1,7 +1,7 @@
-"""Poses and Jacobians of the tool in many postures: the kernels of `tool`, a block of postures at a time.
+"""Poses and Jacobians of the tool in many postures: the kernels of `tool` on blocks of postures.
 
-Each number of a frame stands side by side for all postures of the block, and loops over a block have neither branches
-nor calls, so that they become vector instructions.
+In a block, each entry of a frame is stored contiguously for all postures. Loops over a block have neither branches nor
+calls, so that they compile to vector instructions.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from helicoide.kinematics.tool import (
 )
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
-# A block holds the twelve numbers of the frame, then x and θ of the joint, each for so many postures.
+# A block holds the twelve entries of the frame, then x and θ of the joint, each for this many postures.
 BLOCK = 128
 SLID, TURNED, NUMBERS = 12 * BLOCK, 13 * BLOCK, 14 * BLOCK
 
@@ -50,14 +50,14 @@ def put(block: Array, a: int, k: int, row: Row) -> None:
 
 @kernel
 def begin(block: Array) -> None:
-    """The base's frame in all postures."""
+    """Write the base frame for all postures."""
     for number in range(12):
         block[number * BLOCK : (number + 1) * BLOCK] = 1.0 if number % 5 == 0 else 0.0
 
 
 @kernel
 def move(block: Array, joint: Array, qs: Array) -> None:
-    """Where a joint stands in each posture."""
+    """Write the displacement x and the rotation θ of a joint in each posture."""
     turn, turn_shift, slide, slide_shift = joint[TURN], joint[TURN_SHIFT], joint[SLIDE], joint[SLIDE_SHIFT]
     j = int(joint[DRIVER])
     for k in range(qs.shape[0]):
@@ -66,7 +66,7 @@ def move(block: Array, joint: Array, qs: Array) -> None:
 
 @kernel
 def carry(block: Array, joint: Array) -> None:
-    """From the frame before a joint to that behind it."""
+    """Replace the frame before a joint by the frame after it."""
     axis, way = line(joint)
     for k in range(BLOCK):
         x, (c, s) = block[SLID + k], cosine_and_sine(block[TURNED + k])
@@ -77,7 +77,7 @@ def carry(block: Array, joint: Array) -> None:
 
 @kernel
 def finish(block: Array, end: Array) -> None:
-    """From the frame of the last link to the tool."""
+    """Replace the frame of the last link by the tool's."""
     tool = rows_of(end)
     for k in range(BLOCK):
         put(block, 0, k, ending(at(block, 0, k), tool))
@@ -102,13 +102,13 @@ def tool_poses_into(arm: Array, qs: Array, Ts: Array) -> None:
 
 @kernel
 def swept(x: Row, y: Row, z: Row, axis: Triple, turn: float, slide: float) -> tuple[Triple, Triple]:
-    """A joint's `twist` by the frame behind it, which turns its axis as the one before it does."""
+    """A joint's `twist` from the frame after it: the joint's own motion leaves its axis unchanged."""
     return twist((x[3], y[3], z[3]), (dot(x, axis), dot(y, axis), dot(z, axis)), turn, slide)
 
 
 @kernel
 def record(column: Array, block: Array, joint: Array) -> None:
-    """Add the twists of a joint, at the base's origin, to the column of its variable."""
+    """Add the twists of a joint, at the origin of the base, to the column of its variable."""
     (axis, _), turn, slide = line(joint), joint[TURN], joint[SLIDE]
     for k in range(BLOCK):
         v, w = swept(at(block, 0, k), at(block, 1, k), at(block, 2, k), axis, turn, slide)
@@ -118,7 +118,7 @@ def record(column: Array, block: Array, joint: Array) -> None:
 
 @kernel
 def add(column: Array, a: int, k: int, v: Triple) -> None:
-    """Add three numbers of posture k, from number a on."""
+    """Add a triple to the rows a to a + 2 of posture k."""
     i = a * BLOCK + k
     column[i] += v[0]
     column[i + BLOCK] += v[1]
@@ -127,7 +127,7 @@ def add(column: Array, a: int, k: int, v: Triple) -> None:
 
 @kernel
 def take_to_tool(column: Array, block: Array) -> None:
-    """From the base's origin to the tool: v ← v + ω × p."""
+    """Move the twists from the origin of the base to the tool: v ← v + ω × p."""
     for k in range(BLOCK):
         p = (at(block, 0, k)[3], at(block, 1, k)[3], at(block, 2, k)[3])
         w = (column[3 * BLOCK + k], column[4 * BLOCK + k], column[5 * BLOCK + k])

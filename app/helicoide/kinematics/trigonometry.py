@@ -1,4 +1,4 @@
-"""Cosine and sine for kernels: nothing but arithmetic, so that a loop over many angles becomes vector instructions."""
+"""Cosine and sine for kernels by arithmetic alone, so that a loop over many angles compiles to vector instructions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COSINE = (
     4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872894767294178e-05,
     -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11,
 )  # fmt: skip
-# Adding it and taking it away again rounds to a whole number: beside it a float has no binary places left.
+# Adding and subtracting this number rounds to an integer: a float of this size has no fractional bits.
 TO_WHOLE = 1.5 * 2.0**52
 
 

@@ -1,7 +1,7 @@
-"""Maps of what an arm reaches, by many random postures: where, with how many orientations, and how nimbly.
+"""Workspace maps from many random postures: reached positions, share of orientations, or manipulability.
 
-A map is counted in chunks, each with a seed of its own, and putting them together does not depend on their order: it is
-the same whoever counts them. What is found is reached; a cell that no posture hits may still be.
+A map is counted in chunks, each with its own seed. The result does not depend on their order, nor on which process
+counts them. A cell that a posture hits is reachable; a cell that none hits may be reachable too.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from helicoide.text import HelicoideError, Text
 
 Kind = Literal["reachable", "dexterous", "manipulability"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
-# Postures of a chunk; postures for each cell, or each kind of orientation in it; and the least and the most cells
-# across, in a plane and in space.
+# Postures in a chunk; postures per cell, and per orientation bin; least and largest number of cells along an axis, for
+# d = 2 and 3.
 CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
 PARALLEL = 1e-9
-POINT = 1e-3  # of the reach: half of the only cell of an arm whose tool stays where it is
+POINT = 1e-3  # half the edge of the only cell of an arm whose tool point is fixed, as a fraction of the reach
 STAYS = Text(
     en="{name}: the tool stays at {position} m whatever the joints do; only its orientation changes",
     pt_BR="{name}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
@@ -36,7 +36,7 @@ STAYS = Text(
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """What a map is counted from: arrays alone, so that any machine can do its part."""
+    """The input of a map: arrays alone, so that any process can count a part."""
 
     kind: Kind
     samples: int
@@ -49,12 +49,12 @@ class Plan:
 
     @property
     def chunks(self) -> int:
-        """How many chunks there are to be counted."""
+        """Number of chunks to count."""
         return -(-self.samples // CHUNK)
 
     @property
     def sectors(self) -> int:
-        """How many kinds of orientation are told apart."""
+        """Number of orientation bins."""
         return TURNS if len(self.cells.shape) == 2 else BANDS * HEADINGS * ROLLS
 
     @property
@@ -70,7 +70,7 @@ class Plan:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """What one chunk, or several together, came to: hits (count,), sectors (count, k) and best (count,), or empty."""
+    """The result of one or more chunks: hits (count,), sectors (count, k), best (count,); the last two may be empty."""
 
     hits: Counts
     sectors: Flags
@@ -81,8 +81,8 @@ class Part:
 class Map:
     """The finished map: hits (count,) and values (count,).
 
-    values: 1 where a cell is reached; the share of all orientations with which it is; or the largest manipulability
-    of position in it, m^d or as slides make it; 0 where nothing was found.
+    values of a cell: 1 if it is reached; or the share of orientation bins with which it is reached; or the largest
+    manipulability of position in it, m^d for revolute joints; 0 if no posture hits it.
     """
 
     kind: Kind
@@ -98,12 +98,12 @@ class Map:
 
     @property
     def measure(self) -> float:
-        """Area, m², of an arm in a plane, or volume, m³, of what is reached."""
+        """Reached area, m², of a planar arm, or reached volume, m³."""
         return self.cells.measure(self.reached)
 
 
 def normal_of(robot: Robot) -> Array | None:
-    """The normal of the plane in which the tool point of a planar arm stays, (3,); None for other arms."""
+    """Normal of the plane in which the tool point of a planar arm moves, (3,); None for other arms."""
     turning = [joint.direction for joint in robot.joints if not joint.slides]
     if not turning:
         return None
@@ -114,12 +114,12 @@ def normal_of(robot: Robot) -> Array | None:
 
 
 def stays(robot: Robot, name: str | Text) -> Text:
-    """What is said, under a name, of an arm whose tool only turns."""
+    """The sentence on an arm whose tool point is fixed, under the name of the map."""
     return STAYS.format(name=name, position=", ".join(f"{x + 0.0:.3f}" for x in robot.T_world_tool_0[:3, 3].round(3)))
 
 
 def extent(robot: Robot) -> tuple[Array, float]:
-    """A point (3,), m, from which the tool is never farther than the second value, m: the arm stretched."""
+    """Centre (3,), m, and radius, m, of a sphere that contains every tool point: the stretched arm."""
     ways = np.diff([*robot.points, robot.T_world_tool_0[:3, 3]], axis=0)
     z = robot.directions[0]
     up = (ways[0] @ z) * z
@@ -128,9 +128,9 @@ def extent(robot: Robot) -> tuple[Array, float]:
 
 
 def planned(robot: Robot, kind: Kind, samples: int, seed: int = 0) -> Plan:
-    """The plan of a map with so many random postures within the joint limits, as fine as these allow.
+    """The plan of a map from `samples` random postures within the joint limits; their number sets the cell size.
 
-    Raises HelicoideError unless there is at least one posture, and for another kind.
+    Raises HelicoideError for fewer than one posture or an unknown kind.
     """
     if kind not in KINDS:
         raise HelicoideError(
@@ -172,7 +172,7 @@ def _cells(robot: Robot, kind: Kind, samples: int) -> Cells:
 
 
 def _across(normal: Array) -> Array:
-    """Two directions of the plane, (2, 3), as near to the axes of the base as may be."""
+    """Two orthonormal directions of the plane, (2, 3), as close to the axes of the base as possible."""
     x = np.eye(3)[np.argmin(np.abs(normal))]
     x = x - (x @ normal) * normal
     x /= np.linalg.norm(x)
@@ -180,7 +180,7 @@ def _across(normal: Array) -> Array:
 
 
 def counted(plan: Plan, chunk: int) -> Part:
-    """What a chunk of the plan, from 0, comes to: its own random postures, whoever counts them."""
+    """Count the random postures of a chunk of the plan, numbered from 0."""
     part = nothing(plan)
     size = min(CHUNK, plan.samples - chunk * CHUNK)
     postures = np.random.default_rng([plan.seed, chunk]).uniform(plan.lower, plan.upper, (size, len(plan.lower)))
@@ -193,19 +193,19 @@ def counted(plan: Plan, chunk: int) -> Part:
 
 
 def nothing(plan: Plan) -> Part:
-    """What no posture comes to."""
+    """The result of no posture."""
     count = plan.cells.count
     turned, moved = (count if plan.kind == kind else 0 for kind in ("dexterous", "manipulability"))
     return Part(np.zeros(count, np.int64), np.zeros((turned, plan.sectors), np.uint8), np.zeros(moved))
 
 
 def together(one: Part, other: Part) -> Part:
-    """Two parts as one, in whichever order."""
+    """Two parts merged; the order does not matter."""
     return Part(one.hits + other.hits, one.sectors | other.sectors, np.maximum(one.best, other.best))
 
 
 def finished(plan: Plan, part: Part) -> Map:
-    """The map of all parts together."""
+    """The map from the merged parts."""
     match plan.kind:
         case "reachable":
             values = (part.hits > 0).astype(np.float64)
@@ -217,12 +217,12 @@ def finished(plan: Plan, part: Part) -> Map:
 
 
 def parts(plan: Plan) -> Iterator[Part]:
-    """All parts of a plan, one after another."""
+    """The parts of a plan, counted one after another."""
     return (counted(plan, chunk) for chunk in range(plan.chunks))
 
 
 def gathered(plan: Plan, found: Iterator[Part], progress: Callable[[float], None]) -> Map:
-    """The map from its parts as they come; progress is told the share that is there, 0 to 1."""
+    """The map from its parts in any order; `progress` is called with the share that is done, 0 to 1."""
     whole = nothing(plan)
     for done, part in enumerate(found, start=1):
         whole = together(whole, part)

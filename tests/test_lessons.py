@@ -172,7 +172,7 @@ def test_a_stop_before_the_ellipse_does_not_count(seat: Seat) -> None:
     playing = gate.play()(state)
     assert not step.goal(gate.stop()(played(playing, 0.5)), seat)
     assert not step.goal(gate.pause()(played(playing, 5.0)), seat)
-    for seconds in (4.0, 10.0, 20.0, 29.0):
+    for seconds in (4.0, 10.0, 19.0, 24.0):
         assert step.goal(gate.stop()(played(playing, seconds)), seat), seconds
 
 

@@ -96,7 +96,7 @@ def test_a_target_out_of_reach_brings_the_arm_to_rest(state: State) -> None:
 
 def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
     """Ellipse of eq. 33: once it has arrived the tool keeps to it where no plane is in the way."""
-    state = after(gate.hold_orientation(False)(gate.play()(state)), 1.2)
+    state = after(gate.hold_orientation(False)(gate.play()(gate.choose_path("eq33")(state))), 1.2)
     assert state.request.command.arrived
     apart = []
     for _ in range(150):

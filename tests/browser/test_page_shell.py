@@ -59,7 +59,7 @@ def stops() -> list[bool]:
 def control(stops: list[bool]) -> Control:
     """As the lab's: every page is told of a stop, and lets its hand go."""
 
-    def stopped(key: str | None) -> None:
+    def stopped(key: str | None, closing: bool) -> None:
         stops.append(True)
         for known in control._lines:
             control.fence(known)

@@ -36,7 +36,7 @@ def stops() -> list[str]:
 
 @pytest.fixture(scope="module")
 def control(stops: list[str]) -> Control:
-    return Control(on_stop=lambda key: stops.append(str(key)))
+    return Control(on_stop=lambda key, closing: stops.append(str(key)))
 
 
 @pytest.fixture(scope="module")

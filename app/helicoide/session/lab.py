@@ -238,15 +238,14 @@ class Lab:
     def _stopped(self, key: str | None, closing: bool = False) -> None:
         """Stop the workcell of that window, else the shared one, and every one that a real arm follows.
 
-        A press that closes something on the page stops nothing where all of them rest. Of the windows in front of them
-        nothing counts that was made before their pages know of it.
+        Of the windows in front of them nothing counts that was made before their pages know of it.
+        closing: whether the same key closes something on the page.
         """
         visitor = self._with(key)
         mine = self.shared if visitor is None else visitor.bay
         stopped = {bay.workcell for bay in self.bays if bay is mine or bay.workcell.connected}
-        if not (closing and all(workcell.resting for workcell in stopped)):
-            for workcell in stopped:
-                workcell.stop()
+        for workcell in stopped:
+            workcell.stop(closing)
         for number, line in self.lines.items():
             visitor = self.visitors.get(number)
             if visitor is None or visitor.bay.workcell in stopped:

@@ -53,11 +53,14 @@ class Workcell:
         """What came of a piece of work: a stop leaves it in the inbox."""
         self._post(update, asked=False)
 
-    def stop(self) -> None:
-        """Nothing that was asked before is done any more; from the next tick on nothing moves."""
+    def stop(self, closing: bool = False) -> None:
+        """Nothing that was asked before is done any more; from the next tick on nothing moves.
+
+        closing: whether the same key closes something on the page.
+        """
         with self._lock:
             told = [entry for entry in self._inbox if not entry[1]]
-            self._inbox = deque([(gate.stop(), False), *told])
+            self._inbox = deque([(gate.stop(closing), False), *told])
         self._rise()
 
     def pause(self, paused: bool) -> None:

@@ -75,9 +75,9 @@ class Line:
 class Control:
     """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
 
-    on_stop: told the key of the window that stops, None before a page has said which it is, and whether the same press
-    closes something on the page; on_release: told the key of
-    the window whose pointer was let go, or whose last channel has closed; on_tab: told the number of the tab in front.
+    on_stop: told the key of the window that stops, None before a page has said which it is, and whether the same key
+    closes something on the page; on_release: told the key of the window whose pointer was let go, or whose last channel
+    has closed; on_tab: told the number of the tab in front.
     """
 
     on_stop: Callable[[str | None, bool], None]

@@ -23,7 +23,7 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # how a drawing begins, which n
 _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
-def markdown(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
+def markdown_to_html(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
     """Markdown as HTML; tags in it are shown as text. The anchor of a heading is its name up to a colon, "vargas-2".
 
     drawings: SVG of ours by its name; an image of that name is the drawing itself, in the colour of the words.
@@ -49,7 +49,7 @@ _markdown.add_render_rule("image", _image)
 
 
 @lru_cache(maxsize=256)
-def formula(tex: str, index: str = "") -> Markup:
+def formula_to_mathml(tex: str, index: str = "") -> Markup:
     """A formula as MathML; index: a name that stands below it, as it is."""
     math = convert_to_element(tex)
     for node in math.iter():

@@ -9,8 +9,8 @@ from helicoide.text import HelicoideError, Text
 
 # The shell of the arm extends this far from the screw axes (Cerbaro 2022, fig. 43): the planes watch points, so no
 # critical distance may be less. The source leaves 15 mm beyond it; at least MARGIN is always left.
-SHELL, MARGIN = 0.065, 0.010
-LEAST_CRITICAL = SHELL + MARGIN
+SHELL_THICKNESS, MARGIN = 0.065, 0.010
+LEAST_CRITICAL = SHELL_THICKNESS + MARGIN
 # Beyond these an arm between walls 620 mm apart, those of the source, has hardly room left to move or to be free.
 MOST_CRITICAL, MOST_WARNING = 0.150, 0.250
 # The warning zone is at least so deep: what approaches at 1 m/s is in it for one tick at least.
@@ -28,14 +28,14 @@ class Zone(Enum):
 @dataclass(frozen=True)
 class Zones:
     """Distances in m: no guarded point comes closer to a plane than `critical`; from `warning` on the arm is said to be
-    near. `between`: what stays free between two bodies, measured from surface to surface.
+    near. `body_clearance`: what stays free between two bodies, measured from surface to surface.
     """
 
     critical: float = 0.080
     warning: float = 0.110
-    between: float = 0.010
+    body_clearance: float = 0.010
 
-    def of(self, distance: float) -> Zone:
+    def zone_of(self, distance: float) -> Zone:
         """The zone of a distance in m; what is held at the critical distance counts as critical."""
         if distance <= self.critical + 1e-6:
             return Zone.CRITICAL
@@ -53,7 +53,7 @@ class Zones:
                 ).format(
                     least=1000 * LEAST_CRITICAL,
                     most=1000 * MOST_CRITICAL,
-                    shell=1000 * SHELL,
+                    shell=1000 * SHELL_THICKNESS,
                     depth=1000 * LEAST_DEPTH,
                     far=1000 * MOST_WARNING,
                 )

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from helicoide.command import Along, GetReady, Hold, Park, Replay
-from helicoide.state import State, Update, commanded
+from helicoide.command import FollowPath, GetReady, HoldPosition, Park, Replay
+from helicoide.state import State, Update, with_command
 
 
 def stop(closing: bool = False) -> Update:
@@ -14,15 +14,15 @@ def stop(closing: bool = False) -> Update:
     closing: whether the same key closes something on the page; then no stop is said to have been where nothing moved.
     """
 
-    def wish(state: State) -> State:
-        said = not closing or _moves(state) or state.request.command == Hold(stopped=True)
-        state = commanded(state, Hold(stopped=said))
-        return replace(state, request=replace(state.request, grasp=None, gripper=state.arm.gripper))
+    def change(state: State) -> State:
+        said = not closing or _moves(state) or state.request.command == HoldPosition(stopped=True)
+        state = with_command(state, HoldPosition(stopped=said))
+        return replace(state, request=replace(state.request, drag=None, gripper=state.arm.gripper))
 
-    return wish
+    return change
 
 
 def _moves(state: State) -> bool:
     command = state.request.command
-    follows = isinstance(command, Replay | Park | GetReady) or (isinstance(command, Along) and command.playing)
+    follows = isinstance(command, Replay | Park | GetReady) or (isinstance(command, FollowPath) and command.playing)
     return follows or state.arm.moving or state.arm.gripper != state.request.gripper

@@ -24,16 +24,16 @@ SINGULAR = 1e-13
 
 
 @dataclass(frozen=True)
-class Angles:
+class EulerAngles:
     """Euler angles (..., 3), rad, and how far each set is from the singularity of its convention (...), rad."""
 
     values: Array
-    margin: Array
+    singularity_margin: Array
 
     @property
     def singular(self) -> NDArray[np.bool_]:
         """Where the matrix determines only the sum or the difference of the first and last angle, shape (...)."""
-        return np.asarray(self.margin < SINGULAR)
+        return np.asarray(self.singularity_margin < SINGULAR)
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def _triad(first: Array, second: Array) -> Array:
     return np.column_stack([first, second, np.cross(first, second)])
 
 
-def matrix(angles: ArrayLike, convention: str) -> Array:
+def euler_matrix(angles: ArrayLike, convention: str) -> Array:
     """Rotation matrix of Euler angles: intrinsic "ijk" R = R_i(φ₁) R_j(φ₂) R_k(φ₃), extrinsic R_k(φ₃) R_j(φ₂) R_i(φ₁).
 
     angles: (..., 3), rad, in the order of the convention's name; returns (..., 3, 3).
@@ -86,7 +86,7 @@ def _factors(angles: ArrayLike, convention: _Product) -> Array:
     return rotation.exponential(ordered[..., None] * convention.axes)
 
 
-def angles(R: Array, convention: str) -> Angles:
+def euler_angles(R: Array, convention: str) -> EulerAngles:
     """Euler angles of a rotation matrix, with the distance to the singularity of the convention.
 
     M = [n₁ n₂ n₁×n₂]ᵀ R [n₃ n₂ n₃×n₂] = R_x(φ₁) R_y(β) R_x(φ₃), β = φ₂ + a constant. Singular is sin β = 0: φ₂ = ±π/2
@@ -108,7 +108,7 @@ def angles(R: Array, convention: str) -> Angles:
     # the last angle is read after turning back by the first, as in rotation.roll_pitch_yaw_zyx
     row = np.cos(first)[..., None] * M[..., 1, :] + np.sin(first)[..., None] * M[..., 2, :]
     third = np.arctan2(-row[..., 2], row[..., 1])
-    return Angles(np.stack([first, second, third], axis=-1)[..., factors.order], margin)
+    return EulerAngles(np.stack([first, second, third], axis=-1)[..., factors.order], margin)
 
 
 def velocity_matrix(angles: ArrayLike, convention: str) -> Array:
@@ -124,7 +124,7 @@ def velocity_matrix(angles: ArrayLike, convention: str) -> Array:
     return np.stack(columns, axis=-1)[..., factors.order]
 
 
-def determinant(angles: ArrayLike, convention: str) -> Array:
+def velocity_determinant(angles: ArrayLike, convention: str) -> Array:
     """Determinant of E with ω = E φ̇, that is 1/det J_R: ±cos φ₂ for three different axes, else ±sin φ₂.
 
     Its size is the sine of the margin of `Angles`, zero where the convention is singular.
@@ -135,7 +135,7 @@ def determinant(angles: ArrayLike, convention: str) -> Array:
     return np.asarray(np.sum(first * np.cross(second, third), axis=-1))
 
 
-def jacobian(angles: ArrayLike, convention: str) -> Array:
+def euler_jacobian(angles: ArrayLike, convention: str) -> Array:
     """Representation Jacobian: φ̇ = J_R(φ) ω, J_R = E⁻¹ with E of `velocity_matrix` and det J_R = 1/`determinant`.
 
     angles: (..., 3), rad; ω in the base frame, rad/s; returns (..., 3, 3). Where |det E| < SINGULAR the rows of the
@@ -148,7 +148,7 @@ def jacobian(angles: ArrayLike, convention: str) -> Array:
     return np.stack([np.cross(e2, e3) / defined, e2, np.cross(e1, e2) / defined], axis=-2)
 
 
-def orientation_error(angles_target: ArrayLike, angles: ArrayLike) -> Array:
+def euler_angle_error(angles_target: ArrayLike, angles: ArrayLike) -> Array:
     """Error of Euler angles: e = φ_d − φ, each turned by whole turns into [−π, π].
 
     angles_target, angles: (..., 3), rad, of one convention; returns (..., 3), rad: rates of angles are to follow it,

@@ -12,11 +12,11 @@ from helicoide.geometry.clifford import CL031, Array
 from helicoide.text import HelicoideError, Text
 
 # Turns below this angle (rad) have their axis in rounding noise, far away: they count as translations.
-STRAIGHT = 1e-12
+SMALLEST_ROTATION = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Screw:
+class ScrewDisplacement:
     """A motion as Chasles tells it: turn about an axis and advance along it; the fields broadcast.
 
     direction: unit (..., 3), right-hand sense of the turn; point: of the axis, nearest to the origin (..., 3), m;
@@ -67,7 +67,7 @@ def log(M: Array) -> Array:
     return _motor(zero, stretch * x, zero, stretch * dual_x + advance * n)
 
 
-def normalized(M: Array) -> Array:
+def normalize_motor(M: Array) -> Array:
     """Nearest motor of an even multivector that rounding has bent: M (1 − βI/2α)/√α with M M* = α + βI, I = e1e2e3e.
 
     M: (..., 16); returns (..., 16) with M M* = 1. Raises HelicoideError where M has odd blades or no rotation part.
@@ -108,7 +108,7 @@ def sclerp(M0: Array, M1: Array, s: ArrayLike) -> Array:
     return CL031.product(M0, exp(np.asarray(s, dtype=float)[..., None] * between))
 
 
-def screw_of(M: Array) -> Screw:
+def screw_from_motor(M: Array) -> ScrewDisplacement:
     """Screw of a motor (Chasles): log M = ½(α + εd)(n + ε r×n), so n = v/‖v‖, α = 2‖v‖, d = 2 n·u, r = v×u/‖v‖².
 
     M: unit motor (..., 16), M and −M give the same; returns fields of shape (..., 3) and (...). Turns below `STRAIGHT`
@@ -116,14 +116,14 @@ def screw_of(M: Array) -> Screw:
     """
     v, u = rigid.direction_and_moment(log(M))
     half = _length(v)
-    turns = 2 * half > STRAIGHT
+    turns = 2 * half > SMALLEST_ROTATION
     direction = _along(np.where(turns, v, u))
     point = np.divide(np.cross(v, u), half**2, out=np.zeros_like(v), where=turns)
     angle = np.where(turns, np.minimum(2 * half, np.pi), 0.0)
-    return Screw(direction, point, angle[..., 0], 2 * _dot(direction, u)[..., 0])
+    return ScrewDisplacement(direction, point, angle[..., 0], 2 * _dot(direction, u)[..., 0])
 
 
-def motor_of(screw: Screw) -> Array:
+def motor_from_screw(screw: ScrewDisplacement) -> Array:
     """Motor of a screw, inverse of `screw_of`: (1 + ½ d n e) exp(αL/2), of shape (..., 16).
 
     Source: Cerbaro 2022, eqs. 17, 96–98.

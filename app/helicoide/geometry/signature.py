@@ -20,7 +20,7 @@ Blade = tuple[int, ...]
 MAX_GENERATORS = 6
 
 
-class Table(NamedTuple):
+class ProductTable(NamedTuple):
     """What a product does to the coefficients, arranged as the matrix of either operand needs it.
 
     (a b)ₖ = Σⱼ left[k, j] a[partner[k, j]] b[j] = Σᵢ right[k, i] a[i] b[partner[k, i]].
@@ -28,9 +28,9 @@ class Table(NamedTuple):
 
     left: Array
     right: Array
-    partner: NDArray[np.intp]
+    partner_index: NDArray[np.intp]
 
-    whole: NDArray[np.intp]
+    packed: NDArray[np.intp]
     """Left and partner as one array (2, 2ⁿ, 2ⁿ) of integers: a kernel is called the faster, the fewer it is given."""
 
 
@@ -96,7 +96,7 @@ class Signature:
         """
         return tuple("e" + "".join(sorted(self._labels[g] for g in blade)) if blade else "1" for blade in self.blades)
 
-    def read(self, name: str) -> tuple[int, int]:
+    def parse_blade(self, name: str) -> tuple[int, int]:
         """Place and sign of a blade in either naming, generators in any order: "e31" is the place of e1e3, and −1.
 
         Raises HelicoideError for what is not a blade of this algebra.
@@ -110,25 +110,25 @@ class Signature:
 
     def blade(self, name: str) -> Array:
         """The basis blade called `name`, as `read` understands it, shape (2ⁿ,)."""
-        place, sign = self.read(name)
+        place, sign = self.parse_blade(name)
         return np.asarray(np.eye(self.count)[place] * sign)
 
-    def factor(self, a: Blade, b: Blade) -> int:
+    def blade_factor(self, a: Blade, b: Blade) -> int:
         """Factor of the product of two blades: one swap for each inversion, then the squares of shared generators."""
         return _parity(product(a, b)) * prod(self.squares[g] for g in set(a) & set(b))
 
     @cached_property
-    def partner(self) -> NDArray[np.intp]:
+    def product_index(self) -> NDArray[np.intp]:
         """Place of the blade that takes blade i to blade j; also of their product, as blades are their own inverse."""
         sets = [frozenset(blade) for blade in self.blades]
         return np.array([[self._places[a ^ b] for b in sets] for a in sets])
 
-    def table(self, keeps: Callable[[set[int], set[int]], bool]) -> Table:
+    def table(self, keeps: Callable[[set[int], set[int]], bool]) -> ProductTable:
         """The table of the product that keeps those pairs of blades and loses the others."""
-        factors = [[self.factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
+        factors = [[self.blade_factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
         table, places = np.array(factors, dtype=float), np.arange(self.count)
-        left, right = table[self.partner, places], table[places, self.partner]
-        return Table(left, right, self.partner, np.array([left, self.partner], dtype=np.intp))
+        left, right = table[self.product_index, places], table[places, self.product_index]
+        return ProductTable(left, right, self.product_index, np.array([left, self.product_index], dtype=np.intp))
 
     @cached_property
     def _labels(self) -> tuple[str, ...]:

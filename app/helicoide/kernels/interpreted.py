@@ -22,11 +22,11 @@ class Interpretable(CPUDispatcher):
     """
 
     @staticmethod
-    def interpret(plain: bool) -> None:
+    def interpret(enabled: bool) -> None:
         """Run every kernel as Python from now on, but in threads that are `by_machine_code`; or as ever again."""
-        if plain and not Interpretable.interpreted():
+        if enabled and not Interpretable.interpreted():
             Interpretable.__call__ = _interpreted  # type: ignore[method-assign, assignment]
-        elif not plain and Interpretable.interpreted():
+        elif not enabled and Interpretable.interpreted():
             del Interpretable.__call__
 
     @staticmethod
@@ -40,7 +40,7 @@ def _interpreted(kernel: Any, *args: Any) -> Any:
 
 
 @contextmanager
-def by_machine_code() -> Iterator[None]:
+def run_compiled() -> Iterator[None]:
     """Within, in this thread, kernels are loaded, compiled and run by their machine code whatever others do."""
     before = _by_machine_code.set(True)
     try:
@@ -50,7 +50,7 @@ def by_machine_code() -> Iterator[None]:
 
 
 @contextmanager
-def as_python() -> Iterator[None]:
+def run_interpreted() -> Iterator[None]:
     """Within, kernels run as Python, for what is done in less time than their machine code takes to load."""
     before = Interpretable.interpreted()
     Interpretable.interpret(True)

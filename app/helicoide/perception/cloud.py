@@ -15,7 +15,7 @@ FARTHEST = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
-class Cloud:
+class PointCloud:
     """points (k, 3), m; dropped: how many more there were without coordinates, such as pixels that saw nothing.
 
     notes: sentences about how the points came out of a file, such as the unit that was assumed.
@@ -26,7 +26,7 @@ class Cloud:
     notes: tuple[Text, ...] = ()
 
     @property
-    def words(self) -> Text:
+    def description(self) -> Text:
         """How many points there are, over which room, and how many were left out."""
         size = np.ptp(self.points, axis=0) if len(self.points) else np.zeros(3)
         return Text(
@@ -35,11 +35,11 @@ class Cloud:
         ).format(k=len(self.points), x=size[0], y=size[1], z=size[2], dropped=self.dropped)
 
 
-def cloud_of(coordinates: Array, unit: Unit = "m", notes: tuple[Text, ...] = ()) -> Cloud:
+def cloud_from_rows(coordinates: Array, unit: Unit = "m", notes: tuple[Text, ...] = ()) -> PointCloud:
     """The cloud of rows x, y, z (k, 3); rows that are not finite, or beyond `FARTHEST`, are dropped and counted."""
     with np.errstate(invalid="ignore"):
         points = np.ascontiguousarray(coordinates, dtype=np.float64) * METRES[unit]
         kept = np.asarray((np.abs(points) <= FARTHEST).all(axis=1))
     points = points[kept]
     points.flags.writeable = False
-    return Cloud(points, int(len(kept) - len(points)), notes)
+    return PointCloud(points, int(len(kept) - len(points)), notes)

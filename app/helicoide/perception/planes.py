@@ -21,27 +21,27 @@ FEWEST, LEAST_SHARE = 50, 0.05
 # Planes tried through three points each: where a tenth of the points is on the wall, fewer than 10⁻⁸ of clouds miss it.
 DRAWS = 20_000
 # Draws are judged by so many points of the cloud; the best is then fitted to all that are near it.
-JUDGES = 8000
+SCORED_POINTS = 8000
 # A draw is given up when so many more have judged it and it is already worse than the best.
 BLOCK = 500
 REFITS = 30
 # What a plane covers is counted in cubes of this size, m; one that covers so many times as much is taken instead.
-CELL, WIDER = 0.02, 1.5
+CELL, WIDER_RATIO = 0.02, 1.5
 THINNED = 100_000
 # Points spread less along a plane than so many times across it lie on a line.
 NARROW = 3.0
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class FoundPlane:
     """A plane in a cloud of k points.
 
-    on_it (k,): which points lie within the distance asked for; share of them; rms of their distances, m; angle of the
+    on_plane (k,): which points lie within the distance asked for; share of them; rms of their distances, m; angle of the
     normal to the one asked for, rad; centre of the points on it, (3,), m.
     """
 
     plane: Plane
-    on_it: NDArray[np.bool_]
+    on_plane: NDArray[np.bool_]
     share: float
     rms: float
     angle: float
@@ -53,14 +53,14 @@ class Found:
         return rigid.plane(self.plane.normal, self.plane.offset)
 
 
-def find(
+def find_plane(
     points: Array,
     towards: ArrayLike,
     inside: ArrayLike,
     distance: float = DISTANCE,
     angle: float = ANGLE,
     seed: int = 0,
-) -> Found | Text:
+) -> FoundPlane | Text:
     """The plane with the most points near it whose inward normal is within an angle of a given one; else why not.
 
     Where another one covers more than that, it is the plane: a small thing may hold more points than a wall.
@@ -83,29 +83,31 @@ def find(
     points = np.ascontiguousarray(points, dtype=np.float64)  # kernels are compiled for one order
     rng, cone = np.random.default_rng(seed), np.append(n0, np.cos(angle))
     triples, order = points[rng.integers(len(points), size=(DRAWS, 3))], rng.permutation(len(points))
-    dense = best_draw(triples, points[order[:JUDGES]], cone, point, distance)
-    thin = thinned(points[order[:THINNED]])
-    wide = best_draw(thin[rng.integers(len(thin), size=(DRAWS, 3))], thin[:JUDGES], cone, point, distance)
+    dense = best_plane(triples, points[order[:SCORED_POINTS]], cone, point, distance)
+    thin = thin_cloud(points[order[:THINNED]])
+    wide = best_plane(thin[rng.integers(len(thin), size=(DRAWS, 3))], thin[:SCORED_POINTS], cone, point, distance)
 
-    def answered(drawn: Array) -> Found | Text:
+    def answered(drawn: Array) -> FoundPlane | Text:
         if not drawn.any():
-            return _none(angle)
+            return _no_plane(angle)
         fit, on_it = _fitted(points, drawn, point, distance)
-        return _judged(points, fit, on_it, n0, angle, _share(thin, fit, distance))
+        return _accepted(points, fit, on_it, n0, angle, _share(thin, fit, distance))
 
     def is_wider(other: Plane) -> bool:
         if not wide.any():
             return False
-        return _share(thin, _fitted(thin, wide, point, distance)[0], distance) > WIDER * _share(thin, other, distance)
+        return _share(thin, _fitted(thin, wide, point, distance)[0], distance) > WIDER_RATIO * _share(
+            thin, other, distance
+        )
 
     first = answered(dense)  # to all points, which takes longest; to the wide one only where it may be the answer
-    if isinstance(first, Found) and not is_wider(first.plane):
+    if isinstance(first, FoundPlane) and not is_wider(first.plane):
         return first
     second = answered(wide)
-    return second if isinstance(second, Found) else first
+    return second if isinstance(second, FoundPlane) else first
 
 
-def thinned(points: Array) -> Array:
+def thin_cloud(points: Array) -> Array:
     """One of the points in each cube of `CELL`: as many as a thing is large, however densely it was seen."""
     cubes = np.floor(points / CELL).astype(np.int64)
     cubes -= cubes.min(axis=0)
@@ -133,11 +135,11 @@ def _check(towards: Array, inside: Array, distance: float, angle: float) -> None
 
 
 @kernel
-def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distance: float) -> Array:
+def best_plane(triples: Array, scored: Array, cone: Array, inside: Array, distance: float) -> Array:
     """The plane through one of many triples with the least Σ min(l², t²), (n_x, n_y, n_z, d); zero if none is allowed.
 
     n = ∓(p2 − p1)×(p3 − p1)/‖·‖, l = n·r − d. Triples on a line have no plane, nor do count those that face elsewhere.
-    Args: triples (k, 3, 3), m; judges (m, 3), m; cone (4,): the normal looked for and the least cosine with it;
+    Args: triples (k, 3, 3), m; scored (m, 3), m; cone (4,): the normal looked for and the least cosine with it;
     inside (3,), m; distance: t, m. Source: Cerbaro 2022, eqs. 20, 25–26; the measure: Torr & Zisserman 2000.
     """
     best, found = np.inf, np.zeros(4)
@@ -158,9 +160,9 @@ def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distanc
         if nx * cone[0] + ny * cone[1] + nz * cone[2] < cone[3]:
             continue
         total = 0.0
-        for start in range(0, judges.shape[0], BLOCK):
-            for j in range(start, min(start + BLOCK, judges.shape[0])):
-                offset = nx * judges[j, 0] + ny * judges[j, 1] + nz * judges[j, 2] - d
+        for start in range(0, scored.shape[0], BLOCK):
+            for j in range(start, min(start + BLOCK, scored.shape[0])):
+                offset = nx * scored[j, 0] + ny * scored[j, 1] + nz * scored[j, 2] - d
                 total += min(offset * offset, square)
             if total >= best:
                 break
@@ -228,9 +230,9 @@ def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
     return _Fit(normal, float(normal @ centre), centre, float(across), float(along))
 
 
-def _judged(
+def _accepted(
     points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float, covered: float
-) -> Found | Text:
+) -> FoundPlane | Text:
     """The plane with what there is to say of it, or why it is none; covered: its share of all cubes with points."""
     if fit.along <= NARROW * fit.across or fit.along < 1e-9:
         return Text(
@@ -239,7 +241,7 @@ def _judged(
         )
     turned = float(np.arctan2(np.linalg.norm(np.cross(fit.normal, towards)), fit.normal @ towards))
     if turned > angle:
-        return _none(angle)
+        return _no_plane(angle)
     share = float(on_it.mean())
     if max(share, covered) < LEAST_SHARE or on_it.sum() < FEWEST:
         return Text(
@@ -248,10 +250,10 @@ def _judged(
         ).format(n=int(on_it.sum()), k=len(points), least=100 * LEAST_SHARE, fewest=FEWEST)
     on_it.flags.writeable = False
     plane = Plane(frozen(fit.normal), fit.offset)
-    return Found(plane, on_it, share, fit.across, turned, frozen(fit.centre))
+    return FoundPlane(plane, on_it, share, fit.across, turned, frozen(fit.centre))
 
 
-def _none(angle: float) -> Text:
+def _no_plane(angle: float) -> Text:
     return Text(
         en="No plane: none through the points is within {angle:.0f}° of the direction asked for.",
         pt_BR="Nenhum plano: nenhum que passe pelos pontos está a menos de {angle:.0f}° da direção pedida.",

@@ -8,14 +8,14 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.confinement import Planes
-from helicoide.perception.camera import depths_of
+from helicoide.perception.camera import ray_depths
 from helicoide.state import State
 
 # A measured point is meant by a ray that passes it at less than this angle, rad.
 NEAR = 0.01
 
 
-def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
+def point_under_ray(state: State, eye: Array, ray: Array) -> Array | None:
     """The point meant by a ray, (3,), m; None where it meets nothing, or is none.
 
     A point of the clouds is preferred, since it was measured; then the nearest pane or obstacle; then the floor. A pane
@@ -33,7 +33,7 @@ def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
     faced = [k for k, normal in enumerate(planes.normals) if normal @ along < 0]
     faces = Planes(planes.normals[faced], planes.centres[faced], tuple(planes.panes[k] for k in faced))
     scene = replace(state, problem=replace(state.problem, planes=faces))
-    depth = float(depths_of(scene, eye, along[None])[0])
+    depth = float(ray_depths(scene, eye, along[None])[0])
     with np.errstate(divide="ignore"):
         to_floor = (state.robot.floor - eye[2]) / along[2]
     far = min(depth, to_floor if to_floor > 0 else np.inf)
@@ -42,7 +42,7 @@ def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
 
 def _measured(state: State, eye: Array, along: Array) -> Array | None:
     """The nearest to the eye of the points of all clouds that the ray passes closely."""
-    points = np.concatenate([np.empty((0, 3)), *(seen.points for seen in state.seen.values())])
+    points = np.concatenate([np.empty((0, 3)), *(seen.points for seen in state.clouds.values())])
     ways = points - eye
     depths = ways @ along
     aside = np.linalg.norm(ways - depths[:, None] * along, axis=1)

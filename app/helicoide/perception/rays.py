@@ -7,7 +7,7 @@ import numpy as np
 from helicoide.arrays import Array
 
 
-def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: tuple[float, float]) -> Array:
+def ray_to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: tuple[float, float]) -> Array:
     """The rectangle around a centre: t = n·(c − e)/n·v, where e + t v is inside. Either face is seen.
 
     Args: eye, centre (3,), m; rays (k, 3); R_world_pane (3, 3), z its normal; size: full lengths along x and y, m.
@@ -21,7 +21,7 @@ def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: t
     return np.where(hit, t, np.inf)
 
 
-def to_capsule(eye: Array, rays: Array, ends: Array, radius: float) -> Array:
+def ray_to_capsule(eye: Array, rays: Array, ends: Array, radius: float) -> Array:
     """The body within a radius, m, of the piece between two ends (2, 3), m: t > 0 where the ray enters, or leaves it.
 
     It is convex, so that what a line has inside of it reaches from the first of its parts, side and balls, to the last.

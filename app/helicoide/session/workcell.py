@@ -11,7 +11,7 @@ from threading import Lock
 
 from helicoide import gate
 from helicoide.advance import advance
-from helicoide.command import Along
+from helicoide.command import FollowPath
 from helicoide.foresight import foreseen, leads_elsewhere, rests, search, wants_search
 from helicoide.state import State, Update
 from helicoide.text import Text
@@ -99,7 +99,7 @@ class Workcell:
 
     def foresee(self) -> None:
         """Work out where the command leads, where that may have changed; of a path that plays, only words tell."""
-        plays = isinstance(self.state.request.command, Along) and self.state.request.command.playing
+        plays = isinstance(self.state.request.command, FollowPath) and self.state.request.command.playing
         if self.ticks - self._foreseen_at < (UNSEEN if plays else SEEN):
             return
         if leads_elsewhere(self._foreseen, self.state):

@@ -132,7 +132,7 @@ def _file(file: Path, request: Request) -> Response:
 
 
 def _long(language: Language) -> bytes:
-    return LONG.format(language=language.replace("_", "-"), body=errata.page(language)).encode()
+    return LONG.format(language=language.replace("_", "-"), body=errata.sources_page(language)).encode()
 
 
 def _page() -> str:

@@ -12,7 +12,7 @@ from typing import Protocol, cast
 
 from helicoide import content
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.perception.units import Unit
 from helicoide.text import Text
 
@@ -22,7 +22,7 @@ MOST_BYTES = 200_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Raw:
+class RawPoints:
     """What a file holds: rows x, y, z (k, 3), sentences on how they were read, and the unit where the file says one."""
 
     rows: Array
@@ -36,26 +36,26 @@ class Format(Protocol):
     TITLE: Text
     ENDINGS: tuple[str, ...]
 
-    def coordinates(self, data: bytes) -> Raw:
+    def coordinates(self, data: bytes) -> RawPoints:
         """Rows x, y, z (k, 3) of the bytes of a file."""
 
 
 @cache
-def found() -> tuple[Format, ...]:
+def cloud_formats() -> tuple[Format, ...]:
     """Every format there is."""
     return tuple(cast(Format, module) for module in content.modules(__name__).values())
 
 
 @cache
-def endings() -> dict[str, Format]:
+def formats_by_ending() -> dict[str, Format]:
     """The formats by the endings of file names, such as .ply."""
-    return {ending: module for module in found() for ending in module.ENDINGS}
+    return {ending: module for module in cloud_formats() for ending in module.ENDINGS}
 
 
 def check_count(points: int) -> int:
     """The number of points; raises Broken where there are none, or too many."""
     if points < 1:
-        raise Broken(Text(en="there are no points in it", pt_BR="não há pontos nele"))
+        raise BrokenFile(Text(en="there are no points in it", pt_BR="não há pontos nele"))
     if points > MOST_POINTS:
-        raise Broken(Text(en="it has {n} points", pt_BR="tem {n} pontos").format(n=points))
+        raise BrokenFile(Text(en="it has {n} points", pt_BR="tem {n} pontos").format(n=points))
     return points

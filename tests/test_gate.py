@@ -142,6 +142,21 @@ def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
     assert later.request.command == HoldPosition(stopped=True)
 
 
+@pytest.mark.parametrize("moves", [True, False])
+def test_a_stop_that_closes_something_stops_too_and_says_so_where_something_moved(state: State, moves: bool) -> None:
+    asked = gate.set_target([0.6, 0.0, 0.2], UP)(gate.hold_orientation(False)(state))
+    before = after(asked, 0.2 if moves else 10.0)
+    assert before.arm.moving == moves
+    stopped = gate.stop(closing=True)(before)
+    assert stopped.request.command == Hold(stopped=moves)
+    assert after(stopped, 0.1).arm.q is stopped.arm.q
+    assert gate.while_asked(before, gate.play())(stopped) is stopped
+
+
+def test_a_stop_that_closes_something_leaves_an_earlier_stop_said(state: State) -> None:
+    assert gate.stop(closing=True)(gate.stop()(state)).request.command == Hold(stopped=True)
+
+
 @pytest.mark.parametrize("phase", ["update", "end"])
 def test_what_is_left_of_a_drag_does_nothing_after_a_stop(state: State, phase: gate.Phase) -> None:
     held = gate.drag_target("seat", "start", HERE, UP)(state)

@@ -31,7 +31,7 @@ def start(state: State) -> State:
     """Ask for the arm at `ready`, the measured planes, a held orientation and the path at its beginning."""
     for change in (gate.restore_planes(), gate.hold_orientation(True), gate.get_ready()):
         state = change(state)
-    return replace(state, request=replace(state.request, course=PathChoice(), path_s=0.0))
+    return replace(state, request=replace(state.request, path_choice=PathChoice(), path_s=0.0))
 
 
 def target_at(x: float, y: float, z: float, about_z_deg: float = 0.0) -> Update:

@@ -99,7 +99,7 @@ def test_the_path_plays_pauses_and_scrubs(lab: Lab, page: Page) -> None:
     lab.ticks(page, 50)
     assert lab.state.request.path_s == stood
     box(page, 17, "50")
-    until(page, lambda: lab.state.request.path_s == 15.0)
+    until(page, lambda: lab.state.request.path_s == 10.0)
     assert isinstance(lab.state.request.command, FollowPath)
     assert not lab.state.request.command.playing
 

@@ -81,7 +81,7 @@ def test_a_time_scaling_starts_at_rest_and_takes_as_long(state: State) -> None:
     state = gate.choose_path("eq33")(state)
     even = gate.path_of(state.robot, PathChoice("eq33"))
     for shape in ("trapezoid", "minimum jerk"):
-        path = gate.path_of(state.robot, gate.choose_scaling(shape)(state).request.path_choice)  # type: ignore[arg-type]
+        path = gate.path_of(state.robot, gate.choose_scaling(shape)(state).request.path_choice)
         assert path.duration == even.duration
         assert np.linalg.norm(path.twist(0.0)) < 1e-9 < np.linalg.norm(even.twist(0.0))
         np.testing.assert_allclose(path.pose(15.0), even.pose(15.0), atol=1e-12)

@@ -15,7 +15,7 @@ from helicoide.commands import chain_ends, chain_ends_json, language, print_rema
 from helicoide.export import stage_table
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics.chain import JointVariable
 from helicoide.kinematics.forward import FORMULATIONS
 from helicoide.kinematics.library import load_robot
@@ -67,7 +67,7 @@ def joints_outside_limits(robot: Robot, q: Array) -> list[tuple[JointVariable, f
     return [(joint, x) for joint, x in pairs if not joint.lower - ROUNDING <= x <= joint.upper + ROUNDING]
 
 
-@as_python()
+@run_interpreted()
 def run(
     robot: tyro.conf.Positional[str],
     q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values: rad, or m where a joint slides")],

@@ -16,7 +16,7 @@ from helicoide.contributions.words import untold
 from helicoide.ik import methods
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics.library import robot_titles
 from helicoide.text import Text, untranslated
 from helicoide.view.formula import formula_html
@@ -51,7 +51,7 @@ class Pair:
 
 
 @lru_cache
-@as_python()
+@run_interpreted()
 def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
     """The pairs that a method applies to, and why it does not apply to the others. Of all robots that have a folder."""
     applying, refused = list[Pair](), dict[Pair, Text]()

@@ -12,7 +12,7 @@ from numba.core import event, sigutils, types
 
 from helicoide.kernels import cache_folder
 from helicoide.kernels.cache import KernelCache, NotCached, only_cached, read_sealed
-from helicoide.kernels.interpreted import Interpretable, as_python, by_machine_code
+from helicoide.kernels.interpreted import Interpretable, run_interpreted, by_machine_code
 
 __all__ = [
     "CACHE_FOLDER",
@@ -21,7 +21,7 @@ __all__ = [
     "Kernel",
     "KernelCache",
     "NotCached",
-    "as_python",
+    "run_interpreted",
     "by_machine_code",
     "count_compiled",
     "is_cached",

@@ -117,7 +117,7 @@ class TimedPath(ScaledPath[Path]):
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes."""
         along, rate, _ = self.parameter_at(s)
-        return np.asarray(rate * self.path.joint_twist(float(along)))
+        return np.asarray(rate * self.path.twist(float(along)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,10 +138,10 @@ class TimedJoints(ScaledPath[SmoothJointPath]):
     def rates(self, s: ArrayLike) -> Array:
         """dq/dt (..., n), rad/s or m/s."""
         along, rate, _ = self.parameter_at(s)
-        return np.asarray(rate[..., None] * self.path.joint_velocities(along))
+        return np.asarray(rate[..., None] * self.path.rates(along))
 
     def accelerations(self, s: ArrayLike) -> Array:
         """d²q/dt² (..., n), rad/s² or m/s²."""
         along, rate, change = self.parameter_at(s)
-        first, second = self.path.joint_velocities(along), self.path.accelerations(along)
+        first, second = self.path.rates(along), self.path.accelerations(along)
         return np.asarray(change[..., None] * first + rate[..., None] ** 2 * second)

@@ -166,7 +166,10 @@ def introduce(client: viser.ClientHandle, key: str) -> None:
 
     This is a private message of viser: an element of the GUI would be missing while its panel is folded.
     """
-    source = f'window.helicoideWindow = {json.dumps(key)}; window.dispatchEvent(new Event("helicoide-window"));'
+    source = (
+        f"window.helicoideClient = {json.dumps(str(client.client_id))}; window.helicoideWindow = {json.dumps(key)}; "
+        'window.dispatchEvent(new Event("helicoide-window"));'
+    )
     client.gui._websock_interface.queue_message(RunJavascriptMessage(source=source))
 
 

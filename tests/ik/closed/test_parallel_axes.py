@@ -20,7 +20,7 @@ from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.families.parallel_postures import joint_values
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import solve, solve_by
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics import dh
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load_robot
@@ -214,7 +214,7 @@ def test_the_kernel_is_its_plain_function(tmp_path: Path) -> None:
     assert arm is not None
     for q in [*np.random.default_rng(5).uniform(-pi, pi, (5, 6)), HERE]:
         rows = joint_values(arm, tool_at(robot, q), q)
-        with as_python():
+        with run_interpreted():
             expected = joint_values(arm, tool_at(robot, q), q)
         np.testing.assert_allclose(wrap(rows[:, :6] - expected[:, :6]), 0, atol=1e-7)
         np.testing.assert_array_equal(rows[:, 6:], expected[:, 6:])

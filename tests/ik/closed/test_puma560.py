@@ -14,7 +14,7 @@ from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import puma_arm
 from helicoide.ik.families.frames import rows_of
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics.forward import dh_frames, link_poses
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
@@ -116,7 +116,7 @@ def test_there_and_back_again_by_the_kernel(arm: Robot) -> None:
 def test_the_kernel_is_its_plain_function() -> None:
     for theta in [*np.random.default_rng(4).uniform(-pi, pi, (20, 6)), HERE]:
         found = rows_for(LENGTHS[1], theta, theta)
-        with as_python():
+        with run_interpreted():
             expected = rows_for(LENGTHS[1], theta, theta)
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
 

@@ -66,17 +66,15 @@
   }
 
   // A stop counts only when the server has said that it heard it; until then every new connection repeats it.
-  function stop() {
+  function stop(closing = false) {
     stopUnheard = true;
     deafen(fence); // what this hand does from now on waits for the server's word, too
-    send({ stop: true });
+    send({ stop: true, closing });
   }
 
-  // Escape always stops; where it closes what is open over the page, and nothing moves, that is all it does.
-  function escape() {
-    stopUnheard = true;
-    deafen(fence);
-    send({ stop: true, closing: document.querySelector(OPEN) !== null });
+  // Whether Escape closes something as well: where nothing moved, that is all that is said of it.
+  function closes() {
+    return [...document.querySelectorAll(OPEN)].some((element) => element.checkVisibility({ visibilityProperty: true }));
   }
 
   function introduce() {
@@ -199,6 +197,7 @@
 
   function deafen(number) {
     deaf = true;
+    window.dispatchEvent(new Event("helicoide-deaf"));
     fence = number;
     settle();
   }
@@ -251,9 +250,9 @@
     settle();
   }
 
-  button.addEventListener("pointerdown", stop); // on press, not on release
+  button.addEventListener("pointerdown", () => stop()); // on press, not on release
   button.addEventListener("click", (event) => event.detail === 0 && stop()); // by keyboard or a screen reader
-  window.addEventListener("keydown", (event) => event.key === "Escape" && !event.repeat && escape(), true);
+  window.addEventListener("keydown", (event) => event.key === "Escape" && !event.repeat && stop(closes()), true);
   window.addEventListener("helicoide-window", introduce);
   window.addEventListener("pointerdown", (event) => press(event.pointerId), true);
   window.addEventListener("keydown", (event) => event.isTrusted && press(event.code), true);

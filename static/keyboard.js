@@ -3,9 +3,20 @@
 "use strict";
 
 (() => {
+  const words = JSON.parse(document.currentScript.dataset.words);
+  const TARGET = "/target";
+  const MILLIMETRE = 0.001;
+  const ALONG = {
+    ArrowUp: [0, 1],
+    ArrowDown: [0, -1],
+    ArrowLeft: [1, 1],
+    ArrowRight: [1, -1],
+    PageUp: [2, 1],
+    PageDown: [2, -1],
+  };
+  const ICONS = { "list-search": "commands", adjustments: "settings" }; // buttons of viser without words
   const FOLDER = '.mantine-Paper-root[style*="cursor: pointer"]';
   const FOLDED = ".tabler-icon-chevron-down";
-  const NATIVE = 10; // steps of viser, of 0.1 each, make one
   const SHORT_RANGE = 20; // of a slider whose own steps are as large as they need be
 
   function set(element, name, value) {
@@ -29,18 +40,72 @@
     }
   }
 
-  // viser's sliders take each key as one of their own small steps, once a turn of the page's loop.
+  function factor(event) {
+    return event.altKey ? 0.1 : event.shiftKey ? 10 : 1;
+  }
+
+  // The number goes into the box beside the slider, as if it were typed there.
   function stepSlider(event) {
     const thumb = event.target.closest?.("[role=slider]");
-    if (!thumb || !event.isTrusted || !event.key.startsWith("Arrow") || event.altKey) return;
-    const [least, most] = ["min", "max"].map((name) => Number(thumb.getAttribute(`aria-value${name}`)));
+    const way = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    const box = thumb?.closest(".mantine-Slider-root").parentElement.querySelector("input.mantine-NumberInput-input");
+    if (!box || box.disabled || !way) return;
+    const [least, now, most] = ["min", "now", "max"].map((name) => Number(thumb.getAttribute(`aria-value${name}`)));
     if (most - least < SHORT_RANGE) return;
     event.preventDefault();
-    event.stopImmediatePropagation();
-    const key = { key: event.key, bubbles: true, cancelable: true };
-    for (let k = 0; k < NATIVE * (event.shiftKey ? 10 : 1); k += 1) {
-      setTimeout(() => thumb.dispatchEvent(new KeyboardEvent("keydown", key)));
+    event.stopPropagation();
+    const wanted = Math.min(Math.max(now + way * factor(event), least), most);
+    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(box, String(Number(wanted.toFixed(3))));
+    box.dispatchEvent(new Event("input", { bubbles: true }));
+  }
+
+  // The target is dragged by keys along the axes of the base, from the press of a key until it is let go.
+  let drag = null;
+
+  function tellTarget(kind, fields = {}) {
+    const owner = window.helicoideClient;
+    window.__viserMutable.sendMessage({ type: `TransformControls${kind}Message`, name: TARGET, owner, ...fields });
+  }
+
+  function stepTarget(event) {
+    const along = ALONG[event.key];
+    if (!along || event.target !== window.__viserMutable?.canvas || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    event.stopPropagation(); // else viser moves the camera
+    if (!event.repeat) takeTarget(event.code);
+    if (drag?.code !== event.code) return;
+    drag.position[along[0]] += along[1] * factor(event) * MILLIMETRE;
+    const { wxyz, position } = drag;
+    Object.assign(window.__viserMutable.nodePoseData[TARGET], { position: [...position], poseUpdateState: "needsUpdate" });
+    window.__viserMutable.requestRender?.();
+    tellTarget("Update", { wxyz, position: [...position] });
+  }
+
+  function takeTarget(code) {
+    endDrag();
+    const node = window.__viserMutable.nodeRefFromName[TARGET];
+    const pose = window.__viserMutable.nodePoseData[TARGET];
+    if (!node || !pose) return;
+    drag = { code, wxyz: [...pose.wxyz], position: [...pose.position] };
+    tellTarget("DragStart");
+  }
+
+  function endDrag() {
+    if (drag) tellTarget("DragEnd");
+    drag = null;
+  }
+
+  function nameScene() {
+    const said = words[document.documentElement.lang.startsWith("pt") ? "pt_BR" : "en"];
+    for (const [icon, name] of Object.entries(ICONS)) {
+      const button = document.querySelector(`button .tabler-icon-${icon}`)?.closest("button");
+      if (button) set(button, "aria-label", said[name]);
     }
+    const canvas = window.__viserMutable?.canvas;
+    if (!canvas) return;
+    set(canvas, "tabindex", "0");
+    set(canvas, "role", "application");
+    set(canvas, "aria-label", said.scene);
   }
 
   function openFolder(event) {
@@ -51,6 +116,11 @@
   }
 
   window.addEventListener("keydown", stepSlider, true);
+  window.addEventListener("keydown", stepTarget, true);
+  window.addEventListener("keyup", (event) => drag?.code === event.code && endDrag(), true);
+  window.addEventListener("blur", endDrag);
+  window.addEventListener("helicoide-deaf", () => (drag = null)); // the key is dead until it is pressed anew
   window.addEventListener("keydown", openFolder, true);
   setInterval(nameControls, 300);
+  setInterval(nameScene, 300);
 })();

@@ -10,9 +10,9 @@ from hypothesis import HealthCheck, is_hypothesis_test, settings
 from hypothesis.internal.conjecture import providers
 from tests.sample import sampled
 
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, initial
+from helicoide.state import State, initial_state
 from helicoide.view.news import tell_once
 
 # No clock may fail a test: the first call of a kernel compiles it, which takes longer than any example may.
@@ -81,9 +81,9 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
 
 @pytest.fixture(scope="session")
 def robot() -> Robot:
-    return load("movemaster")
+    return load_robot("movemaster")
 
 
 @pytest.fixture
 def state(robot: Robot) -> State:
-    return initial(robot)
+    return initial_state(robot)

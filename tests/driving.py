@@ -158,10 +158,10 @@ def beside(robot: Robot, q: Array) -> float:
 def watch(worst: Worst, old: State, new: State, dt: float) -> None:
     """Every promise of one tick."""
     worst.ticks += 1
-    arrays = (new.arm.q, new.arm.speeds, new.arm.poses, new.problem.planes.normals, new.problem.planes.centres)
+    arrays = (new.arm.q, new.arm.velocities, new.arm.poses, new.problem.planes.normals, new.problem.planes.centres)
     assert all(np.isfinite(array).all() and not array.flags.writeable for array in arrays)
-    np.testing.assert_allclose(new.arm.q - old.arm.q, new.arm.speeds * dt, rtol=0, atol=1e-12)
-    worst.too_fast = max(worst.too_fast, float((np.abs(new.arm.speeds) - new.problem.limits.speed).max()))
+    np.testing.assert_allclose(new.arm.q - old.arm.q, new.arm.velocities * dt, rtol=0, atol=1e-12)
+    worst.too_fast = max(worst.too_fast, float((np.abs(new.arm.velocities) - new.problem.limits.speed).max()))
     if old.arm.parked or new.arm.parked:
         worst.beside = max(worst.beside, beside(new.robot, new.arm.q))
         assert worst.beside <= ON_THE_WAY

@@ -11,8 +11,8 @@ from typing import Annotated, Any
 import numpy as np
 
 from helicoide.ik.method import OneOf
-from helicoide.studies.study import Chart, Figure, Fitted, Line, Result, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies.study import Chart, ChartLine, Figure, Fitted, Result, Row, Statement
+from helicoide.text import Text, untranslated
 
 NAMES = (
     "<img src=x onerror=alert(1)>",
@@ -37,7 +37,7 @@ AROUND = np.linspace(0, 2 * np.pi, 50)
 def renamed(thing: Any, name: str) -> Any:
     """The same thing, in which every sentence is that name, however deep it lies."""
     if isinstance(thing, Text):
-        return same(name)
+        return untranslated(name)
     if isinstance(thing, Mapping):
         return MappingProxyType({key: renamed(value, name) for key, value in thing.items()})
     if isinstance(thing, tuple):
@@ -49,18 +49,26 @@ def renamed(thing: Any, name: str) -> Any:
 
 def study_named(name: str) -> Any:
     """A study and its choice, all of that name."""
-    way = Annotated[str, OneOf(same(name), {name: same(name), "other": same("other")})]
+    way = Annotated[str, OneOf(untranslated(name), {name: untranslated(name), "other": untranslated("other")})]
     options = make_dataclass("Options", [("way", way, name)], frozen=True)
-    return SimpleNamespace(TITLE=same(name), ABOUT=same(name), SOURCE=name, ROBOT=name, Options=options)
+    return SimpleNamespace(TITLE=untranslated(name), ABOUT=untranslated(name), SOURCE=name, ROBOT=name, Options=options)
 
 
 def result_named(name: str) -> Result:
     """A row of each kind, a chart of each kind, all of that name."""
-    said, chosen = Statement(same(name), name, 1.0), Fitted(same(name), 1.0, 0.5, 1.5, name)
-    row = Row(same(name), 1.0, name, said, (chosen,))
-    rows = (row, replace(row, ours=2.0, erratum=name), replace(row, ours=2.0, why=same(name)), Row(same(name), 1.0))
-    lines = Line(same(name), AROUND, np.sin(AROUND)), Line(same(name), np.cos(AROUND), np.sin(AROUND))
-    charts = [Chart(same(name), same(name), same(name), (line,)) for line in lines]
+    said, chosen = Statement(untranslated(name), name, 1.0), Fitted(untranslated(name), 1.0, 0.5, 1.5, name)
+    row = Row(untranslated(name), 1.0, name, said, (chosen,))
+    rows = (
+        row,
+        replace(row, computed=2.0, erratum=name),
+        replace(row, computed=2.0, why=untranslated(name)),
+        Row(untranslated(name), 1.0),
+    )
+    lines = (
+        ChartLine(untranslated(name), AROUND, np.sin(AROUND)),
+        ChartLine(untranslated(name), np.cos(AROUND), np.sin(AROUND)),
+    )
+    charts = [Chart(untranslated(name), untranslated(name), untranslated(name), (line,)) for line in lines]
     return Result((*rows, replace(row, source=Figure(name))), tuple(charts))
 
 

@@ -16,40 +16,40 @@ from helicoide import content, gate, lesson
 from helicoide.foresight import foreseen, lived
 from helicoide.ik import methods, objectives
 from helicoide.kinematics import workspace
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.perception.camera import SimulatedCamera
-from helicoide.perception.tour import found_in, readings, seen_by
+from helicoide.perception.enclosure_reading import available_readings, camera_cloud, plane_in_cloud
 from helicoide.seat import Seat
 from helicoide.session.mapping import plan_of
-from helicoide.session.postures import postures as every_posture
+from helicoide.session.postures import list_postures as every_posture
 from helicoide.session.preparing import rehearse
-from helicoide.session.replaying import along_fastest, through
+from helicoide.session.replaying import along_fastest, replay_through
 from helicoide.session.workcell import TICK
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 from helicoide.text import HelicoideError
-from helicoide.trajectory.waypoints import WAYS
+from helicoide.trajectory.waypoints import MOVE_TYPES
 from helicoide.view import layers, panels, shapes
 from helicoide.view.layers import Stage
 from helicoide.view.rows import (
     Button,
-    Changing,
-    Choice,
+    Checkbox,
     CountMap,
-    Entry,
+    DependentRows,
+    Dropdown,
     Folder,
     ForArm,
     ForSeat,
+    HtmlRow,
     ListPostures,
+    PageRequest,
     PlayFastest,
     PlayTaught,
     Row,
     Slider,
-    Tick,
+    TextEntry,
     Tour,
-    Triple,
+    VectorRow,
     View,
-    Wish,
-    Words,
 )
 
 FAR = 3.0
@@ -68,7 +68,7 @@ class Lab:
     def view(self) -> View:
         return View(self.state, self.seat)
 
-    def act(self, wish: Wish) -> None:
+    def act(self, wish: PageRequest) -> None:
         """What the lab makes of a wish; what it does in other processes is left out."""
         match wish:
             case ForArm(update):
@@ -76,13 +76,13 @@ class Lab:
             case ForSeat(update):
                 self.seat = update(self.seat)
             case PlayTaught():
-                self.post(through(self.state))
+                self.post(replay_through(self.state))
             case PlayFastest():
                 self.post(along_fastest(self.state))
             case ListPostures():
                 self.post(every_posture(self.state))
             case CountMap(kind):
-                workspace.counted(replace(plan_of(self.state.robot, kind), samples=1), 0)
+                workspace.count_chunk(replace(plan_of(self.state.robot, kind), samples=1), 0)
             case Tour():
                 self.tour()
             case _:
@@ -108,17 +108,17 @@ class Lab:
         self.shown = view
         for row in leaves(self.panels, view):
             match row:
-                case Words():
+                case HtmlRow():
                     row.html(view)
-                case Slider() | Triple() | Tick() | Choice():
+                case Slider() | VectorRow() | Checkbox() | Dropdown():
                     row.value(view)
 
     def tour(self) -> None:
         camera = SimulatedCamera(noise=0.002, outliers=0.1, resolution=(40, 30))
-        for reading in readings(self.state.robot):
+        for reading in available_readings(self.state.robot):
             inside = self.state.T_world_tool[:3, 3]
-            found = found_in(seen_by(camera, self.state), reading, inside)
-            self.post(gate.see(reading.name, *found))
+            found = plane_in_cloud(camera_cloud(camera, self.state), reading, inside)
+            self.post(gate.show_cloud(reading.name, *found))
 
 
 def leaves(rows: Sequence[Any], view: View) -> Iterator[Any]:
@@ -128,28 +128,28 @@ def leaves(rows: Sequence[Any], view: View) -> Iterator[Any]:
             yield from leaves(row, view)
         elif isinstance(row, Folder):
             inner = row.rows
-            yield from leaves(inner.rows(inner.key(view)) if isinstance(inner, Changing) else inner, view)
+            yield from leaves(inner.rows(inner.key(view)) if isinstance(inner, DependentRows) else inner, view)
         else:
             yield row
 
 
-def wishes(row: Row, view: View) -> list[Callable[[], Wish]]:
+def wishes(row: Row, view: View) -> list[Callable[[], PageRequest]]:
     """What a person may ask of a row: ends and middle of a slider, every choice, far away and back."""
     match row:
         case Slider(lower=low, upper=high, value=value):
-            return [lambda x=x: row.wish(x) for x in (low, high, (low + high) / 2, value(view))]
+            return [lambda x=x: row.request(x) for x in (low, high, (low + high) / 2, value(view))]
         case Button(enabled=enabled, shown=shown):
-            return [lambda: row.wish(view)] if enabled(view) and shown(view) else []
-        case Tick(value=value):
-            return [lambda on=on: row.wish(on) for on in (not value(view), value(view))]
-        case Choice(options=options):
-            return [lambda key=key: row.wish(key) for key, _ in (options(view) if callable(options) else options)]
-        case Triple(value=value):
+            return [lambda: row.request(view)] if enabled(view) and shown(view) else []
+        case Checkbox(value=value):
+            return [lambda on=on: row.request(on) for on in (not value(view), value(view))]
+        case Dropdown(options=options):
+            return [lambda key=key: row.request(key) for key, _ in (options(view) if callable(options) else options)]
+        case VectorRow(value=value):
             here = value(view)
             there = (here[0] + 50.0, here[1] - 2000.0, here[2] + 900.0)
-            return [lambda xyz=xyz: row.wish(view, xyz) for xyz in (there, here)]
-        case Entry():
-            return [lambda: row.wish("1"), lambda: row.wish("0 0 1 900")]
+            return [lambda xyz=xyz: row.request(view, xyz) for xyz in (there, here)]
+        case TextEntry():
+            return [lambda: row.request("1"), lambda: row.request("0 0 1 900")]
     return []
 
 
@@ -171,13 +171,18 @@ def _name(row: Any, view: View) -> str:
 
 def opened(name: str, server: viser.ViserServer) -> Lab:
     """An arm at `ready` before a person who sees every layer."""
-    robot = load(name)
+    robot = load_robot(name)
     rehearse(robot)
     shows = MappingProxyType({layer.NAME: True for layer in layers.optional()})
-    lab = Lab(initial(robot), Seat("", "en", shows=shows), [], [panel.rows(robot) for panel in panels.found()])
+    lab = Lab(
+        initial_state(robot),
+        Seat("", "en", visible_layers=shows),
+        [],
+        [panel.rows(robot) for panel in panels.all_panels()],
+    )
     server.scene.reset()
-    stage = Stage(server.scene, robot, shapes.load(robot), lab.act, "")
-    lab.layers = [layer.build(stage) for layer in layers.found()]
+    stage = Stage(server.scene, robot, shapes.load_shapes(robot), lab.act, "")
+    lab.layers = [layer.build(stage) for layer in layers.all_layers()]
     return lab
 
 
@@ -210,11 +215,11 @@ def paths(lab: Lab) -> None:
 
 def waypoints(lab: Lab) -> None:
     """Waypoints of every way, and the way through them."""
-    for way, posture in zip(WAYS, [*lab.state.robot.poses, *WAYS], strict=False):
+    for way, posture in zip(MOVE_TYPES, [*lab.state.robot.poses, *MOVE_TYPES], strict=False):
         lab.post(gate.record(way))
         lab.post(gate.go_to(posture if posture in lab.state.robot.poses else "ready"))
         lab.pass_time(60)
-    lab.post(through(lab.state))
+    lab.post(replay_through(lab.state))
     lab.pass_time(300)
 
 
@@ -242,10 +247,10 @@ def surroundings(lab: Lab) -> None:
 
 def ways_to_drive(lab: Lab) -> None:
     """Every method, with every setting of it, and every objective beside; alone and with an entry point."""
-    (rows,) = [panel.rows(lab.state.robot) for panel in panels.found() if panel.__name__.endswith(".method")]
+    (rows,) = [panel.rows(lab.state.robot) for panel in panels.all_panels() if panel.__name__.endswith(".method")]
     for name in methods.names():
         lab.post(gate.choose_method(name))
-        press(lab, [row for row in rows if not isinstance(row, Choice)])
+        press(lab, [row for row in rows if not isinstance(row, Dropdown)])
         for objective in objectives.names():
             for update in (gate.choose_objective(objective), gate.objective_as_row(True), gate.grow_weights(True)):
                 lab.post(update)
@@ -255,8 +260,8 @@ def ways_to_drive(lab: Lab) -> None:
 
 def lessons(lab: Lab) -> None:
     """Every step of every lesson with this arm, begun and judged."""
-    for name in content.found("lessons"):
-        read = lesson.load(name)
+    for name in content.content_folders("lessons"):
+        read = lesson.load_lesson(name)
         if read.robot == lab.state.robot.name:
             for step in read.steps:
                 lab.post(step.setup)

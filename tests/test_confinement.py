@@ -12,13 +12,21 @@ from tests.driving import after, at, clear_posture, quaternion
 
 from helicoide import gate
 from helicoide.arrays import Array, frozen
-from helicoide.command import ToJoints
-from helicoide.confinement import Obstacles, Zone, Zones, distances, from_pieces, last_clear, planes_of
-from helicoide.confinement.obstacles import LOOKED_AT
+from helicoide.command import MoveToJoints
+from helicoide.confinement import (
+    Obstacles,
+    Zone,
+    Zones,
+    last_free_point,
+    planes_of,
+    segment_distances,
+    signed_distances,
+)
+from helicoide.confinement.obstacles import PATH_STEP
 from helicoide.geometry import rigid
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import State, initial
+from helicoide.state import State, initial_state
 
 seeds = st.integers(0, 2**32 - 1)
 
@@ -28,7 +36,7 @@ def test_distances_are_those_of_the_algebra(robot: Robot, seed: int) -> None:
     """l = ½ ⋆(πp − pπ) (Cerbaro 2022, eq. 20)."""
     rng = np.random.default_rng(seed)
     planes, points = planes_of(robot.panes), rng.uniform(-1, 1, (5, 3))
-    table = distances(planes.normals, frozen(planes.offsets), points)
+    table = signed_distances(planes.normals, frozen(planes.offsets), points)
     pi = rigid.plane(planes.normals, planes.offsets)
     by_algebra = rigid.point_plane_distance(pi[None], rigid.point(points)[:, None])
     np.testing.assert_allclose(table, by_algebra, rtol=0, atol=1e-12)
@@ -47,7 +55,7 @@ def test_distances_are_those_of_the_algebra(robot: Robot, seed: int) -> None:
 )
 def test_zones_change_at_80_and_110_mm(distance: float, zone: Zone) -> None:
     """Cerbaro 2022, section 6.1."""
-    assert Zones().of(distance) is zone
+    assert Zones().zone_of(distance) is zone
 
 
 def test_pane_centres_lie_on_their_planes(robot: Robot) -> None:
@@ -67,7 +75,7 @@ def dragged(state: State, index: int, centre: Array, wxyz: Array) -> State:
 @given(seed=seeds)
 def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    state = initial(robot)
+    state = initial_state(robot)
     state = at(state, clear_posture(rng, state, 0.08))
     centre, wxyz = rng.uniform(-0.8, 0.8, 3), quaternion(rng)
     moved = dragged(state, int(rng.integers(3)), centre, wxyz)
@@ -76,7 +84,7 @@ def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
     asked = float(((state.guarded_points - centre) @ normal).min())
     np.testing.assert_allclose(moved.problem.planes.normals[index], normal, rtol=0, atol=1e-12)
     assert plane_distances(moved)[:, index].min() == pytest.approx(max(0.080, asked), abs=1e-9)
-    assert moved.request.grasp is None
+    assert moved.request.drag is None
     # along its normal only: what was asked sideways is kept
     sideways = moved.problem.planes.centres[index] - centre
     np.testing.assert_allclose(sideways - (sideways @ normal) * normal, 0, atol=1e-12)
@@ -86,10 +94,10 @@ def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
 @given(seed=seeds)
 def test_the_arm_does_not_move_because_of_a_plane(robot: Robot, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    state = initial(robot)
+    state = initial_state(robot)
     state = at(state, clear_posture(rng, state, 0.08))
     resting = replace(
-        state, request=replace(state.request, command=rng.choice([state.request.command, ToJoints(state.arm.q)]))
+        state, request=replace(state.request, command=rng.choice([state.request.command, MoveToJoints(state.arm.q)]))
     )
     moved = dragged(resting, int(rng.integers(3)), rng.uniform(-0.8, 0.8, 3), quaternion(rng))
     np.testing.assert_array_equal(after(moved, 0.3).arm.q, state.arm.q)
@@ -117,7 +125,7 @@ def test_distance_from_straight_pieces_is_that_of_their_nearest_point(seed: int)
     ends[0, 1] = ends[0, 0]
     along = ends[:, :1] + np.linspace(0, 1, 2001)[:, None] * (ends[:, 1:] - ends[:, :1])
     sampled = np.linalg.norm(points[:, None, None] - along, axis=3).min(axis=2)
-    found = from_pieces(points, ends)
+    found = segment_distances(points, ends)
     assert (found <= sampled + 1e-12).all()
     np.testing.assert_allclose(found, sampled, atol=2e-3)
 
@@ -127,21 +135,21 @@ def test_what_is_moved_rests_before_the_first_body_in_its_way(seed: int) -> None
     rng = np.random.default_rng(seed)
     ends, apart = rng.normal(size=(3, 2, 3)), rng.uniform(0.05, 0.3, 3)
     start, asked = rng.normal(size=(2, 3))
-    assume((from_pieces(start[None], ends)[0] > apart).all())
-    rests = last_clear(start, asked, ends, apart)
+    assume((segment_distances(start[None], ends)[0] > apart).all())
+    rests = last_free_point(start, asked, ends, apart)
     way = start + np.linspace(0, 1, 4001)[:, None] * (asked - start)
-    left = (from_pieces(way, ends) - apart).min(axis=1)
+    left = (segment_distances(way, ends) - apart).min(axis=1)
     length = np.linalg.norm(asked - start)
     share = np.linalg.norm(rests - start) / length
-    assert (from_pieces(rests[None], ends)[0] >= apart - 1e-9).all()
+    assert (segment_distances(rests[None], ends)[0] >= apart - 1e-9).all()
     # it may pass where it only grazes a body between two looks, and may rest there
     touched, entered = (np.append(np.flatnonzero(left < depth), 4000)[0] / 4000 for depth in (1e-3, -1e-3))
-    assert touched - LOOKED_AT / length - 1e-9 <= share <= entered + 1e-9
+    assert touched - PATH_STEP / length - 1e-9 <= share <= entered + 1e-9
 
 
 def test_obstacles_are_replaced_and_taken_away() -> None:
     three = Obstacles().with_sphere([1, 0, 0], 0.1).with_capsule([0, 1, 0], [0, 2, 0], 0.2).with_sphere([0, 0, 1], 0.3)
-    moved = three.replaced(1, [5, 5, 5], 0.4)
+    moved = three.with_sphere_at(1, [5, 5, 5], 0.4)
     np.testing.assert_array_equal(moved.ends[1], [[5, 5, 5]] * 2)
     np.testing.assert_array_equal(moved.radii, [0.1, 0.4, 0.3])
     np.testing.assert_array_equal(three.without(0).radii, [0.2, 0.3])

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from helicoide import content
-from helicoide.text import HelicoideError, Text, same
+from helicoide.text import HelicoideError, Text, untranslated
 
 APP = Path(__file__).parents[1] / "app"
 CALL = """
@@ -76,8 +76,8 @@ def test_a_cache_that_cannot_be_written_is_replaced_and_told_in_one_line(
 
 
 def test_shipped_robots_are_found() -> None:
-    assert "movemaster" in content.found("robots")
-    assert (content.folder("robots", "movemaster") / "robot.toml").is_file()
+    assert "movemaster" in content.content_folders("robots")
+    assert (content.content_folder("robots", "movemaster") / "robot.toml").is_file()
     assert content.STATIC.is_dir()
 
 
@@ -87,7 +87,7 @@ def test_a_users_robot_is_added_and_comes_first(tmp_path: Path, monkeypatch: pyt
         (tmp_path / "robots" / name).mkdir(parents=True)
         (tmp_path / "robots" / name / "robot.toml").touch()
     (tmp_path / "robots" / "unfinished").mkdir()
-    found = content.found("robots")
+    found = content.content_folders("robots")
     assert {name: found[name] for name in ("own", "movemaster")} == {
         name: tmp_path / "robots" / name for name in ("own", "movemaster")
     }
@@ -95,15 +95,15 @@ def test_a_users_robot_is_added_and_comes_first(tmp_path: Path, monkeypatch: pyt
 
 
 @pytest.mark.parametrize("kind", ["robots", "lessons"])
-def test_an_unknown_name_lists_those_there_are(kind: content.Kind) -> None:
+def test_an_unknown_name_lists_those_there_are(kind: content.ContentKind) -> None:
     with pytest.raises(HelicoideError) as caught:
-        content.folder(kind, "nowhere")
+        content.content_folder(kind, "nowhere")
     for words in (caught.value.text.en, caught.value.text.pt_BR):
-        assert all(name in words for name in ("nowhere", *content.found(kind)))
+        assert all(name in words for name in ("nowhere", *content.content_folders(kind)))
 
 
 def test_a_text_fills_each_language_with_its_own_words() -> None:
     text = Text(en="the {what} is {n}", pt_BR="o {what} é {n}").format(what=Text(en="plane", pt_BR="plano"), n=1)
     assert (text["en"], text["pt_BR"]) == ("the plane is 1", "o plano é 1")
-    assert same("π")["en"] == same("π")["pt_BR"] == "π"
+    assert untranslated("π")["en"] == untranslated("π")["pt_BR"] == "π"
     assert str(HelicoideError(text)) == "the plane is 1"

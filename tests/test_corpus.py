@@ -17,7 +17,7 @@ from tests.kinematics.urdfs import write
 from helicoide.arrays import Array
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.solve import solve
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
@@ -43,7 +43,7 @@ def lasting(robot: Robot, T: Array, q: Array) -> Answer:
 
 def refusal(path: Path) -> str:
     with pytest.raises(HelicoideError) as caught:
-        load(str(path))
+        load_robot(str(path))
     return reason_of(words_of(caught.value))
 
 

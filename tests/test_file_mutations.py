@@ -12,16 +12,16 @@ from tests.trajectory.taught import taught
 
 from helicoide import content
 from helicoide.confinement import plane_file, planes_of
-from helicoide.kinematics.folder import from_folder
-from helicoide.kinematics.library import load
-from helicoide.trajectory.waypoint_file import decoded, encoded
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.robot_folder import robot_from_folder
+from helicoide.trajectory.waypoint_file import decode_waypoints, encode_waypoints
 
-MOVEMASTER = load("movemaster")
+MOVEMASTER = load_robot("movemaster")
 ROBOTS = ("movemaster", "planar3r", "scara", "dia10_rod")
 GOOD = {
     "robots": [(content.SHIPPED / "robots" / name / "robot.toml").read_text("utf-8") for name in ROBOTS],
-    "planes": [plane_file.written([pane.name for pane in MOVEMASTER.panes], planes_of(MOVEMASTER.panes))],
-    "waypoints": [encoded(taught("movemaster")).decode()],
+    "planes": [plane_file.encode_planes([pane.name for pane in MOVEMASTER.panes], planes_of(MOVEMASTER.panes))],
+    "waypoints": [encode_waypoints(taught("movemaster")).decode()],
 }
 
 
@@ -30,19 +30,19 @@ def reader(kind: str, folder: Path) -> Callable[[bytes], object]:
 
     def robot(content: bytes) -> None:
         (folder / "robot.toml").write_bytes(content)
-        arm = from_folder(folder)
-        for numbers in (arm.lower, arm.upper, arm.speed, arm.T_world_tool_0, arm.guarded_points, *arm.poses.values()):
+        arm = robot_from_folder(folder)
+        for numbers in (arm.lower, arm.upper, arm.speed, arm.T_world_tool_0, arm.monitored_points, *arm.poses.values()):
             assert np.isfinite(numbers).all()
         for joint in arm.joints:
             assert np.isclose(np.linalg.norm(joint.direction), 1.0)
 
     def planes(content: bytes) -> None:
-        _, found = plane_file.decoded(content, "planes.toml")
+        _, found = plane_file.decode_planes(content, "planes.toml")
         assert np.allclose(np.linalg.norm(found.normals, axis=1), 1.0)
         assert np.isfinite(found.centres).all()
 
     def waypoints(content: bytes) -> None:
-        assert all(np.isfinite(point.q).all() for point in decoded(content, MOVEMASTER).waypoints)
+        assert all(np.isfinite(point.q).all() for point in decode_waypoints(content, MOVEMASTER).waypoints)
 
     return {"robots": robot, "planes": planes, "waypoints": waypoints}[kind]
 

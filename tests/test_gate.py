@@ -10,11 +10,11 @@ import pytest
 from tests.driving import after, at, beside, turning_z_to
 
 from helicoide import gate
-from helicoide.command import GetReady, Hold, Park, ToPose
+from helicoide.command import GetReady, HoldPosition, MoveToPose, Park
 from helicoide.foresight import lived, search, wants_search
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 
 NAN, INF = float("nan"), float("inf")
 UP = [1.0, 0.0, 0.0, 0.0]
@@ -96,7 +96,7 @@ def test_a_drag_is_held_by_one_seat(state: State) -> None:
     held = gate.drag_target("one", "start", HERE, UP)(state)
     assert gate.drag_target("two", "update", [0.3, 0, 0.3], UP)(held) is held
     assert gate.drag_plane("one", "update", 0, [0.5, 0, 0.7], UP)(held) is held
-    assert gate.drag_target("one", "end", HERE, UP)(held).request.grasp is None
+    assert gate.drag_target("one", "end", HERE, UP)(held).request.drag is None
 
 
 def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
@@ -105,7 +105,7 @@ def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
     assert wants_search(released)
     settled = search(released)(released)
-    assert isinstance(settled.request.command, ToPose)
+    assert isinstance(settled.request.command, MoveToPose)
     np.testing.assert_allclose(settled.request.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
     assert not wants_search(settled)
 
@@ -138,8 +138,23 @@ def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
     for _ in range(200):
         later = lived(later, 0.01)
         assert later.arm.q is stopped.arm.q
-        assert not later.arm.speeds.any()
-    assert later.request.command == Hold(stopped=True)
+        assert not later.arm.velocities.any()
+    assert later.request.command == HoldPosition(stopped=True)
+
+
+@pytest.mark.parametrize("moves", [True, False])
+def test_a_stop_that_closes_something_stops_too_and_says_so_where_something_moved(state: State, moves: bool) -> None:
+    asked = gate.set_target([0.6, 0.0, 0.2], UP)(gate.hold_orientation(False)(state))
+    before = after(asked, 0.2 if moves else 10.0)
+    assert before.arm.moving == moves
+    stopped = gate.stop(closing=True)(before)
+    assert stopped.request.command == Hold(stopped=moves)
+    assert after(stopped, 0.1).arm.q is stopped.arm.q
+    assert gate.while_asked(before, gate.play())(stopped) is stopped
+
+
+def test_a_stop_that_closes_something_leaves_an_earlier_stop_said(state: State) -> None:
+    assert gate.stop(closing=True)(gate.stop()(state)).request.command == Hold(stopped=True)
 
 
 @pytest.mark.parametrize("phase", ["update", "end"])
@@ -179,9 +194,9 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
         state = lived(state, 0.01)
         nearest.append(plane_distances(state).min())
         assert beside(robot, state.arm.q) < 1e-3
-        assert (np.abs(state.arm.speeds) <= robot.speed + 1e-9).all()
+        assert (np.abs(state.arm.velocities) <= robot.speed + 1e-9).all()
     np.testing.assert_array_equal(state.arm.q, robot.poses["home"])
-    assert state.request.command == Hold()
+    assert state.request.command == HoldPosition()
     assert state.arm.parked
     # recomputed from Cerbaro 2022, §6.2.1: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
     assert nearest[-1] == pytest.approx(0.02109, abs=3e-5)
@@ -245,7 +260,7 @@ def test_a_stop_on_the_way_home_holds_there_and_ready_leads_back(state: State) -
 
 
 def test_an_arm_without_planes_does_not_park() -> None:
-    start = initial(load("orca"))
+    start = initial_state(load_robot("orca"))
     refused = gate.park()(start)
     assert refused.notice == gate.NO_PARKING
     assert refused.request.command is start.request.command

@@ -7,11 +7,11 @@ import pytest
 
 from helicoide import content, lesson
 from helicoide.foresight import lived
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.lesson import Lesson, Step
 from helicoide.seat import Seat
-from helicoide.state import initial
-from helicoide.text import LANGUAGES, HelicoideError, same
+from helicoide.state import initial_state
+from helicoide.text import LANGUAGES, HelicoideError, untranslated
 
 GOOD = """
 from helicoide.lesson import Step
@@ -40,15 +40,15 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     for language in LANGUAGES:
         (tour / f"{language}.md").write_text(PAGE, encoding="utf-8")
     yield tour
-    lesson.load.cache_clear()
+    lesson.load_lesson.cache_clear()
 
 
 def test_a_lesson_of_ones_own_is_found(folder: Path) -> None:
-    tour = lesson.load("tour")
+    tour = lesson.load_lesson("tour")
     assert [step.id for step in tour.steps] == ["first", "second"]
     first = tour.prose["first"]
     assert (first.title.en, first.body.pt_BR, first.hint.en) == ("One", "Text.\n\nMore.", "Hint\non two lines.")
-    assert lesson.load("tour") is tour
+    assert lesson.load_lesson("tour") is tour
 
 
 BROKEN = {
@@ -99,7 +99,7 @@ def test_a_broken_lesson_gives_one_error_that_names_the_file(folder: Path, file:
     else:
         path.write_bytes(broken)
     with pytest.raises(HelicoideError) as caught:
-        lesson.load("tour")
+        lesson.load_lesson("tour")
     assert str(path) in caught.value.text.en
     assert str(path) in caught.value.text.pt_BR
     assert "\n" not in caught.value.text.en
@@ -112,7 +112,7 @@ def test_what_is_wrong_with_a_lesson_is_said_in_both_languages(folder: Path, cas
     if broken is not None:
         (folder / file).write_bytes(broken)
     with pytest.raises(HelicoideError) as caught:
-        lesson.load("tour")
+        lesson.load_lesson("tour")
     assert SAID[case][0] in caught.value.text.en
     assert SAID[case][1] in caught.value.text.pt_BR
 
@@ -122,19 +122,19 @@ def test_two_steps_of_one_name_are_refused(folder: Path) -> None:
     for language in LANGUAGES:
         (folder / f"{language}.md").write_text(PAGE.replace("second", "first"), encoding="utf-8")
     with pytest.raises(HelicoideError, match="first, first"):
-        lesson.load("tour")
+        lesson.load_lesson("tour")
 
 
 def test_an_unknown_lesson_lists_those_there_are(folder: Path) -> None:
     with pytest.raises(HelicoideError, match="tour"):
-        lesson.load("detour")
+        lesson.load_lesson("detour")
 
 
 def test_a_met_goal_stays_done_and_only_its_own() -> None:
     seat = Seat(token="", language="en")
     step = Step("a", lambda state: state, lambda state, seat: state.t > 0, ())
-    tour = Lesson("tour", same("Tour"), "movemaster", (step, step), {})
-    start = initial(load("movemaster"))
+    tour = Lesson("tour", untranslated("Tour"), "movemaster", (step, step), {})
+    start = initial_state(load_robot("movemaster"))
     assert lesson.progressed(tour, start, seat) is seat
     done = lesson.progressed(tour, lived(start, 0.01), seat)
     assert done.done == {"a"}

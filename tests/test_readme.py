@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from helicoide.kinematics import tool
+from helicoide.kinematics import tool_kernels
 
 ROOT = Path(__file__).parents[1]
 
@@ -20,6 +20,6 @@ def test_the_script_comes_to_what_is_said(name: str) -> None:
     known: dict[str, Any] = {}
     exec(script, known)
     assert len(known["answer"].branches) == 8
-    there = tool.tool_pose(tool.packed(known["robot"]), known["q"])
+    there = tool_kernels.tool_pose(tool_kernels.arm_array(known["robot"]), known["q"])
     np.testing.assert_allclose(there, known["T"], atol=1e-6)
     assert known["work"].share == 1.0

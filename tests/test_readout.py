@@ -10,7 +10,7 @@ import pytest
 from tests.driving import after, at, clear_posture
 
 from helicoide import gate, readout
-from helicoide.command import ToJoints, ToPose
+from helicoide.command import MoveToJoints, MoveToPose
 from helicoide.confinement import Zone
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
@@ -24,9 +24,9 @@ UP = [1.0, 0.0, 0.0, 0.0]
 def foreseen(state: State) -> State:
     """The state with the goal of its command, as the loop keeps it."""
     match state.request.command:
-        case ToPose(T):
+        case MoveToPose(T):
             goal = goal_at_pose(state.problem, state.arm.q, T, state.request.with_orientation)
-        case ToJoints(q):
+        case MoveToJoints(q):
             goal = goal_at_joints(state.problem, state.arm.q, q)
         case _:
             goal = None

@@ -10,14 +10,14 @@ from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, 
 
 from helicoide import gate
 from helicoide.arrays import frozen
-from helicoide.command import Along
+from helicoide.command import FollowPath
 from helicoide.foresight import lived
 from helicoide.ik import Limits
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import State, commanded, initial
-from helicoide.trajectory.straight import Line
+from helicoide.state import State, initial_state, with_command
+from helicoide.trajectory.pose_paths import LinePath
 
 RIDES = 6
 TICKS = 5_000
@@ -37,7 +37,7 @@ def test_no_promise_is_broken_in_a_rough_ride(state: State, seed: int) -> None:
 def test_the_arm_gets_where_the_way_is_clear(robot: Robot, with_orientation: bool) -> None:
     """At least 99 of 100 goals that have a clear posture and a clear straight way are met to 1 mm within 12 s."""
     rng = np.random.default_rng(7)
-    left = [misses(*clear_goal(rng, initial(robot)), with_orientation) for _ in range(GOALS)]
+    left = [misses(*clear_goal(rng, initial_state(robot)), with_orientation) for _ in range(GOALS)]
     assert np.mean(np.array(left) < 1e-3) >= 0.99
 
 
@@ -64,7 +64,7 @@ def test_the_old_state_is_left_as_it_was(state: State) -> None:
 @pytest.mark.parametrize("dt", [0.001, 0.01, 0.05])
 def test_joints_are_brought_to_their_values(robot: Robot, dt: float) -> None:
     rng = np.random.default_rng(3)
-    state = initial(robot)
+    state = initial_state(robot)
     for _ in range(20):
         wished = clear_posture(rng, state, 0.11)
         state = at(state, clear_posture(rng, state, 0.11))
@@ -96,7 +96,7 @@ def test_a_target_out_of_reach_brings_the_arm_to_rest(state: State) -> None:
 
 def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
     """Ellipse of eq. 33: once it has arrived the tool keeps to it where no plane is in the way."""
-    state = after(gate.hold_orientation(False)(gate.play()(state)), 1.2)
+    state = after(gate.hold_orientation(False)(gate.play()(gate.choose_path("eq33")(state))), 1.2)
     assert state.request.command.arrived
     apart = []
     for _ in range(150):
@@ -121,9 +121,9 @@ def test_a_path_that_begins_out_of_reach_is_followed_all_the_same(state: State, 
     """The target goes on once the arm can come no nearer to where it begins."""
     far = state.T_world_tool.copy()
     far[:3, 3] += [0.5, 0.0, 0.3]
-    path = Line(far, state.T_world_tool, 2.0)
+    path = LinePath(far, state.T_world_tool, 2.0)
     state = gate.choose_method(method)(gate.hold_orientation(False)(state))
-    ended = after(replace(state, request=replace(state.request, command=Along(path, 0.0, playing=True))), 15.0)
+    ended = after(replace(state, request=replace(state.request, command=FollowPath(path, 0.0, playing=True))), 15.0)
     assert (ended.request.path_s, ended.request.command.playing) == (2.0, False)
     np.testing.assert_allclose(ended.T_world_tool[:3, 3], state.T_world_tool[:3, 3], atol=2e-3)
 
@@ -132,8 +132,8 @@ def test_an_open_path_is_followed_to_its_end(state: State) -> None:
     """There the arm rests, and is not driven on by the speed of the path."""
     end = state.T_world_tool.copy()
     end[:3, 3] += [-0.05, 0.08, 0.04]
-    path = Line(state.T_world_tool, end, 2.0)
-    state = commanded(gate.hold_orientation(False)(state), Along(path, 0.0, playing=True))
+    path = LinePath(state.T_world_tool, end, 2.0)
+    state = with_command(gate.hold_orientation(False)(state), FollowPath(path, 0.0, playing=True))
     halfway, ended = after(state, 1.0), after(state, 3.0)
     assert 0.9 < halfway.request.path_s < 1.1
     assert halfway.request.command.playing

@@ -24,9 +24,9 @@ def main() -> None:
     arguments = sys.argv[1:]
     if not arguments or (arguments[0].startswith("-") and arguments[0] not in ("-h", "--help")):
         arguments = ["serve", *arguments]
-    with commands.ending():
+    with commands.exit_codes():
         if arguments == ["serve", "--version"]:
-            commands.tell_version()
+            commands.print_version()
         else:
             _run(arguments)
 

@@ -19,7 +19,7 @@ from platformdirs import user_data_path
 
 from helicoide.text import HelicoideError, Text
 
-Kind = Literal["robots", "lessons"]
+ContentKind = Literal["robots", "lessons"]
 
 log = logging.getLogger("helicoide")
 
@@ -28,7 +28,7 @@ _CHECKOUT = _PACKAGE.parent.parent
 IN_CHECKOUT = (_CHECKOUT / "pyproject.toml").is_file()
 SHIPPED = _CHECKOUT if IN_CHECKOUT else _PACKAGE
 STATIC = SHIPPED / "static"
-_MARKER: dict[Kind, str] = {"robots": "robot.toml", "lessons": "lesson.py"}
+_MARKER_FILE: dict[ContentKind, str] = {"robots": "robot.toml", "lessons": "lesson.py"}
 
 
 def user_folder() -> Path:
@@ -36,15 +36,15 @@ def user_folder() -> Path:
     return user_data_path("helicoide")
 
 
-def found(kind: Kind) -> dict[str, Path]:
+def content_folders(kind: ContentKind) -> dict[str, Path]:
     """Folders of one kind by name; the user's own come before the shipped ones of the same name."""
     roots = (SHIPPED / kind, user_folder() / kind)
-    return {file.parent.name: file.parent for root in roots for file in sorted(root.glob(f"*/{_MARKER[kind]}"))}
+    return {file.parent.name: file.parent for root in roots for file in sorted(root.glob(f"*/{_MARKER_FILE[kind]}"))}
 
 
-def folder(kind: Kind, name: str) -> Path:
+def content_folder(kind: ContentKind, name: str) -> Path:
     """The folder of one robot or lesson; raises HelicoideError that lists the names there are."""
-    known = found(kind)
+    known = content_folders(kind)
     if name not in known:
         what = {"robots": Text(en="robot", pt_BR="robô"), "lessons": Text(en="lesson", pt_BR="lição")}[kind]
         raise HelicoideError(

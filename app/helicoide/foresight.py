@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from helicoide.advance import advance
 from helicoide.arrays import frozen
-from helicoide.command import Along, GetReady, Park, ToJoints, ToPose
-from helicoide.ik.drive import GUARDED
+from helicoide.command import FollowPath, GetReady, MoveToJoints, MoveToPose, Park
+from helicoide.ik.controller import GUARDED
 from helicoide.ik.goal import Goal, best_goal, goal_at_joints, goal_at_pose
 from helicoide.state import ArmState, State, Update
 
@@ -24,14 +24,14 @@ def foreseen(state: State) -> State:
 def _goal(state: State) -> Goal | None:
     """Where the command leads; where a method of the sources will come to rest is not foreseen."""
     problem, request, q = state.problem, state.request, state.arm.q
-    with_orientation, guarded = request.with_orientation, request.drive.method == GUARDED
+    with_orientation, guarded = request.with_orientation, request.controller.method == GUARDED
     before = q if request.detour is None else request.detour
     match request.command:
-        case ToPose(T) if guarded:
+        case MoveToPose(T) if guarded:
             return goal_at_pose(problem, before, T, with_orientation)
-        case Along(path, s) if guarded:
+        case FollowPath(path, s) if guarded:
             return goal_at_pose(problem, before, frozen(path.pose(s)), with_orientation)
-        case ToJoints(asked, yielding):
+        case MoveToJoints(asked, yielding):
             return goal_at_joints(problem, q, asked, yielding)
         case Park() | GetReady() if not state.arm.parked:
             return goal_at_joints(problem, q, state.robot.poses["ready"])
@@ -46,11 +46,13 @@ def wants_search(state: State) -> bool:
     The search foresees where the arm will stop, so it need not wait: along a wall the arm may creep for a minute.
     """
     request, command = state.request, state.request.command
-    if request.searched or state.arm.parked or request.drive.method != GUARDED:
+    if request.searched or state.arm.parked or request.controller.method != GUARDED:
         return False
-    if isinstance(command, ToPose):
-        return command.settles or request.rested >= SETTLED
-    return isinstance(command, Along) and not (command.playing and command.arrived) and request.rested >= SETTLED
+    if isinstance(command, MoveToPose):
+        return command.snaps or request.unchanged >= SETTLED
+    return (
+        isinstance(command, FollowPath) and not (command.playing and command.arrived) and request.unchanged >= SETTLED
+    )
 
 
 def search(state: State) -> Update:
@@ -59,17 +61,17 @@ def search(state: State) -> Update:
     It takes as long as some hundred ticks, and so is no part of one; it is worth nothing once something else is asked.
     """
     command = state.request.command
-    assert isinstance(command, ToPose | Along)
-    T = command.T_world_target if isinstance(command, ToPose) else frozen(command.path.pose(command.s))
+    assert isinstance(command, MoveToPose | FollowPath)
+    T = command.T_world_target if isinstance(command, MoveToPose) else frozen(command.path.pose(command.s))
     goal, detour = best_goal(state.problem, state.arm.q, T, state.request.with_orientation)
 
     def found(now: State) -> State:
         if now.request.searched or not _asks_the_same(now, state):
             return now
         command = now.request.command
-        if isinstance(command, ToPose) and command.settles:
-            command = ToPose(goal.T_world_tool if detour is None else T)
-        return replace(now, request=replace(now.request, command=command, searched=True, rested=0.0, detour=detour))
+        if isinstance(command, MoveToPose) and command.snaps:
+            command = MoveToPose(goal.T_world_tool if detour is None else T)
+        return replace(now, request=replace(now.request, command=command, searched=True, unchanged=0.0, detour=detour))
 
     return found
 
@@ -77,12 +79,12 @@ def search(state: State) -> Update:
 def _asks_the_same(new: State, old: State) -> bool:
     """Whether the same is asked of the arm, and under the same conditions."""
     now, then = new.request, old.request
-    if isinstance(now.command, Along) and isinstance(then.command, Along):
+    if isinstance(now.command, FollowPath) and isinstance(then.command, FollowPath):
         asked = now.command.path is then.command.path and now.command.s == then.command.s
     else:
         asked = now.command is then.command
     same = new.problem is old.problem and now.with_orientation == then.with_orientation
-    return asked and same and now.drive.method == then.drive.method and not new.arm.parked
+    return asked and same and now.controller.method == then.controller.method and not new.arm.parked
 
 
 def lived(state: State, dt: float) -> State:
@@ -97,20 +99,22 @@ def rests(old: State, new: State) -> bool:
         new.problem is old.problem
         and _stands(old.arm, new.arm)
         and now.command is was.command
-        and now.drive is was.drive
+        and now.controller is was.controller
         and now.detour is was.detour
         and (now.searched, now.path_s) == (was.searched, was.path_s)
     )
     if old.compared is None or new.compared is None:
         kept = kept and old.compared is new.compared
     else:
-        kept = kept and _stands(old.compared.arm, new.compared.arm) and new.compared.drive is old.compared.drive
-    return kept and now.rested > RESTED and not wants_search(new)
+        kept = (
+            kept and _stands(old.compared.arm, new.compared.arm) and new.compared.controller is old.compared.controller
+        )
+    return kept and now.unchanged > RESTED and not wants_search(new)
 
 
 def _stands(old: ArmState, new: ArmState) -> bool:
     """Whether an arm has not moved at all."""
-    still = new.q is old.q and new.speeds is old.speeds
+    still = new.q is old.q and new.velocities is old.velocities
     return still and (new.gripper, new.parked) == (old.gripper, old.parked)
 
 
@@ -124,7 +128,7 @@ def leads_elsewhere(old: State | None, new: State) -> bool:
         and new.arm.q is old.arm.q
         and new.arm.parked == old.arm.parked
         and now.command is was.command
-        and now.drive is was.drive
+        and now.controller is was.controller
         and now.detour is was.detour
         and now.with_orientation == was.with_orientation
     )

@@ -12,12 +12,12 @@ from pathlib import Path
 from types import ModuleType
 
 from helicoide import content
-from helicoide.files import written
+from helicoide.files import text_file
 from helicoide.seat import Seat, SeatUpdate
 from helicoide.state import State, Update
 from helicoide.text import LANGUAGES, HelicoideError, Language, Text
 
-Goal = Callable[[State, Seat], bool]
+StepGoal = Callable[[State, Seat], bool]
 MOST_BYTES = 1_000_000
 
 
@@ -39,7 +39,7 @@ class Step:
 
     id: str
     setup: Update
-    goal: Goal
+    goal: StepGoal
     solution: tuple[tuple[Update | AtSeat, float], ...]
     joints: tuple[int, ...] = ()
 
@@ -93,9 +93,9 @@ _ORDER = Text(
 
 
 @cache
-def load(name: str) -> Lesson:
+def load_lesson(name: str) -> Lesson:
     """A lesson by the name of its folder; raises HelicoideError when its files do not fit together."""
-    folder = content.folder("lessons", name)
+    folder = content.content_folder("lessons", name)
     title, robot, steps = _read_module(folder / "lesson.py", name)
     pages = {language: _read_page(folder / f"{language}.md", steps) for language in LANGUAGES}
     return Lesson(name, title, robot, steps, {step.id: _prose(pages, step.id) for step in steps})
@@ -119,8 +119,8 @@ def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
     except (Exception, SystemExit) as error:
         raise _broken(path, stopped(path, error)) from error
     title, robot, steps = (getattr(module, name, None) for name in ("TITLE", "ROBOT", "STEPS"))
-    if robot not in content.found("robots"):
-        raise _broken(path, _ROBOT.format(robots=", ".join(content.found("robots"))))
+    if robot not in content.content_folders("robots"):
+        raise _broken(path, _ROBOT.format(robots=", ".join(content.content_folders("robots"))))
     if not (isinstance(title, Text) and isinstance(steps, tuple) and steps and all(isinstance(s, Step) for s in steps)):
         raise _broken(path, _STEPS)
     return title, robot, steps
@@ -142,7 +142,7 @@ def stopped(path: Path, error: BaseException) -> Text:
 def _read_page(path: Path, steps: tuple[Step, ...]) -> dict[str, re.Match[str]]:
     """The sections of one language's page by step id, in the order of the steps."""
     try:
-        before, *sections = re.split(r"(?m)^(?=## )", written.text(path, MOST_BYTES))
+        before, *sections = re.split(r"(?m)^(?=## )", text_file.read_text(path, MOST_BYTES))
     except HelicoideError as error:
         raise _broken(path, error.text) from error
     if before.strip():

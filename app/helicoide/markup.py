@@ -23,7 +23,7 @@ SVG = '<svg xmlns="http://www.w3.org/2000/svg"'  # start of a drawing; only a se
 _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
-def markdown(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
+def markdown_to_html(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
     """Markdown as HTML; tags in it are escaped. The anchor of a heading is its text up to a colon, such as "vargas-2".
 
     drawings: SVG by name; an image of that name becomes the drawing itself, in the colour of the text.
@@ -49,7 +49,7 @@ _markdown.add_render_rule("image", _image)
 
 
 @lru_cache(maxsize=256)
-def formula(tex: str, index: str = "") -> Markup:
+def formula_to_mathml(tex: str, index: str = "") -> Markup:
     """A formula as MathML; index: a subscript written as plain text."""
     math = convert_to_element(tex)
     for node in math.iter():

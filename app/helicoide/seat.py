@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
-from helicoide.kinematics.stages import Kind as Stages
-from helicoide.kinematics.workspace import Kind
+from helicoide.kinematics.stages import StageKind as Stages
+from helicoide.kinematics.workspace import MapKind
 from helicoide.text import Language
 
 
@@ -15,7 +15,7 @@ from helicoide.text import Language
 class Seat:
     """One person: language, where they are in a lesson, what they selected and what they want to see.
 
-    done: the steps whose goal has been reached; picked: the points, m, world, that they have clicked for a plane, None
+    done: the steps whose goal has been reached; picked_points: the points, m, world, that they have clicked for a plane, None
     while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
     arm's reach; stages: in which way the arm is written joint by joint, None in none; cloud_unit: what the numbers in
     files of clouds count, "" as it looks;
@@ -30,18 +30,18 @@ class Seat:
     done: frozenset[str] = frozenset()
     hint_open: bool = False
     selected: str | None = None
-    picked: tuple[tuple[float, ...], ...] | None = None
-    shows: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
-    map_kind: Kind = "reachable"
+    picked_points: tuple[tuple[float, ...], ...] | None = None
+    visible_layers: Mapping[str, bool] = field(default_factory=lambda: MappingProxyType({}))
+    map_kind: MapKind = "reachable"
     cut: float = 0.0
     stages: Stages | None = None
     cloud_unit: str = ""
     projector: bool = False
     way: str = "joints"
 
-    def showing(self, name: str, on: bool) -> Seat:
+    def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""
-        return replace(self, shows=MappingProxyType({**self.shows, name: on}))
+        return replace(self, visible_layers=MappingProxyType({**self.visible_layers, name: on}))
 
 
 SeatUpdate = Callable[[Seat], Seat]

@@ -11,7 +11,7 @@ Language = Literal["en", "pt_BR"]
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
 
-class _Comma(Formatter):
+class _DecimalCommaFormatter(Formatter):
     """Formats as `str.format` does, with a decimal comma in numbers."""
 
     def format_field(self, value: object, format_spec: str) -> str:
@@ -19,7 +19,7 @@ class _Comma(Formatter):
         return shown.replace(".", ",") if isinstance(value, float) else shown
 
 
-_WITH_COMMA = _Comma()
+_WITH_COMMA = _DecimalCommaFormatter()
 
 
 @dataclass(frozen=True)
@@ -42,12 +42,12 @@ class Text:
         )
 
 
-def same(word: str) -> Text:
+def untranslated(word: str) -> Text:
     """A name or symbol that is the same in both languages."""
     return Text(en=word, pt_BR=word)
 
 
-def joined(texts: Sequence[Text], by: str = "; ") -> Text:
+def join_texts(texts: Sequence[Text], by: str = "; ") -> Text:
     """Several texts joined into one."""
     return Text(en=by.join(text.en for text in texts), pt_BR=by.join(text.pt_BR for text in texts))
 

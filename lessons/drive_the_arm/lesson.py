@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.command import Course, Hold, ToPose
+from helicoide.command import HoldPosition, MoveToPose, PathChoice
 from helicoide.geometry import rotation
 from helicoide.lesson import Step
 from helicoide.readout import plane_distances
@@ -29,20 +29,20 @@ FOLLOWED, NEAR_PATH = 2.0, 0.1
 
 def start(state: State) -> State:
     """Ask for the arm at `ready`, the measured planes, a held orientation and the path at its beginning."""
-    for wish in (gate.restore_planes(), gate.hold_orientation(True), gate.get_ready()):
-        state = wish(state)
-    return replace(state, request=replace(state.request, course=Course(), path_s=0.0))
+    for change in (gate.restore_planes(), gate.hold_orientation(True), gate.get_ready()):
+        state = change(state)
+    return replace(state, request=replace(state.request, path_choice=PathChoice(), path_s=0.0))
 
 
 def target_at(x: float, y: float, z: float, about_z_deg: float = 0.0) -> Update:
     """Ask for a place, m, with the tool as it now is but for a turn about the vertical."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         turn = rotation.from_axis_angle([0.0, 0.0, 1.0], np.radians(about_z_deg))
         quat = rotation.multiply(turn, rotation.from_matrix(state.T_world_tool[:3, :3]))
         return gate.set_target([x, y, z], quat)(state)
 
-    return wish
+    return change
 
 
 def elbow_bent(state: State, seat: Seat) -> bool:
@@ -53,7 +53,7 @@ def elbow_bent(state: State, seat: Seat) -> bool:
 def low_on_the_left(state: State, seat: Seat) -> bool:
     """The target brought the tool to the left and down, and the tool rests there."""
     _, y, z = state.T_world_tool[:3, 3]
-    return isinstance(state.request.command, ToPose) and bool(y >= LEFT and z <= LOW) and not state.arm.moving
+    return isinstance(state.request.command, MoveToPose) and bool(y >= LEFT and z <= LOW) and not state.arm.moving
 
 
 def out_of_plane(T_world_tool: Array) -> float:
@@ -68,7 +68,7 @@ def out_of_plane(T_world_tool: Array) -> float:
 
 def turn_refused(state: State, seat: Seat) -> bool:
     """The target asks for a turn that five joints do not have; the tool keeps its place and rests."""
-    if not isinstance(state.request.command, ToPose) or not state.request.with_orientation or state.arm.moving:
+    if not isinstance(state.request.command, MoveToPose) or not state.request.with_orientation or state.arm.moving:
         return False
     wished = state.request.command.T_world_target
     missing = np.linalg.norm(wished[:3, 3] - state.T_world_tool[:3, 3])
@@ -77,7 +77,7 @@ def turn_refused(state: State, seat: Seat) -> bool:
 
 def held_by_the_ceiling(state: State, seat: Seat) -> bool:
     """The target is beyond the ceiling, and a guarded point of the arm is as near to it as any may come."""
-    if not isinstance(state.request.command, ToPose):
+    if not isinstance(state.request.command, MoveToPose):
         return False
     planes = state.problem.planes
     beyond = planes.normals[CEILING] @ state.request.command.T_world_target[:3, 3] < planes.offsets[CEILING]
@@ -87,9 +87,13 @@ def held_by_the_ceiling(state: State, seat: Seat) -> bool:
 
 def stopped_on_the_path(state: State, seat: Seat) -> bool:
     """Stopped after following the path for a while; walls may hold the tool some way off the curve."""
-    on_path = gate.path_of(state.robot, state.request.course).pose(state.request.path_s)
+    on_path = gate.path_of(state.robot, state.request.path_choice).pose(state.request.path_s)
     away = np.linalg.norm(on_path[:3, 3] - state.T_world_tool[:3, 3])
-    return state.request.command == Hold(stopped=True) and state.request.path_s >= FOLLOWED and bool(away < NEAR_PATH)
+    return (
+        state.request.command == HoldPosition(stopped=True)
+        and state.request.path_s >= FOLLOWED
+        and bool(away < NEAR_PATH)
+    )
 
 
 STEPS = (

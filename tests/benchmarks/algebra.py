@@ -7,7 +7,14 @@ from tests.benchmarks.children.answer import Task
 from tests.benchmarks.peers import Child, Peer, compare, started, ways_of
 from tests.benchmarks.report import judge
 
-from helicoide.geometry.batch import MOTOR_ROWS, POINT_ROWS, move_points, move_whole_points, products, sandwiches
+from helicoide.geometry.batch import (
+    MOTOR_ROWS,
+    POINT_ROWS,
+    batch_products,
+    batch_sandwiches,
+    move_full_points,
+    move_points,
+)
 from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
 from helicoide.geometry.multivector import Multivector
 
@@ -34,8 +41,8 @@ def _ours(algebra: Algebra, given: dict[str, Array]) -> list[Task]:
     a, b, Ms, Xs = given["a"][0], given["b"][0], given["motors"], given["points"]
     objects = {name: Multivector(values, algebra) for name, values in zip("ABMX", (a, b, Ms[0], Xs[0]), strict=True)}
     functions = {"product": algebra.product, "sandwich": algebra.sandwich, "a": a, "b": b, "m": Ms[0], "x": Xs[0]}
-    known = {"algebra": algebra, "move_points": move_points, "move_whole_points": move_whole_points, "full": _full}
-    known |= {"sandwiches": sandwiches, "Ms": Ms, "Xs": Xs}
+    known = {"algebra": algebra, "move_points": move_points, "move_whole_points": move_full_points, "full": _full}
+    known |= {"sandwiches": batch_sandwiches, "Ms": Ms, "Xs": Xs}
     known |= {"ms": np.ascontiguousarray(Ms.T[MOTOR_ROWS]), "xs": np.ascontiguousarray(Xs.T[POINT_ROWS])}
     rows, whole, general = (
         "move_points(algebra, ms, xs)",
@@ -60,7 +67,7 @@ def _given(algebra: Algebra) -> dict[str, Array]:
     turns, shifts, points = rng.normal(size=(3, MANY, 16))
     g = turns * _blades(algebra, "1", "e1e2", "e1e3", "e2e3")
     g /= np.linalg.norm(g, axis=-1, keepdims=True)
-    motors = g + products(algebra, shifts * _blades(algebra, "e1e", "e2e", "e3e"), g)
+    motors = g + batch_products(algebra, shifts * _blades(algebra, "e1e", "e2e", "e3e"), g)
     return {"a": a, "b": b, "motors": motors, "points": points * (algebra.grades == 3)}
 
 

@@ -15,7 +15,7 @@ from time import perf_counter, sleep
 
 import viser
 
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.view import shapes
 
 RATE = 60.0
@@ -47,7 +47,7 @@ class Nodes:
 def main() -> None:
     with contextlib.redirect_stdout(io.StringIO()):  # viser prints a banner whatever it is told
         server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
-    nodes = Nodes(server, len(shapes.load(load("movemaster"))) + 2)
+    nodes = Nodes(server, len(shapes.load_shapes(load_robot("movemaster"))) + 2)
     Thread(target=nodes.run, daemon=True).start()
     print(f"http://127.0.0.1:{server.get_port()}", flush=True)
     for _ in sys.stdin:

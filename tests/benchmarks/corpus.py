@@ -16,7 +16,7 @@ from tests.benchmarks.corpus_look import PATIENCE, POSES, POSTURES, look
 from tests.benchmarks.peers import LeftOut
 from tests.benchmarks.report import verdict
 
-from helicoide.kinematics.library import load, names
+from helicoide.kinematics.library import load_robot, robot_names
 
 TITLE = "URDF files as others write them: each has an arm or is refused for a reason that is all right"
 HOW = (
@@ -154,8 +154,8 @@ def _listed(title: str, lines: Iterable[str]) -> None:
 
 def _exercised() -> None:
     """Compile beforehand: no file's time is spent on it."""
-    for name in names()[:1]:
-        look(load(name).urdf, patience=300.0)
+    for name in robot_names()[:1]:
+        look(load_robot(name).urdf, patience=300.0)
 
 
 @contextmanager

@@ -16,13 +16,13 @@ from tests.benchmarks.corpus_findings import Findings, words_of
 from tests.benchmarks.corpus_tree import Tree, apart
 
 from helicoide.arrays import Array
-from helicoide.commands.ik import described
+from helicoide.commands.ik import answer_json
 from helicoide.confinement import Obstacles
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import alike
 from helicoide.ik.postures.solve import chosen, reached, solve, status
-from helicoide.kinematics.forward import ROADS
-from helicoide.kinematics.library import load
+from helicoide.kinematics.forward import FORMULATIONS
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 from helicoide.view import shapes
@@ -67,7 +67,7 @@ def look(path: Path, solving: Solve = solve, patience: float = PATIENCE) -> Find
     except TooLong:
         found.late = doing
     finally:
-        shapes.load.cache_clear()
+        shapes.load_shapes.cache_clear()
     found.seconds = process_time() - begun
     return found
 
@@ -112,7 +112,7 @@ def _arms(path: Path, tree: Tree | None, found: Findings) -> Iterator[Robot]:
             continue
         with _faults(found, f"loading with tip {tip}"):
             try:
-                robot = load(str(path), tip)
+                robot = load_robot(str(path), tip)
             except HelicoideError as error:
                 found.refused[tip or ""] = words_of(error)
             else:
@@ -142,14 +142,14 @@ def _pose(robot: Robot, tree: Tree | None, q: Array) -> tuple[Array, float]:
 def _forward(robot: Robot, tree: Tree | None, found: Findings) -> None:
     for q in _drawn(robot, POSTURES):
         T, _ = _pose(robot, tree, q)
-        for name, road in ROADS.items():
+        for name, road in FORMULATIONS.items():
             error = float(np.max(np.abs(road(robot, q) - T)))
             found.worst = max(found.worst, (error, f"{robot.tool_link} by {name}"))
 
 
 def _picture(robot: Robot, found: Findings) -> None:
     try:
-        found.picture = len(shapes.load(robot))
+        found.picture = len(shapes.load_shapes(robot))
     except HelicoideError as error:
         found.unseen = words_of(error)
 
@@ -160,7 +160,7 @@ def _there_and_back(robot: Robot, tree: Tree | None, found: Findings, solving: S
         ready = robot.poses["ready"]
         answer = solving(robot, T, ready)
         shown = chosen(robot, answer, ready, alike(robot), Obstacles(), True)
-        json.dumps(described(robot, answer, status(answer), shown, T, True), allow_nan=False)
+        json.dumps(answer_json(robot, answer, status(answer), shown, T, True), allow_nan=False)
         found.asked += 1
         said = f"{robot.tool_link}: {status(answer).en}; q = {[round(float(x), 6) for x in q]}"
         if not reached(answer):

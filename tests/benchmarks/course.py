@@ -18,7 +18,7 @@ from helicoide.ik.guard.work import work_for
 from helicoide.ik.packing import packed
 from helicoide.ik.step import STILL, step
 from helicoide.ik.task import GAIN
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.forward import link_poses, points_in_world
 from helicoide.kinematics.robot import Robot
 
 DT, LAP, LAPS, RADIUS = 0.01, 500, 3, 0.1
@@ -68,7 +68,7 @@ class Course:
 
     def points(self, q: Array) -> Array:
         robot = self.robot
-        return np.asarray(carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints))
+        return np.asarray(points_in_world(link_poses(robot.chain, q), robot.monitored_points, robot.monitored_links))
 
     def given(self) -> dict[str, object]:
         """What a peer must know."""
@@ -82,7 +82,7 @@ class Course:
             "normals": self.planes[0],
             "offsets": self.planes[1],
             "points": np.array(points_on_links(robot)),
-            "links": robot.guarded_joints,
+            "links": robot.monitored_links,
         }
         known = {name: array.tolist() for name, array in numbers.items()}
         law = {"gain": float(SHARE), "damping": DAMPING, "decay": DAMPER_GAIN * DT, "dt": DT}

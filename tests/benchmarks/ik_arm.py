@@ -30,11 +30,11 @@ def points_on_links(robot: Robot) -> list[Array]:
         assert origin is not None
         xyz, rpy = (np.array(origin.attrib[key].split(), float) for key in ("xyz", "rpy"))
         T = np.eye(4)
-        T[:3, :3], T[:3, 3] = euler.matrix(rpy, "extrinsic xyz"), xyz
+        T[:3, :3], T[:3, 3] = euler.euler_matrix(rpy, "extrinsic xyz"), xyz
         frames.append(frames[-1] @ T)
     return [
         frames[link][:3, :3].T @ (_centre(robot, link) + point - frames[link][:3, 3])
-        for link, point in zip(robot.guarded_joints, robot.guarded_points, strict=True)
+        for link, point in zip(robot.monitored_links, robot.monitored_points, strict=True)
     ]
 
 
@@ -45,11 +45,11 @@ def _centre(robot: Robot, link: int) -> Array:
 
 def standard_rows(robot: Robot) -> dict[str, object]:
     """Standard rows θ, d, a, α (n, 4), what stands before and behind them, and the guarded points in their frames."""
-    table = dh.recovered(robot.joints, robot.T_world_tool_0)
-    frames = dh.poses(table, robot.joints, np.zeros(len(robot.joints)))
+    table = dh.dh_from_screws(robot.joints, robot.T_world_tool_0)
+    frames = dh.dh_poses(table, robot.joints, np.zeros(len(robot.joints)))
     points = [
         frames[link][:3, :3].T @ (_centre(robot, link) + point - frames[link][:3, 3])
-        for link, point in zip(robot.guarded_joints, robot.guarded_points, strict=True)
+        for link, point in zip(robot.monitored_links, robot.monitored_points, strict=True)
     ]
     rows = [[row.theta, row.d, row.a, row.alpha] for row in table.rows]
     start, tool = table.T_world_dh.tolist(), table.T_dh_tool.tolist()

@@ -14,9 +14,9 @@ from helicoide.ik.families import movemaster_arm, parallel_postures, puma_arm
 from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.solve import solve
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import packed, tool_pose
+from helicoide.kinematics.tool_kernels import arm_array, tool_pose
 
 PEERS = (Peer("eaik", "with_eaik_ik.py"),)
 POSES, LENGTH, ROUNDS = 1000, 50, 7
@@ -64,13 +64,13 @@ def _given(robot: Robot, poses: list[Array]) -> dict[str, object]:
 
 
 def _poses(robot: Robot) -> list[Array]:
-    rng, arm = np.random.default_rng(0), packed(robot)
+    rng, arm = np.random.default_rng(0), arm_array(robot)
     return [tool_pose(arm, q) for q in rng.uniform(robot.lower, robot.upper, (POSES, len(robot.variables)))]
 
 
 def _measure(robot: Robot, child: Child, beside: Robot) -> None:
     """Ours for a robot and theirs for the one beside it, which is the same where they take it."""
-    arm, poses, n = packed(robot), _poses(robot), len(robot.variables)
+    arm, poses, n = arm_array(robot), _poses(robot), len(robot.variables)
     start, (bare, called) = robot.poses["ready"], _bare(robot)
     child.ask({"given": _given(beside, _poses(beside))})
 
@@ -106,4 +106,4 @@ def run() -> None:
             for name, beside in (("puma560", "puma560"), ("ur5", "ur5"), ("movemaster", "puma560")):
                 print(f"  {name}, all postures")
                 with or_left_out(child, f"all postures of {name}"):
-                    _measure(load(name), child, load(beside))
+                    _measure(load_robot(name), child, load_robot(beside))

@@ -23,9 +23,9 @@ from helicoide.arrays import Array
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.numeric import posture
 from helicoide.ik.postures.solve import solve
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import packed, tool_pose
+from helicoide.kinematics.tool_kernels import arm_array, tool_pose
 
 PEERS = (Peer("roboticstoolbox-python", "with_toolbox_ik.py"),)
 ROBOTS = ("puma560", "ur5", "panda", "movemaster")
@@ -40,7 +40,7 @@ HOW = (
 
 def _solved(robot: Robot, poses: list[Array], run: Run) -> Array:
     """Whether each answer (q, searches) reaches its pose within the limits, (rounds · poses,)."""
-    arm = packed(robot)
+    arm = arm_array(robot)
     return np.array([_reaches(robot, arm, *asked) for asked in zip(poses * ROUNDS, run.answers, strict=True)])
 
 
@@ -79,8 +79,8 @@ def _answered(robot: Robot, poses: list[Array], start: Array) -> Turn:
 
 
 def _measure(name: str, child: Child) -> None:
-    robot = load(name)
-    rng, arm, start = np.random.default_rng(0), packed(robot), robot.poses["ready"]
+    robot = load_robot(name)
+    rng, arm, start = np.random.default_rng(0), arm_array(robot), robot.poses["ready"]
     qs = rng.uniform(robot.lower, robot.upper, (POSES, len(robot.variables)))
     poses = [tool_pose(arm, q) for q in qs]
     limits = {"lower": robot.lower.tolist(), "upper": robot.upper.tolist()}

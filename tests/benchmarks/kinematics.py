@@ -12,10 +12,10 @@ from tests.benchmarks.report import judge
 
 from helicoide.arrays import Array, frozen
 from helicoide.geometry import euler
-from helicoide.kinematics.library import load, names
+from helicoide.kinematics.library import load_robot, robot_names
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import packed, tool_jacobian, tool_pose, tool_pose_into
 from helicoide.kinematics.tool_blocks import tool_poses
+from helicoide.kinematics.tool_kernels import arm_array, tool_jacobian, tool_pose, tool_pose_into
 
 TITLE = "Pose and Jacobian of the tool beside Pinocchio, the Robotics Toolbox and ikpy; ratios are ours/peer"
 PEERS = (
@@ -39,7 +39,7 @@ def _frames(robot: Robot) -> list[Array]:
     frames = [np.eye(4)]
     for (x, y, z), point in zip(robot.directions, robot.points, strict=True):
         T = np.eye(4)
-        T[:3, :3] = euler.matrix([0.0, np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)], URDF)
+        T[:3, :3] = euler.euler_matrix([0.0, np.arctan2(np.hypot(x, y), z), np.arctan2(y, x)], URDF)
         T[:3, 3] = point
         frames.append(T)
     return [*frames, robot.T_world_tool_0]
@@ -53,7 +53,7 @@ def urdf_of(robot: Robot) -> str:
         ElementTree.SubElement(root, "link", name=link)
     for (parent, before), (child, after) in pairwise(zip(links, _frames(robot), strict=True)):
         T = frozen(np.linalg.solve(before, after))
-        rpy = euler.angles(T[:3, :3], URDF).values
+        rpy = euler.euler_angles(T[:3, :3], URDF).values
         turns = child != "tool"
         joint = ElementTree.SubElement(root, "joint", name=f"to_{child}", type="revolute" if turns else "fixed")
         ElementTree.SubElement(joint, "parent", link=parent)
@@ -70,7 +70,7 @@ def _words(numbers: Array) -> str:
 
 
 def _ours(robot: Robot, qs: Array) -> list[Task]:
-    known = {"arm": packed(robot), "qs": qs, "q": qs[0], "T": np.empty((4, 4)), "tool_pose_into": tool_pose_into}
+    known = {"arm": arm_array(robot), "qs": qs, "q": qs[0], "T": np.empty((4, 4)), "tool_pose_into": tool_pose_into}
     known |= {"tool_pose": tool_pose, "tool_jacobian": tool_jacobian, "tool_poses": tool_poses}
     pose, jacobian, poses = "tool_pose(arm, q)", "tool_jacobian(arm, q)", "tool_poses(arm, qs)"
     pose_into = "tool_pose_into(arm, q, T)"
@@ -96,7 +96,7 @@ def run() -> None:
     print("\n".join(f"  {line}" for line in HOW))
     with started(PEERS) as children:
         for name in ROBOTS:
-            if name in names():
-                _measure(load(name), children)
+            if name in robot_names():
+                _measure(load_robot(name), children)
             else:
                 print(f"  {name} is LEFT OUT: it is not installed")

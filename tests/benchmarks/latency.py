@@ -13,8 +13,8 @@ from tests.pages import Page, Point, opened, single
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.kinematics.library import load
-from helicoide.state import initial
+from helicoide.kinematics.library import load_robot
+from helicoide.state import initial_state
 
 TITLE = "Gizmo event to the first scene message that shows it"
 GOAL = 1.5
@@ -73,7 +73,7 @@ class Hand:
 
 
 async def _measure(helicoide: int, echo: int) -> None:
-    T_world_target = initial(load("movemaster")).T_world_tool
+    T_world_target = initial_state(load_robot("movemaster")).T_world_tool
     async with opened(helicoide) as ours, opened(echo) as bare:
         await ours.ready()
         await bare.owner

@@ -8,7 +8,7 @@ import numpy as np
 from tests.benchmarks.report import p50, spread, verdict
 
 from helicoide.arrays import Array
-from helicoide.perception.planes import Found, find
+from helicoide.perception.planes import FoundPlane, find_plane
 
 TITLE = "A wall in 300,000 points with 2 mm of noise, beside outliers and another wall"
 POINTS, TIMES = 300_000, 15
@@ -29,9 +29,9 @@ def _cloud(share: float) -> Array:
 
 def _seconds(points: Array, seed: int) -> float:
     begun = perf_counter()
-    answer = find(points, DOWN, INSIDE, seed=seed)
+    answer = find_plane(points, DOWN, INSIDE, seed=seed)
     took = perf_counter() - begun
-    assert isinstance(answer, Found), answer
+    assert isinstance(answer, FoundPlane), answer
     return took
 
 

@@ -10,8 +10,8 @@ from tests.benchmarks.ik_turns import faster, in_turn, judged, line, or_left_out
 from tests.benchmarks.peers import Child, Peer
 
 from helicoide.arrays import Array
-from helicoide.confinement import distances
-from helicoide.kinematics.library import load
+from helicoide.confinement import signed_distances
+from helicoide.kinematics.library import load_robot
 
 PEERS = (
     Peer("pin-pink", "with_pink_ik.py", also=("daqp",)),
@@ -59,7 +59,9 @@ def _way(course: Course, qs: Array) -> Way:
     robot, steps = course.robot, np.diff([course.q_start, *qs], axis=0)
     tools = np.array([course.points(q)[-1] for q in qs])
     normals, offsets, _ = course.planes
-    nearest = min((distances(normals, offsets, course.points(q)).min(initial=np.inf) for q in qs), default=np.inf)
+    nearest = min(
+        (signed_distances(normals, offsets, course.points(q)).min(initial=np.inf) for q in qs), default=np.inf
+    )
     return Way(
         float(nearest),
         float(max((robot.lower - qs).max(), (qs - robot.upper).max())),
@@ -87,7 +89,7 @@ def run() -> None:
     print("\n".join(f"  {said}" for said in HOW))
     with taking_part(PEERS) as children:
         for name, start in STARTS.items():
-            robot = load(name)
+            robot = load_robot(name)
             for is_confined in (False, True):
                 course = Course(robot, robot.poses["ready"] if start is None else start, is_confined)
                 print(f"  {course}")

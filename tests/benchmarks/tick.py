@@ -14,12 +14,12 @@ from tests.benchmarks.report import p50, spread, verdict
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.arrays import Array, frozen
-from helicoide.command import Command, ToJoints, ToPose
+from helicoide.command import Command, MoveToJoints, MoveToPose
 from helicoide.foresight import foreseen
 from helicoide.ik.step import step, step_task
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.session.preparing import TICK, exercise
-from helicoide.state import State, commanded, initial
+from helicoide.state import State, initial_state, with_command
 
 TITLE = "One tick of the Movemaster with its planes"
 TICKS = 1500
@@ -43,13 +43,13 @@ class Situation:
 
 def _around(centre: Array, along: Array, across: Array) -> Callable[[State, int], Command]:
     """A target that goes around an ellipse, once in `LAP` ticks."""
-    T_world_tool = initial(load("movemaster")).T_world_tool
+    T_world_tool = initial_state(load_robot("movemaster")).T_world_tool
 
     def wish(state: State, tick: int) -> Command:
         angle = 2 * np.pi * tick / LAP
         T = T_world_tool.copy()
         T[:3, 3] = centre + np.cos(angle) * along + np.sin(angle) * across
-        return ToPose(frozen(T))
+        return MoveToPose(frozen(T))
 
     return wish
 
@@ -58,16 +58,16 @@ def _to_and_fro(state: State, tick: int) -> Command | None:
     if tick % LAP:
         return None
     ready = state.robot.poses["ready"]
-    return ToJoints(frozen(ready + (0.5 if tick // LAP % 2 else -0.3) * np.array([1.0, 0.5, -0.5, 1.0, 1.0])))
+    return MoveToJoints(frozen(ready + (0.5 if tick // LAP % 2 else -0.3) * np.array([1.0, 0.5, -0.5, 1.0, 1.0])))
 
 
 def _anywhere(state: State, tick: int) -> Command | None:
     """Another point each time the arm has had time to come near, beyond the planes as often as not."""
     if tick % STAY:
         return None
-    T = initial(state.robot).T_world_tool.copy()
+    T = initial_state(state.robot).T_world_tool.copy()
     T[:3, 3] = np.random.default_rng(tick).uniform([-0.6, -0.8, -0.3], [1.0, 0.8, 1.1])
-    return ToPose(frozen(T))
+    return MoveToPose(frozen(T))
 
 
 EDGE = _around(np.array([0.27, -0.45, 0.95]), 0.20 * X, 0.10 * Y)
@@ -81,10 +81,10 @@ SITUATIONS = (
 
 def _states(situation: Situation) -> Iterator[State]:
     """The arm before each of its ticks."""
-    state = gate.hold_orientation(situation.with_orientation)(initial(load("movemaster")))
+    state = gate.hold_orientation(situation.with_orientation)(initial_state(load_robot("movemaster")))
     for tick in range(TICKS):
         command = situation.wish(state, tick)
-        state = state if command is None else commanded(state, command)
+        state = state if command is None else with_command(state, command)
         yield state
         state = advance(state, situation.dt)
 

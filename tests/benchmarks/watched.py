@@ -9,12 +9,12 @@ from __future__ import annotations
 import json
 import sys
 
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.session.lab import Lab
 
 
 def main() -> None:
-    lab = Lab(load("movemaster"), None, None)
+    lab = Lab(load_robot("movemaster"), None, None)
     print(f"http://127.0.0.1:{lab.open('127.0.0.1', 0)}", flush=True)
     for _ in sys.stdin:
         display, gap, lab.clock.gap = lab.shared.display, lab.clock.gap, 0.0

@@ -61,8 +61,11 @@ def window(
     locale: str = "en-US",
     log: list[str] | None = None,
     path: str = "/",
+    first: bool = False,
 ) -> Iterator[Page]:
     """Open a window on a port: one of SIZES, a phone by touch, drawn, connected and free of toasts.
+
+    first: whether this browser has never been here, so that a hint stands on the canvas.
 
     What the page writes to its console, errors included, is added to the log.
     """
@@ -72,6 +75,8 @@ def window(
     touch = size == "phone"
     context = browser.new_context(viewport=view, has_touch=touch, is_mobile=touch, locale=locale)
     context.set_default_timeout(PATIENCE_MS)
+    if not first:
+        context.add_init_script("localStorage.setItem('helicoide-hint-closed', 'yes')")
     try:
         page = context.new_page()
         page.on("console", lambda line: lines.append(f"{line.type}: {line.text}"))

@@ -10,14 +10,14 @@ import numpy as np
 from playwright.sync_api import Page
 
 from helicoide.arrays import Array
-from helicoide.command import Hold
-from helicoide.confinement import distances
-from helicoide.kinematics.library import load
+from helicoide.command import HoldPosition
+from helicoide.confinement import signed_distances
+from helicoide.kinematics.library import load_robot
 from helicoide.seat import Seat
 from helicoide.session.display import Display
 from helicoide.session.lab import Lab as Session
 from helicoide.session.workcell import TICK, Workcell
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 from helicoide.text import Language
 from helicoide.view import panels, shapes
 from helicoide.view.window import Window
@@ -33,7 +33,7 @@ PROJECT = """(p) => {
 def clearance(state: State) -> float:
     """The smallest distance of a guarded point to a plane, m."""
     normals, offsets, _ = state.problem.plane_arrays
-    return float(distances(normals, offsets, state.guarded_points.copy()).min())
+    return float(signed_distances(normals, offsets, state.guarded_points.copy()).min())
 
 
 @dataclass
@@ -72,7 +72,7 @@ class Lab:
 
     @property
     def shapes(self) -> list[shapes.Shape]:
-        return shapes.load(self.state.robot)
+        return shapes.load_shapes(self.state.robot)
 
     def change(self, robot: str) -> None:
         """Put another arm there without the page."""
@@ -104,8 +104,8 @@ class Lab:
     def reset(self, page: Page) -> None:
         """The arm at `ready` inside the measured planes; what the page sent before counts no more."""
         page.keyboard.press("Escape")
-        until(page, lambda: self.state.request.command == Hold(stopped=True))
-        fresh = initial(self.state.robot)
+        until(page, lambda: self.state.request.command == HoldPosition(stopped=True))
+        fresh = initial_state(self.state.robot)
         self.post(lambda state: replace(fresh, t=state.t))
         until(page, lambda: bool((self.state.arm.q == fresh.arm.q).all()))
         page.wait_for_timeout(1000)  # controls that were touched are left alone for a moment, then follow
@@ -130,7 +130,7 @@ def until(page: Page, condition: Callable[[], bool], seconds: float = 120.0) -> 
 
 def opened() -> Lab:
     """A lab that runs, on a free port."""
-    session = Session(load("movemaster"), None, None)
+    session = Session(load_robot("movemaster"), None, None)
     session.open("127.0.0.1", 0)
     return Lab(session)
 
@@ -152,7 +152,7 @@ def grab(lab: Lab, page: Page, start: Array, end: Array, steps: int = 15) -> Non
         page.mouse.down()
         page.mouse.move(*pixels(page, start + 0.02 * (end - start)))
         for _ in range(50):
-            if lab.state.request.grasp is not None:
+            if lab.state.request.drag is not None:
                 page.mouse.move(*pixels(page, end), steps=steps)
                 return
             page.wait_for_timeout(20)
@@ -176,7 +176,7 @@ def speak(lab: Lab, page: Page, language: Language) -> None:
     until(page, lambda: bool(lab.session.visitors))
     visitor = list(lab.session.visitors.values())[-1]
     lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: replace(seat, language=language))
-    page.get_by_role("tab", name=panels.found()[0].TITLE[language]).wait_for()
+    page.get_by_role("tab", name=panels.all_panels()[0].TITLE[language]).wait_for()
 
 
 def box(page: Page, index: int, value: str) -> None:

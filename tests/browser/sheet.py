@@ -15,7 +15,7 @@ from tests.browser.lab import Lab, opened, until
 
 from helicoide import content
 from helicoide.arrays import Array
-from helicoide.kinematics.library import titles
+from helicoide.kinematics.library import robot_titles
 from helicoide.state import State
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
@@ -30,7 +30,7 @@ SCENE = "() => window.__viserMutable.canvas.toDataURL('image/png')"
 
 def names() -> list[str]:
     """The arms in the order of the sheet."""
-    return sorted(content.found("robots"))
+    return sorted(content.content_folders("robots"))
 
 
 def corner(index: int) -> tuple[int, int]:
@@ -84,7 +84,7 @@ def sheet(pictures: dict[str, Image.Image]) -> Image.Image:
     for index, (name, shown) in enumerate(pictures.items()):
         x, y = corner(index)
         page.paste(shown, (x, y))
-        title = titles()[name].en
+        title = robot_titles()[name].en
         ImageDraw.Draw(page).text((x + CELL / 2, y + CELL + 4), title, "#333", fitting(title), anchor="ma")
     return page
 

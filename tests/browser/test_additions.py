@@ -10,10 +10,10 @@ from playwright.sync_api import Browser
 from tests.browser.conftest import window
 from tests.contributions.added import ADDED, with_additions
 
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.text import LANGUAGES, Language
 from helicoide.view import panels
-from helicoide.view.rows import Choice
+from helicoide.view.rows import Dropdown
 
 LOCALES = {"en": "en-US", "pt_BR": "pt-BR"}
 TITLES: dict[str, dict[Language, str]] = {
@@ -39,10 +39,10 @@ def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_all_additions_are_in_the_lists(browser: Browser, port: int, language: Language) -> None:
-    found = {panel.__name__.rpartition(".")[2]: panel for panel in panels.found()}
+    found = {panel.__name__.rpartition(".")[2]: panel for panel in panels.all_panels()}
     with window(browser, port, locale=LOCALES[language]) as page:
         for kind, name, _ in ADDED:
-            first = next(row for row in found[kind].rows(load("movemaster")) if isinstance(row, Choice))
+            first = next(row for row in found[kind].rows(load_robot("movemaster")) if isinstance(row, Dropdown))
             page.get_by_role("tab", name=found[kind].TITLE[language]).click()
             label = page.get_by_label(first.label[language], exact=True)
             page.locator("input[role=combobox]:visible").and_(label).click()

@@ -15,14 +15,14 @@ from tests.browser.lab import Lab, box, grab, pixels, status, tab, until
 from helicoide import content, gate
 from helicoide.arrays import Array, frozen
 from helicoide.ik.goal import goal_at_pose
-from helicoide.kinematics.library import titles
+from helicoide.kinematics.library import robot_titles
 from helicoide.state import State
 from helicoide.view.layers import DRAWN_FOR
-from helicoide.view.layers.arm import Arm
+from helicoide.view.layers.arm import ArmLayer
 
 ARROW = 0.22  # on an arrow of the target gizmo of an arm that reaches DRAWN_FOR, m from its centre
 DRAWN = 1500  # pixels that even the thinnest arm covers
-NAMES = sorted(content.found("robots"))
+NAMES = sorted(content.content_folders("robots"))
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def arm(request: pytest.FixtureRequest, lab: Lab, page: Page) -> State:
     """The page with an arm of its list; the state at `ready`, from which its tests then move on."""
     name: str = request.param
     page.get_by_label("Arm", exact=True).click()
-    page.get_by_role("option", name=titles()[name].en, exact=True).click()
+    page.get_by_role("option", name=robot_titles()[name].en, exact=True).click()
     until(page, lambda: lab.state.robot.name == name)
     until(page, lambda: all(page.evaluate("(n) => !!window.__viserMutable.nodeRefFromName[n]", n) for n in nodes(lab)))
     page.wait_for_timeout(1000)
@@ -53,11 +53,11 @@ def canvas(page: Page) -> Array:
     return np.asarray(picture, dtype=np.float64)
 
 
-def arm_layer(lab: Lab) -> Arm:
+def arm_layer(lab: Lab) -> ArmLayer:
     scene = lab.display._scene
     assert scene is not None
     layer = scene.layers.layers["arm"]
-    assert isinstance(layer, Arm)
+    assert isinstance(layer, ArmLayer)
     return layer
 
 
@@ -96,8 +96,8 @@ def test_the_arm_is_in_the_picture_and_every_part_of_it_is_somewhere_else(lab: L
 
 def test_a_number_moves_its_joint(lab: Lab, page: Page, arm: State) -> None:
     joint = arm.robot.variables[0]
-    scale = 1000.0 if joint.slides else 180 / np.pi
-    step = 40.0 if joint.slides else 6.0
+    scale = 1000.0 if joint.is_prismatic else 180 / np.pi
+    step = 40.0 if joint.is_prismatic else 6.0
     value = round(scale * arm.arm.q[0] + (step if scale * joint.upper - scale * arm.arm.q[0] > step else -step), 1)
     box(page, 0, str(value))
     until(page, lambda: abs(scale * lab.state.arm.q[0] - value) < 0.06)
@@ -114,7 +114,7 @@ def way(page: Page, state: State) -> tuple[Array, Array]:
             moved = T.copy()
             moved[:3, 3] += sign * length * T[:3, axis]
             seen = np.linalg.norm(np.subtract(pixels(page, T[:3, 3] + arrow), pixels(page, T[:3, 3])))
-            if goal_at_pose(state.problem, state.arm.q, frozen(moved), False).short < 1e-4 and (
+            if goal_at_pose(state.problem, state.arm.q, frozen(moved), False).position_error < 1e-4 and (
                 not best or seen > best[0]
             ):
                 best = (float(seen), arrow, sign * length * T[:3, axis])
@@ -128,7 +128,7 @@ def test_the_gizmo_takes_the_tool_along(lab: Lab, page: Page, arm: State) -> Non
     arrow, along = way(page, lab.state)
     grab(lab, page, start + arrow, start + arrow + along)
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     lab.ticks(page, 150)
     moved = lab.state.T_world_tool[:3, 3] - start
     assert np.linalg.norm(moved - along) < 0.35 * np.linalg.norm(along), "the pointer is where the handle is"

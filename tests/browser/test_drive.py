@@ -12,7 +12,7 @@ from tests.browser.lab import Lab, grab, pixels, status, until
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.command import Hold, ToPose
+from helicoide.command import HoldPosition, MoveToPose
 
 CRITICAL = 0.080
 ARROW = 0.22  # on an arrow of the target gizmo, m from its centre
@@ -32,7 +32,7 @@ def wished(lab: Lab) -> Array:
     """Where the target is, (3,), m."""
     return (
         lab.state.request.command.T_world_target[:3, 3]
-        if isinstance(lab.state.request.command, ToPose)
+        if isinstance(lab.state.request.command, MoveToPose)
         else np.full(3, np.nan)
     )
 
@@ -44,7 +44,7 @@ def test_a_drag_of_150_mm_brings_the_tool_there(lab: Lab, page: Page, axis: int,
     grab(lab, page, start + ARROW * along, start + (ARROW + distance) * along)
     until(page, lambda: abs(wished(lab) - start - distance * along).max() < 0.015)
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     lab.ticks(page, 100)
     assert abs(wished(lab) - start - distance * along).max() < 0.015
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - wished(lab)) < 1e-3
@@ -61,9 +61,9 @@ def test_beyond_the_ceiling_every_point_keeps_its_distance_and_the_page_says_why
     lab.ticks(page, 150)
     until(page, lambda: "Blocked by plane +z (ceiling)" in status(page))
     assert "at 80 mm" in status(page)
-    assert any(point.title.en in status(page) for point in lab.state.robot.guarded)
+    assert any(point.title.en in status(page) for point in lab.state.robot.monitored)
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     lab.ticks(page, 100)
     assert lab.nearest >= CRITICAL - 1e-9
 
@@ -74,7 +74,7 @@ def test_a_pane_dragged_onto_the_arm_stops_80_mm_from_it(lab: Lab, page: Page) -
     grab(lab, page, centre + 0.15 * normal, centre + 0.45 * normal)
     until(page, lambda: "stops at 80 mm" in status(page))
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     lab.ticks(page, 20)
     distance = (lab.state.guarded_points - lab.state.problem.planes.centres[0]) @ normal
     assert distance.min() == pytest.approx(CRITICAL, abs=1e-9)
@@ -88,7 +88,7 @@ def test_a_drag_that_goes_on_after_stop_moves_nothing(lab: Lab, page: Page) -> N
     grab(lab, page, start + ARROW * along, start + (ARROW + 0.1) * along)
     until(page, lambda: lab.state.arm.moving)
     page.keyboard.press("Escape")
-    until(page, lambda: lab.state.request.command == Hold(stopped=True))
+    until(page, lambda: lab.state.request.command == HoldPosition(stopped=True))
     q = lab.state.arm.q
     page.mouse.move(*pixels(page, start + (ARROW + 0.2) * along), steps=10)
     page.mouse.up()
@@ -102,8 +102,8 @@ def test_two_windows_see_the_same_arm_and_a_closed_one_lets_go(lab: Lab, page: P
         other.wait_for_timeout(500)
         T = lab.state.T_world_tool
         grab(lab, other, T[:3, 3] + ARROW * T[:3, 2], T[:3, 3] + (ARROW + 0.05) * T[:3, 2])
-        until(other, lambda: lab.state.request.grasp is not None)
-    until(page, lambda: lab.state.request.grasp is None and len(lab.windows) == 1)
+        until(other, lambda: lab.state.request.drag is not None)
+    until(page, lambda: lab.state.request.drag is None and len(lab.windows) == 1)
     until(page, lambda: not lab.state.arm.moving)
     wrist = "() => window.__viserMutable.nodeRefFromName['/arm/wrist'].position.toArray()"
     shown = lab.state.arm.poses[4, :3, 3]
@@ -131,6 +131,6 @@ def test_the_gizmo_moves_by_touch(lab: Lab, browser: Browser) -> None:
             send("touchMove", float(share))
             page.wait_for_timeout(30)
         send("touchEnd", None)
-        until(page, lambda: isinstance(lab.state.request.command, ToPose) and lab.state.request.grasp is None)
+        until(page, lambda: isinstance(lab.state.request.command, MoveToPose) and lab.state.request.drag is None)
         lab.ticks(page, 100)
         assert (lab.state.T_world_tool[:3, 3] - start) @ along > 0.06

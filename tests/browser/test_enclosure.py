@@ -13,9 +13,9 @@ from tests.perception.views import between
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.command import Hold, Replay, ToJoints
+from helicoide.command import HoldPosition, MoveToJoints, Replay
 from helicoide.confinement import pane_axes, planes_of
-from helicoide.confinement.plane_file import written
+from helicoide.confinement.plane_file import encode_planes
 from helicoide.readout import plane_distances
 
 SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"
@@ -35,7 +35,7 @@ def page(shared_page: Page) -> Page:
 def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, page: Page) -> None:
     lab.watch()
     page.get_by_role("button", name="Measure with the camera").click()
-    until(page, lambda: len(lab.state.seen) == 3, 300)
+    until(page, lambda: len(lab.state.clouds) == 3, 300)
     until(page, lambda: page.evaluate(SHOWN, "/cloud/+z"))
     until(page, lambda: "points on it" in page.locator("body").inner_text())
     true = lab.state.robot.panes
@@ -44,7 +44,7 @@ def test_the_measuring_tour_finds_the_enclosure_and_confines_the_arm(lab: Lab, p
         k = planes.names.index(pane.name)
         assert between(planes.normals[k], pane.normal) < np.radians(0.5), pane.name
         assert abs(planes.centres[k] @ pane.normal - pane.offset) < 0.002, pane.name
-    until(page, lambda: lab.state.request.command == Hold())
+    until(page, lambda: lab.state.request.command == HoldPosition())
     lab.nearest = np.inf
     lab.post(gate.set_target([0.6, 0.0, 0.9], [1, 0, 0, 0]))
     until(page, lambda: "plane +z" in status(page))
@@ -64,7 +64,7 @@ def test_planes_are_given_loaded_and_restored(lab: Lab, page: Page) -> None:
     until(page, lambda: "p1" in lab.state.problem.planes.names)
     until(page, lambda: page.evaluate(SHOWN, f"/planes/{len(lab.state.problem.planes.names) - 1}"))
     measured = planes_of(lab.state.robot.panes)
-    send(page, "Load planes", "planes.toml", written(measured.names, measured).encode())
+    send(page, "Load planes", "planes.toml", encode_planes(measured.names, measured).encode())
     until(page, lambda: "p1" not in lab.state.problem.planes.names and "+y" in lab.state.problem.planes.names)
     send(page, "Load planes", "junk.toml", b"\x00\xff")
     until(page, lambda: "junk.toml" in status(page))
@@ -91,7 +91,7 @@ def test_a_cloud_in_centimetres_is_asked_about_and_then_read(lab: Lab, page: Pag
 def test_any_name_of_a_plane_is_text_in_a_new_window(lab: Lab, page: Page, browser: Browser) -> None:
     measured = planes_of(lab.state.robot.panes)
     names = ["<img src=x onerror='window.ran = true'>", "north wall", *measured.names[2:]]
-    lab.post(gate.take_planes_of(written(names, measured).encode(), "planes.toml"))
+    lab.post(gate.take_planes_of(encode_planes(names, measured).encode(), "planes.toml"))
     with window(browser, lab.port) as other:
         tab(other, "Algebra")
         other.get_by_text("Planes", exact=True).click()
@@ -142,7 +142,7 @@ def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:
     grab(lab, page, start, end)
     until(page, lambda: between(lab.state.problem.planes.normals[wall], before) > np.radians(10))
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     turned = lab.state.problem.planes
     assert abs(turned.normals[wall] @ R[:, 0]) < 0.05, "about the ring's axis"
     assert plane_distances(lab.state).min() >= 0.080 - 1e-9
@@ -153,16 +153,16 @@ def test_a_plane_is_turned_by_its_ring(lab: Lab, page: Page) -> None:
 
 def test_a_taught_path_is_gone_through(lab: Lab, page: Page) -> None:
     lab.post(gate.get_ready())
-    until(page, lambda: lab.state.request.command == Hold())
+    until(page, lambda: lab.state.request.command == HoldPosition())
     page.get_by_role("button", name="Add waypoint").click()
     until(page, lambda: len(lab.state.taught.waypoints) == 1)
     lab.post(gate.set_joint(0, 0.3))
     until(page, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-4)
     page.get_by_label("reached by").first.click()
-    page.get_by_role("option", name="linear move", exact=True).click()
+    page.get_by_role("option", name="straight line", exact=True).click()
     page.get_by_role("button", name="Add waypoint").click()
     until(page, lambda: len(lab.state.taught.waypoints) == 2)
     page.get_by_role("button", name="Go through the points").click()
     until(page, lambda: isinstance(lab.state.request.command, Replay))
-    until(page, lambda: isinstance(lab.state.request.command, ToJoints))
+    until(page, lambda: isinstance(lab.state.request.command, MoveToJoints))
     until(page, lambda: bool(np.abs(lab.state.arm.q - lab.state.taught.waypoints[-1].q).max() < 1e-4))

@@ -53,11 +53,11 @@ def test_a_method_is_chosen_while_the_hand_holds_the_target(lab: Lab, page: Page
     grab(lab, page, start + ARROW * along, start + (ARROW - 0.06) * along)
     for words, name in (("Method: damped least squares", "damped"), ("Method: filtered inverse", "filtered")):
         by_palette(page, words)
-        until(page, lambda name=name: lab.state.request.drive.method == name)  # type: ignore[misc]
-        assert lab.state.request.grasp is not None
+        until(page, lambda name=name: lab.state.request.controller.method == name)  # type: ignore[misc]
+        assert lab.state.request.drag is not None
         page.mouse.move(*pixels(page, start + (ARROW - 0.12) * along), steps=5)
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     until(page, lambda: not lab.state.arm.moving)
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - start) > 0.08
     assert lab.fastest <= 1 + 1e-9
@@ -72,14 +72,15 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
     choose(page, "Method", "filtered inverse")
     until(page, lambda: len(reads(page, "inversion error")) == 1)
     choose(page, "integration", "explicit Euler")
-    until(page, lambda: lab.state.request.drive.options("filtered").step == "euler")
+    until(page, lambda: lab.state.request.controller.options("filtered").step == "euler")
     choose(page, "Method", "damped least squares")
     page.get_by_text("damping λ").first.wait_for()
     damping = page.locator(".mantine-NumberInput-input:visible").first
     damping.fill("2")
     damping.press("Enter")
     until(
-        page, lambda: abs(lab.state.request.drive.options("damped").damping * 1000 * lab.state.robot.reach - 100) < 1e-6
+        page,
+        lambda: abs(lab.state.request.controller.options("damped").damping * 1000 * lab.state.robot.reach - 100) < 1e-6,
     )
     page.get_by_text("damping λ: 100 mm/rad").first.wait_for()
 
@@ -89,15 +90,15 @@ def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
     choose(page, "Method", "pseudoinverse")
     page.get_by_text("Secondary objective", exact=True).click()
     choose(page, "Objective", objectives.named("limit_distance").TITLE.en)
-    until(page, lambda: lab.state.request.drive.secondary is not None)
+    until(page, lambda: lab.state.request.controller.secondary is not None)
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3], [1, 0, 0, 0]))
     q, tool = lab.state.arm.q, lab.state.T_world_tool[:3, 3]
     page.get_by_label("weights grow at limits").click()
     lab.post(gate.weigh_objective(50.0))
     until(page, lambda: bool(np.abs(lab.state.arm.q - q).max() > 0.05))
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - tool) < 1e-3
-    assert lab.state.request.drive.secondary is not None
-    assert lab.state.request.drive.secondary.grows
+    assert lab.state.request.controller.secondary is not None
+    assert lab.state.request.controller.secondary.adapts
     page.get_by_text("Secondary objective", exact=True).click()
 
 
@@ -126,7 +127,7 @@ def test_the_tab_in_portuguese(lab: Lab, page: Page) -> None:
     page.get_by_role("option", name="Português (Brasil)").click()
     tab(page, "Método")
     choose(page, "Método", "inversa filtrada")
-    until(page, lambda: lab.state.request.drive.method == "filtered")
+    until(page, lambda: lab.state.request.controller.method == "filtered")
     said = page.locator("body").inner_text()
     for word in ("Ajustes", "Ganhos", "Objetivo secundário", "Lado a lado com", "número de condição", "retido por"):
         assert word in said, word

@@ -16,8 +16,8 @@ from tests.browser.conftest import PATIENCE_MS, SIZES, OpenPage, window
 from tests.browser.lab import until
 from viser import uplot
 
-from helicoide.text import Text, same
-from helicoide.view.channel import PATH, Control, Notice, introduce
+from helicoide.text import Text, untranslated
+from helicoide.view.channel import PATH, ControlChannel, Notice, introduce
 from helicoide.view.page import LOST
 from helicoide.view.serve import serve
 
@@ -56,26 +56,26 @@ def stops() -> list[bool]:
 
 
 @pytest.fixture(scope="module")
-def control(stops: list[bool]) -> Control:
+def control(stops: list[bool]) -> ControlChannel:
     """As the lab's: every page is told of a stop, and lets its hand go."""
 
-    def stopped(key: str | None) -> None:
+    def stopped(key: str | None, closing: bool) -> None:
         stops.append(True)
         for known in control._lines:
             control.fence(known)
 
-    control = Control(on_stop=stopped)
+    control = ControlChannel(on_stop=stopped)
     return control
 
 
 @pytest.fixture(scope="module")
-def server(control: Control) -> Iterator[viser.ViserServer]:
+def server(control: ControlChannel) -> Iterator[viser.ViserServer]:
     served = open_lab(control)
     yield served
     served.stop()
 
 
-def open_lab(control: Control, port: int = 0) -> viser.ViserServer:
+def open_lab(control: ControlChannel, port: int = 0) -> viser.ViserServer:
     """Serve a scene and a panel in every window."""
     served = serve("127.0.0.1", port, STATIC, {PATH: control.serve})
     served.gui.set_panel_label(LABEL)
@@ -111,7 +111,7 @@ def open_lab(control: Control, port: int = 0) -> viser.ViserServer:
     return served
 
 
-def say(server: viser.ViserServer, control: Control, notice: Notice) -> None:
+def say(server: viser.ViserServer, control: ControlChannel, notice: Notice) -> None:
     for key in list(control._lines):
         server.get_event_loop().call_soon_threadsafe(control.push, key, notice)
 
@@ -151,7 +151,7 @@ def stays(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
 
 
 def test_stop_and_status_are_in_view_and_cover_no_control(
-    server: viser.ViserServer, control: Control, page: Page
+    server: viser.ViserServer, control: ControlChannel, page: Page
 ) -> None:
     say(server, control, Notice("pt_BR", LONG, "blocked"))
     expect(page.locator("#helicoide-status")).to_have_text(LONG.pt_BR)
@@ -197,14 +197,14 @@ def test_stop_over_a_modal(page: Page, stops: list[bool]) -> None:
     page.locator(".mantine-Modal-content").wait_for(state="detached")
 
 
-def test_words_are_never_markup(server: viser.ViserServer, control: Control, page: Page) -> None:
-    say(server, control, Notice("en", same("<img src=x onerror=alert(1)>"), "warn"))
+def test_words_are_never_markup(server: viser.ViserServer, control: ControlChannel, page: Page) -> None:
+    say(server, control, Notice("en", untranslated("<img src=x onerror=alert(1)>"), "warn"))
     expect(page.locator("#helicoide-status")).to_have_text("<img src=x onerror=alert(1)>")
     assert page.locator("#helicoide-status *").count() == 0
 
 
 def test_the_window_is_told_anew_when_viser_reconnects_behind_a_folded_panel(
-    server: viser.ViserServer, control: Control, page: Page
+    server: viser.ViserServer, control: ControlChannel, page: Page
 ) -> None:
     fold(page)
     known = page.evaluate("window.helicoideWindow")
@@ -215,7 +215,9 @@ def test_the_window_is_told_anew_when_viser_reconnects_behind_a_folded_panel(
     fold(page)
 
 
-def test_each_window_speaks_its_own_language(server: viser.ViserServer, control: Control, open_page: OpenPage) -> None:
+def test_each_window_speaks_its_own_language(
+    server: viser.ViserServer, control: ControlChannel, open_page: OpenPage
+) -> None:
     first, second = open_page(server.get_port()), open_page(server.get_port())
     *_, first_key, second_key = control._lines
     loop = server.get_event_loop()
@@ -230,7 +232,9 @@ def test_each_window_speaks_its_own_language(server: viser.ViserServer, control:
     expect(second.locator("html")).to_have_attribute("lang", "en")
 
 
-def test_a_lost_server_is_told_and_a_stop_outlives_it(control: Control, open_page: OpenPage, stops: list[bool]) -> None:
+def test_a_lost_server_is_told_and_a_stop_outlives_it(
+    control: ControlChannel, open_page: OpenPage, stops: list[bool]
+) -> None:
     served = open_lab(control)
     port = served.get_port()
     page = open_page(port)
@@ -248,7 +252,7 @@ def test_a_lost_server_is_told_and_a_stop_outlives_it(control: Control, open_pag
         served.stop()
 
 
-def test_a_stuck_server_is_told(control: Control, open_page: OpenPage) -> None:
+def test_a_stuck_server_is_told(control: ControlChannel, open_page: OpenPage) -> None:
     """It is stuck until the page has said so: a slow page would not see a pause that ends by itself."""
     served, seen = open_lab(control), Event()
     try:
@@ -262,7 +266,7 @@ def test_a_stuck_server_is_told(control: Control, open_page: OpenPage) -> None:
         served.stop()
 
 
-def test_before_anyone_said_a_language_the_browsers_counts(control: Control, browser: Browser) -> None:
+def test_before_anyone_said_a_language_the_browsers_counts(control: ControlChannel, browser: Browser) -> None:
     served = serve("127.0.0.1", 0, STATIC, {PATH: control.serve})
     try:
         with window(browser, served.get_port(), locale="pt-BR") as page:

@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.conftest import window
 from tests.browser.lab import Lab, box, press, status, tab, until
 
-from helicoide.command import Along, Hold, ToJoints, ToPose
+from helicoide.command import FollowPath, HoldPosition, MoveToJoints, MoveToPose
 from helicoide.text import Language
 
 
@@ -56,11 +56,11 @@ def test_a_joint_moves_by_its_number_box_and_stays_within_its_limits(lab: Lab, p
 
 def test_park_and_ready(lab: Lab, page: Page) -> None:
     press(page, "Park (planes off)")
-    until(page, lambda: lab.state.arm.parked and lab.state.request.command == Hold())
+    until(page, lambda: lab.state.arm.parked and lab.state.request.command == HoldPosition())
     assert np.array_equal(lab.state.arm.q, lab.state.robot.poses["home"])
     until(page, lambda: "Parked" in status(page))
     press(page, "Ready")
-    until(page, lambda: not lab.state.arm.parked and lab.state.request.command == Hold())
+    until(page, lambda: not lab.state.arm.parked and lab.state.request.command == HoldPosition())
     assert np.allclose(lab.state.arm.q, lab.state.robot.poses["ready"], atol=2e-3)
 
 
@@ -92,15 +92,15 @@ def test_the_target_by_numbers_with_and_without_orientation(lab: Lab, page: Page
 
 def test_the_path_plays_pauses_and_scrubs(lab: Lab, page: Page) -> None:
     press(page, "Play")
-    until(page, lambda: isinstance(lab.state.request.command, Along) and lab.state.request.command.s > 0.5)
+    until(page, lambda: isinstance(lab.state.request.command, FollowPath) and lab.state.request.command.s > 0.5)
     press(page, "Pause")
-    until(page, lambda: isinstance(lab.state.request.command, Along) and not lab.state.request.command.playing)
+    until(page, lambda: isinstance(lab.state.request.command, FollowPath) and not lab.state.request.command.playing)
     stood = lab.state.request.path_s
     lab.ticks(page, 50)
     assert lab.state.request.path_s == stood
     box(page, 17, "50")
-    until(page, lambda: lab.state.request.path_s == 15.0)
-    assert isinstance(lab.state.request.command, Along)
+    until(page, lambda: lab.state.request.path_s == 10.0)
+    assert isinstance(lab.state.request.command, FollowPath)
     assert not lab.state.request.command.playing
 
 
@@ -114,13 +114,13 @@ def test_stop_stops_the_moving_arm(lab: Lab, page: Page, way: str) -> None:
         page.locator("input.mantine-NumberInput-input").first.focus()
     if way != "button":
         page.keyboard.press("Escape")
-    until(page, lambda: lab.state.request.command == Hold(stopped=True))
+    until(page, lambda: lab.state.request.command == HoldPosition(stopped=True))
     q = lab.state.arm.q
     lab.ticks(page, 50)
     assert (lab.state.arm.q == q).all()
     until(page, lambda: "Stopped" in status(page))
     press(page, "Ready")
-    until(page, lambda: lab.state.request.command != Hold(stopped=True))
+    until(page, lambda: lab.state.request.command != HoldPosition(stopped=True))
 
 
 def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
@@ -228,7 +228,7 @@ def test_the_phone_shows_stop_and_scrolls_nothing_sideways(lab: Lab, browser: Br
             assert page.evaluate(SIDEWAYS) == []
         lab.post(lambda state: state)
         page.locator("#helicoide-stop").tap()
-        until(page, lambda: lab.state.request.command == Hold(stopped=True))
+        until(page, lambda: lab.state.request.command == HoldPosition(stopped=True))
 
 
 SIDEWAYS = """() => [...document.querySelectorAll('[class^=helicoide], [class*=" helicoide"]')]
@@ -257,7 +257,7 @@ def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_pa
 
 def test_a_wish_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
     box(page, 6, "1200")
-    until(page, lambda: isinstance(lab.state.request.command, ToPose))
+    until(page, lambda: isinstance(lab.state.request.command, MoveToPose))
     until(page, lambda: "Out of reach by" in status(page))
 
 
@@ -274,5 +274,5 @@ def test_the_postures_of_the_target_are_listed_and_one_of_them_is_gone_to(lab: L
         page.get_by_label("Go to posture").click()
         page.get_by_role("option", name=name).click()
         until(page, lambda said=place == 1: ("outside the joint limits" in status(page)) == said)  # type: ignore[misc]
-    assert isinstance(lab.state.request.command, ToJoints)
+    assert isinstance(lab.state.request.command, MoveToJoints)
     page.get_by_text("Postures for the target", exact=True).click()

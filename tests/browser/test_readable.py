@@ -37,7 +37,7 @@ def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
     found = {}
     for language in LANGUAGES:
         speak(lab, page, language)
-        for panel in panels.found():
+        for panel in panels.all_panels():
             tab(page, panel.TITLE[language])
             page.wait_for_timeout(600)  # formulas are fitted to the panel a moment after they are written
             if findings := page.evaluate(FINDINGS, touch):

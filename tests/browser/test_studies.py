@@ -12,7 +12,7 @@ from tests.browser.test_methods import choose
 
 from helicoide import studies
 from helicoide.command import Replay
-from helicoide.studies.desk import Desk, Run
+from helicoide.studies.panel_state import CompletedRun, StudyPanelState
 from helicoide.text import LANGUAGES
 from helicoide.view.panels import study
 
@@ -26,13 +26,13 @@ def page(shared_page: Page) -> Iterator[Page]:
     tab(shared_page, "Robot")
 
 
-def desk(lab: Lab) -> Desk:
+def desk(lab: Lab) -> StudyPanelState:
     (found,) = {visitor.place.desk for visitor in lab.session.visitors.values()}
     return found
 
 
 def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
-    choose(page, "Study", studies.named(NAME).TITLE.en)
+    choose(page, "Study", studies.study_named(NAME).TITLE.en)
     until(page, lambda: desk(lab).study == NAME)
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).last is not None, 300)
@@ -41,13 +41,13 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
     assert "✗" not in page.locator(".helicoide-study").inner_text()
     until(page, lambda: page.locator(".uplot").count() >= 1)
     page.get_by_role("button", name="Run", exact=True).click()
-    until(page, lambda: desk(lab).before is not None, 300)
+    until(page, lambda: desk(lab).previous is not None, 300)
     page.get_by_label("Compare with previous run").click()
     until(page, lambda: "before" in page.locator(".helicoide-study").inner_text())
     last = desk(lab).last
     assert last is not None
     page.get_by_role("button", name=last.result.motions[0].title.en).click()
-    until(page, lambda: lab.state.robot.name == studies.named(NAME).ROBOT)
+    until(page, lambda: lab.state.robot.name == studies.study_named(NAME).ROBOT)
     until(page, lambda: isinstance(lab.state.request.command, Replay) and lab.state.request.command.s > 0.3)
     until(page, lambda: "Playing the study" in status(page))
     assert page.locator(".uplot").count() >= 1
@@ -56,7 +56,7 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
 
 
 def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
-    choose(page, "Study", studies.named("cerbaro_confined_circle").TITLE.en)
+    choose(page, "Study", studies.study_named("cerbaro_confined_circle").TITLE.en)
     page.get_by_label("Quick run").click()
     until(page, lambda: not desk(lab).short)
     page.get_by_role("button", name="Run", exact=True).click()
@@ -69,16 +69,16 @@ def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
 
 
 @pytest.fixture(scope="module")
-def runs() -> tuple[Run, ...]:
+def runs() -> tuple[CompletedRun, ...]:
     """Of a study with long words and numbers as small as 1e-14, and of one whose curves turn back."""
-    found = {name: studies.named(name) for name in ("coutinho_s1", "cerbaro_confined_line")}
-    return tuple(Run(n, s.Options(), True, s.run(s.Options(), True, lambda _: None)) for n, s in found.items())
+    found = {name: studies.study_named(name) for name in ("coutinho_s1", "cerbaro_confined_line")}
+    return tuple(CompletedRun(n, s.Options(), True, s.run(s.Options(), True, lambda _: None)) for n, s in found.items())
 
 
-def show(lab: Lab, page: Page, run: Run, compared: bool) -> None:
+def show(lab: Lab, page: Page, run: CompletedRun, compared: bool) -> None:
     """Put a run on the desk of the newest window, and wait until it is all there."""
     place = list(lab.session.visitors.values())[-1].place
-    put = Desk(study=run.study, last=run, before=run, compared=compared)
+    put = StudyPanelState(study=run.study, last=run, previous=run, compares_previous=compared)
     lab.session.loop.call_soon_threadsafe(lab.session.studies._put, place, put)
     rows, charts = page.locator(".helicoide-study .quantity"), page.locator("figcaption:visible")
     until(page, lambda: rows.count() == len(run.result.rows))
@@ -88,7 +88,7 @@ def show(lab: Lab, page: Page, run: Run, compared: bool) -> None:
 
 @pytest.mark.parametrize("size", ["desk", "phone"])
 def test_nothing_of_a_result_is_cut_and_no_chart_is_blank(
-    lab: Lab, browser: Browser, runs: tuple[Run, ...], size: str
+    lab: Lab, browser: Browser, runs: tuple[CompletedRun, ...], size: str
 ) -> None:
     with window(browser, lab.port, size) as page:
         for language in LANGUAGES:

@@ -37,7 +37,7 @@ def test_a_sphere_is_added_dragged_and_taken_away(lab: Lab, page: Page) -> None:
     up = np.array([0.0, 0.0, 1.0])
     grab(lab, page, centre + ARROW * scale * up, centre + (ARROW * scale + 0.1) * up)
     page.mouse.up()
-    until(page, lambda: lab.state.request.grasp is None)
+    until(page, lambda: lab.state.request.drag is None)
     moved = lab.state.problem.obstacles.ends[0, 0] - centre
     np.testing.assert_allclose(moved, 0.1 * up, atol=0.03)
     lab.post(gate.hold_orientation(False))

@@ -21,7 +21,7 @@ def test_all_tabs_stand_on_one_line_with_their_whole_names(lab: Lab, browser: Br
         tabs = page.get_by_role("tab")
         for language in LANGUAGES:
             speak(lab, page, language)
-            names = [panel.TITLE[language] for panel in panels.found()]
+            names = [panel.TITLE[language] for panel in panels.all_panels()]
             for name in names:
                 page.get_by_role("tab", name=name).click()  # the one that is chosen is written bold, and is wider
                 assert [text.strip() for text in tabs.all_inner_texts()] == names

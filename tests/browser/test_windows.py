@@ -14,8 +14,8 @@ from tests.browser.lab import Lab, Session, box, press, status, tab, until
 from tests.browser.proxy import PREFIX, behind
 
 from helicoide import gate
-from helicoide.command import Hold, ToJoints
-from helicoide.kinematics.library import load
+from helicoide.command import HoldPosition, MoveToJoints
+from helicoide.kinematics.library import load_robot
 from helicoide.session.workcell import Workcell
 
 THUMB = ".mantine-Slider-thumb"
@@ -39,7 +39,7 @@ def hold_the_waist(page: Page, lab: Lab) -> tuple[float, float]:
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 30, y, steps=5)
-    until(page, lambda: isinstance(lab.state.request.command, ToJoints))
+    until(page, lambda: isinstance(lab.state.request.command, MoveToJoints))
     return x + 30, y
 
 
@@ -49,16 +49,16 @@ def test_a_slider_that_is_held_is_dead_after_anothers_stop_until_it_is_let_go(
     one, other = pair
     x, y = hold_the_waist(one, lab)
     other.keyboard.press("Escape")
-    until(one, lambda: lab.state.request.command == Hold(stopped=True))
+    until(one, lambda: lab.state.request.command == HoldPosition(stopped=True))
     until(one, lambda: "Stopped" in status(one))
     q = lab.state.arm.q
     for step in range(20):
         one.mouse.move(x + 3 * step, y)
         one.wait_for_timeout(30)
-    assert lab.state.request.command == Hold(stopped=True)
+    assert lab.state.request.command == HoldPosition(stopped=True)
     one.mouse.up()
     lab.ticks(one, 50)
-    assert lab.state.request.command == Hold(stopped=True)
+    assert lab.state.request.command == HoldPosition(stopped=True)
     assert (lab.state.arm.q == q).all()
     shown = "() => document.querySelector('input.mantine-NumberInput-input').value"
     until(one, lambda: abs(float(one.evaluate(shown)) - np.degrees(q[0])) < 0.11)
@@ -98,10 +98,10 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     until(other, lambda: bool(mine.state.request.path_s > 0.5))
     assert lab.state.request.path_s == 0.0
     one.keyboard.press("Escape")
-    until(one, lambda: lab.state.request.command == Hold(stopped=True))
-    assert mine.state.request.command != Hold(stopped=True)
+    until(one, lambda: lab.state.request.command == HoldPosition(stopped=True))
+    assert mine.state.request.command != HoldPosition(stopped=True)
     other.keyboard.press("Escape")
-    until(other, lambda: mine.state.request.command == Hold(stopped=True))
+    until(other, lambda: mine.state.request.command == HoldPosition(stopped=True))
     lab.session.loop.call_soon_threadsafe(lab.session.bays.all[mine].arms.change, "planar2r")
     until(other, lambda: mine.state.robot.name == "planar2r")
     until(other, lambda: "/arm/waist" not in nodes(other) and any(name.startswith("/arm/") for name in nodes(other)))
@@ -135,7 +135,7 @@ def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, 
 
 def test_behind_a_sub_path_the_page_drives_and_stops(browser: Browser) -> None:
     """Without its Stop it could not drive: all of its addresses hang on where the page is."""
-    session = Session(load("movemaster"), None, None)
+    session = Session(load_robot("movemaster"), None, None)
     with ExitStack() as stack:
         listener = stack.enter_context(socket.create_server(("127.0.0.1", 0)))
         port = listener.getsockname()[1]
@@ -150,4 +150,4 @@ def test_behind_a_sub_path_the_page_drives_and_stops(browser: Browser) -> None:
         box(page, 0, "12")
         until(page, lambda: abs(np.degrees(lab.state.arm.q[0]) - 12) < 0.1)
         page.locator("#helicoide-stop").click()
-        until(page, lambda: lab.state.request.command == Hold(stopped=True))
+        until(page, lambda: lab.state.request.command == HoldPosition(stopped=True))

@@ -12,9 +12,9 @@ from tests.browser.lab import Lab, press, tab, until
 from tests.browser.test_arms import canvas
 from tests.browser.test_methods import choose
 
-from helicoide.kinematics.workspace import CHUNK, KINDS
+from helicoide.kinematics.workspace import CHUNK, MAP_KINDS
 from helicoide.session import mapping
-from helicoide.view.mapping import measure
+from helicoide.view.workspace_rows import measure_title
 
 SHOWN = "() => Boolean(window.__viserMutable.nodeRefFromName['/workspace']?.visible)"
 
@@ -27,7 +27,7 @@ def counting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def of_size(monkeypatch: pytest.MonkeyPatch, samples: int) -> None:
-    monkeypatch.setattr(mapping, "SAMPLES", {kind: {2: samples, 3: samples} for kind in KINDS})
+    monkeypatch.setattr(mapping, "SAMPLES", {kind: {2: samples, 3: samples} for kind in MAP_KINDS})
 
 
 @pytest.fixture
@@ -52,7 +52,7 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
     until(page, lambda: lab.state.workspace.map is not None and page.evaluate(SHOWN))
     found = lab.state.workspace.map
     assert found is not None
-    until(page, lambda: measure(found) in page.locator(".helicoide-note:visible").last.inner_text())
+    until(page, lambda: measure_title(found) in page.locator(".helicoide-note:visible").last.inner_text())
     page.locator(".helicoide-scale").wait_for()
     page.wait_for_timeout(1000)
     half = canvas(page)
@@ -79,12 +79,12 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
 def test_the_same_button_ends_the_calculation(lab: Lab, page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, 10**6 * CHUNK)
     press(page, "Work out the map")
-    until(page, lambda: lab.state.workspace.counting is not None and lab.state.workspace.counting.share > 0)
+    until(page, lambda: lab.state.workspace.progress is not None and lab.state.workspace.progress.share > 0)
     page.wait_for_timeout(500)
     bar = page.locator(".mantine-Progress-root:visible")
     bar.wait_for()
     press(page, "End the calculation")
-    until(page, lambda: lab.state.workspace.counting is None)
+    until(page, lambda: lab.state.workspace.progress is None)
     bar.wait_for(state="detached")
     page.get_by_role("button", name="Work out the map", exact=True).wait_for()
     assert lab.state.workspace.map is None

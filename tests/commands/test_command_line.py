@@ -94,7 +94,7 @@ def test_numbers_keep_their_meaning_in_a_poor_terminal(
 ) -> None:
     written = io.BytesIO()
     monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, encoding))
-    with commands.ending():
+    with commands.exit_codes():
         print("posição 5.1×10⁻⁵ m², −90…90° ≤ 7 ￭")
     assert written.getvalue().decode(encoding) == words + "\n"
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 APP = Path(__file__).parents[2] / "app"
 COMPILE = "from helicoide.ik.guard.qp import dot; import numpy as np; dot(np.ones(3), np.ones(3))"
-BY_ANOTHER_PYTHON = 'from helicoide.kernels import kept; kept.VERSIONS = ("cpython-399", "0.1"); '
+BY_ANOTHER_PYTHON = 'from helicoide.kernels import cache; cache.VERSIONS = ("cpython-399", "0.1"); '
 DOCTOR = "from helicoide.commands import doctor; doctor.run()"
 
 

@@ -14,7 +14,7 @@ import pytest
 from tests.kinematics.urdfs import MISTAKES, write
 
 from helicoide import __main__
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 
 APP = Path(__file__).parents[2] / "app"
 
@@ -144,7 +144,7 @@ def test_the_words_for_people_carry_the_same_numbers(
     monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "movemaster", "--q", *turns, "1.5707963267948966"])
     __main__.main()
     lines = capsys.readouterr().out.splitlines()
-    assert lines[:2] == ["movemaster:", f"   from link {load('movemaster').base_link} to link tool"]
+    assert lines[:2] == ["movemaster:", f"   from link {load_robot('movemaster').base_link} to link tool"]
     assert all("0.4704294, 0.2716025, 0.3000000 m" in line for line in lines[2:5])
     assert len(lines) == 5 + 1 + 1 + 5
     assert lines[-1].split() == ["A5", "(−", "J4", "+", "J5):", "120°,", "13920", "pulses"]
@@ -250,7 +250,7 @@ def test_joints_outside_their_limits_are_named_beside_the_pose(
 def test_json_lists_the_joints_that_are_outside(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    arm = load("scara")
+    arm = load_robot("scara")
     for values, expected in ((arm.upper, []), (arm.lower, []), (arm.upper + np.array([0, 0.1, 0, 0.1]), ["J2", "J4"])):
         monkeypatch.setattr(sys, "argv", ["helicoide", "fk", "scara", "--json", "--q", *map(str, values)])
         __main__.main()

@@ -19,7 +19,7 @@ from helicoide import __main__
 from helicoide.geometry import euler, rotation
 from helicoide.ik import methods
 from helicoide.ik.postures.branch import tool_at
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 
 APP = Path(__file__).parents[2] / "app"
 EXAMPLE = ("--position", "0.4704294", "0.2716025", "0.3", "--quat", "0.683013", "0.5", "0.5", "-0.183013")
@@ -70,7 +70,7 @@ def test_the_json_has_its_keys_and_the_numbers_lead_to_the_goal(
     assert answer["solvability"]["closed"] is True
     assert answer["solvability"]["axes"] == [4, 5, 6]
     assert len(answer["branches"]) == 8
-    R = euler.matrix([3.0, 0.1, -0.2], "extrinsic xyz")
+    R = euler.euler_matrix([3.0, 0.1, -0.2], "extrinsic xyz")
     np.testing.assert_allclose(rotation.to_matrix(np.array(answer["goal"]["quaternion_wxyz"])), R, atol=1e-12)
     for branch in answer["branches"]:
         assert set(branch) == {"name", "q", "missed", "turned", "within", "cost", "dropped", "screws"}
@@ -111,7 +111,7 @@ def test_degrees_are_read_and_printed(monkeypatch: pytest.MonkeyPatch, capsys: p
     q = [10.0, -80.0, 20.0, 30.0, 50.0, -40.0]
     T = tool_at(arm("puma560"), np.radians(q))
     place = [f"{value:.12f}" for value in T[:3, 3]]
-    rpy = [f"{value:.12f}" for value in np.degrees(euler.angles(T[:3, :3], "extrinsic xyz").values)]
+    rpy = [f"{value:.12f}" for value in np.degrees(euler.euler_angles(T[:3, :3], "extrinsic xyz").values)]
     goal = ("puma560", "--position", *place, "--rpy", *rpy, "--deg", "--from", *map(str, q))
     out = printed(monkeypatch, capsys, *goal)
     assert "reached" in out.splitlines()[0]
@@ -225,7 +225,7 @@ def test_wrong_input_ends_in_one_line(
 def test_piepers_verdict_is_printed(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], robot: str, words: str
 ) -> None:
-    place = [f"{x:.9f}" for x in tool_at(load(robot), load(robot).poses["ready"])[:3, 3]]
+    place = [f"{x:.9f}" for x in tool_at(load_robot(robot), load_robot(robot).poses["ready"])[:3, 3]]
     assert printed(monkeypatch, capsys, robot, "--position", *place).splitlines()[2].strip().startswith(words)
 
 
@@ -266,7 +266,7 @@ def test_what_an_obstacle_rules_out_is_shown_among_all_and_ends_with_three_where
 
 
 def test_the_screws_of_the_l3_are_shown(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    robot = load("motoman_l3")
+    robot = load_robot("motoman_l3")
     T = tool_at(robot, robot.poses["ready"])
     place, quat = ([f"{x:.12f}" for x in values] for values in (T[:3, 3], rotation.from_matrix(T[:3, :3])))
     goal = ("motoman_l3", "--position", *place, "--quat", *quat)

@@ -17,7 +17,7 @@ from tests.kinematics.urdfs import write
 
 from helicoide import __main__, content
 from helicoide.commands.robots import POSTURES
-from helicoide.kinematics.library import load, packaged
+from helicoide.kinematics.library import load_robot, packaged_urdfs
 
 APP = Path(__file__).parents[2] / "app"
 FIELDS = {"name", "title", "source", "base", "tip", "remarks", "assumed", "reach", "disagreement", "planes", "joints"}
@@ -40,7 +40,7 @@ def words(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *
 
 
 def test_every_robot_in_a_folder_is_told_of(tables: list[dict[str, Any]]) -> None:
-    assert [table["name"] for table in tables] == sorted(content.found("robots"))
+    assert [table["name"] for table in tables] == sorted(content.content_folders("robots"))
 
 
 def test_the_roads_of_every_robot_agree(tables: list[dict[str, Any]]) -> None:
@@ -49,7 +49,7 @@ def test_the_roads_of_every_robot_agree(tables: list[dict[str, Any]]) -> None:
 
 def test_a_table_says_what_the_robot_is(tables: list[dict[str, Any]]) -> None:
     for table in tables:
-        robot = load(table["name"])
+        robot = load_robot(table["name"])
         assert set(table) == FIELDS
         assert (table["title"], table["source"]) == (robot.title.en, robot.source)
         assert table["assumed"] == list(robot.assumed)
@@ -66,11 +66,11 @@ def test_people_read_joints_limits_source_and_agreement(
     first, links, joints, source, agreement, *rest = said.splitlines()
     assert first.startswith("scara: ")
     assert "4 joints" in first
-    assert f"from link {load('scara').base_link} to link {load('scara').tool_link}" in links
-    assert [load("scara").joints[i].name in joints for i in range(4)] == [True] * 4
+    assert f"from link {load_robot('scara').base_link} to link {load_robot('scara').tool_link}" in links
+    assert [load_robot("scara").joints[i].name in joints for i in range(4)] == [True] * 4
     assert "°" in joints
     assert " mm" in joints
-    assert load("scara").source in source
+    assert load_robot("scara").source in source
     assert f"over {POSTURES} random postures" in agreement
     assert rest[0].startswith("movemaster: ")
     assert "printed -y: 0.0577 e1" in rest[6]
@@ -82,7 +82,7 @@ def test_the_whole_list_ends_with_the_names_of_packages(
 ) -> None:
     monkeypatch.setattr(content, "found", lambda kind: {"movemaster": content.SHIPPED / "robots" / "movemaster"})
     last = words(monkeypatch, capsys).splitlines()[-1]
-    assert [name for name in packaged() if name not in last] == []
+    assert [name for name in packaged_urdfs() if name not in last] == []
 
 
 def test_a_urdf_is_told_of_by_its_path(

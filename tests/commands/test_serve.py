@@ -33,13 +33,13 @@ from helicoide.session import preparing, studies
 from helicoide.session.lab import Lab
 from helicoide.session.seats import Place
 from helicoide.seat import Seat
-from helicoide.studies import desk, names
+from helicoide.studies import panel_state, names
 
 opened, place = Lab.open, Place(Seat("", "en"))
 
 def opened_with_a_study(session, *address):
     port = opened(session, *address)
-    for update in (desk.choose(names()[0]), desk.start):
+    for update in (panel_state.choose(names()[0]), panel_state.start):
         session.loop.call_soon_threadsafe(session.studies.redesk, place, update)
     return port
 

@@ -17,8 +17,8 @@ import pytest
 from helicoide import __main__, studies
 from helicoide.ik.method import settings
 from helicoide.studies import cerbaro_orca_convergence as quick
-from helicoide.studies.study import Result, Row, printed
-from helicoide.text import HelicoideError, Text, same
+from helicoide.studies.study import Result, Row, printed_statement
+from helicoide.text import HelicoideError, Text, untranslated
 
 NAME = "cerbaro_orca_convergence"
 Said = tuple[str, str]
@@ -52,11 +52,11 @@ def put(monkeypatch: pytest.MonkeyPatch, result: Result | Exception) -> None:
 
 def test_the_list_has_every_study_and_its_options(study: Callable[..., Said]) -> None:
     said = study("--list")[0]
-    for name in studies.names():
-        assert f"{name}: {studies.named(name).TITLE.en} ({studies.named(name).SOURCE})" in said
-        for option in settings(studies.named(name).Options):
+    for name in studies.study_names():
+        assert f"{name}: {studies.study_named(name).TITLE.en} ({studies.study_named(name).SOURCE})" in said
+        for option in settings(studies.study_named(name).Options):
             assert f"   {option}=" in said
-    assert studies.named(NAME).TITLE.pt_BR in study("--list", "--lang", "pt_BR")[0]
+    assert studies.study_named(NAME).TITLE.pt_BR in study("--list", "--lang", "pt_BR")[0]
 
 
 def test_a_study_prints_a_table_and_a_bar_on_the_error_output(study: Callable[..., Said]) -> None:
@@ -89,8 +89,8 @@ def test_json_has_rows_curves_and_motion(study: Callable[..., Said]) -> None:
 def test_a_difference_ends_with_one(
     study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    row = Row(same("height"), 2.0, "m", printed("1,0", "§1"))
-    put(monkeypatch, Result((row, Row(same("nothing"), float("nan")))))
+    row = Row(untranslated("height"), 2.0, "m", printed_statement("1,0", "§1"))
+    put(monkeypatch, Result((row, Row(untranslated("nothing"), float("nan")))))
     with pytest.raises(SystemExit) as caught:
         study(NAME)
     assert caught.value.code == 1
@@ -104,7 +104,7 @@ def test_a_difference_whose_cause_is_known_ends_well(
     study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     why = Text(en="the gains are unknown", pt_BR="os ganhos são desconhecidos")
-    put(monkeypatch, Result((Row(same("height"), 2.0, "m", printed("1,0", "§1"), why=why),)))
+    put(monkeypatch, Result((Row(untranslated("height"), 2.0, "m", printed_statement("1,0", "§1"), why=why),)))
     said = study(NAME)[0]
     assert "differs: the gains are unknown" in said
     assert "the source says 1.0 m (§1); ours is 2.00 m; the gains are unknown" in said.partition("What differs")[2]
@@ -160,7 +160,7 @@ def test_all_are_run_in_processes_and_reported(
     said, bar = study("--all", "--short", "--report", str(tmp_path / "report.html"), "--lang", "pt_BR")
     page = (tmp_path / "report.html").read_text("utf-8")
     for name in names:
-        assert studies.named(name).TITLE.pt_BR in said
+        assert studies.study_named(name).TITLE.pt_BR in said
         assert f'id="{name}"' in page
     assert "com estudos em paralelo" in said
     assert "com estudos em paralelo" in page

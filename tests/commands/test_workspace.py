@@ -18,7 +18,7 @@ from helicoide.commands import workspace as command
 from helicoide.jobs import chunks
 from helicoide.jobs.chunks import Backend
 from helicoide.kinematics import workspace
-from helicoide.kinematics.workspace import Map, Plan
+from helicoide.kinematics.workspace import MapPlan, WorkspaceMap
 from helicoide.text import HelicoideError
 
 SAMPLES = 3 * workspace.CHUNK + 11
@@ -32,21 +32,21 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture(scope="module")
-def plan() -> Plan:
-    return workspace.planned(arm("puma560"), "manipulability", SAMPLES)
+def plan() -> MapPlan:
+    return workspace.plan_map(arm("puma560"), "manipulability", SAMPLES)
 
 
 @pytest.fixture(scope="module")
-def expected(plan: Plan) -> Map:
-    return workspace.gathered(plan, workspace.parts(plan), lambda share: None)
+def expected(plan: MapPlan) -> WorkspaceMap:
+    return workspace.collect_map(plan, workspace.count_chunks(plan), lambda share: None)
 
 
-def same(one: Map, other: Map) -> bool:
+def same(one: WorkspaceMap, other: WorkspaceMap) -> bool:
     return np.array_equal(one.hits, other.hits) and np.array_equal(one.values, other.values)
 
 
 @pytest.mark.parametrize("workers", [1, 2])
-def test_the_map_is_the_same_for_every_number_of_workers(plan: Plan, expected: Map, workers: int) -> None:
+def test_the_map_is_the_same_for_every_number_of_workers(plan: MapPlan, expected: WorkspaceMap, workers: int) -> None:
     shares: list[float] = []
     assert same(chunks.workspace_map(plan, workers, progress=shares.append), expected)
     assert shares == [0.25, 0.5, 0.75, 1.0]
@@ -62,7 +62,7 @@ def cluster(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
         yield running
 
 
-def test_a_dask_cluster_gives_the_identical_map(plan: Plan, expected: Map, cluster: Any) -> None:
+def test_a_dask_cluster_gives_the_identical_map(plan: MapPlan, expected: WorkspaceMap, cluster: Any) -> None:
     shares: list[float] = []
     assert same(chunks.workspace_map(plan, 2, "dask", shares.append), expected)
     assert shares == [0.25, 0.5, 0.75, 1.0]
@@ -76,11 +76,13 @@ def _finished(dask_scheduler: Any) -> int:
     return sum(finish == "memory" for _, _, finish, *_ in dask_scheduler.transition_log)
 
 
-def test_what_was_counted_is_kept(plan: Plan, expected: Map, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_was_counted_is_kept(
+    plan: MapPlan, expected: WorkspaceMap, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     chunks.workspace_map(plan)
     assert [file.name for file in cache.iterdir()] == [f"{plan.key}.npz"]
 
-    def counted(plan: Plan, chunk: int) -> workspace.Part:
+    def counted(plan: MapPlan, chunk: int) -> workspace.MapPart:
         raise AssertionError("counted again")
 
     monkeypatch.setattr(workspace, "counted", counted)
@@ -113,7 +115,9 @@ def broken(file: Path, how: str) -> None:
 @pytest.mark.parametrize(
     "how", ["empty", "cut off", "no archive", "a bit turned", "another array", "an array too few", "objects"]
 )
-def test_a_broken_file_of_the_cache_is_counted_again(plan: Plan, expected: Map, cache: Path, how: str) -> None:
+def test_a_broken_file_of_the_cache_is_counted_again(
+    plan: MapPlan, expected: WorkspaceMap, cache: Path, how: str
+) -> None:
     chunks.workspace_map(plan)
     (file,) = cache.iterdir()
     whole = np.load(file)["hits"]
@@ -126,7 +130,9 @@ def test_a_broken_file_of_the_cache_is_counted_again(plan: Plan, expected: Map, 
 
 
 @pytest.mark.parametrize("workers", [1, 2])
-def test_interrupted_it_leaves_nothing_and_begins_anew(plan: Plan, expected: Map, cache: Path, workers: int) -> None:
+def test_interrupted_it_leaves_nothing_and_begins_anew(
+    plan: MapPlan, expected: WorkspaceMap, cache: Path, workers: int
+) -> None:
     def interrupt(share: float) -> None:
         if share > 0.4:
             raise KeyboardInterrupt
@@ -138,7 +144,7 @@ def test_interrupted_it_leaves_nothing_and_begins_anew(plan: Plan, expected: Map
 
 
 def test_interrupted_while_it_writes_it_leaves_nothing(
-    plan: Plan, expected: Map, cache: Path, monkeypatch: pytest.MonkeyPatch
+    plan: MapPlan, expected: WorkspaceMap, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     save = np.savez_compressed
 
@@ -156,7 +162,7 @@ def test_interrupted_while_it_writes_it_leaves_nothing(
 
 
 def test_without_a_place_to_keep_it_the_map_is_there_all_the_same(
-    plan: Plan, expected: Map, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    plan: MapPlan, expected: WorkspaceMap, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "file").write_text("in the way")
     monkeypatch.setattr(chunks, "user_cache_path", lambda name: tmp_path / "file" / name)
@@ -165,7 +171,7 @@ def test_without_a_place_to_keep_it_the_map_is_there_all_the_same(
 
 @pytest.mark.parametrize("backend", ["dask", "ray"])
 def test_a_backend_without_its_package_says_what_to_install(
-    plan: Plan, monkeypatch: pytest.MonkeyPatch, backend: Backend
+    plan: MapPlan, monkeypatch: pytest.MonkeyPatch, backend: Backend
 ) -> None:
     for name in ("distributed", "ray", "ray.util.joblib"):
         monkeypatch.setitem(sys.modules, name, None)
@@ -174,7 +180,7 @@ def test_a_backend_without_its_package_says_what_to_install(
         chunks.workspace_map(plan, 2, backend)
 
 
-def test_wrong_workers_and_backends_are_refused(plan: Plan) -> None:
+def test_wrong_workers_and_backends_are_refused(plan: MapPlan) -> None:
     with pytest.raises(HelicoideError, match="at least one worker"):
         chunks.workspace_map(plan, 0)
     with pytest.raises(HelicoideError, match="loky, dask, ray"):

@@ -10,7 +10,16 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from helicoide.arrays import Array
-from helicoide.confinement import BOX, Plane, box, distances, from_coefficients, planes_of, standing, through_points
+from helicoide.confinement import (
+    BOX,
+    Plane,
+    box_planes,
+    from_coefficients,
+    planes_around,
+    planes_of,
+    signed_distances,
+    through_points,
+)
 from helicoide.geometry import rigid
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import printed_planes
@@ -44,13 +53,13 @@ def test_printed_planes_are_those_of_the_robots_file(robot: Robot, name: str) ->
 def test_what_is_shown_as_printed_is_what_is_printed(robot: Robot, name: str) -> None:
     """Label, signs and millimetres of §6.2.1; the source calls our left wall −y."""
     (pane,) = [pane for pane in robot.panes if pane.name == name]
-    label, _, sum_of_blades = pane.printed.partition(": ")
+    label, _, sum_of_blades = pane.as_printed.partition(": ")
     assert label == {"+z": "+z", "+y": "-y", "-y": "+y"}[name]
     values = re.findall(r"(-?)\s?(\d+\.\d+) e", sum_of_blades)
     np.testing.assert_array_equal([float(sign + digits) for sign, digits in values], PRINTED[name])
     (line,) = [line for line in printed_planes(robot) if line.en.startswith(f"{name} (")]
-    assert pane.printed in line.en
-    assert pane.printed.replace(".", ",") in line.pt_BR
+    assert pane.as_printed in line.en
+    assert pane.as_printed.replace(".", ",") in line.pt_BR
 
 
 @given(seed=seeds, exponent=st.integers(-300, 300), swapped=st.booleans())
@@ -91,9 +100,9 @@ def test_three_points_lie_on_their_plane(seed: int) -> None:
 
 def test_a_box_holds_what_is_inside_and_touches_its_corners() -> None:
     low, high = np.array([0.1, -0.3, 0.05]), np.array([0.9, 0.35, 0.6])
-    planes = box(low, high)
+    planes = box_planes(low, high)
     points = np.array([low, high, (low + high) / 2])
-    table = distances(planes.normals, planes.offsets, points)
+    table = signed_distances(planes.normals, planes.offsets, points)
     assert BOX == ("+z", "+y", "-y", "-z")
     np.testing.assert_allclose(table[0], [0.55, 0.65, 0, 0], atol=1e-12)
     np.testing.assert_allclose(table[1], [0, 0, 0.65, 0.55], atol=1e-12)
@@ -104,13 +113,13 @@ def test_a_box_holds_what_is_inside_and_touches_its_corners() -> None:
 def test_a_box_takes_the_places_of_the_panes_of_the_robot(robot: Robot) -> None:
     """Names and faces in the order of the robot's file."""
     assert tuple(pane.name for pane in robot.panes) == BOX
-    faces = box([0.1, -0.3, 0], [0.9, 0.3, 0.6]).normals
+    faces = box_planes([0.1, -0.3, 0], [0.9, 0.3, 0.6]).normals
     assert (np.einsum("ij,ij->i", faces, planes_of(robot.panes).normals) > 0.99).all()
 
 
 def test_planes_stand_around_a_point() -> None:
     ceiling, wall = from_coefficients([0, 0, 2, 1.2], INSIDE), from_coefficients([0, 1, 0, 0.3], INSIDE)
-    planes = standing([ceiling, wall], INSIDE)
+    planes = planes_around([ceiling, wall], INSIDE)
     np.testing.assert_allclose(planes.centres, [[0.52, 0, 0.6], [0.52, 0.3, 0.23]], atol=1e-15)
     np.testing.assert_allclose(planes.offsets, [ceiling.offset, wall.offset], atol=1e-15)
 
@@ -160,4 +169,4 @@ def test_points_without_a_plane_are_refused_in_words(points: list[list[float]], 
 )
 def test_what_is_no_box_is_refused_in_words(lower: list[float], upper: list[float], said: str) -> None:
     with pytest.raises(HelicoideError, match=said):
-        box(lower, upper)
+        box_planes(lower, upper)

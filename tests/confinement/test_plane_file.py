@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helicoide.confinement import Planes, plane_file, planes_of
-from helicoide.confinement.plane_file import written
+from helicoide.confinement.plane_file import encode_planes
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
@@ -18,7 +18,7 @@ ONE = '[[planes]]\nname = "+z"\nnormal = [0, 0, -1]\ncentre_m = [0.5, 0, 0.6]\n'
 
 
 def decoded(text: str) -> tuple[tuple[str, ...], Planes]:
-    return plane_file.decoded(text.encode(), "here.toml")
+    return plane_file.decode_planes(text.encode(), "here.toml")
 
 
 @given(names=NAMES, seed=st.integers(0, 2**32 - 1))
@@ -26,7 +26,7 @@ def test_names_and_numbers_come_back_bit_by_bit(names: list[str], seed: int) -> 
     rng = np.random.default_rng(seed)
     normals, centres = rng.normal(size=(2, len(names), 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    again, planes = decoded(written(names, Planes(normals, centres)))
+    again, planes = decoded(encode_planes(names, Planes(normals, centres)))
     assert again == tuple(names)
     np.testing.assert_array_equal(planes.normals, normals)
     np.testing.assert_array_equal(planes.centres, centres)
@@ -35,7 +35,7 @@ def test_names_and_numbers_come_back_bit_by_bit(names: list[str], seed: int) -> 
 
 def test_planes_of_the_robot_survive_a_file(robot: Robot) -> None:
     planes = planes_of(robot.panes)
-    names, again = decoded(written([pane.name for pane in robot.panes], planes))
+    names, again = decoded(encode_planes([pane.name for pane in robot.panes], planes))
     assert names == ("+z", "+y", "-y", "-z")
     np.testing.assert_array_equal(again.normals, planes.normals)
     np.testing.assert_array_equal(again.centres, planes.centres)
@@ -86,4 +86,4 @@ def test_broken_texts_are_refused_in_words(case: str) -> None:
 )
 def test_broken_files_are_refused_in_words(content: bytes, said: str) -> None:
     with pytest.raises(HelicoideError, match=f"here.toml is not a file of planes: .*{said}"):
-        plane_file.decoded(content, "here.toml")
+        plane_file.decode_planes(content, "here.toml")

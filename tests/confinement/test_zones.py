@@ -7,16 +7,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helicoide.confinement import Zone, Zones
-from helicoide.confinement.zones import SHELL
+from helicoide.confinement.zones import SHELL_THICKNESS
 from helicoide.text import HelicoideError
 
 distances = st.floats(-1, 1)
 
 
 def test_zones_change_where_they_were_put() -> None:
-    zones = Zones(between=0.02).adjusted(0.09, 0.2)
-    assert (zones.critical, zones.warning, zones.between) == (0.09, 0.2, 0.02)
-    assert [zones.of(distance) for distance in (0.09, 0.0901, 0.1999, 0.2)] == [
+    zones = Zones(body_clearance=0.02).adjusted(0.09, 0.2)
+    assert (zones.critical, zones.warning, zones.body_clearance) == (0.09, 0.2, 0.02)
+    assert [zones.zone_of(distance) for distance in (0.09, 0.0901, 0.1999, 0.2)] == [
         Zone.CRITICAL,
         Zone.WARNING,
         Zone.WARNING,
@@ -31,7 +31,7 @@ def test_no_adjusted_zone_lets_the_shell_touch_a_plane(critical: float, warning:
     except HelicoideError:
         assert not (0.075 <= critical <= 0.15 and critical + 0.01 <= warning <= 0.25)
     else:
-        assert zones.critical >= SHELL + 0.010
+        assert zones.critical >= SHELL_THICKNESS + 0.010
         assert zones.critical + 0.010 <= zones.warning <= 0.250
 
 

@@ -69,7 +69,7 @@ def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     look_again()
     yield tmp_path
     look_again()
-    for forget in (methods.named, studies.named, lesson.load, pairs):
+    for forget in (methods.named, studies.study_named, lesson.load_lesson, pairs):
         forget.cache_clear()
 
 
@@ -109,8 +109,8 @@ def test_a_method_may_say_why_it_promises_nothing(home: Path) -> None:
 
 def test_a_step_may_be_solved_at_the_seat(state: State) -> None:
     seat = Seat(token="", language="en")
-    after, seat = done(state, seat, (AtSeat(lambda seat: seat.showing("axes", True)), 0.1))
-    assert seat.shows == {"axes": True}
+    after, seat = done(state, seat, (AtSeat(lambda seat: seat.with_layer("axes", True)), 0.1))
+    assert seat.visible_layers == {"axes": True}
     assert after.t > state.t
 
 
@@ -154,5 +154,5 @@ def test_the_examples_are_called_alike() -> None:
 
 
 def test_a_copy_of_a_shipped_robot_has_its_title_twice(home: Path) -> None:
-    shutil.copytree(content.folder("robots", "scara"), home / "robots" / "scara2")
+    shutil.copytree(content.content_folder("robots", "scara"), home / "robots" / "scara2")
     assert any("robot scara has the same title" in fault.en for fault in contributions.faults("robot", "scara2"))

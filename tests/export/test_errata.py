@@ -10,7 +10,7 @@ import pytest
 
 from helicoide import content, studies
 from helicoide.export import errata
-from helicoide.kinematics.library import names as robots
+from helicoide.kinematics.library import robot_names as robots
 from helicoide.text import LANGUAGES, Language
 
 ROOT = Path(__file__).parents[2]
@@ -37,7 +37,10 @@ def test_both_languages_have_the_same_entries_in_the_same_order() -> None:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_page_has_an_anchor_for_each_entry_and_each_source_with_entries(language: Language) -> None:
     """A study may cite any other source, which the page does not have."""
-    page, sources = errata.page(language), {studies.named(name).SOURCE.partition(",")[0] for name in studies.names()}
+    page, sources = (
+        errata.sources_page(language),
+        {studies.study_named(name).SOURCE.partition(",")[0] for name in studies.study_names()},
+    )
     authors = {entry.partition(" ")[0] for entry in entries(language)}
     described = [source for source in sources if source.partition(" ")[0] in authors]
     assert len(described) >= 4
@@ -50,12 +53,12 @@ def test_no_asterisk_of_a_formula_is_taken_for_emphasis(language: Language) -> N
     """One stands in code, has a backslash before it, or is one of the two around words."""
     lost = {name: RIGHT_ASTERISK.sub("", entry).count("*") for name, entry in entries(language).items()}
     assert not any(lost.values()), lost
-    assert "h p h*; " in errata.page(language)
+    assert "h p h*; " in errata.sources_page(language)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_drawing_stands_in_the_page_with_its_words(language: Language) -> None:
-    page, drawings = errata.page(language), list((content.STATIC / "pages" / "drawings").glob("*.svg"))
+    page, drawings = errata.sources_page(language), list((content.STATIC / "pages" / "drawings").glob("*.svg"))
     assert drawings
     assert page.count('<svg role="img" aria-label="') == len(drawings)
     for drawing in drawings:
@@ -68,10 +71,10 @@ def test_an_entry_names_a_command_a_study_or_a_test_that_is_there(name: str) -> 
     entry = entries("en")[name]
     tests = [*TEST.findall(entry), *(f"{name.replace('.', '/')}.py" for name in SEARCH.findall(entry))]
     commands = [shlex.split(command) for command in COMMAND.findall(entry)]
-    shown = [study for study in studies.names() if f"`{study}`" in entry]
+    shown = [study for study in studies.study_names() if f"`{study}`" in entry]
     assert tests or commands or shown
     assert [test for test in tests if not (ROOT / test).is_file()] == []
-    known = {"study": studies.names(), "fk": robots(), "ik": robots(), "workspace": robots()}
+    known = {"study": studies.study_names(), "fk": robots(), "ik": robots(), "workspace": robots()}
     for command, *arguments in commands:
         assert command in known or command in ("robots", "check")
         assert not arguments or command not in known or arguments[0] in known[command]

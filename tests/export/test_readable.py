@@ -7,16 +7,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.export.readable import readable
-from helicoide.studies.study import Chart, Line
-from helicoide.text import Text, same
+from helicoide.export.chart_scale import scaled_chart
+from helicoide.studies.study import Chart, ChartLine
+from helicoide.text import Text, untranslated
 
 UP = Text(en="error (mm)", pt_BR="erro (mm)")
 
 
 def chart(*ys: list[float]) -> Chart:
-    lines = tuple(Line(same(str(i)), np.arange(len(y), dtype=float), np.array(y)) for i, y in enumerate(ys))
-    return Chart(same("a chart"), same("time, s"), UP, lines)
+    lines = tuple(
+        ChartLine(untranslated(str(i)), np.arange(len(y), dtype=float), np.array(y)) for i, y in enumerate(ys)
+    )
+    return Chart(untranslated("a chart"), untranslated("time, s"), UP, lines)
 
 
 @pytest.mark.parametrize(
@@ -35,19 +37,19 @@ def chart(*ys: list[float]) -> Chart:
 def test_small_and_large_numbers_are_counted_in_a_power_that_the_name_tells(
     values: list[float], power: str, first: float
 ) -> None:
-    found = readable(chart(values))
-    assert found.up == Text(en=UP.en + power, pt_BR=UP.pt_BR + power)
+    found = scaled_chart(chart(values))
+    assert found.y_label == Text(en=UP.en + power, pt_BR=UP.pt_BR + power)
     np.testing.assert_allclose(found.lines[0].y[0], first)
     assert np.array_equal(found.lines[0].x, [0.0, 1.0])
 
 
 def test_all_curves_of_a_chart_share_the_power() -> None:
-    found = readable(chart([1e-7, 2e-7], [1e-3, 4e-3]))
+    found = scaled_chart(chart([1e-7, 2e-7], [1e-3, 4e-3]))
     np.testing.assert_allclose([line.y for line in found.lines], [[1e-4, 2e-4], [1.0, 4.0]])
 
 
 @given(st.floats(-15, 12), st.floats(0.1, 1))
 def test_three_decimals_and_five_digits_are_enough_for_numbers_from_nought(exponent: float, share: float) -> None:
     most = 10.0**exponent
-    found = readable(chart([0.0, share * most, most])).lines[0].y
+    found = scaled_chart(chart([0.0, share * most, most])).lines[0].y
     assert 0.05 <= found.max() < 1e4

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.export.svg import BOTTOM, LEFT, PAGE, RIGHT, TOP, figure, labels, span, svg, thinned, ticks
-from helicoide.studies.study import Chart, Line
-from helicoide.text import Text, same
+from helicoide.export.svg import BOTTOM, LEFT, PAGE, RIGHT, TOP, axis_range, figure, labels, reduced_curve, svg, ticks
+from helicoide.studies.study import Chart, ChartLine
+from helicoide.text import Text, untranslated
 
 WIDTH, HEIGHT = PAGE
 bounds = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
@@ -20,9 +20,10 @@ bounds = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: 
 
 def chart(*curves: tuple[list[float], list[float]]) -> Chart:
     lines = tuple(
-        Line(Text(en=f"line {i} <", pt_BR=f"linha {i} <"), np.array(x), np.array(y)) for i, (x, y) in enumerate(curves)
+        ChartLine(Text(en=f"line {i} <", pt_BR=f"linha {i} <"), np.array(x), np.array(y))
+        for i, (x, y) in enumerate(curves)
     )
-    return Chart(Text(en="A & B", pt_BR="A e B"), same("t (s)"), same("x > 0"), lines)
+    return Chart(Text(en="A & B", pt_BR="A e B"), untranslated("t (s)"), untranslated("x > 0"), lines)
 
 
 @given(bounds)
@@ -61,7 +62,7 @@ def test_labels_are_short(values: tuple[float, ...], said: list[str]) -> None:
 
 def test_a_constant_curve_has_room_above_and_below() -> None:
     for value in (0.0, 5.0, -3.0):
-        lower, upper = span([np.full(3, value)])
+        lower, upper = axis_range([np.full(3, value)])
         assert lower < value < upper
 
 
@@ -103,11 +104,11 @@ def test_thinning_keeps_the_peaks_of_a_long_curve() -> None:
     x = np.linspace(0, 1, 60_000)
     y = np.zeros_like(x)
     y[12_345], y[43_210] = 9.0, -7.0
-    fewer_x, fewer_y = thinned(x, y)
+    fewer_x, fewer_y = reduced_curve(x, y)
     assert len(fewer_x) <= 4 * WIDTH
     assert (fewer_y.max(), fewer_y.min()) == (9.0, -7.0)
     assert (fewer_x[0], fewer_x[-1]) == (0.0, 1.0)
     assert (np.diff(fewer_x) > 0).all()
     around = np.linspace(0, 2 * np.pi, 60_000)
-    assert len(thinned(np.cos(around), np.sin(around))[0]) == 4 * WIDTH
-    assert thinned(x[:9], y[:9])[0] is not None
+    assert len(reduced_curve(np.cos(around), np.sin(around))[0]) == 4 * WIDTH
+    assert reduced_curve(x[:9], y[:9])[0] is not None

@@ -10,12 +10,12 @@ from tests.driving import after
 
 from helicoide import gate
 from helicoide.confinement import planes_of
-from helicoide.confinement.plane_file import written
-from helicoide.kinematics.library import load
+from helicoide.confinement.plane_file import encode_planes
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import plane_distances
-from helicoide.state import Seen, State, Update, initial
-from helicoide.text import same
+from helicoide.state import FittedCloud, State, Update, initial_state
+from helicoide.text import untranslated
 
 CRITICAL = 0.080
 
@@ -44,11 +44,11 @@ def test_a_plane_through_the_arm_is_moved_back_from_it(state: State) -> None:
 
 
 def test_an_arm_without_planes_may_be_given_some() -> None:
-    state = gate.add_plane([0, 0, -1, -1.0])(initial(load("puma560")))
+    state = gate.add_plane([0, 0, -1, -1.0])(initial_state(load_robot("puma560")))
     assert state.problem.planes.names == ("p1",)
     assert state.problem.planes.panes[0].movable
     moved = gate.drag_plane("seat", "start", 0, state.problem.planes.centres[0], [0, 1, 0, 0])(state)
-    assert moved.request.grasp is not None
+    assert moved.request.drag is not None
 
 
 def test_a_box_takes_the_place_of_what_may_be_moved_and_leaves_the_bench(state: State) -> None:
@@ -61,7 +61,7 @@ def test_a_box_takes_the_place_of_what_may_be_moved_and_leaves_the_bench(state: 
 
 
 def test_planes_go_to_a_file_and_come_back(state: State, robot: Robot) -> None:
-    text = written(state.problem.planes.names, state.problem.planes)
+    text = encode_planes(state.problem.planes.names, state.problem.planes)
     back = gate.take_planes_of(text.encode(), "planes.toml")(gate.clear_planes()(state))
     order = [back.problem.planes.names.index(name) for name in state.problem.planes.names]
     np.testing.assert_array_equal(back.problem.planes.normals[order], planes_of(robot.panes).normals)
@@ -75,11 +75,11 @@ def test_what_was_measured_is_restored(state: State, robot: Robot) -> None:
 
 def test_a_reading_takes_the_place_of_the_plane_of_its_name(state: State) -> None:
     pane = state.problem.planes.panes[0]
-    seen = Seen(np.zeros((3, 3)), np.ones(3, dtype=bool), same("found"))
-    read = gate.see(pane.name, seen, pane)(state)
+    seen = FittedCloud(np.zeros((3, 3)), np.ones(3, dtype=bool), untranslated("found"))
+    read = gate.show_cloud(pane.name, seen, pane)(state)
     assert read.problem.planes.names.count(pane.name) == 1
-    assert read.seen[pane.name] is seen
-    none = gate.see(pane.name, seen, None)(state)
+    assert read.clouds[pane.name] is seen
+    none = gate.show_cloud(pane.name, seen, None)(state)
     assert none.problem is state.problem
     assert none.notice == seen.words
 

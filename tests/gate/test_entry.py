@@ -9,11 +9,11 @@ import pytest
 from tests.driving import after
 
 from helicoide import gate
-from helicoide.ik.rcm.at_work import passage_of
 from helicoide.ik.rcm.passage import insertion
-from helicoide.kinematics.library import load
+from helicoide.ik.rcm.tip_task import passage_of
+from helicoide.kinematics.library import load_robot
 from helicoide.readout import instruments, status
-from helicoide.state import State, initial
+from helicoide.state import State, initial_state
 
 UP = [1.0, 0.0, 0.0, 0.0]
 METHODS = ["guarded", "pseudoinverse", "damped", "filtered", "filtered_modified", "damped_by_manipulability"]
@@ -31,7 +31,7 @@ def beside(state: State) -> float:
 @pytest.fixture(params=["dia10", "dia10_rod"])
 def held(request: pytest.FixtureRequest) -> State:
     """An arm that holds its instrument in the entry point where it is, and moves it by its position alone."""
-    return gate.hold_entry(True)(gate.hold_orientation(False)(initial(load(request.param))))
+    return gate.hold_entry(True)(gate.hold_orientation(False)(initial_state(load_robot(request.param))))
 
 
 def test_it_is_held_where_the_instrument_is(held: State) -> None:
@@ -51,7 +51,7 @@ def test_the_instrument_stays_in_it_while_the_tip_moves(held: State, method: str
     for _ in range(600):
         state = after(state, 0.01)
         worst = max(worst, beside(state))
-    assert state.request.drive.refusal is None
+    assert state.request.controller.refusal is None
     assert worst < 1e-5, "0.01 mm"
     assert np.linalg.norm(state.T_world_tool[:3, 3] - goal) < 2e-3
 
@@ -59,7 +59,7 @@ def test_the_instrument_stays_in_it_while_the_tip_moves(held: State, method: str
 @pytest.mark.parametrize("method", METHODS)
 def test_the_whole_pose_is_held_through_the_constrained_jacobian(method: str) -> None:
     """Coutinho 2015, fig. 3.3, on the arm with eight joints: n − r = 6."""
-    state = gate.hold_entry(True)(gate.choose_method(method)(initial(load("dia10"))))
+    state = gate.hold_entry(True)(gate.choose_method(method)(initial_state(load_robot("dia10"))))
     T = state.T_world_tool
     goal = T[:3, 3] + 0.02 * T[:3, 0]
     quat = [np.cos(0.05), 0.0, np.sin(0.05), 0.0]
@@ -68,10 +68,10 @@ def test_the_whole_pose_is_held_through_the_constrained_jacobian(method: str) ->
     for _ in range(500):
         state = after(state, 0.01)
         worst = max(worst, beside(state))
-    assert state.request.drive.refusal is None
+    assert state.request.controller.refusal is None
     assert worst < 1e-5
     if method != "guarded":
-        assert state.request.drive.solution is not None
+        assert state.request.controller.solution is not None
 
 
 def test_an_entry_point_that_moves_takes_the_instrument_along(held: State) -> None:
@@ -84,28 +84,28 @@ def test_an_entry_point_that_moves_takes_the_instrument_along(held: State) -> No
     for share in np.linspace(0.0, 1.0, 50):
         state = after(gate.drag_entry("seat", "update", start + share * up)(state), 0.02)
     state = after(gate.drag_entry("seat", "end", start + up)(state), 2.0)
-    assert state.request.grasp is None
+    assert state.request.drag is None
     assert beside(state) < 1e-5
     assert np.linalg.norm(state.T_world_tool[:3, 3] - held.T_world_tool[:3, 3]) < 2e-3
 
 
 def test_seven_joints_are_too_few_for_a_held_orientation_and_the_page_says_so() -> None:
     """n − r = 5 (Coutinho 2015, §5.1)."""
-    state = gate.hold_entry(True)(gate.choose_method("pseudoinverse")(initial(load("dia10_rod"))))
+    state = gate.hold_entry(True)(gate.choose_method("pseudoinverse")(initial_state(load_robot("dia10_rod"))))
     state = after(gate.set_target(state.T_world_tool[:3, 3], UP)(state), 0.1)
-    assert state.request.drive.refusal is not None
+    assert state.request.controller.refusal is not None
     assert "n − r = 5" in status(state).text.en
     assert "n − r = 5" in status(state).text.pt_BR
     free = after(gate.hold_orientation(False)(state), 0.1)
-    assert free.request.drive.refusal is None
+    assert free.request.controller.refusal is None
 
 
 def test_an_objective_has_no_joint_left_where_all_six_ways_are_held() -> None:
-    state = gate.choose_objective("limit_distance")(gate.choose_method("damped")(initial(load("dia10"))))
+    state = gate.choose_objective("limit_distance")(gate.choose_method("damped")(initial_state(load_robot("dia10"))))
     state = gate.hold_entry(True)(state)
     state = after(gate.set_target(state.T_world_tool[:3, 3], UP)(state), 0.05)
-    assert state.request.drive.refusal is not None
-    assert "objective" in state.request.drive.refusal.en
+    assert state.request.controller.refusal is not None
+    assert "objective" in state.request.controller.refusal.en
 
 
 def test_it_is_read_off(held: State) -> None:
@@ -138,5 +138,5 @@ def test_forged_numbers_change_nothing(held: State, value: object) -> None:
 def test_nothing_is_dragged_where_nothing_is_held(state: State) -> None:
     for refused in (gate.set_entry([0.1, 0.2, 0.3])(state), gate.drag_entry("seat", "start", [0, 0, 0])(state)):
         assert refused.problem is state.problem
-        assert refused.request.grasp is None
+        assert refused.request.drag is None
         assert refused.notice is not None

@@ -11,75 +11,75 @@ from hypothesis import strategies as st
 
 from helicoide import gate
 from helicoide.arrays import frozen
-from helicoide.kinematics.cells import Cells
-from helicoide.kinematics.library import load
+from helicoide.kinematics.grid import WorkspaceGrid
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import KINDS, Kind, Map
+from helicoide.kinematics.workspace import MAP_KINDS, MapKind, WorkspaceMap
 from helicoide.seat import Seat
-from helicoide.state import Counting, State, Update
-from helicoide.text import same
+from helicoide.state import MapProgress, State, Update
+from helicoide.text import untranslated
 
 SEAT = Seat("", "en", cut=0.25)
 
 
 @pytest.fixture
-def found() -> Map:
-    cells = Cells(frozen([-1, -1, -1]), frozen(np.eye(3)), 1.0, (2, 2, 2))
-    return Map("reachable", 8, cells, np.ones(8, dtype=np.int64), frozen(np.ones(8)))
+def found() -> WorkspaceMap:
+    cells = WorkspaceGrid(frozen([-1, -1, -1]), frozen(np.eye(3)), 1.0, (2, 2, 2))
+    return WorkspaceMap("reachable", 8, cells, np.ones(8, dtype=np.int64), frozen(np.ones(8)))
 
 
-def reports(robot: Robot, found: Map) -> list[Update]:
+def reports(robot: Robot, found: WorkspaceMap) -> list[Update]:
     """All that a counting process can have said of an arm."""
-    return [gate.tell_map(robot, 0.5), gate.show_map(robot, found), gate.fail_map(robot, same("it broke"))]
+    return [gate.tell_map(robot, 0.5), gate.show_map(robot, found), gate.fail_map(robot, untranslated("it broke"))]
 
 
-def test_a_map_is_counted_and_shown(state: State, found: Map) -> None:
+def test_a_map_is_counted_and_shown(state: State, found: WorkspaceMap) -> None:
     state = gate.start_map(state.robot, "manipulability")(state)
-    assert state.workspace.counting == Counting("manipulability", 0.0)
+    assert state.workspace.progress == MapProgress("manipulability", 0.0)
     state = gate.tell_map(state.robot, 0.5)(state)
-    assert state.workspace.counting == Counting("manipulability", 0.5)
+    assert state.workspace.progress == MapProgress("manipulability", 0.5)
     state = gate.show_map(state.robot, found)(state)
-    assert (state.workspace.counting, state.workspace.map) == (None, found)
+    assert (state.workspace.progress, state.workspace.map) == (None, found)
     state = gate.clear_map()(state)
     assert state.workspace.map is None
 
 
-def test_nothing_comes_that_is_not_waited_for(state: State, found: Map) -> None:
+def test_nothing_comes_that_is_not_waited_for(state: State, found: WorkspaceMap) -> None:
     ended = gate.end_map()(gate.start_map(state.robot, "reachable")(state))
     for wish in (
         gate.tell_map(state.robot, 0.5),
         gate.show_map(state.robot, found),
-        gate.fail_map(state.robot, same("?")),
+        gate.fail_map(state.robot, untranslated("?")),
     ):
         assert wish(ended) is ended
 
 
-def test_another_arm_does_not_get_the_map(state: State, found: Map) -> None:
-    counting, other = gate.start_map(state.robot, "reachable")(state), load("puma560")
+def test_another_arm_does_not_get_the_map(state: State, found: WorkspaceMap) -> None:
+    counting, other = gate.start_map(state.robot, "reachable")(state), load_robot("puma560")
     for wish in (
         gate.start_map(other, "reachable"),
         gate.tell_map(other, 0.5),
         gate.show_map(other, found),
-        gate.fail_map(other, same("?")),
+        gate.fail_map(other, untranslated("?")),
     ):
         assert wish(counting) is counting
 
 
 def test_another_map_takes_the_place_of_the_one_that_is_counted_and_leaves_the_one_that_is_shown(
-    state: State, found: Map
+    state: State, found: WorkspaceMap
 ) -> None:
     state = gate.show_map(state.robot, found)(gate.start_map(state.robot, "reachable")(state))
     state = gate.start_map(state.robot, "dexterous")(gate.start_map(state.robot, "reachable")(state))
-    assert (state.workspace.counting, state.workspace.map) == (Counting("dexterous"), found)
+    assert (state.workspace.progress, state.workspace.map) == (MapProgress("dexterous"), found)
 
 
 def test_a_failure_is_said_and_ends_the_counting(state: State) -> None:
-    state = gate.fail_map(state.robot, same("it broke"))(gate.start_map(state.robot, "reachable")(state))
-    assert (state.workspace.counting, state.notice) == (None, same("it broke"))
+    state = gate.fail_map(state.robot, untranslated("it broke"))(gate.start_map(state.robot, "reachable")(state))
+    assert (state.workspace.progress, state.notice) == (None, untranslated("it broke"))
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_the_kind_is_chosen_by_each_person(kind: Kind) -> None:
+@pytest.mark.parametrize("kind", MAP_KINDS)
+def test_the_kind_is_chosen_by_each_person(kind: MapKind) -> None:
     assert gate.choose_map(kind)(SEAT).map_kind == kind
 
 

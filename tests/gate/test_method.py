@@ -25,7 +25,7 @@ def refused(state: State, wish: Update) -> bool:
     """Whether nothing changed but the notice."""
     after_it = wish(state)
     kept = (
-        after_it.request.drive is state.request.drive
+        after_it.request.controller is state.request.controller
         and after_it.compared is state.compared
         and after_it.arm.q is state.arm.q
     )
@@ -38,8 +38,8 @@ def test_a_method_takes_over_where_the_arm_is(moving: State, name: str) -> None:
     assert state.arm.q is moving.arm.q
     assert state.request.command is moving.request.command
     later = after(state, 0.05)
-    assert later.request.drive.method == name
-    assert (later.arm.q is state.arm.q) == (later.request.drive.refusal is not None)
+    assert later.request.controller.method == name
+    assert (later.arm.q is state.arm.q) == (later.request.controller.refusal is not None)
 
 
 @pytest.mark.parametrize("value", FORGED)
@@ -72,9 +72,11 @@ def test_settings_outlive_a_change_of_method_and_hold_for_both_arms(moving: Stat
     state = gate.compare_with("damped")(gate.choose_method("damped")(moving))
     state = gate.set_option("damped", "damping", 0.5)(state)
     assert state.compared is not None
-    assert state.request.drive.options("damped").damping == state.compared.drive.options("damped").damping == 0.5
+    assert (
+        state.request.controller.options("damped").damping == state.compared.controller.options("damped").damping == 0.5
+    )
     state = gate.choose_method("damped")(gate.choose_method("pseudoinverse")(state))
-    assert state.request.drive.options("damped").damping == 0.5
+    assert state.request.controller.options("damped").damping == 0.5
 
 
 def test_a_gain_of_one_axis_makes_that_axis_faster(moving: State) -> None:
@@ -106,9 +108,9 @@ def test_weights_grow_where_a_joint_is_stopped(state: State) -> None:
     state = gate.hold_orientation(False)(gate.choose_method("pseudoinverse")(state))
     state = gate.grow_weights(True)(gate.weigh_objective(10.0)(gate.choose_objective("limit_distance")(state)))
     state = after(gate.set_target([-0.3, 0.3, 0.3], [1, 0, 0, 0])(state), 3.0)
-    assert state.request.drive.secondary is not None
-    assert state.request.drive.secondary.weights is not None
-    assert state.request.drive.secondary.weights.max() > 10.0 >= state.request.drive.secondary.weights.min()
+    assert state.request.controller.secondary is not None
+    assert state.request.controller.secondary.weights is not None
+    assert state.request.controller.secondary.weights.max() > 10.0 >= state.request.controller.secondary.weights.min()
 
 
 def test_the_arm_beside_follows_the_same_target_and_comes_back(moving: State) -> None:
@@ -116,7 +118,7 @@ def test_the_arm_beside_follows_the_same_target_and_comes_back(moving: State) ->
     assert state.compared is not None
     assert state.compared.arm.q is state.arm.q
     state = after(state, 4.0)
-    other = state.of_compared
+    other = state.compared_state
     assert other is not None
     np.testing.assert_allclose(other.T_world_tool[:3, 3], [0.45, 0.15, 0.25], atol=1e-3)
     home = after(gate.get_ready()(state), 6.0)

@@ -12,9 +12,9 @@ from helicoide import content, gate
 from helicoide.confinement import Obstacles
 from helicoide.foresight import foreseen
 from helicoide.ik import ObstacleContact
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.readout import held_by, holding, status
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 
 UP = [1.0, 0.0, 0.0, 0.0]
 PLACE = [0.42, 0.3, 0.3]
@@ -36,9 +36,9 @@ def drag(state: State, to: object, phases: tuple[gate.Phase, ...] = ("start", "u
     return state
 
 
-@pytest.mark.parametrize("name", sorted(content.found("robots")))
+@pytest.mark.parametrize("name", sorted(content.content_folders("robots")))
 def test_spheres_are_put_beside_any_arm_and_touch_neither_it_nor_each_other(name: str) -> None:
-    state = initial(load(name))
+    state = initial_state(load_robot(name))
     for count in range(1, 4):
         state = gate.add_obstacle()(state)
         assert state.notice is None
@@ -59,7 +59,7 @@ def test_there_are_six_at_most(state: State) -> None:
 
 
 def test_the_arm_stops_at_a_sphere_and_says_so() -> None:
-    state = gate.add_obstacle()(gate.hold_orientation(False)(initial(load("puma560"))))
+    state = gate.add_obstacle()(gate.hold_orientation(False)(initial_state(load_robot("puma560"))))
     centre = obstacles(state).ends[0, 0]
     state = gate.set_target(centre, UP)(state)
     assert "obstacle 1" in status(foreseen(state)).text.en
@@ -90,10 +90,10 @@ def test_a_dragged_sphere_stops_at_the_arm_and_goes_around_it(beside_it: State) 
     state = drag(beside_it, elbow, ("start", "update"))
     assert 0 <= apart(state) < 2e-3
     assert state.notice is not None
-    assert state.request.grasp is not None
+    assert state.request.drag is not None
     away = drag(state, start + (start - elbow), ("update", "end"))
     np.testing.assert_array_equal(obstacles(away).ends[0, 0], start + (start - elbow))
-    assert away.request.grasp is None
+    assert away.request.drag is None
     assert away.notice is None
 
 
@@ -127,10 +127,10 @@ def test_the_arm_beside_stops_a_sphere_too(beside_it: State) -> None:
     both = gate.compare_with("damped")(state)
     assert both.compared is not None
     state = after(gate.set_target([0.3, -0.3, 0.3], UP)(both), 0.3)
-    other = state.of_compared
+    other = state.compared_state
     assert other is not None
     pushed = drag(state, other.guarded_points[-1])
-    beside = pushed.of_compared
+    beside = pushed.compared_state
     assert beside is not None
     assert apart(beside) >= 0
 
@@ -153,7 +153,7 @@ def test_a_sphere_that_is_not_there(beside_it: State, index: int) -> None:
     for wish in wishes:
         refused = wish(index)(beside_it)
         assert obstacles(refused) is obstacles(beside_it)
-        assert refused.request.grasp is None
+        assert refused.request.drag is None
         assert refused.notice is not None
 
 

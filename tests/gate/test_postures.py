@@ -9,24 +9,24 @@ import pytest
 from tests.driving import after
 
 from helicoide import gate, readout
-from helicoide.command import ToJoints
+from helicoide.command import MoveToJoints
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.choice import OUT_OF_LIMITS, barrier
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
-from helicoide.session.postures import postures
-from helicoide.state import Listed, State, initial
+from helicoide.kinematics.library import load_robot
+from helicoide.session.postures import list_postures
+from helicoide.state import PostureList, State, initial_state
 
 
-def listed(state: State) -> Listed:
-    found = postures(state)(state).postures.listed
+def listed(state: State) -> PostureList:
+    found = list_postures(state)(state).postures.listing
     assert found is not None
     return found
 
 
 def puma() -> State:
-    state = initial(load("puma560"))
-    return postures(state)(state)
+    state = initial_state(load_robot("puma560"))
+    return list_postures(state)(state)
 
 
 def test_every_posture_has_the_tool_at_the_target_and_the_one_that_the_arm_has_is_first() -> None:
@@ -44,14 +44,14 @@ def test_the_arm_goes_to_a_posture_of_the_list_and_has_the_same_pose_there() -> 
     state = puma()
     wished = listed(state).rows[1].q
     gone = after(gate.go_to_posture(1)(state), 12.0)
-    assert isinstance(gone.request.command, ToJoints)
+    assert isinstance(gone.request.command, MoveToJoints)
     np.testing.assert_allclose(gone.arm.q, wished, atol=2e-3)
     np.testing.assert_allclose(gone.T_world_tool, state.T_world_tool, atol=5e-3)
 
 
 def test_a_posture_outside_the_limits_or_of_no_list_is_refused(state: State) -> None:
     assert gate.go_to_posture(0)(state).notice is not None
-    shown = postures(state)(state)
+    shown = list_postures(state)(state)
     place = next(k for k, row in enumerate(listed(state).rows) if row.dropped is OUT_OF_LIMITS)
     for refused in (gate.go_to_posture(place)(shown), gate.go_to_posture(9)(shown), gate.go_to_posture(-1)(shown)):
         assert refused.notice is not None
@@ -71,8 +71,8 @@ def test_weights_put_the_list_in_another_order() -> None:
     before = [row.cost for row in listed(state).rows if row.dropped is None]
     assert before == sorted(before)
     weighed = gate.weigh_joint(0, 0.0)(state)
-    assert weighed.postures.listed is not None
-    for row, found in zip(weighed.postures.listed.rows, listed(weighed).rows, strict=True):
+    assert weighed.postures.listing is not None
+    for row, found in zip(weighed.postures.listing.rows, listed(weighed).rows, strict=True):
         assert row.cost == pytest.approx(float(np.abs(row.change[1:]).sum()))
         assert row.branch.name == found.branch.name
     for wrong in (-1.0, 11.0, np.nan):
@@ -95,6 +95,6 @@ def test_what_is_too_near_stands_last_and_is_named() -> None:
 
 
 def test_a_list_is_for_the_arm_that_stands_there(state: State) -> None:
-    other = initial(load("planar2r"))
-    assert gate.while_there(state, postures(state))(other) is other
-    assert replace(other).postures.listed is None
+    other = initial_state(load_robot("planar2r"))
+    assert gate.while_there(state, list_postures(state))(other) is other
+    assert replace(other).postures.listing is None

@@ -10,7 +10,7 @@ from tests.geometry.motions import poses, vectors
 
 from helicoide.geometry import batch, pga, rigid
 from helicoide.geometry.clifford import CL031, PGA, QUATERNIONS, Algebra, Array
-from helicoide.kernels import plain
+from helicoide.kernels import python_function
 from helicoide.text import HelicoideError
 
 ALGEBRAS = (CL031, PGA, QUATERNIONS, Algebra(4, 1, 0))
@@ -32,8 +32,8 @@ def one_by_one(algebra: Algebra, a: Array, b: Array) -> Array:
 def test_products_in_both_layouts(algebra: Algebra, count: int) -> None:
     a, b = pairs(algebra, count)
     expected = one_by_one(algebra, a, b)
-    np.testing.assert_allclose(batch.products(algebra, a, b), expected, atol=1e-13)
-    rows = batch.product_rows(algebra, np.ascontiguousarray(a.T), np.ascontiguousarray(b.T))
+    np.testing.assert_allclose(batch.batch_products(algebra, a, b), expected, atol=1e-13)
+    rows = batch.batch_products_by_columns(algebra, np.ascontiguousarray(a.T), np.ascontiguousarray(b.T))
     np.testing.assert_allclose(rows.T, expected, atol=1e-13)
     assert rows.flags.c_contiguous
 
@@ -42,7 +42,7 @@ def test_products_in_both_layouts(algebra: Algebra, count: int) -> None:
 def test_sandwiches(algebra: Algebra) -> None:
     a, b = pairs(algebra, 70)
     expected = one_by_one(algebra, one_by_one(algebra, a, b), algebra.conjugate(a))
-    np.testing.assert_allclose(batch.sandwiches(algebra, a, b), expected, atol=1e-11)
+    np.testing.assert_allclose(batch.batch_sandwiches(algebra, a, b), expected, atol=1e-11)
 
 
 @pytest.mark.parametrize("algebra", MOVING, ids=str)
@@ -53,7 +53,7 @@ def test_points_moved_by_even_multivectors_of_any_length(algebra: Algebra) -> No
     np.testing.assert_allclose(algebra.grade(expected, 3), expected, atol=1e-12)
     moved = batch.move_points(algebra, motors.T[batch.MOTOR_ROWS], points.T[batch.POINT_ROWS])
     np.testing.assert_allclose(moved, expected.T[batch.POINT_ROWS], atol=1e-12)
-    np.testing.assert_allclose(batch.move_whole_points(algebra, motors, points), expected, atol=1e-12)
+    np.testing.assert_allclose(batch.move_full_points(algebra, motors, points), expected, atol=1e-12)
 
 
 @pytest.mark.parametrize("algebra", MOVING, ids=str)
@@ -63,8 +63,8 @@ def test_whole_points_are_moved_by_the_even_parts_alone_and_left_as_they_were(al
     kept = motors.copy(), points.copy()
     for given_array in (motors, points):
         given_array.setflags(write=False)
-    moved = batch.move_whole_points(algebra, motors, points)
-    np.testing.assert_array_equal(moved, batch.move_whole_points(algebra, even, three))
+    moved = batch.move_full_points(algebra, motors, points)
+    np.testing.assert_array_equal(moved, batch.move_full_points(algebra, even, three))
     np.testing.assert_array_equal([motors, points], kept)
 
 
@@ -73,7 +73,7 @@ def test_algebras_without_points_are_refused(algebra: Algebra) -> None:
     rows = np.zeros((16, 2))
     for move, motors, points in (
         (batch.move_points, rows[:8], rows[:4]),
-        (batch.move_whole_points, rows.T, rows.T),
+        (batch.move_full_points, rows.T, rows.T),
     ):
         with pytest.raises(HelicoideError, match=r"use Cl\(0,3,1\) or Cl\(3,0,1\)") as caught:
             move(algebra, motors, points)
@@ -85,18 +85,18 @@ def test_points_go_where_their_poses_take_them(cases: list[tuple[Array, Array]])
     Ts, xyz = (np.array(column) for column in zip(*cases, strict=True))
     motors, points = rigid.motor_from_pose(Ts), rigid.point(xyz)
     expected = (Ts[:, :3, :3] @ xyz[..., None])[..., 0] + Ts[:, :3, 3]
-    moved = batch.move_whole_points(CL031, motors, points)
+    moved = batch.move_full_points(CL031, motors, points)
     np.testing.assert_allclose(rigid.coordinates(moved), expected, rtol=1e-12, atol=1e-12)
-    modern = batch.move_whole_points(PGA, pga.motor_to_modern(motors), pga.to_modern(points))
+    modern = batch.move_full_points(PGA, pga.motor_to_modern(motors), pga.to_modern(points))
     np.testing.assert_allclose(pga.from_modern(modern), moved, rtol=1e-12, atol=1e-12)
 
 
 def test_kernels_are_their_python_functions() -> None:
     a, b = pairs(CL031, 3)
     out = np.empty((16, 3))
-    plain(batch.multiply_columns)(*CL031.terms, a.T, b.T, out)
-    np.testing.assert_allclose(batch.products(CL031, a, b).T, out, atol=1e-14)
+    python_function(batch.multiply_columns)(*CL031.terms, a.T, b.T, out)
+    np.testing.assert_allclose(batch.batch_products(CL031, a, b).T, out, atol=1e-14)
     motors, points = a.T[batch.MOTOR_ROWS], b.T[batch.POINT_ROWS]
     moved = np.empty_like(points)
-    plain(batch.move_columns)(1.0, motors[0], motors[1:7], motors[7], points, moved)
+    python_function(batch.move_columns)(1.0, motors[0], motors[1:7], motors[7], points, moved)
     np.testing.assert_allclose(batch.move_points(CL031, motors, points), moved, atol=1e-13)

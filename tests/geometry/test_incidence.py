@@ -122,13 +122,13 @@ def test_join_and_meet_keep_what_lies_in_both(
     across = rigid.plane(v, v @ p)
     line = rigid.line(v, p)
     np.testing.assert_allclose(incidence.meet(line, across), rigid.point(p), atol=1e-12)
-    foot = incidence.foot(rigid.point(q), build(p, v))
-    np.testing.assert_allclose(incidence.foot(foot, build(p, v)), foot, atol=1e-12)
+    foot = incidence.perpendicular_foot(rigid.point(q), build(p, v))
+    np.testing.assert_allclose(incidence.perpendicular_foot(foot, build(p, v)), foot, atol=1e-12)
 
 
 @given(vectors, axes, offsets)
 def test_the_foot_on_a_plane(p: Array, n: Array, d: float) -> None:
-    found = incidence.foot(rigid.point(p), rigid.plane(n, d))
+    found = incidence.perpendicular_foot(rigid.point(p), rigid.plane(n, d))
     np.testing.assert_allclose(found, rigid.point(p - (n @ p - d) * n), atol=1e-13)
 
 
@@ -136,7 +136,7 @@ def test_the_foot_on_a_plane(p: Array, n: Array, d: float) -> None:
 def test_the_foot_on_a_line_and_the_distance_to_it(p: Array, v: Array, r: Array) -> None:
     line, point = rigid.line(v, r), rigid.point(p)
     nearest = r + v @ (p - r) * v
-    np.testing.assert_allclose(incidence.foot(point, line), rigid.point(nearest), atol=1e-13)
+    np.testing.assert_allclose(incidence.perpendicular_foot(point, line), rigid.point(nearest), atol=1e-13)
     distance = incidence.point_line_distance(line, point)
     np.testing.assert_allclose(distance, np.linalg.norm(p - nearest), atol=1e-13)
     np.testing.assert_allclose(incidence.point_line_distance(-line, point), distance)
@@ -255,5 +255,7 @@ def test_everything_broadcasts() -> None:
         np.testing.assert_allclose(at_once[2], single, atol=1e-13)
     table = incidence.meet(lines[:3, None], planes)
     np.testing.assert_allclose(table[1, 4], incidence.meet(lines[1], planes[4]), atol=1e-12)
-    np.testing.assert_allclose(incidence.foot(ORIGIN, planes)[3], incidence.foot(ORIGIN, planes[3]), atol=1e-14)
+    np.testing.assert_allclose(
+        incidence.perpendicular_foot(ORIGIN, planes)[3], incidence.perpendicular_foot(ORIGIN, planes[3]), atol=1e-14
+    )
     assert incidence.is_finite(incidence.meet(Z, planes)).all()

@@ -131,16 +131,16 @@ def test_each_blade_moves_as_its_factors_do_and_keeps_its_grade(T: Array) -> Non
 @given(poses, st.lists(st.floats(-0.05, 0.05), min_size=8, max_size=8).map(np.array))
 def test_normalized_brings_a_bent_motor_back(T: Array, bend: Array) -> None:
     M = rigid.motor_from_pose(T)
-    found = motor.normalized(M + rigid.motor_from_dual_quaternion(bend))
+    found = motor.normalize_motor(M + rigid.motor_from_dual_quaternion(bend))
     assert motor.is_motor(found, 1e-14)
     np.testing.assert_allclose(found, M, atol=0.4)
-    np.testing.assert_allclose(motor.normalized(-3 * M), -M, atol=1e-14)
+    np.testing.assert_allclose(motor.normalize_motor(-3 * M), -M, atol=1e-14)
 
 
 def test_normalized_refuses_what_is_not_close_to_a_motor() -> None:
     for wrong in (of(e1e=1), of(one=1, e1=1e-3), of(one=np.nan)):
         with pytest.raises(HelicoideError, match="not close to a motor"):
-            motor.normalized(wrong)
+            motor.normalize_motor(wrong)
 
 
 def test_is_motor_tells_motors_from_others() -> None:
@@ -165,7 +165,7 @@ def test_sclerp_starts_and_ends_where_it_should(T0: Array, T1: Array, s: float) 
 def test_sclerp_does_not_depend_on_the_frame(T: Array, T0: Array, T1: Array, s: float) -> None:
     M, M0, M1 = map(rigid.motor_from_pose, (T, T0, T1))
     elsewhere = motor.sclerp(CL031.product(M, M0), CL031.product(M, M1), s)
-    turn = motor.screw_of(CL031.product(CL031.conjugate(M0), M1)).angle
+    turn = motor.screw_from_motor(CL031.product(CL031.conjugate(M0), M1)).angle
     if turn < 3.1:
         np.testing.assert_allclose(elsewhere, CL031.product(M, motor.sclerp(M0, M1, s)), atol=1e-11)
 
@@ -180,7 +180,7 @@ def test_sclerp_follows_the_screw_evenly(T: Array, n: Array, r: Array, angle: fl
 
 @given(axes, vectors, st.one_of(st.sampled_from(ANGLES[2:4]), st.floats(1e-3, 3.14)), shifts)
 def test_the_screw_of_chasles(n: Array, r: Array, angle: float, advance: float) -> None:
-    found = motor.screw_of(motor.exp(screw(n, r, angle, advance)))
+    found = motor.screw_from_motor(motor.exp(screw(n, r, angle, advance)))
     np.testing.assert_allclose(found.direction, n, atol=1e-12)
     np.testing.assert_allclose(found.point, r - (r @ n) * n, atol=1e-11)
     np.testing.assert_allclose(found.angle, angle, atol=1e-14)
@@ -191,33 +191,33 @@ def test_the_screw_of_chasles(n: Array, r: Array, angle: float, advance: float) 
 @given(poses)
 def test_screws_give_their_motor_back(T: Array) -> None:
     M = rigid.motor_from_pose(T)
-    found = motor.screw_of(M)
-    np.testing.assert_allclose(rigid.pose_from_motor(motor.motor_of(found)), T, atol=1e-12)
+    found = motor.screw_from_motor(M)
+    np.testing.assert_allclose(rigid.pose_from_motor(motor.motor_from_screw(found)), T, atol=1e-12)
     assert 0 <= found.angle <= np.pi
-    np.testing.assert_array_equal(motor.screw_of(-M).displacement, found.displacement)
+    np.testing.assert_array_equal(motor.screw_from_motor(-M).displacement, found.displacement)
 
 
 @given(axes, st.floats(1e-6, 2))
 def test_a_translation_has_a_screw_without_turn(n: Array, length: float) -> None:
-    found = motor.screw_of(rigid.translator(length * n))
+    found = motor.screw_from_motor(rigid.translator(length * n))
     np.testing.assert_allclose(found.direction, n, atol=1e-15)
     np.testing.assert_allclose(found.displacement, length)
     np.testing.assert_array_equal(found.point, 0)
     np.testing.assert_array_equal([found.angle, found.pitch], [0, np.inf])
-    np.testing.assert_allclose(motor.motor_of(found), rigid.translator(length * n), atol=1e-15)
+    np.testing.assert_allclose(motor.motor_from_screw(found), rigid.translator(length * n), atol=1e-15)
 
 
 @pytest.mark.parametrize("identity", [ONE, -ONE])
 def test_the_identity_has_no_axis(identity: Array) -> None:
-    found = motor.screw_of(identity)
+    found = motor.screw_from_motor(identity)
     np.testing.assert_array_equal([*found.direction, *found.point], 0)
     np.testing.assert_array_equal([found.angle, found.displacement, found.pitch], 0)
-    np.testing.assert_array_equal(motor.motor_of(found), ONE)
+    np.testing.assert_array_equal(motor.motor_from_screw(found), ONE)
 
 
 def test_a_turn_within_rounding_is_a_translation() -> None:
     M = rigid.screw_motor((0, 0, 1), (1e13, 0, 0), 1e-13)
-    found = motor.screw_of(M)
+    found = motor.screw_from_motor(M)
     np.testing.assert_allclose(found.direction, (0, -1, 0), atol=1e-12)
     np.testing.assert_allclose([found.angle, found.displacement], (0, 1))
 
@@ -225,7 +225,7 @@ def test_a_turn_within_rounding_is_a_translation() -> None:
 def test_screw_of_the_quarter_turn_and_shift() -> None:
     """Cerbaro 2022, eq. 96: a quarter turn about z, then 100 mm along x, is a quarter turn about (50, 50)."""
     M = CL031.product(rigid.translator((100, 0, 0)), rigid.rotor((0, 0, 1), np.pi / 2))
-    found = motor.screw_of(M)
+    found = motor.screw_from_motor(M)
     np.testing.assert_allclose(found.direction, (0, 0, 1))
     np.testing.assert_allclose(found.point, (50, 50, 0), atol=1e-13)
     np.testing.assert_allclose([found.angle, found.displacement], (np.pi / 2, 0), atol=1e-14)
@@ -235,11 +235,11 @@ def test_everything_broadcasts() -> None:
     rng = np.random.default_rng(5)
     M = motor.exp(rigid.motor_from_dual_quaternion(np.insert(rng.normal(size=(3, 4, 6)), [0, 3], 0, axis=-1)))
     M[1, 2], M[2, 1] = ONE, rigid.translator((1, 2, 3))
-    found = motor.screw_of(M)
+    found = motor.screw_from_motor(M)
     assert (found.direction.shape, found.pitch.shape) == ((3, 4, 3), (3, 4))
-    np.testing.assert_allclose(motor.motor_of(found), rigid.canonical(M), atol=1e-14)
+    np.testing.assert_allclose(motor.motor_from_screw(found), rigid.canonical(M), atol=1e-14)
     np.testing.assert_allclose(motor.exp(motor.log(M)), rigid.canonical(M), atol=1e-14)
     way = motor.sclerp(M[0, 0], M[0, 1], np.linspace(0, 1, 5))
     np.testing.assert_allclose(way[2], motor.sclerp(M[0, 0], M[0, 1], 0.5), atol=1e-15)
     np.testing.assert_allclose(motor.sclerp(M[0], M[1], 0.25)[3], motor.sclerp(M[0, 3], M[1, 3], 0.25), atol=1e-15)
-    assert motor.is_motor(motor.normalized(1.1 * M)).shape == (3, 4)
+    assert motor.is_motor(motor.normalize_motor(1.1 * M)).shape == (3, 4)

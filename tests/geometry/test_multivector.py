@@ -128,7 +128,7 @@ UNARY: dict[str, tuple[Callable[[Multivector], Multivector], Callable[[Array], A
     "conjugate": (Multivector.conjugate, CL031.conjugate),
     "involute": (Multivector.involute, CL031.involute),
     "dual": (Multivector.dual, CL031.hodge),
-    "undual": (Multivector.undual, CL031.unhodge),
+    "undual": (Multivector.inverse_dual, CL031.inverse_hodge),
     "inverse": (Multivector.inverse, CL031.inverse),
     "1 / a": (lambda a: 1 / a, CL031.inverse),
 }

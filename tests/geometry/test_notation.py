@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from helicoide.geometry import notation
 from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
-from helicoide.geometry.notation import Naming
+from helicoide.geometry.notation import BladeNaming
 
-NAMINGS: tuple[Naming, ...] = ("factors", "compact")
+NAMINGS: tuple[BladeNaming, ...] = ("factors", "compact")
 signatures = st.tuples(*[st.integers(0, 4)] * 3).filter(lambda pqr: sum(pqr) <= 4)
 
 
@@ -33,31 +33,31 @@ def read_back(written: str, algebra: Algebra) -> Array:
 
 def test_a_rotor_in_each_notation() -> None:
     rotor = np.cos(np.pi / 6) * CL031.blade("1") + np.sin(np.pi / 6) * CL031.blade("e1e2")
-    assert notation.text(rotor, CL031) == "0.866 + 0.5 e1e2"
-    assert notation.text(rotor, CL031, "compact") == "0.866 + 0.5 e12"
-    assert notation.latex(rotor, CL031) == r"0.866 + 0.5\,e_{1}e_{2}"
-    assert notation.latex(rotor, CL031, "compact") == r"0.866 + 0.5\,e_{12}"
+    assert notation.multivector_text(rotor, CL031) == "0.866 + 0.5 e1e2"
+    assert notation.multivector_text(rotor, CL031, "compact") == "0.866 + 0.5 e12"
+    assert notation.multivector_latex(rotor, CL031) == r"0.866 + 0.5\,e_{1}e_{2}"
+    assert notation.multivector_latex(rotor, CL031, "compact") == r"0.866 + 0.5\,e_{12}"
 
 
 def test_the_null_generator_is_e_or_0_in_front() -> None:
     values = of(e=-1, e1e=2, e1e2e=3, e1e2e3e=1)
-    assert notation.text(values, CL031) == "-e + 2 e1e + 3 e1e2e + e1e2e3e"
-    assert notation.text(values, CL031, "compact") == "-e0 - 2 e01 + 3 e012 - e0123"
-    assert notation.latex(values, CL031) == r"-e + 2\,e_{1}e + 3\,e_{1}e_{2}e + e_{1}e_{2}e_{3}e"
-    assert notation.latex(values, CL031, "compact") == r"-e_{0} - 2\,e_{01} + 3\,e_{012} - e_{0123}"
+    assert notation.multivector_text(values, CL031) == "-e + 2 e1e + 3 e1e2e + e1e2e3e"
+    assert notation.multivector_text(values, CL031, "compact") == "-e0 - 2 e01 + 3 e012 - e0123"
+    assert notation.multivector_latex(values, CL031) == r"-e + 2\,e_{1}e + 3\,e_{1}e_{2}e + e_{1}e_{2}e_{3}e"
+    assert notation.multivector_latex(values, CL031, "compact") == r"-e_{0} - 2\,e_{01} + 3\,e_{012} - e_{0123}"
 
 
 def test_numbers_are_rounded_and_never_written_with_a_power() -> None:
-    assert notation.text(of(e1=4e-4, e2=-1.0004), CL031) == "-e2"
-    assert notation.text(of(e1=4e-4), CL031) == "0"
-    assert notation.text(of(e1=-2.5e16, e2=100), CL031) == "-25000000000000000 e1 + 100 e2"
-    assert notation.text(-PGA.blade("1"), PGA) == "-1"
-    assert notation.text(10 * PGA.blade("1"), PGA) == "10"
+    assert notation.multivector_text(of(e1=4e-4, e2=-1.0004), CL031) == "-e2"
+    assert notation.multivector_text(of(e1=4e-4), CL031) == "0"
+    assert notation.multivector_text(of(e1=-2.5e16, e2=100), CL031) == "-25000000000000000 e1 + 100 e2"
+    assert notation.multivector_text(-PGA.blade("1"), PGA) == "-1"
+    assert notation.multivector_text(10 * PGA.blade("1"), PGA) == "10"
 
 
 @pytest.mark.parametrize("naming", NAMINGS)
-def test_mathml_is_one_element_with_every_index(naming: Naming) -> None:
-    written = notation.mathml(of(e1e2=0.5, e=-2), CL031, naming)
+def test_mathml_is_one_element_with_every_index(naming: BladeNaming) -> None:
+    written = notation.multivector_mathml(of(e1e2=0.5, e=-2), CL031, naming)
     assert re.fullmatch(r"<math.*</math>", written)
     assert (
         unescape("".join(re.findall(r"<m[nio][^>]*>([^<]*)<", written)))
@@ -76,4 +76,6 @@ def test_both_namings_are_read_back_as_the_same_multivector(
     count = len(algebra.blades)
     values = np.array(data.draw(st.lists(st.integers(-4000, 4000), min_size=count, max_size=count))) / 1000
     for naming in NAMINGS:
-        np.testing.assert_allclose(read_back(notation.text(values, algebra, naming), algebra), values, atol=1e-12)
+        np.testing.assert_allclose(
+            read_back(notation.multivector_text(values, algebra, naming), algebra), values, atol=1e-12
+        )

@@ -9,8 +9,8 @@ import pytest
 from tests.geometry.write_products import FOLDER, IN_USE, file_of, source_of
 
 from helicoide.geometry.clifford import Algebra, Array
-from helicoide.geometry.products import OfTwo, written_out
-from helicoide.kernels import plain
+from helicoide.geometry.products import PairProducts, generated_products
+from helicoide.kernels import python_function
 
 SMALL = [(p, q, r) for p, q, r in product(range(5), repeat=3) if p + q + r <= 4]
 LARGE = [(4, 1, 0), (2, 2, 1), (0, 3, 2), (6, 0, 0), (3, 2, 1), (1, 1, 4)]
@@ -61,8 +61,8 @@ def test_two_alone_are_multiplied_by_definition(signature: tuple[int, int, int])
         np.testing.assert_allclose(algebra.sandwich(a, b), np.einsum("ijk,i,j", table, ab, signs * a), atol=1e-11)
 
 
-def kernels_of(algebra: Algebra) -> OfTwo:
-    found = written_out(algebra)
+def kernels_of(algebra: Algebra) -> PairProducts:
+    found = generated_products(algebra)
     assert found is not None
     return found
 
@@ -74,7 +74,7 @@ def test_what_is_written_out_is_what_is_generated(algebra: Algebra) -> None:
 
 def test_nothing_else_is_written_out() -> None:
     assert {*FOLDER.glob("cl_*.py")} == {file_of(algebra) for algebra in IN_USE}
-    assert written_out(Algebra(1, 2, 0)) is None
+    assert generated_products(Algebra(1, 2, 0)) is None
 
 
 @pytest.mark.parametrize("algebra", IN_USE, ids=str)
@@ -82,7 +82,7 @@ def test_what_is_written_out_is_its_python_function(algebra: Algebra) -> None:
     a, b, out, expected = np.random.default_rng(6).normal(size=(4, algebra.count))
     for compiled in kernels_of(algebra):
         compiled(a, b, out)
-        plain(compiled)(a, b, expected)
+        python_function(compiled)(a, b, expected)
         np.testing.assert_allclose(out, expected, atol=1e-14)
 
 

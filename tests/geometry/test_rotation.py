@@ -147,7 +147,7 @@ def test_axis_and_angle_come_back(axis: Array, angle: float) -> None:
     assert 0 <= theta <= np.pi
     assert np.linalg.norm(n) == pytest.approx(1, abs=1e-15)
     assert theta == pytest.approx(angle, abs=1e-15)
-    np.testing.assert_allclose(rotation.from_axis_angle(n, theta), q * rotation.hemisphere(q), atol=1e-15)
+    np.testing.assert_allclose(rotation.from_axis_angle(n, theta), q * rotation.hemisphere_sign(q), atol=1e-15)
 
 
 def test_without_a_turn_the_axis_is_z() -> None:
@@ -376,12 +376,12 @@ def test_everything_broadcasts() -> None:
     v = rng.normal(size=(5, 3))
     R = rotation.to_matrix(q)
     np.testing.assert_allclose(rotation.rotate(q, v), np.einsum("abij,bj->abi", R, v), atol=1e-14)
-    np.testing.assert_allclose(rotation.from_matrix(R), q * rotation.hemisphere(q), atol=1e-14)
+    np.testing.assert_allclose(rotation.from_matrix(R), q * rotation.hemisphere_sign(q), atol=1e-14)
     np.testing.assert_allclose(rotation.rotation_vector(q)[2, 3], rotation.rotation_vector(q[2, 3]), atol=1e-15)
     np.testing.assert_allclose(rotation.roll_pitch_yaw_zyx(R)[1, 1], rotation.roll_pitch_yaw_zyx(R[1, 1]), atol=1e-15)
     np.testing.assert_allclose(rotation.exponential(rotation.logarithm(R)), R, atol=1e-14)
     axis, angle = rotation.axis_angle(q)
-    np.testing.assert_allclose(rotation.from_axis_angle(axis, angle), q * rotation.hemisphere(q), atol=1e-15)
+    np.testing.assert_allclose(rotation.from_axis_angle(axis, angle), q * rotation.hemisphere_sign(q), atol=1e-15)
     np.testing.assert_allclose(
         rotation.from_rotation_vector(axis * angle[..., None])[1, 1], rotation.from_matrix(R[1, 1])
     )

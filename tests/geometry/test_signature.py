@@ -50,7 +50,7 @@ def test_signatures_out_of_range_are_refused(signature: tuple[int, int, int]) ->
     ],
 )
 def test_blades_are_read_in_either_naming_and_any_order(name: str, place: str, sign: int) -> None:
-    assert CL031.read(name) == (CL031.names.index(place), sign)
+    assert CL031.parse_blade(name) == (CL031.names.index(place), sign)
     np.testing.assert_array_equal(CL031.blade(name), sign * np.eye(16)[CL031.names.index(place)])
 
 
@@ -58,8 +58,8 @@ def test_blades_are_read_in_either_naming_and_any_order(name: str, place: str, s
 def test_names_of_both_kinds_are_those_of_the_blades(signature: tuple[int, int, int]) -> None:
     algebra = Algebra(*signature)
     places = list(range(len(algebra.blades)))
-    assert [algebra.read(name) for name in algebra.names] == [(place, 1) for place in places]
-    assert [algebra.read(name)[0] for name in algebra.compact_names] == places
+    assert [algebra.parse_blade(name) for name in algebra.names] == [(place, 1) for place in places]
+    assert [algebra.parse_blade(name)[0] for name in algebra.compact_names] == places
     generators = [algebra.blade(name) for name in algebra.names[1 : len(algebra.squares) + 1]]
     product = reduce(algebra.product, generators, algebra.blade("1"))
     np.testing.assert_array_equal(product, algebra.blade(algebra.names[-1]))
@@ -68,11 +68,11 @@ def test_names_of_both_kinds_are_those_of_the_blades(signature: tuple[int, int, 
 def test_compact_names_begin_with_the_null_generator() -> None:
     assert " ".join(PGA.compact_names) == "1 e1 e2 e3 e0 e12 e13 e23 e01 e02 e03 e123 e012 e013 e023 e0123"
     assert Algebra(1, 0, 2).compact_names == ("1", "e1", "e2", "e3", "e12", "e13", "e23", "e123")
-    assert PGA.read("e0123") == (15, -1)
+    assert PGA.parse_blade("e0123") == (15, -1)
 
 
 @pytest.mark.parametrize("name", ["", "e4", "e11", "e0e", "x", "e1 e2", "2", "11", "e1e2e1", "E1"])
 def test_unknown_blades_are_refused_with_the_generators(name: str) -> None:
     with pytest.raises(HelicoideError, match="e1, e2, e3, e, each at most once, as in e1e2e3e, e0123") as caught:
-        CL031.read(name)
+        CL031.parse_blade(name)
     assert f'"{name}"' in caught.value.text.pt_BR

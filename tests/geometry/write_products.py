@@ -47,7 +47,7 @@ def sandwich(a: Array, b: Array, out: Array) -> None:
 
 
 def file_of(algebra: Algebra) -> Path:
-    return FOLDER / f"{products.module_of(algebra)}.py"
+    return FOLDER / f"{products.generated_module_name(algebra)}.py"
 
 
 def source_of(algebra: Algebra) -> str:

@@ -12,8 +12,8 @@ from helicoide.arrays import Array
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem, methods, objectives
 from helicoide.ik.secondary import Chosen
-from helicoide.studies.cerbaro_runs.arms import along, position, standing, start_at, tool
-from helicoide.studies.cerbaro_runs.runs import Run, ran
+from helicoide.studies.cerbaro_runs.runs import LoopRun, collected
+from helicoide.studies.cerbaro_runs.setups import fixed_point, point_along, position_task, solved_posture, tool_position
 
 PINV, DAMPED = methods.named("pseudoinverse"), methods.named("damped")
 PLAIN = PINV.Options()
@@ -40,4 +40,4 @@ def at(x: float, y: float, z: float = 0.0) -> Array:
     return T
 
 
-__all__ = ["Run", "along", "position", "ran", "standing", "start_at", "tool"]
+__all__ = ["LoopRun", "collected", "fixed_point", "point_along", "position_task", "solved_posture", "tool_position"]

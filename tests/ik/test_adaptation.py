@@ -14,9 +14,9 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones
 from helicoide.ik import adaptation
 from helicoide.ik.adaptation import NONE, Rule, adapted, everywhere, given_way, held_back, moved_away, nearest, trimmed
-from helicoide.ik.converge import CAP_PER_POINT, Tolerance, by_method, converged
-from helicoide.studies.cerbaro_runs.arms import position, standing, tool
-from helicoide.studies.cerbaro_runs.confined import ELLIPSE, confined, desired
+from helicoide.ik.converge import CAP_PER_POINT, Tolerance, converged, loop_of
+from helicoide.studies.cerbaro_runs.confined import ELLIPSE, confined_problem, path_samples
+from helicoide.studies.cerbaro_runs.setups import fixed_point, position_task, tool_position
 
 ZONES = Zones()
 FLOOR_AND_WALL = Planes(frozen([[0, 0, 1], [0, 1, 0]]), frozen([[0, 0, 0], [0, -0.3, 0]]))
@@ -57,7 +57,7 @@ def test_a_target_held_back_comes_no_nearer_and_moves_along_the_normal_only(
 
 @given(cloud=st.lists(points, min_size=1, max_size=9))
 def test_trimmed_points_keep_the_warning_distance_and_others_stay(cloud: list[Array]) -> None:
-    planes, which = confined().planes, (1, 2, 3)
+    planes, which = confined_problem().planes, (1, 2, 3)
     before = np.array(cloud)
     after = trimmed(before, planes, which, 0.110)
     left = after @ planes.normals[list(which)].T - planes.offsets[list(which)]
@@ -68,7 +68,7 @@ def test_trimmed_points_keep_the_warning_distance_and_others_stay(cloud: list[Ar
 
 def test_trimming_leaves_what_it_is_given_alone() -> None:
     given_points = np.zeros((1, 3))
-    trimmed(given_points, confined().planes, (3,), 0.110)
+    trimmed(given_points, confined_problem().planes, (3,), 0.110)
     np.testing.assert_array_equal(given_points, np.zeros((1, 3)))
 
 
@@ -107,20 +107,22 @@ def test_the_printed_damping_forbids_to_rise_whatever_the_plane() -> None:
 
 def test_the_points_that_cannot_move_are_not_watched() -> None:
     """Recomputed from eq. 20 and the printed planes by other code; the waist would be 257 mm from nothing."""
-    near = 1000 * nearest(confined(), np.zeros(5))
+    near = 1000 * nearest(confined_problem(), np.zeros(5))
     np.testing.assert_allclose(near, [220.93, 278.46, 291.83, 400.0], atol=0.05)
-    home = 1000 * nearest(confined(), confined().robot.poses["home"].copy())
+    home = 1000 * nearest(confined_problem(), confined_problem().robot.poses["home"].copy())
     assert home[0] == pytest.approx(21.09, abs=0.05)
 
 
 def by(rule: Rule, samples: int = 41, cap: int = CAP_PER_POINT) -> tuple[adaptation.Track, Array]:
     """The first quarter of the ellipse, which leads up to the ceiling, without secondary objective."""
-    here = confined()
-    run = by_method(here, DAMPED, DAMPED.Options(0.1), 0.5)
-    way = desired(ELLIPSE, 4 * samples)[:samples]
-    first = position(here, standing(*way[0]))
+    here = confined_problem()
+    run = loop_of(here, DAMPED, DAMPED.Options(0.1), 0.5)
+    way = path_samples(ELLIPSE, 4 * samples)[:samples]
+    first = position_task(here, fixed_point(*way[0]))
     start = converged(here, run, first, here.robot.poses["path_start"])
-    return adapted(here, run, lambda p: position(here, standing(*p)), way, start.q, rule, Tolerance(1e-3), cap), way
+    return adapted(
+        here, run, lambda p: position_task(here, fixed_point(*p)), way, start.q, rule, Tolerance(1e-3), cap
+    ), way
 
 
 def test_without_a_rule_a_path_is_followed_into_the_planes() -> None:
@@ -133,7 +135,7 @@ def test_without_a_rule_a_path_is_followed_into_the_planes() -> None:
 
 @pytest.mark.parametrize(("damps", "ratchets"), [(True, False), (True, True), (False, False)])
 def test_with_the_corrected_rule_nothing_comes_nearer_than_the_critical_distance(damps: bool, ratchets: bool) -> None:
-    here = confined()
+    here = confined_problem()
     track, way = by(replace(everywhere(here.planes), damps=damps, ratchets=ratchets))
     assert track.near.min() >= 0.080
     assert (track.moved > 0).any()
@@ -146,7 +148,7 @@ def test_with_the_corrected_rule_nothing_comes_nearer_than_the_critical_distance
     np.testing.assert_array_equal(track.targets[untouched], way[untouched])
     for q, target, near, error in zip(track.q, track.targets, track.near, track.errors, strict=True):
         np.testing.assert_array_equal(near, nearest(here, q))
-        assert np.linalg.norm(tool(here, q) - target) == pytest.approx(error, abs=1e-9)
+        assert np.linalg.norm(tool_position(here, q) - target) == pytest.approx(error, abs=1e-9)
 
 
 def test_with_the_printed_rule_it_gives_up_at_72_7_mm() -> None:
@@ -156,14 +158,14 @@ def test_with_the_printed_rule_it_gives_up_at_72_7_mm() -> None:
 
 
 def test_targets_out_of_reach_end_after_their_cap_and_are_told_by_their_error() -> None:
-    here = confined()
-    run = by_method(here, DAMPED, DAMPED.Options(50.0), 0.5)
+    here = confined_problem()
+    run = loop_of(here, DAMPED, DAMPED.Options(50.0), 0.5)
     way = np.array([[0.7, 0.0, 0.4], [0.9, 0.0, 0.4]])
     shares: list[float] = []
     track = adapted(
         here,
         run,
-        lambda p: position(here, standing(*p)),
+        lambda p: position_task(here, fixed_point(*p)),
         way,
         here.robot.poses["ready"],
         cap=40,

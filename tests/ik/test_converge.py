@@ -8,16 +8,27 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
-from tests.ik.secondary_runs import DAMPED, PINV, PLAIN, along, at, position, problem, standing, start_at, tool
+from tests.ik.secondary_runs import (
+    DAMPED,
+    PINV,
+    PLAIN,
+    at,
+    fixed_point,
+    point_along,
+    position_task,
+    problem,
+    solved_posture,
+    tool_position,
+)
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem, converge, methods
 from helicoide.ik.clik import to_pose
-from helicoide.ik.converge import Outcome, Tolerance, by_method, converged, still
+from helicoide.ik.converge import Convergence, Tolerance, converged, frozen_reference, loop_of
 from helicoide.ik.method import Method, Promise, Solution, Task
 from helicoide.ik.methods import filtered
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies.cerbaro_runs.arms import movemaster, orca
+from helicoide.studies.cerbaro_runs.setups import movemaster, orca
 from helicoide.trajectory import EQ_33
 
 # The counts of the sources are in the studies cerbaro_orca_convergence and cerbaro_movemaster_convergence.
@@ -29,7 +40,7 @@ def home(problem: Problem) -> Array:
 
 def test_a_report_ends_with_the_first_error_within_the_tolerance_and_says_so() -> None:
     here = orca()
-    report = converged(here, by_method(here, PINV, PLAIN, 0.55), to_pose(here, at(0.26, 0.18)), home(here))
+    report = converged(here, loop_of(here, PINV, PLAIN, 0.55), to_pose(here, at(0.26, 0.18)), home(here))
     assert report.reached
     assert report.iterations == 7
     assert report.words.en.startswith("Converged after 7 iterations")
@@ -47,16 +58,16 @@ def test_a_tolerance_is_kept_by_both_errors() -> None:
 
 def test_how_long_an_iteration_lasts_makes_no_difference_without_memory() -> None:
     here = orca()
-    run = by_method(here, PINV, PLAIN, 0.55, dt=0.02)
+    run = loop_of(here, PINV, PLAIN, 0.55, dt=0.02)
     assert converged(here, run, to_pose(here, at(0.26, 0.18)), home(here)).iterations == 7
 
 
 def test_a_moving_target_can_be_taken_as_it_is_at_one_instant() -> None:
     here = movemaster()
-    moving, newton = position(here, along(EQ_33)), by_method(here, PINV, PLAIN, 1.0)
-    report = converged(here, newton, still(moving, 7.5), here.robot.poses["path_start"], Tolerance(1e-9, 0))
+    moving, newton = position_task(here, point_along(EQ_33)), loop_of(here, PINV, PLAIN, 1.0)
+    report = converged(here, newton, frozen_reference(moving, 7.5), here.robot.poses["path_start"], Tolerance(1e-9, 0))
     assert report.reached
-    np.testing.assert_allclose(tool(here, report.q), EQ_33.point(7.5), rtol=0, atol=2e-9)
+    np.testing.assert_allclose(tool_position(here, report.q), EQ_33.point(7.5), rtol=0, atol=2e-9)
 
 
 # What else may happen.
@@ -74,7 +85,7 @@ def test_every_method_comes_to_a_reachable_pose(robot_name: str, name: str) -> N
     aiming = to_pose(here, reachable)
     aim = aiming(q, 0.0)
     if method.applies(Task(q, aim.J, aim.error, 1.0)) is None:
-        report = converged(here, by_method(here, method, method.Options(), 0.5), aiming, q, cap=400)
+        report = converged(here, loop_of(here, method, method.Options(), 0.5), aiming, q, cap=400)
         assert report.reached, report.words.en
         np.testing.assert_array_less(report.errors[-1], [1e-3, 0.01])
         assert report.iterations > 3
@@ -84,8 +95,10 @@ def test_an_arm_at_a_singular_posture_says_that_it_cannot_move() -> None:
     """Stretched along y and called to fold, damped least squares have nowhere to go: Jᵀ e = 0."""
     here = problem("planar3r")
     start = np.array([np.pi / 2, 0, 0])
-    report = converged(here, by_method(here, DAMPED, DAMPED.Options(), 0.5), position(here, standing(0, 3)), start)
-    assert report.outcome is Outcome.UNFELT
+    report = converged(
+        here, loop_of(here, DAMPED, DAMPED.Options(), 0.5), position_task(here, fixed_point(0, 3)), start
+    )
+    assert report.outcome is Convergence.UNFELT
     assert not report.reached
     assert report.iterations == converge.PAUSES
     np.testing.assert_allclose(report.errors, [[1.0, 0.0]] * 6, rtol=0, atol=1e-9)
@@ -99,8 +112,8 @@ def test_a_method_that_gives_nothing_is_told_from_a_singular_posture() -> None:
         start=lambda task, options: None,
         step=lambda problem, task, memory, options: (Solution(np.zeros(3)), None),
     )
-    report = converged(here, by_method(here, cast(Method, idle), None, 0.5), to_pose(here, at(0.26, 0.18)), home(here))
-    assert report.outcome is Outcome.HELD
+    report = converged(here, loop_of(here, cast(Method, idle), None, 0.5), to_pose(here, at(0.26, 0.18)), home(here))
+    assert report.outcome is Convergence.HELD
     assert "method" in report.words.en
 
 
@@ -108,7 +121,7 @@ def test_a_pause_is_not_rest() -> None:
     """The filtered inverse begins with Θ = 0 and stands still for one step."""
     here = orca()
     errors = converged(
-        here, by_method(here, filtered, filtered.Options(), 0.5), to_pose(here, at(0.26, 0.18)), home(here)
+        here, loop_of(here, filtered, filtered.Options(), 0.5), to_pose(here, at(0.26, 0.18)), home(here)
     ).errors
     np.testing.assert_array_equal(errors[0], errors[1])
     assert (errors[2] < errors[1]).all()
@@ -116,9 +129,9 @@ def test_a_pause_is_not_rest() -> None:
 
 def test_what_is_out_of_reach_is_tried_until_the_cap() -> None:
     here = problem("puma560")
-    run = by_method(here, DAMPED, DAMPED.Options(0.1), 0.5)
-    report = converged(here, run, position(here, standing(0.6, 1.0, 0.0)), here.robot.poses["ready"], cap=30)
-    assert report.outcome is Outcome.CAPPED
+    run = loop_of(here, DAMPED, DAMPED.Options(0.1), 0.5)
+    report = converged(here, run, position_task(here, fixed_point(0.6, 1.0, 0.0)), here.robot.poses["ready"], cap=30)
+    assert report.outcome is Convergence.CAPPED
     assert report.iterations == 30
     assert "30" in report.words.pt_BR
     assert report.errors[-1, 0] > 0.1
@@ -128,7 +141,7 @@ def test_a_goal_that_is_met_needs_no_step() -> None:
     here = movemaster()
     q = here.robot.poses["ready"]
     aiming = to_pose(here, link_poses(here.robot.chain, q)[-1] @ here.robot.T_link_tool)
-    report = converged(here, by_method(here, PINV, PLAIN, 0.5), aiming, q)
+    report = converged(here, loop_of(here, PINV, PLAIN, 0.5), aiming, q)
     assert report.reached
     assert report.iterations == 0
     np.testing.assert_array_equal(report.q, q)
@@ -137,7 +150,7 @@ def test_a_goal_that_is_met_needs_no_step() -> None:
 def test_the_memory_of_a_report_goes_on_where_it_stopped() -> None:
     """Twenty steps in one go, or ten and then ten more."""
     here = orca()
-    run = by_method(here, filtered, filtered.Options(gain=0.1), 0.2)
+    run = loop_of(here, filtered, filtered.Options(gain=0.1), 0.2)
     aiming, never = to_pose(here, at(0.26, 0.18)), Tolerance(0, 0)
     whole = converged(here, run, aiming, home(here), never, cap=20)
     half = converged(here, run, aiming, home(here), never, cap=10)
@@ -150,15 +163,15 @@ def test_the_memory_of_a_report_goes_on_where_it_stopped() -> None:
 
 
 def sampled(here: Problem, points: Any) -> list[Any]:
-    return [position(here, standing(*point)) for point in points]
+    return [position_task(here, fixed_point(*point)) for point in points]
 
 
 def test_no_point_of_a_path_is_left_before_the_tool_is_within_10_mm() -> None:
     """The ellipse of eq. 33 in 61 points, up to 29 mm apart, one step or more for each."""
     here = movemaster()
     points = [EQ_33.point(s) for s in np.linspace(0, 30, 61)]
-    run = by_method(here, DAMPED, DAMPED.Options(0.1), 0.5)
-    path = converge.along(here, run, sampled(here, points), here.robot.poses["path_start"])
+    run = loop_of(here, DAMPED, DAMPED.Options(0.1), 0.5)
+    path = converge.converge_along(here, run, sampled(here, points), here.robot.poses["path_start"])
     assert path.refused == {}
     steps = [report.iterations for report in path.reports]
     assert min(steps) == 1
@@ -172,9 +185,9 @@ def test_no_point_of_a_path_is_left_before_the_tool_is_within_10_mm() -> None:
 def test_what_a_method_has_learnt_is_kept_from_point_to_point() -> None:
     """Only at the first point does the filtered inverse begin with Θ = 0 and stand still for a step."""
     here = movemaster()
-    run = by_method(here, filtered, filtered.Options(gain=5.0), 0.5)
+    run = loop_of(here, filtered, filtered.Options(gain=5.0), 0.5)
     points = [EQ_33.point(s) for s in (2.0, 4.0, 6.0)]
-    first, *rest = converge.along(here, run, sampled(here, points), here.robot.poses["path_start"]).reports
+    first, *rest = converge.converge_along(here, run, sampled(here, points), here.robot.poses["path_start"]).reports
     assert first.errors[0, 0] == first.errors[1, 0]
     for report in rest:
         assert report.errors[1, 0] < report.errors[0, 0]
@@ -184,9 +197,9 @@ def test_points_out_of_reach_are_reported_with_what_is_missing() -> None:
     """Straight out along x at the height of the shoulder: beyond 0.82 m plus 10 mm no point is met."""
     here = movemaster()
     xs = np.arange(0.70, 0.901, 0.02)
-    run = by_method(here, DAMPED, DAMPED.Options(50.0), 0.5)
-    start = start_at(here, position(here, standing(0.70, 0, 0.4)), here.robot.poses["ready"])
-    path = converge.along(here, run, sampled(here, [(x, 0, 0.4) for x in xs]), start)
+    run = loop_of(here, DAMPED, DAMPED.Options(50.0), 0.5)
+    start = solved_posture(here, position_task(here, fixed_point(0.70, 0, 0.4)), here.robot.poses["ready"])
+    path = converge.converge_along(here, run, sampled(here, [(x, 0, 0.4) for x in xs]), start)
     assert sorted(path.refused) == [i for i, x in enumerate(xs) if x > 0.83]
     for i, error in path.refused.items():
         assert error == pytest.approx(xs[i] - 0.82, abs=1e-3)

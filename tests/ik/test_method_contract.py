@@ -11,16 +11,16 @@ from tests.driving import Worst, watch
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.arrays import Array, frozen
-from helicoide.command import ToPose
+from helicoide.command import MoveToPose
 from helicoide.contributions.methods import Pair, described, pairs
 from helicoide.contributions.promises import DTS, HELD, answers
 from helicoide.contributions.trials import answered, bare_state
 from helicoide.geometry import rotation
-from helicoide.ik.drive import Drive
+from helicoide.ik.controller import Controller
 from helicoide.ik.method import OneOf, Promise, Quantity, YesNo, changed, settings
 from helicoide.ik.methods import named, names
 from helicoide.kinematics import library
-from helicoide.state import State, initial
+from helicoide.state import State, initial_state
 from helicoide.text import HelicoideError
 
 every_method = pytest.mark.parametrize("name", names())
@@ -43,7 +43,7 @@ def test_a_method_says_all_of_itself(name: str) -> None:
 def test_every_arm_and_task_is_tried_or_refused(name: str) -> None:
     """Those that are refused make no tests; together they are all there are."""
     applying, refused = pairs(name)
-    assert len(applying) + len(refused) == 2 * len(library.titles())
+    assert len(applying) + len(refused) == 2 * len(library.robot_titles())
     assert set(applying).isdisjoint(refused)
     assert applying
 
@@ -88,19 +88,19 @@ def test_every_setting_can_be_set_and_refuses_what_is_not_valid(name: str) -> No
 @pytest.mark.parametrize("robot_name", ["movemaster", "planar3r", "scara", "puma560", "dia10"])
 def test_under_the_guard_no_method_breaks_a_promise_and_switching_never_jumps(robot_name: str) -> None:
     """Wishes near and far, another method or setting every few ticks, another arm beside it: q moves by q̇ dt only."""
-    rng, state, worst = np.random.default_rng(8), initial(library.load(robot_name)), Worst()
+    rng, state, worst = np.random.default_rng(8), initial_state(library.load_robot(robot_name)), Worst()
     for _ in range(60):
         state = gate.choose_method(str(rng.choice(names())))(state)
         state = gate.compare_with(rng.choice([None, *names()]))(state)
         state = gate.hold_orientation(bool(rng.random() < 0.5))(state)
         far = state.robot.reach * rng.choice([0.3, 1.0, 3.0]) * rng.normal(size=3)
-        state = replace(state, request=replace(state.request, command=ToPose(tool_moved(state, far, rng))))
+        state = replace(state, request=replace(state.request, command=MoveToPose(tool_moved(state, far, rng))))
         dt = float(rng.choice(DTS))
         for _ in range(int(rng.integers(1, 15))):
             new = advance(state, dt)
             watch(worst, state, new, dt)
-            if new.of_compared is not None and state.of_compared is not None:
-                watch(worst, state.of_compared, new.of_compared, dt)
+            if new.compared_state is not None and state.compared_state is not None:
+                watch(worst, state.compared_state, new.compared_state, dt)
             state = new
 
 
@@ -113,7 +113,7 @@ def tool_moved(state: State, way: Array, rng: np.random.Generator) -> Array:
 
 def test_an_unknown_method_is_refused_in_words(state: State) -> None:
     refused = gate.choose_method("magic")(state)
-    assert refused.request.drive is state.request.drive
+    assert refused.request.controller is state.request.controller
     assert refused.notice is not None
     assert all(name in refused.notice.en for name in names())
 
@@ -121,7 +121,7 @@ def test_an_unknown_method_is_refused_in_words(state: State) -> None:
 @every_method
 def test_what_is_remembered_fits_any_task(name: str) -> None:
     """Orientation on and off in the middle of a motion changes the shape of the task."""
-    state, drive = bare_state("puma560"), Drive().by(name)
+    state, drive = bare_state("puma560"), Controller().with_method(name)
     for k in range(20):
         T = tool_moved(state, np.full(3, 0.1), np.random.default_rng(k))
         if Pair("puma560", k % 3 > 0) not in pairs(name)[0]:

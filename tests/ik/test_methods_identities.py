@@ -12,7 +12,7 @@ import pytest
 from helicoide.arrays import Array
 from helicoide.ik import Problem, filtered_inverse, methods
 from helicoide.ik.method import Solution, Task
-from helicoide.studies.vargas.arms import planar
+from helicoide.studies.vargas.arms import planar_problem
 
 FILTERED = ["filtered", "filtered_modified", "filtered_normal"]
 NAMES = [
@@ -23,7 +23,7 @@ NAMES = [
 
 @pytest.fixture(scope="module")
 def problem() -> Problem:
-    return planar()
+    return planar_problem()
 
 
 def asked(r: int = 3, n: int = 4, seed: int = 0, dt: float = 0.01) -> Task:

@@ -18,8 +18,8 @@ from helicoide.ik.arm_points import PER_LINK, along_links, watched
 from helicoide.ik.method import OneOf, Quantity, changed, settings
 from helicoide.ik.objective import Cost, posture
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.manipulability import of_position
-from helicoide.studies.cerbaro_runs.arms import movemaster, orca
+from helicoide.kinematics.manipulability import position_manipulability
+from helicoide.studies.cerbaro_runs.setups import movemaster, orca
 from helicoide.text import HelicoideError, Text
 
 ARMS = ("movemaster", "puma560", "scara", "planar3r", "dia10", MIXED)
@@ -110,7 +110,7 @@ def test_manipulability_is_that_of_the_kinematics(robot_name: str) -> None:
     here = problem(robot_name)
     for q in postures(here.robot, 3):
         w = -cost(here, "manipulability", q).value
-        assert w * here.length**3 == pytest.approx(of_position(here.robot, q).w, rel=1e-9)
+        assert w * here.length**3 == pytest.approx(position_manipulability(here.robot, q).w, rel=1e-9)
 
 
 def test_a_push_of_manipulability_leaves_a_singular_posture() -> None:
@@ -172,7 +172,7 @@ def test_an_ellipsoid_falls_to_1_over_e_at_its_semi_axes() -> None:
     q = here.robot.poses["ready"]
     tool = watched(here.robot, "tool").at(link_poses(here.robot.chain, q))[0] / here.length
     angles, axes = (0.3, -0.5, 0.9), (0.1, 0.25, 0.4)
-    R = euler.matrix(angles, "zyx")
+    R = euler.euler_matrix(angles, "zyx")
     names = dict(zip(("yaw", "pitch", "roll", "a", "b", "c"), (*angles, *axes), strict=True))
     for i in range(3):
         x, y, z = tool - R[:, i] * axes[i]

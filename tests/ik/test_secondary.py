@@ -10,17 +10,17 @@ from itertools import islice
 
 import numpy as np
 import pytest
-from tests.ik.secondary_runs import PINV, PLAIN, chosen, position, problem, ran, standing, tool
+from tests.ik.secondary_runs import PINV, PLAIN, chosen, collected, fixed_point, position_task, problem, tool_position
 
 from helicoide.arrays import Array, frozen
 from helicoide.ik import methods, objectives
 from helicoide.ik.arm_points import watched
-from helicoide.ik.clik import answered, asked, followed, to_pose
+from helicoide.ik.clik import closed_loop, solve_with_null_space, task_from, to_pose
 from helicoide.ik.objective import posture
 from helicoide.ik.secondary import augmented, push, total
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies.cerbaro_runs.arms import movemaster, with_heading
-from helicoide.studies.vargas.arms import planar
+from helicoide.studies.cerbaro_runs.setups import heading_task, movemaster
+from helicoide.studies.vargas.arms import planar_problem
 from helicoide.studies.vargas.paths import path_1
 from helicoide.text import HelicoideError
 
@@ -35,10 +35,10 @@ def test_the_task_does_not_feel_an_objective(robot_name: str, name: str) -> None
     others = frozen(np.random.default_rng(6).normal(size=(3, 3)) * here.robot.reach)
     pushed = push(here, chosen(name), 3.0, lambda t: others)
     q = here.robot.poses["ready"] + 0.05
-    aim = position(here, standing(0.3, 0.2, 0.3))(q, 0.0)
-    task = asked(aim, 1.0, q, 0.01)
-    with_it, _ = answered(here, PINV, task, None, PLAIN, pushed(q, 0.0))
-    without, _ = answered(here, PINV, task, None, PLAIN)
+    aim = position_task(here, fixed_point(0.3, 0.2, 0.3))(q, 0.0)
+    task = task_from(aim, 1.0, q, 0.01)
+    with_it, _ = solve_with_null_space(here, PINV, task, None, PLAIN, pushed(q, 0.0))
+    without, _ = solve_with_null_space(here, PINV, task, None, PLAIN)
     np.testing.assert_allclose(task.J @ (with_it.rates - without.rates), 0, rtol=0, atol=1e-12)
 
 
@@ -59,13 +59,13 @@ def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose:
     q = here.robot.poses[pose]
     x, y, z = watched(here.robot, "guarded").at(link_poses(here.robot.chain, q))[elbow] / here.length + BESIDE
     some = chosen(name, x=x, y=y, z=z) if name == "obstacle_distance" else chosen(name)
-    aiming = position(here, standing(*tool(here, q)))
-    moments = followed(here, PINV, PLAIN, aiming, 90.0, q, 0.01, push(here, some, GAINS[name]))
+    aiming = position_task(here, fixed_point(*tool_position(here, q)))
+    moments = closed_loop(here, PINV, PLAIN, aiming, 90.0, q, 0.01, push(here, some, GAINS[name]))
     way = [moment.q for moment in islice(moments, 300)]
     w = np.array([-total(here, some, posture(here, one)).value for one in way])
     assert w[-1] > w[0] + 3e-4
     assert np.diff(w).min() > -1e-9
-    assert max(np.linalg.norm(tool(here, one) - tool(here, q)) for one in way) < 1e-5
+    assert max(np.linalg.norm(tool_position(here, one) - tool_position(here, q)) for one in way) < 1e-5
 
 
 def test_several_objectives_are_summed() -> None:
@@ -98,31 +98,31 @@ def test_the_push_knows_where_the_second_arm_is_now() -> None:
 
 
 def test_the_row_asks_for_minus_f_whatever_the_gains() -> None:
-    here = planar()
+    here = planar_problem()
     some = chosen("slab", azimuth=np.pi / 2, elevation=0.0, offset=0.0, half=0.3)
     q = np.array([0.2, 0.3, 0.1])
-    plain, f = position(here, path_1, 2), total(here, some, posture(here, q))
+    plain, f = position_task(here, path_1, 2), total(here, some, posture(here, q))
     aim = augmented(here, some, plain)(q, 1.0)
     np.testing.assert_array_equal(aim.J, np.vstack([plain(q, 1.0).J, f.gradient]))
     for gains, of_plain in ((5.0, 5.0), (np.array([3.0, 7.0, 1.0]), np.array([3.0, 7.0]))):
-        task = asked(aim, gains, q, 0.01)
-        np.testing.assert_array_equal(task.rate, [*asked(plain(q, 1.0), of_plain, q, 0.01).rate, -f.value])
+        task = task_from(aim, gains, q, 0.01)
+        np.testing.assert_array_equal(task.rate, [*task_from(plain(q, 1.0), of_plain, q, 0.01).rate, -f.value])
 
 
 @pytest.mark.parametrize("name", sorted(set(objectives.names()) - {"ellipsoid", "joint_barrier", "second_arm", "slab"}))
 def test_what_does_not_rest_at_zero_cannot_be_a_row(name: str) -> None:
     with pytest.raises(HelicoideError, match="null space"):
-        augmented(planar(), chosen(name), position(planar(), path_1))
+        augmented(planar_problem(), chosen(name), position_task(planar_problem(), path_1))
 
 
 @pytest.mark.parametrize("name", ["pseudoinverse", "damped", "filtered_modified"])
 def test_where_f_is_flat_the_law_is_the_plain_one(name: str) -> None:
     """J_f = 0, f = 0: an obstacle far away. Also with more rows than joints."""
-    here, method = planar(), methods.named(name)
+    here, method = planar_problem(), methods.named(name)
     far = chosen("ellipsoid", x=90.0, y=90.0, z=90.0)
-    for plain in (position(here, path_1, 2), with_heading(here, path_1)):
+    for plain in (position_task(here, path_1, 2), heading_task(here, path_1)):
         runs = [
-            ran(followed(here, method, method.Options(), aiming, 5.0, np.array([0.5, -0.8, 0.9]), 0.01), 0.5)
+            collected(closed_loop(here, method, method.Options(), aiming, 5.0, np.array([0.5, -0.8, 0.9]), 0.01), 0.5)
             for aiming in (plain, augmented(here, far, plain))
         ]
         np.testing.assert_allclose(runs[1].q, runs[0].q, rtol=0, atol=1e-9)
@@ -130,15 +130,15 @@ def test_where_f_is_flat_the_law_is_the_plain_one(name: str) -> None:
 
 def test_with_more_rows_than_joints_the_obstacle_is_traded_against_the_pose() -> None:
     """x, y, φ and f of a planar 3R: the tool keeps farther from an obstacle at its goal, at the price of the pose."""
-    here = planar()
+    here = planar_problem()
     q = np.array([0.5, -0.8, 0.9])
     goal = to_pose(here, link_poses(here.robot.chain, q)[-1] @ here.robot.T_link_tool)
-    x, y, _ = tool(here, q) + np.array([0.05, 0, 0])
+    x, y, _ = tool_position(here, q) + np.array([0.05, 0, 0])
     hill = chosen("ellipsoid", x=x, y=y, z=0.0, a=0.2, b=0.2, c=0.2, where="tool")
     method = methods.named("filtered_modified")
     options = replace(method.Options(), gain=5.0)
-    run = ran(followed(here, method, options, augmented(here, hill, goal), 5.0, q, 0.01), 10.0)
-    clearance = [np.linalg.norm(tool(here, one) - [x, y, 0]) for one in run.q]
+    run = collected(closed_loop(here, method, options, augmented(here, hill, goal), 5.0, q, 0.01), 10.0)
+    clearance = [np.linalg.norm(tool_position(here, one) - [x, y, 0]) for one in run.q]
     assert clearance[0] == pytest.approx(0.05)
     assert clearance[-1] > 0.15
-    assert run.error[-1] > 0.1
+    assert run.position_error[-1] > 0.1

@@ -11,7 +11,7 @@ from helicoide.ik.guard.guarded import ONE_LEVEL
 from helicoide.ik.guard.work import Work, work_for
 from helicoide.ik.packing import packed
 from helicoide.ik.step import STILL, step, step_task, task_at
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics.forward import link_poses
 
 DT = 0.01
@@ -80,7 +80,7 @@ def test_as_python_it_comes_to_the_same(name: str) -> None:
     work, problem = work_for(arm), scene(name, 6)
     for T in path[::10]:
         plain, rates = q.copy(), work.rates.copy()
-        with as_python():
+        with run_interpreted():
             step(arm, plain, T, STILL, DT, fresh(arm, rates).memory)
         step(arm, q, T, STILL, DT, work.memory)
         np.testing.assert_allclose(q, plain, rtol=0, atol=1e-9)

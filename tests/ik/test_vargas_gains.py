@@ -14,8 +14,8 @@ from helicoide.ik.clik import quaternion_error
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.studies.vargas.arms import zebra
 from helicoide.studies.vargas.paths import path_11
-from helicoide.studies.vargas.runs import sizes, turned
-from helicoide.studies.vargas_14 import HALF, weighted
+from helicoide.studies.vargas.runs import rotation_about, row_norms
+from helicoide.studies.vargas_14 import HALF, weighted_run
 
 
 def test_the_error_of_orientation_is_that_of_the_quaternions() -> None:
@@ -31,7 +31,7 @@ def test_the_error_of_orientation_is_that_of_the_quaternions() -> None:
 
 def best(of_position: float, of_turn: float, q: Array) -> tuple[float, float]:
     """(‖e_p‖, dm, and ‖Δε‖) of the least ½ e_pᵀΛ_p e_p + 2 λ_o (1 − Δη) at `HALF`, found from near q."""
-    robot, R_target = zebra().robot, turned(1, pi)
+    robot, R_target = zebra().robot, rotation_about(1, pi)
 
     def errors(q: Array) -> tuple[Array, Array]:
         T = tool_by_screws(robot, q)
@@ -50,11 +50,11 @@ def best(of_position: float, of_turn: float, q: Array) -> tuple[float, float]:
 
 @pytest.mark.parametrize(("of_position", "of_turn"), [(100, 10), (10, 10), (10, 100)])
 def test_out_of_reach_the_weighted_errors_are_least(of_position: float, of_turn: float) -> None:
-    run = weighted((of_position, of_position, of_position, of_turn), 25.0, 4e-3, HALF)
-    now = sizes(run.e[-1:, :3])[0], sizes(run.e[-1:, 3:])[0]
+    run = weighted_run((of_position, of_position, of_position, of_turn), 25.0, 4e-3, HALF)
+    now = row_norms(run.e[-1:, :3])[0], row_norms(run.e[-1:, 3:])[0]
     assert now == pytest.approx(best(of_position, of_turn, run.q[-1]), abs=1e-3)
 
 
 def test_only_the_ratio_of_the_gains_counts() -> None:
-    ends = [weighted((gain, gain, gain, gain), 25.0, 4e-3, HALF).e[-1] for gain in (10, 100)]
+    ends = [weighted_run((gain, gain, gain, gain), 25.0, 4e-3, HALF).e[-1] for gain in (10, 100)]
     np.testing.assert_allclose(*ends, atol=2e-3)

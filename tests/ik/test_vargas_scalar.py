@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
-from helicoide.studies.vargas.scalar import closed_loop, filtered
+from helicoide.studies.vargas.scalar import scalar_closed_loop, scalar_filter_steps
 from helicoide.studies.vargas_08 import CASES
 from helicoide.studies.vargas_09 import LAWS
 
@@ -34,7 +34,7 @@ def test_simulation_8_is_the_differential_equation(name: str) -> None:
     k = CASES[name]
     times = np.linspace(0, 10, 101)
     theta = integrated(lambda t, y: [scalar_filter.slope(k(t), y[0], 5)], [1.0], times)[0]
-    np.testing.assert_allclose(filtered(k, 1.0, 5, 1e-3, 0.0, 10.0)[::100], theta, rtol=1e-6)
+    np.testing.assert_allclose(scalar_filter_steps(k, 1.0, 5, 1e-3, 0.0, 10.0)[::100], theta, rtol=1e-6)
 
 
 @pytest.mark.parametrize("law", LAWS)
@@ -53,7 +53,7 @@ def test_simulation_9_is_the_differential_equation(beta: float, law: str) -> Non
 
     times = np.linspace(0, 20, 401)
     y, theta = integrated(slope, [5.0, 0.0], times)
-    loop = closed_loop(LAWS[law], beta, 5e-4, 20.0)
+    loop = scalar_closed_loop(LAWS[law], beta, 5e-4, 20.0)
     np.testing.assert_allclose(loop.theta[::100], theta, atol=1e-6)
     np.testing.assert_allclose(loop.e[::100], 4 + np.cos(0.2 * pi * times) - y, atol=1e-6)
     u = [LAWS[law](k(t), a) * rate(t, b) for t, a, b in zip(times, theta, y, strict=True)]

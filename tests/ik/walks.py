@@ -11,14 +11,14 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
 from helicoide.ik.guard.collision import clearances
-from helicoide.ik.guard.packed import ACCELERATION, LOWER, ORIENTATION, REACH, SETTING, SPEED, UPPER, parts
+from helicoide.ik.guard.packed import ACCELERATION, LOWER, ORIENTATION, REACH, SETTING, SPEED, UPPER, array_parts
 from helicoide.ik.guard.work import REPORT, SHARE, work_for
 from helicoide.ik.packing import packed
 from helicoide.ik.step import step, step_task
 from helicoide.ik.task import joint_task
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Chain
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.forward import link_poses, points_in_world
 
 ARMS = ("movemaster", "puma560", "planar3r", "scara", "dia10", "zebra_zero")
 STAY = 60
@@ -34,7 +34,7 @@ def scene(name: str, seed: int, planes: int = 3, obstacles: int = 2, acceleratio
     rng, robot = np.random.default_rng(seed), arm(name)
     limits = Limits(robot.lower, robot.upper, robot.speed, frozen(np.full(len(robot.lower), acceleration)))
     q, reach = robot.poses["ready"], robot.reach
-    at = carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints)
+    at = points_in_world(link_poses(robot.chain, q), robot.monitored_points, robot.monitored_links)
     normals = rng.normal(size=(planes, 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     least = (at @ normals.T).min(axis=0) - rng.uniform(0.1, 0.6, planes) * reach - 0.1
@@ -59,7 +59,7 @@ def walk(
     Args: arm: packed, one that the walk may write into; turn: the weight of orientation, which comes and goes.
     """
     np.random.seed(seed)
-    at, reach = parts(arm), arm[SETTING, REACH]
+    at, reach = array_parts(arm), arm[SETTING, REACH]
     rates, n, begins = memory[REPORT : REPORT + at.n], at.n, np.empty(0, dtype=np.int64)
     q, was, before_rates, dt, kind = q.copy(), q.copy(), np.zeros(at.n), 0.01, 0
     q_target, T, drift = q.copy(), link_poses(chain, q)[-1].copy(), np.zeros(3)

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from helicoide.jobs.several import Progress, in_processes, timed
-from helicoide.text import HelicoideError, same
+from helicoide.jobs.parallel import Progress, run_parallel, run_timed
+from helicoide.text import HelicoideError, untranslated
 
 
 def doubled(given: int, progress: Progress) -> int:
@@ -30,7 +30,7 @@ def waiting_for_the_second(given: tuple[int, Path], progress: Progress) -> tuple
 
 def refusing(given: int, progress: Progress) -> int:
     if given == 1:
-        raise HelicoideError(same("not one"))
+        raise HelicoideError(untranslated("not one"))
     return given
 
 
@@ -55,7 +55,7 @@ def nothing(share: float) -> None:
 
 def test_values_come_in_the_order_of_what_was_given(tmp_path: Path) -> None:
     given = [(number, tmp_path / "begun") for number in range(4)]
-    found = [outcome.value for outcome in in_processes(waiting_for_the_second, given, 2, nothing)]
+    found = [outcome.value for outcome in run_parallel(waiting_for_the_second, given, 2, nothing)]
     assert [value[0] for value in found if value] == [0, 1, 2, 3]
     processes = {value[1] for value in found if value}
     assert len(processes) == 2
@@ -64,34 +64,34 @@ def test_values_come_in_the_order_of_what_was_given(tmp_path: Path) -> None:
 
 def test_progress_is_that_of_the_whole() -> None:
     shares: list[float] = []
-    outcomes = in_processes(doubled, [1, 2, 3], 1, shares.append)
+    outcomes = run_parallel(doubled, [1, 2, 3], 1, shares.append)
     assert [outcome.value for outcome in outcomes] == [2, 4, 6]
     assert shares[-1] == 1.0
     assert all(0 <= a <= b <= 1 for a, b in pairwise(shares))
-    assert in_processes(doubled, [], 1, nothing) == []
+    assert run_parallel(doubled, [], 1, nothing) == []
 
 
 def test_a_failure_is_an_outcome_and_keeps_its_words() -> None:
-    outcomes = in_processes(refusing, [0, 1, 2], 2, nothing)
+    outcomes = run_parallel(refusing, [0, 1, 2], 2, nothing)
     assert [outcome.value for outcome in outcomes] == [0, None, 2]
     assert isinstance(outcomes[1].failure, HelicoideError)
-    assert outcomes[1].failure.text == same("not one")
+    assert outcomes[1].failure.text == untranslated("not one")
 
 
 def test_an_error_that_does_not_come_through_leaves_its_words() -> None:
-    [outcome] = in_processes(stubborn, [1], 1, nothing)
+    [outcome] = run_parallel(stubborn, [1], 1, nothing)
     assert str(outcome.failure) == "Stubborn: no way"
 
 
 def test_a_process_that_dies_is_a_failure_too() -> None:
-    [outcome] = in_processes(dying, [1], 1, nothing)
+    [outcome] = run_parallel(dying, [1], 1, nothing)
     assert outcome.value is None
     assert "process" in str(outcome.failure).lower()
 
 
 @pytest.mark.parametrize(("given", "value"), [(0, 0), (1, None)])
 def test_the_same_work_can_be_done_here(given: int, value: int | None) -> None:
-    outcome = timed(refusing, given, nothing)
+    outcome = run_timed(refusing, given, nothing)
     assert outcome.value == value
     assert (outcome.failure is None) == (value is not None)
     assert outcome.seconds >= 0

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from helicoide.jobs.apart import Apart, Report
-from helicoide.jobs.several import Progress, in_processes, timed
-from helicoide.jobs.thinned import OFTEN, STEP, thinned
+from helicoide.jobs.parallel import Progress, run_parallel, run_timed
+from helicoide.jobs.process import ProcessJob, Report
+from helicoide.jobs.throttle import MAX_PERIOD, MIN_STEP, throttled
 
 
 class Listener:
@@ -18,7 +18,7 @@ class Listener:
 
     def __init__(self) -> None:
         self.now, self.heard = 0.0, list[tuple[float, Any]]()
-        self.tell = thinned(lambda what: self.heard.append((self.now, what)), lambda: self.now)
+        self.tell = throttled(lambda what: self.heard.append((self.now, what)), lambda: self.now)
 
     def reported(self, shares: Any, period: float) -> list[Any]:
         """What is told of shares that come one every period, s."""
@@ -32,17 +32,17 @@ def test_fast_work_is_told_by_its_steps() -> None:
     count = 22_000  # ten seconds of 2,200 reports
     listener = Listener()
     told = listener.reported((np.arange(count) + 1) / count, 1 / 2200)
-    assert len(told) <= 1 / STEP + 10 / OFTEN
+    assert len(told) <= 1 / MIN_STEP + 10 / MAX_PERIOD
     assert told[-1] == 1
-    assert all(later - earlier >= 0.999 * STEP for earlier, later in pairwise(told[:-1]))
+    assert all(later - earlier >= 0.999 * MIN_STEP for earlier, later in pairwise(told[:-1]))
 
 
 def test_slow_work_is_told_now_and_then() -> None:
     listener = Listener()
-    listener.reported(np.linspace(0, STEP / 2, 1000), 0.01)
+    listener.reported(np.linspace(0, MIN_STEP / 2, 1000), 0.01)
     times = [when for when, _ in listener.heard]
-    assert len(times) == pytest.approx(1000 * 0.01 / OFTEN, abs=2)
-    assert all(later - earlier > 0.999 * OFTEN for earlier, later in pairwise(times))
+    assert len(times) == pytest.approx(1000 * 0.01 / MAX_PERIOD, abs=2)
+    assert all(later - earlier > 0.999 * MAX_PERIOD for earlier, later in pairwise(times))
 
 
 def test_the_end_is_told_once_however_near_it_was() -> None:
@@ -68,8 +68,8 @@ def chatters_of(given: int, progress: Progress) -> str:
 
 
 def test_a_process_sends_few_of_its_reports() -> None:
-    job = Apart(chatters)
-    heard = list(job.progress())
+    job = ProcessJob(chatters)
+    heard = list(job.reports())
     assert job.result == "done"
     assert heard[-1] == 1.0
     assert len(heard) < 1000
@@ -77,13 +77,13 @@ def test_a_process_sends_few_of_its_reports() -> None:
 
 def test_work_done_here_tells_few_of_its_reports() -> None:
     heard: list[float] = []
-    assert timed(chatters_of, 0, heard.append).value == "done"
+    assert run_timed(chatters_of, 0, heard.append).value == "done"
     assert heard[-1] == 1.0
     assert len(heard) < 1000
 
 
 def test_several_processes_send_few_of_their_reports(monkeypatch: pytest.MonkeyPatch) -> None:
     heard: list[float] = []
-    assert [outcome.value for outcome in in_processes(chatters_of, [1, 2], 2, heard.append)] == ["done", "done"]
+    assert [outcome.value for outcome in run_parallel(chatters_of, [1, 2], 2, heard.append)] == ["done", "done"]
     assert heard[-1] == 1.0
     assert len(heard) < 1000

@@ -10,7 +10,7 @@ import time
 from multiprocessing.connection import Connection
 from pathlib import Path
 
-from helicoide.jobs.apart import Report
+from helicoide.jobs.process import Report
 
 HEAD = 16  # bytes: what goes before a message says no more than how long it is
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from helicoide.kernels import folder
+from helicoide.kernels import cache_folder
 from helicoide.text import LANGUAGES, Text
 
 
@@ -26,16 +26,16 @@ def usual(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "usual"))
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setattr("tempfile.tempdir", None)
-    return tmp_path / "usual" / folder._digest()
+    return tmp_path / "usual" / cache_folder._digest()
 
 
 def test_a_folder_that_can_be_written_is_taken_without_a_word(usual: Path) -> None:
-    assert folder.choose() == (usual, None)
+    assert cache_folder.choose_cache_folder() == (usual, None)
     assert list(usual.iterdir()) == []
 
 
 def test_an_empty_file_is_no_proof_of_room(usual: Path, full: None) -> None:
-    chosen, note = folder.choose()
+    chosen, note = cache_folder.choose_cache_folder()
     assert chosen == usual
     assert note is not None
     for language in LANGUAGES:
@@ -45,14 +45,14 @@ def test_an_empty_file_is_no_proof_of_room(usual: Path, full: None) -> None:
 
 def test_what_was_kept_is_used_though_the_disk_is_full_now(usual: Path, request: pytest.FixtureRequest) -> None:
     usual.mkdir(parents=True)
-    (usual / f"one{folder.ENDING}").touch()
+    (usual / f"one{cache_folder.KERNEL_SUFFIX}").touch()
     request.getfixturevalue("full")
-    assert folder.choose() == (usual, None)
+    assert cache_folder.choose_cache_folder() == (usual, None)
 
 
 def test_a_folder_that_cannot_be_written_is_replaced(usual: Path, tmp_path: Path) -> None:
     usual.parent.write_text("a file in its place, which stops root, too")
-    chosen, note = folder.choose()
+    chosen, note = cache_folder.choose_cache_folder()
     assert chosen.parent.parent == tmp_path
     assert isinstance(note, Text)
     assert str(usual) in note.en

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from helicoide.kernels import Kernel, NotKept, by_machine_code, kernel, only_kept
+from helicoide.kernels import Kernel, NotCached, by_machine_code, kernel, only_cached
 
 Array = NDArray[np.float64]
 
@@ -48,7 +48,7 @@ def test_nothing_is_compiled() -> None:
 def test_a_thread_loads_and_compiles_meanwhile() -> None:
     half, halves = made()
     with by_machine_code():
-        with only_kept(), pytest.raises(NotKept):
+        with only_cached(), pytest.raises(NotCached):
             halves(np.arange(4.0))
         assert halves(np.arange(4.0)) == 3.0
         other = threading.Thread(target=halves, args=(np.arange(4),))

@@ -16,8 +16,8 @@ import pytest
 from numpy.typing import NDArray
 
 from helicoide import kernels
-from helicoide.kernels import Kept, Kernel, NotKept, only_kept
-from helicoide.kernels.folder import ENDING
+from helicoide.kernels import Kernel, KernelCache, NotCached, only_cached
+from helicoide.kernels.cache_folder import KERNEL_SUFFIX
 
 Array = NDArray[np.float64]
 NUMBERS = np.arange(4.0)
@@ -33,7 +33,7 @@ def total(numbers: Array) -> float:
 def fresh(folder: Path) -> Any:
     """The kernel as another process has it at its start."""
     kernel = Kernel(total)
-    kernel._cache = Kept(folder, total)
+    kernel._cache = KernelCache(folder, total)
     return kernel
 
 
@@ -55,13 +55,13 @@ class Another:
 def file(tmp_path: Path) -> Path:
     assert fresh(tmp_path)(NUMBERS) == 6.0
     (kept,) = tmp_path.iterdir()
-    assert kept.suffix == ENDING
+    assert kept.suffix == KERNEL_SUFFIX
     return kept
 
 
 @pytest.fixture(autouse=True)
 def nothing_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Kept, "refusal", None)
+    monkeypatch.setattr(KernelCache, "refusal", None)
 
 
 def test_what_one_process_compiled_another_one_loads(file: Path) -> None:
@@ -100,7 +100,7 @@ def test_a_folder_in_the_place_of_a_file_does_no_harm(file: Path) -> None:
     file.mkdir()
     kernel = fresh(file.parent)
     assert kernel(NUMBERS) == 6.0
-    assert isinstance(Kept.refusal, OSError)
+    assert isinstance(KernelCache.refusal, OSError)
 
 
 @pytest.mark.parametrize("failing", ["replace", "open", "mkdir"])
@@ -108,12 +108,12 @@ def test_without_room_a_kernel_runs_all_the_same(tmp_path: Path, monkeypatch: py
     def full(*_: object, **__: object) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    target = {"replace": "os.replace", "open": "helicoide.kernels.kept.open", "mkdir": "pathlib.Path.mkdir"}[failing]
+    target = {"replace": "os.replace", "open": "helicoide.kernels.cache.open", "mkdir": "pathlib.Path.mkdir"}[failing]
     monkeypatch.setattr(target, full, raising=False)
     kernel = fresh(tmp_path)
     assert kernel(NUMBERS) == 6.0
-    assert Kept.refusal is not None
-    assert Kept.refusal.errno == errno.ENOSPC
+    assert KernelCache.refusal is not None
+    assert KernelCache.refusal.errno == errno.ENOSPC
     assert list(tmp_path.iterdir()) == [], "nothing is left behind"
 
 
@@ -126,7 +126,7 @@ def test_a_file_that_cannot_be_written_in_full_is_not_kept(tmp_path: Path) -> No
         assert kernel(NUMBERS) == 6.0
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
-    assert Kept.refusal is not None
+    assert KernelCache.refusal is not None
     assert list(tmp_path.iterdir()) == []
     assert fresh(tmp_path)(NUMBERS) == 6.0
     assert len(os.listdir(tmp_path)) == 1, "there is room again"
@@ -136,25 +136,25 @@ def test_what_is_on_disk_counts_as_done(file: Path, monkeypatch: pytest.MonkeyPa
     """And what is damaged there does not."""
     here, other, done = fresh(file.parent), Kernel(lambda: 1.0), list[int]()
     monkeypatch.setattr(kernels, "KERNELS", {"total": here})
-    with kernels.counted(done.append):
+    with kernels.count_compiled(done.append):
         here(NUMBERS)
         other()
     file.write_bytes(b"")
-    with kernels.counted(done.append):
+    with kernels.count_compiled(done.append):
         fresh(file.parent)(NUMBERS)
     assert done == [2, 1]
 
 
 def test_what_is_only_to_be_loaded_is_not_compiled(tmp_path: Path) -> None:
-    with only_kept(), pytest.raises(NotKept, match="total"):
+    with only_cached(), pytest.raises(NotCached, match="total"):
         fresh(tmp_path)(NUMBERS)
     assert fresh(tmp_path)(NUMBERS) == 6.0
-    with only_kept():
+    with only_cached():
         assert fresh(tmp_path)(NUMBERS) == 6.0
 
 
 def test_a_kernel_whose_source_has_changed_is_compiled_anew(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("helicoide.kernels.kept._digest_of", lambda file: "another")
+    monkeypatch.setattr("helicoide.kernels.cache._digest_of", lambda file: "another")
     changed = fresh(file.parent)
     assert (changed(NUMBERS), compilations(changed)) == (6.0, 1)
 
@@ -175,7 +175,7 @@ def test_what_another_made_does_not_count(
     """It lies beside ours, where ours will lie, and is neither loaded nor touched."""
     monkeypatch.setattr(kernels, "KERNELS", {"total": fresh(file.parent)})
     assert kernels.is_cached("total")
-    monkeypatch.setattr(f"helicoide.kernels.kept.{what}", other)
+    monkeypatch.setattr(f"helicoide.kernels.cache.{what}", other)
     assert not kernels.is_cached("total")
     ours = fresh(file.parent)
     assert (ours(NUMBERS), compilations(ours)) == (6.0, 1)

@@ -15,7 +15,7 @@ import pytest
 from numba.core.errors import NumbaError
 from numpy.typing import NDArray
 
-from helicoide.kernels import Kernel, counted, entry, kernel, kernel_into, plain
+from helicoide.kernels import Kernel, count_compiled, kernel, kernel_into, python_function, typed_entry
 
 Array = NDArray[np.float64]
 ROOT = Path(__file__).parents[2]
@@ -34,7 +34,7 @@ def array(value: float, writable: bool) -> Array:
 
 def test_arrays_that_may_be_written_and_those_that_may_not_share_it() -> None:
     blending, compiled = Kernel(blend), list[int]()
-    with counted(compiled.append):
+    with count_compiled(compiled.append):
         for x, y, z in product((True, False), repeat=3):
             assert blending(array(1.0, x), (array(2.0, y), (array(3.0, z), 0.5))) == 4.5
     assert compiled == [1]
@@ -116,13 +116,13 @@ def test_a_kernel_that_is_to_write_only_may_make_no_array() -> None:
 @pytest.mark.parametrize("made", [kernel, kernel_into, lambda function: function], ids=["kernel", "into", "plain"])
 def test_an_entry_is_what_the_kernel_does(made: Callable[[Any], Any]) -> None:
     out = np.empty(3)
-    entry(made(into), np.ones(3), out)(array(1.5, writable=False), out)
+    typed_entry(made(into), np.ones(3), out)(array(1.5, writable=False), out)
     np.testing.assert_array_equal(out, 3.0)
 
 
 def test_the_python_function_is_there() -> None:
-    assert plain(kernel(blend)) is blend
-    assert plain(blend) is blend
+    assert python_function(kernel(blend)) is blend
+    assert python_function(blend) is blend
 
 
 DRIVE = """

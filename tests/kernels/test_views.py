@@ -12,7 +12,7 @@ import numpy as np
 
 import helicoide
 from helicoide.arrays import Array
-from helicoide.kernels import KERNELS, Kernel, kernel, kernel_into, plain
+from helicoide.kernels import KERNELS, Kernel, kernel, kernel_into, python_function
 
 
 def holds_an_array(kind: Any) -> bool:
@@ -30,7 +30,7 @@ def counting(kernels: list[Kernel]) -> list[Kernel]:
 
 def called_by(caller: Kernel) -> Iterator[Kernel]:
     """Kernels that a kernel names, by themselves or in a module."""
-    function = plain(caller)
+    function = python_function(caller)
     named = function.__code__.co_names
     known = [function.__globals__.get(name) for name in named]
     inside = [getattr(module, name, None) for module in known if isinstance(module, ModuleType) for name in named]
@@ -41,7 +41,7 @@ def misused(kernels: list[Kernel]) -> Iterator[str]:
     """Kernels that count arrays and call one that hands on arrays without counting."""
     for caller in counting(kernels):
         for called in called_by(caller):
-            if not counting([called]) and holds_an_array(get_type_hints(plain(called))["return"]):
+            if not counting([called]) and holds_an_array(get_type_hints(python_function(called))["return"]):
                 yield f"{caller.__name__} calls {called.__name__}"
 
 
@@ -51,7 +51,7 @@ def test_what_hands_on_views_is_called_by_its_own_kind_alone() -> None:
             importlib.import_module(module.name)
     every = [one for name, one in KERNELS.items() if name.startswith("helicoide.")]
     assert KERNELS["helicoide.ik.guard.qp.solve_into"] in called_by(KERNELS["helicoide.ik.guard.qp.solve"])
-    assert holds_an_array(get_type_hints(plain(KERNELS["helicoide.ik.guard.work.opened"]))["return"])
+    assert holds_an_array(get_type_hints(python_function(KERNELS["helicoide.ik.guard.work.opened"]))["return"])
     assert [*misused(every)] == []
 
 

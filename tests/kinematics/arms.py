@@ -12,13 +12,13 @@ import numpy as np
 from helicoide import content
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import screw_displacements
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_parts import Frame
-from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.kinematics.urdf_chain import robot_from_urdf
 
 MIXED = "slide and mimic"
-NAMES = [*sorted(content.found("robots")), MIXED]
+NAMES = [*sorted(content.content_folders("robots")), MIXED]
 
 JOINTS = [  # name, type, axis, origin, what else
     ("a", "revolute", "0 0 1", "0.1 0 0.3", ""),
@@ -34,7 +34,7 @@ JOINTS = [  # name, type, axis, origin, what else
 def arm(name: str) -> Robot:
     """A robot by its name in `NAMES`."""
     if name != MIXED:
-        return load(name)
+        return load_robot(name)
     links = ["base", *(joint[0] + "_link" for joint in JOINTS)]
     parts = [f'<link name="{link}"/>' for link in links] + [
         f'<joint name="{name}" type="{kind}"><parent link="{before}"/><child link="{name}_link"/>'
@@ -45,7 +45,7 @@ def arm(name: str) -> Robot:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "mixed.urdf"
         path.write_text(f'<robot name="mixed">{"".join(parts)}</robot>', encoding="utf-8")
-        return from_urdf(path)
+        return robot_from_urdf(path)
 
 
 def postures(robot: Robot, count: int, seed: int = 0) -> list[Array]:

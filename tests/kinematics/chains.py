@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.kinematics.urdf_chain import robot_from_urdf
 
 MOST, TIP = 9, "tip"
 AXES = ("1 0 0", "0 1 0", "0 0 1", "0 0 -1")
@@ -23,7 +23,7 @@ def random_arm(seed: int, beside: bool = False) -> Robot:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"arm_{seed}.urdf"
         path.write_text(led_from_beside(seed) if beside else urdf(seed), "utf-8")
-        return from_urdf(path, TIP)
+        return robot_from_urdf(path, TIP)
 
 
 def urdf(seed: int) -> str:

@@ -8,12 +8,12 @@ from pathlib import Path
 import pytest
 
 from helicoide.kinematics.actuators import BallScrew
-from helicoide.kinematics.folder import from_folder
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 from helicoide.text import HelicoideError
 
-PLAIN = (load("movemaster").urdf.parent / "robot.toml").read_text("utf-8").partition("[actuators]")[0]
+PLAIN = (load_robot("movemaster").urdf.parent / "robot.toml").read_text("utf-8").partition("[actuators]")[0]
 GEAR = '{ kind = "gear", pulses_per_deg = 100 }'
 GEARS = ", ".join([GEAR] * 4)
 COUPLING = "coupling = [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 1, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 1]]"
@@ -47,7 +47,7 @@ MISTAKES = {
 
 def from_text(folder: Path, text: str) -> Robot:
     (folder / "robot.toml").write_text(text, "utf-8")
-    return from_folder(folder)
+    return robot_from_folder(folder)
 
 
 def test_a_file_says_the_actuators_and_one_without_has_none(tmp_path: Path) -> None:

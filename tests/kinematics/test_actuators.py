@@ -29,7 +29,7 @@ def parts(n: int) -> st.SearchStrategy[Array]:
 
 @cache
 def load(name: str) -> Robot:
-    return library.load(name)
+    return library.load_robot(name)
 
 
 def actuators_of(robot: Robot) -> Actuators:
@@ -93,7 +93,7 @@ def test_pulses_come_back_from_the_posture_they_make(part: Array) -> None:
 )
 def test_a_driven_degree_is_the_pulses_of_the_table(name: str, pulses: list[float]) -> None:
     actuators = actuators_of(load(name))
-    q = actuators.uncoupling @ np.radians(np.ones(len(pulses)))
+    q = actuators.inverse_coupling @ np.radians(np.ones(len(pulses)))
     np.testing.assert_allclose(actuators.from_joints(q), pulses, rtol=0, atol=1e-9)
 
 

@@ -10,18 +10,18 @@ import numpy as np
 import pytest
 
 from helicoide.arrays import Array
-from helicoide.kinematics.dh import Convention, DhRow, transform
+from helicoide.kinematics.dh import Convention, DhRow, dh_transform
 from helicoide.kinematics.forward import screw_transform
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 
-TURNING = load("movemaster").joints[0]
+TURNING = load_robot("movemaster").joints[0]
 MOVEMASTER = np.radians([30, 60, -90, -30, 90])
 ORCA = np.radians([20, 90, -110])
 
 
 def tool(convention: Convention, rows: list[tuple[float, float, float, float]], q: Array) -> Array:
     """The origin of the last DH frame, mm; rows: θ, d, a, α in rad and mm."""
-    steps = [transform(convention, DhRow(*row), TURNING, value) for row, value in zip(rows, q, strict=True)]
+    steps = [dh_transform(convention, DhRow(*row), TURNING, value) for row, value in zip(rows, q, strict=True)]
     return np.asarray(reduce(np.matmul, steps)[:3, 3])
 
 

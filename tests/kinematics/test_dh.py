@@ -12,10 +12,10 @@ from tests.kinematics.arms import NAMES, arm, postures
 
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Joint, Mimic, chain_of, spread
+from helicoide.kinematics.chain import Joint, Mimic, chain_array, joint_positions
 from helicoide.kinematics.dh import DhRow, DhTable
 from helicoide.kinematics.forward import screw_transform
-from helicoide.text import same
+from helicoide.text import untranslated
 
 Joints = tuple[Joint, ...]
 RELATIONS = ("skew", "meeting", "parallel", "opposite", "coincident", "close", "nearly", "nearly opposite")
@@ -31,7 +31,7 @@ def unit(vector: Array) -> Array:
 def joint(direction: Array, point: Array, slides: bool = False, mimic: Mimic | None = None) -> Joint:
     return Joint(
         "joint",
-        same("joint"),
+        untranslated("joint"),
         "prismatic" if slides else "revolute",
         lower=-3,
         upper=3,
@@ -83,7 +83,7 @@ def chain(
 
 def values(joints: Joints, draw: np.random.Generator) -> Array:
     """Where the joints stand at random variables."""
-    return spread(chain_of(joints), draw.uniform(-3, 3, sum(joint.mimic is None for joint in joints)))
+    return joint_positions(chain_array(joints), draw.uniform(-3, 3, sum(joint.mimic is None for joint in joints)))
 
 
 def by_screws(joints: Joints, stand: Array, tool: Array) -> Array:
@@ -94,13 +94,13 @@ def by_screws(joints: Joints, stand: Array, tool: Array) -> Array:
 
 
 def by_rows(table: DhTable, joints: Joints, stand: Array) -> Array:
-    return np.asarray(dh.poses(table, joints, stand)[-1] @ table.T_dh_tool)
+    return np.asarray(dh.dh_poses(table, joints, stand)[-1] @ table.T_dh_tool)
 
 
 @given(st.lists(links, min_size=1, max_size=7), seeds)
 def test_recovered_rows_move_as_the_screws(relations: list[tuple[str, str]], seed: int) -> None:
     joints, tool, draw = chain(relations, seed)
-    table = dh.recovered(joints, tool)
+    table = dh.dh_from_screws(joints, tool)
     for stand in (np.zeros(len(joints)), values(joints, draw)):
         np.testing.assert_allclose(by_rows(table, joints, stand), by_screws(joints, stand, tool), rtol=0, atol=1e-9)
 
@@ -109,7 +109,7 @@ def test_recovered_rows_move_as_the_screws(relations: list[tuple[str, str]], see
 def test_every_z_axis_lies_along_the_next_joint(relations: list[tuple[str, str]], seed: int) -> None:
     """Frame i - 1 has its z on axis i, from T_world_dh on; the last frame stays on the last axis."""
     joints, tool, _ = chain(relations, seed)
-    frames = dh.poses(table := dh.recovered(joints, tool), joints, np.zeros(len(joints)))
+    frames = dh.dh_poses(table := dh.dh_from_screws(joints, tool), joints, np.zeros(len(joints)))
     for frame, carried in zip(frames, (*joints, joints[-1]), strict=True):
         np.testing.assert_allclose(frame[:3, 2], carried.direction, rtol=0, atol=1e-9)
         beside = np.cross(frame[:3, 3] - carried.point, carried.direction)
@@ -122,9 +122,9 @@ def test_every_z_axis_lies_along_the_next_joint(relations: list[tuple[str, str]]
 @pytest.mark.parametrize("name", NAMES)
 def test_the_rows_of_a_robot_can_be_recovered_from_its_screws(name: str) -> None:
     robot = arm(name)
-    table = dh.recovered(robot.joints, robot.T_world_tool_0)
+    table = dh.dh_from_screws(robot.joints, robot.T_world_tool_0)
     for q in postures(robot, 5):
-        stand = spread(robot.chain, q)
+        stand = joint_positions(robot.chain, q)
         given_rows = by_rows(robot.dh, robot.joints, stand)
         np.testing.assert_allclose(by_rows(table, robot.joints, stand), given_rows, rtol=0, atol=1e-9)
 
@@ -137,14 +137,14 @@ def modified(table: DhTable) -> DhTable:
     )
     last = replace(table.rows[-1], theta=0, d=0)
     still = joint(np.array([0, 0, 1]), np.zeros(3))
-    T_dh_tool = dh.transform("standard", last, still, 0) @ table.T_dh_tool
+    T_dh_tool = dh.dh_transform("standard", last, still, 0) @ table.T_dh_tool
     return DhTable("modified", rows, table.T_world_dh, frozen(T_dh_tool))
 
 
 @given(st.lists(links, min_size=1, max_size=7), seeds)
 def test_both_conventions_tell_of_one_arm(relations: list[tuple[str, str]], seed: int) -> None:
     joints, tool, draw = chain(relations, seed)
-    table = dh.recovered(joints, tool)
+    table = dh.dh_from_screws(joints, tool)
     stand = values(joints, draw)
     other = by_rows(modified(table), joints, stand)
     np.testing.assert_allclose(other, by_rows(table, joints, stand), rtol=0, atol=1e-9)
@@ -169,7 +169,7 @@ def test_axes_that_are_nearly_parallel_cost_little_accuracy(sine: float, kind: s
     for seed in range(10):
         joints, tool, draw = chain([("skew", "revolute"), ("nearly", kind), ("skew", "revolute")], seed, sine)
         assert np.linalg.norm(np.cross(joints[1].direction, joints[2].direction)) == pytest.approx(sine, rel=1e-2)
-        table = dh.recovered(joints, tool)
+        table = dh.dh_from_screws(joints, tool)
         for _ in range(5):
             stand = values(joints, draw)
             error = np.abs(by_rows(table, joints, stand) - by_screws(joints, stand, tool)).max()

@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 
 from helicoide.arrays import Array, frozen
 from helicoide.geometry import rigid
-from helicoide.kinematics.folder import from_folder
-from helicoide.kinematics.forward import ROADS, carried_points, link_poses, tool_motor
-from helicoide.kinematics.library import load
+from helicoide.kinematics.forward import FORMULATIONS, link_poses, points_in_world, tool_motor
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
-FOLDER = load("movemaster").urdf.parent
+FOLDER = load_robot("movemaster").urdf.parent
 AGREE = 1e-9
 Road = Callable[[Robot, Array], Array]
 # the scene graph behind yourdfpy takes a turn below 1e-8 for none
@@ -50,7 +50,7 @@ URDF = loaded(FOLDER)
 @given(q=joints)
 def test_the_roads_the_kernel_and_the_urdf_agree(robot: Robot, q: Array) -> None:
     reference = tool_by_urdf(URDF, q)
-    for road in (*ROADS.values(), tool_by_kernel):
+    for road in (*FORMULATIONS.values(), tool_by_kernel):
         np.testing.assert_allclose(road(robot, q), reference, rtol=0, atol=AGREE)
 
 
@@ -66,9 +66,11 @@ def test_every_link_of_the_kernel_stands_where_the_urdf_has_it(robot: Robot, q: 
 @given(q=joints)
 def test_guarded_points_are_carried_by_their_links(robot: Robot, q: Array) -> None:
     """At q = 0 the points are those of the file; each is carried by the joints up to its own."""
-    at_zero = carried_points(link_poses(robot.chain, frozen(np.zeros(5))), robot.guarded_points, robot.guarded_joints)
-    points = carried_points(link_poses(robot.chain, q), robot.guarded_points, robot.guarded_joints)
-    for number, (point, carrier) in enumerate(zip(at_zero, robot.guarded_joints, strict=True)):
+    at_zero = points_in_world(
+        link_poses(robot.chain, frozen(np.zeros(5))), robot.monitored_points, robot.monitored_links
+    )
+    points = points_in_world(link_poses(robot.chain, q), robot.monitored_points, robot.monitored_links)
+    for number, (point, carrier) in enumerate(zip(at_zero, robot.monitored_links, strict=True)):
         motor = rigid.motor_from_pose(np.eye(4))
         for joint, angle in zip(robot.joints[:carrier], q[:carrier], strict=True):
             motor = rigid.CL031.product(motor, rigid.screw_motor(joint.direction, joint.point, angle))
@@ -100,7 +102,7 @@ ROWS: list[tuple[list[float], list[float], list[list[float]]]] = [
 ]
 
 
-@pytest.mark.parametrize("road", ROADS.values(), ids=ROADS)
+@pytest.mark.parametrize("road", FORMULATIONS.values(), ids=FORMULATIONS)
 @pytest.mark.parametrize(("q_deg", "position_mm", "rotation"), ROWS)
 def test_poses_by_every_road(
     robot: Robot, road: Road, q_deg: list[float], position_mm: list[float], rotation: list[list[float]]
@@ -110,7 +112,7 @@ def test_poses_by_every_road(
     np.testing.assert_allclose(T[:3, :3], rotation, rtol=0, atol=5.1e-5)
 
 
-@pytest.mark.parametrize("road", ROADS.values(), ids=ROADS)
+@pytest.mark.parametrize("road", FORMULATIONS.values(), ids=FORMULATIONS)
 def test_the_target_of_the_first_experiment(robot: Robot, road: Road) -> None:
     """Cerbaro 2022, §4.4.4: four decimals of a degree, so 1e-4 mm; the tool points 60 degrees below level."""
     T = road(robot, np.radians([0, 56.4243, -129.9430, 13.5188, 0]))
@@ -164,8 +166,8 @@ def changed(folder: Path, file: str, old: str, new: str) -> Path:
 
 def differing(folder: Path) -> set[str]:
     """The roads that lead elsewhere for the robot of a folder than for the shipped one."""
-    robot, other, q = load("movemaster"), from_folder(folder), np.radians([30, 60, -90, -30, 90])
-    roads = {**ROADS, "kernel": tool_by_kernel}
+    robot, other, q = load_robot("movemaster"), robot_from_folder(folder), np.radians([30, 60, -90, -30, 90])
+    roads = {**FORMULATIONS, "kernel": tool_by_kernel}
     found = {name for name, road in roads.items() if np.abs(road(robot, q) - road(other, q)).max() > 1e-6}
     moved = np.abs(tool_by_urdf(loaded(folder), q) - tool_by_urdf(URDF, q)).max() > 1e-6
     return found | ({"urdf"} if moved else set())

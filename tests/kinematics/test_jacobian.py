@@ -27,7 +27,7 @@ def test_the_jacobian_of_the_tool_is_the_derivative(name: str) -> None:
     robot = arm(name)
     for q in postures(robot, 10):
         by_differences = twist_by_differences(lambda q: tool_by_screws(robot, q), q)
-        assert_derivative(differential.geometric(robot, q), by_differences)
+        assert_derivative(differential.frame_jacobian(robot, q), by_differences)
 
 
 @each_arm
@@ -38,7 +38,7 @@ def test_the_jacobian_in_the_tool_is_the_derivative_seen_from_it(name: str) -> N
         R = tool_by_screws(robot, q)[:3, :3]
         rate = np.einsum("ji,jlk->ilk", R, derivative(lambda q: tool_by_screws(robot, q)[:3], q))
         by_differences = np.concatenate([rate[:, 3], rate[[2, 0, 1], [1, 2, 0]]])
-        assert_derivative(differential.body(robot, q), by_differences)
+        assert_derivative(differential.body_jacobian(robot, q), by_differences)
 
 
 @each_arm
@@ -54,7 +54,7 @@ def test_the_jacobian_of_any_frame_of_any_link_is_the_derivative(name: str) -> N
                 differential.frame_pose(robot, q, frame), frame_by_screws(robot, q, frame), rtol=0, atol=1e-12
             )
             by_differences = twist_by_differences(partial(frame_by_screws, robot, frame=frame), q)
-            J = differential.geometric(robot, q, frame)
+            J = differential.frame_jacobian(robot, q, frame)
             np.testing.assert_allclose(J, by_differences, rtol=0, atol=1e-7)
             np.testing.assert_array_equal(J, differential.point_jacobian(robot, q, T[:3, 3], link))
 
@@ -65,7 +65,7 @@ def test_quaternion_rates_of_the_source(name: str) -> None:
     robot = arm(name)
     for q in postures(robot, 5):
         eta, *epsilon = rotation.from_matrix(tool_by_screws(robot, q)[:3, :3])
-        J = differential.geometric(robot, q)
+        J = differential.frame_jacobian(robot, q)
         rates = rotation.quaternion_jacobian(np.array([eta, *epsilon])) @ J[3:]
         np.testing.assert_allclose(rates[0], -np.array(epsilon) @ J[3:] / 2, rtol=0, atol=1e-14)
         E = eta * np.eye(3) - rotation.skew(epsilon)
@@ -84,7 +84,7 @@ def test_the_measure_of_a_quaternion_error_falls_as_the_source_says() -> None:
             return np.asarray(2 * (1 - abs(target @ here)))
 
         error = rotation.quaternion_error(target, rotation.from_matrix(tool_by_screws(robot, q)[:3, :3]))
-        rates = np.linalg.solve(differential.geometric(robot, q), [0, 0, 0, *(gain * error)])
+        rates = np.linalg.solve(differential.frame_jacobian(robot, q), [0, 0, 0, *(gain * error)])
         assert derivative(measure, q) @ rates == pytest.approx(-gain * error @ error, rel=1e-6)
 
 
@@ -93,8 +93,8 @@ def test_adjoints_change_the_frame_of_a_jacobian(name: str) -> None:
     """V_world = Ad(T_world_tool) V_tool at the base's origin; there and back again; Ad of a product is the product."""
     robot = arm(name)
     q, other = postures(robot, 2)
-    T, J = tool_by_screws(robot, q), differential.geometric(robot, q)
-    at_origin = differential.adjoint(T) @ differential.body(robot, q)
+    T, J = tool_by_screws(robot, q), differential.frame_jacobian(robot, q)
+    at_origin = differential.adjoint(T) @ differential.body_jacobian(robot, q)
     carried = np.vstack([J[:3] + rotation.skew(T[:3, 3]) @ J[3:], J[3:]])  # v of the point that is at the origin
     np.testing.assert_allclose(carried, at_origin, rtol=0, atol=1e-13)
     back = differential.adjoint(np.asarray(np.linalg.inv(T)))
@@ -110,7 +110,7 @@ def test_a_slide_and_a_joint_that_follows_have_the_columns_of_the_definition() -
     q = postures(robot, 1)[0]
     poses = link_poses(robot.chain, q)
     axes = jacobian.joint_axes(poses, robot.chain)
-    J, p = differential.geometric(robot, q), tool_by_screws(robot, q)[:3, 3]
+    J, p = differential.frame_jacobian(robot, q), tool_by_screws(robot, q)[:3, 3]
     np.testing.assert_allclose(J[:, 1], np.hstack([axes[1] + 0.5 * axes[4], np.zeros(3)]), rtol=0, atol=1e-14)
     lever = np.cross(axes[2], p - poses[3, :3, 3]) - 0.7 * np.cross(axes[3], p - poses[4, :3, 3])
     np.testing.assert_allclose(J[:, 2], np.hstack([lever, axes[2] - 0.7 * axes[3]]), rtol=0, atol=1e-14)
@@ -129,13 +129,13 @@ ORCA: list[list[float]] = [[-309.3212, -225.5262, 0], [318.1399, 87.9152, 170], 
 
 
 def test_the_jacobian_of_the_example(robot: Robot) -> None:
-    J = differential.geometric(robot, robot.poses["example"])
+    J = differential.frame_jacobian(robot, robot.poses["example"])
     J[:3] *= 1000
     np.testing.assert_allclose(J, EXAMPLE, rtol=0, atol=5.1e-5)
 
 
 def test_the_planar_jacobian_of_the_example() -> None:
     """Recomputed from tab. 7 of Cerbaro 2022: x, y and φ of the ORCA at (20, 90, −110)°."""
-    J = differential.geometric(arm("orca"), np.radians([20, 90, -110]))
+    J = differential.frame_jacobian(arm("orca"), np.radians([20, 90, -110]))
     np.testing.assert_allclose(np.vstack([1000 * J[:2], J[5]]), ORCA, rtol=0, atol=5.1e-5)
     np.testing.assert_allclose(J[2:5], 0, atol=1e-15)

@@ -11,11 +11,11 @@ import yourdfpy
 from tests.kinematics.arms import postures
 
 from helicoide.arrays import Array
-from helicoide.kinematics.forward import ROADS, link_poses
-from helicoide.kinematics.library import PACKAGES, load, packaged
+from helicoide.kinematics.forward import FORMULATIONS, link_poses
+from helicoide.kinematics.library import PACKAGES, load_robot, packaged_urdfs
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_chain import from_urdf
-from helicoide.kinematics.urdf_file import parsed
+from helicoide.kinematics.urdf_chain import robot_from_urdf
+from helicoide.kinematics.urdf_file import parse_urdf
 
 # the arms by name, with their variables and the link where those end that do not say it themselves
 ARMS: dict[str, tuple[int, str | None]] = {
@@ -51,7 +51,7 @@ FOLLOWING = {"pr2": 1, "romeo": 2}
 
 @cache
 def packaged_arm(name: str) -> Robot:
-    return from_urdf(packaged()[name], ARMS[name][1])
+    return robot_from_urdf(packaged_urdfs()[name], ARMS[name][1])
 
 
 def tool_by_kernel(robot: Robot, q: Array) -> Array:
@@ -61,17 +61,17 @@ def tool_by_kernel(robot: Robot, q: Array) -> Array:
 @pytest.mark.parametrize("package", PACKAGES)
 def test_the_packages_are_installed(package: str) -> None:
     files = {str(file.locate()) for file in distribution(package).files or []}
-    assert [name for name, path in packaged().items() if str(path) in files]
+    assert [name for name, path in packaged_urdfs().items() if str(path) in files]
 
 
 @pytest.mark.parametrize("name", ARMS)
 def test_all_roads_lead_where_the_urdf_leads(name: str) -> None:
     robot = packaged_arm(name)
-    urdf = yourdfpy.URDF(robot=parsed(robot.urdf).robot, build_scene_graph=True, load_meshes=False)
+    urdf = yourdfpy.URDF(robot=parse_urdf(robot.urdf).robot, build_scene_graph=True, load_meshes=False)
     for q in postures(robot, 20):
         urdf.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))
         expected = urdf.get_transform(robot.tool_link)
-        for road in (*ROADS.values(), tool_by_kernel):
+        for road in (*FORMULATIONS.values(), tool_by_kernel):
             np.testing.assert_allclose(road(robot, q), expected, rtol=0, atol=1e-9)
 
 
@@ -79,7 +79,7 @@ def test_all_roads_lead_where_the_urdf_leads(name: str) -> None:
 def test_the_joints_are_those_that_are_counted_by_hand(name: str) -> None:
     robot = packaged_arm(name)
     assert len(robot.variables) == ARMS[name][0]
-    assert sum(joint.slides for joint in robot.joints) == SLIDING.get(name, 0)
+    assert sum(joint.is_prismatic for joint in robot.joints) == SLIDING.get(name, 0)
     assert len(robot.joints) - len(robot.variables) == FOLLOWING.get(name, 0)
 
 
@@ -92,5 +92,5 @@ def test_what_a_file_does_not_say_is_sensible(name: str) -> None:
 
 
 def test_a_name_means_the_folder_before_the_package() -> None:
-    assert load("puma560").urdf != packaged()["puma560"]
-    assert load("panda").urdf == packaged()["panda"]
+    assert load_robot("puma560").urdf != packaged_urdfs()["puma560"]
+    assert load_robot("panda").urdf == packaged_urdfs()["panda"]

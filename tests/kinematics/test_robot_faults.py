@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from helicoide.kinematics.folder import from_folder
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot_faults import faults, remarks_and_faults
-from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.kinematics.robot_folder import robot_from_folder
+from helicoide.kinematics.urdf_chain import robot_from_urdf
 
 READY = "joints = [0, -70, -20, 0, 60, 0]"
 # the file, what is replaced in it, by what, and the words that say where
@@ -42,11 +42,11 @@ MISTAKES = {
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A copy of the PUMA, whose files agree."""
-    return Path(shutil.copytree(load("puma560").urdf.parent, tmp_path / "puma560"))
+    return Path(shutil.copytree(load_robot("puma560").urdf.parent, tmp_path / "puma560"))
 
 
 def test_the_copy_has_no_faults(folder: Path) -> None:
-    assert remarks_and_faults(from_folder(folder)) == ()
+    assert remarks_and_faults(robot_from_folder(folder)) == ()
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
@@ -55,10 +55,10 @@ def test_a_contradiction_is_said_with_its_place(folder: Path, mistake: str) -> N
     text = (folder / name).read_text("utf-8")
     assert old in text
     (folder / name).write_text(text.replace(old, new, 1), "utf-8")
-    said = remarks_and_faults(from_folder(folder))
+    said = remarks_and_faults(robot_from_folder(folder))
     assert [word for word in place if word not in " | ".join(fault.en for fault in said)] == []
     assert all(fault.en != fault.pt_BR for fault in said)
 
 
 def test_a_urdf_alone_cannot_contradict_itself(folder: Path) -> None:
-    assert faults(from_urdf(folder / "puma560.urdf")) == ()
+    assert faults(robot_from_urdf(folder / "puma560.urdf")) == ()

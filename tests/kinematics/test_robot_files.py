@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from helicoide.kinematics.folder import from_folder
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_file import parsed
+from helicoide.kinematics.robot_folder import robot_from_folder
+from helicoide.kinematics.urdf_file import parse_urdf
 from helicoide.text import HelicoideError
 
-GOOD = (load("movemaster").urdf.parent / "robot.toml").read_text("utf-8")
+GOOD = (load_robot("movemaster").urdf.parent / "robot.toml").read_text("utf-8")
 
 # what is replaced, by what, and the words that name the place
 MISTAKES = {
@@ -74,7 +74,7 @@ MISTAKES = {
 
 def refused(folder: Path) -> str:
     with pytest.raises(HelicoideError) as caught:
-        from_folder(folder)
+        robot_from_folder(folder)
     text = caught.value.text
     for words in (text.en, text.pt_BR):
         assert str(folder / "robot.toml") in words
@@ -112,10 +112,10 @@ def test_a_file_of_nothing_is_named(tmp_path: Path, text: str, said: str) -> Non
 def test_a_folder_with_accents_and_blanks_holds_robots_like_any_other(tmp_path: Path, robot: Robot) -> None:
     copied = tmp_path / "Área de trabalho" / "meu braço"
     shutil.copytree(robot.urdf.parent, copied)
-    same = from_folder(copied)
+    same = robot_from_folder(copied)
     assert same.name == "meu braço"
-    meshes = parsed(same.urdf, meshes=True).scene.geometry
-    assert len(meshes) == len(parsed(robot.urdf, meshes=True).scene.geometry) > 0
+    meshes = parse_urdf(same.urdf, meshes=True).scene.geometry
+    assert len(meshes) == len(parse_urdf(robot.urdf, meshes=True).scene.geometry) > 0
 
 
 def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
@@ -125,12 +125,12 @@ def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
 
 def test_the_unchanged_file_is_accepted(tmp_path: Path, robot: Robot) -> None:
     (tmp_path / "robot.toml").write_text(GOOD, "utf-8")
-    assert [joint.name for joint in from_folder(tmp_path).joints] == [joint.name for joint in robot.joints]
+    assert [joint.name for joint in robot_from_folder(tmp_path).joints] == [joint.name for joint in robot.joints]
 
 
 def test_an_unknown_robot_lists_those_there_are() -> None:
     with pytest.raises(HelicoideError, match="movemaster"):
-        load("puma")
+        load_robot("puma")
 
 
 @pytest.mark.parametrize("q", [[0.0] * 4, [0.0] * 6, [0, 0, float("nan"), 0, 0], [0, 0, float("inf"), 0, 0]])
@@ -143,7 +143,7 @@ def test_capsules_pairs_and_accelerations_are_read(tmp_path: Path) -> None:
     """The forearm lies from the elbow to the wrist, 200 mm along x in the frame of its link."""
     changed = GOOD.replace("speed_deg_s = 60 ", "acceleration_deg_s2 = 90\nspeed_deg_s = 60 ", 1)
     (tmp_path / "robot.toml").write_text(changed, "utf-8")
-    robot = from_folder(tmp_path)
+    robot = robot_from_folder(tmp_path)
     forearm = next(capsule for capsule in robot.capsules if capsule.name == "forearm")
     assert forearm.links == (3, 3)
     assert forearm.radius == 0.065
@@ -154,7 +154,7 @@ def test_capsules_pairs_and_accelerations_are_read(tmp_path: Path) -> None:
 
 def test_the_former_name_of_assumed_is_read_and_remarked(tmp_path: Path) -> None:
     (tmp_path / "robot.toml").write_text('ours = ["speeds"]\nassumed = ["limits"]\n' + GOOD, "utf-8")
-    robot = from_folder(tmp_path)
+    robot = robot_from_folder(tmp_path)
     assert robot.assumed == ("limits", "speeds")
     (remark,) = robot.remarks
     assert "assumed" in remark.en

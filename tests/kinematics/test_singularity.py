@@ -13,7 +13,7 @@ from helicoide.geometry import rotation
 from helicoide.kinematics import differential
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.singularity import singularity
-from helicoide.kinematics.spherical_wrist import Kind, factors, spherical_wrist
+from helicoide.kinematics.spherical_wrist import SingularityKind, determinant_factors, spherical_wrist
 
 L1, L2 = 0.2794, 0.2286
 SPHERICAL = [name for name in NAMES if spherical_wrist(arm(name)) is not None]
@@ -21,14 +21,14 @@ SPHERICAL = [name for name in NAMES if spherical_wrist(arm(name)) is not None]
 
 def at_wrist(robot: Robot, q: Array) -> Array:
     """J_G with the velocity of the wrist centre on the last link."""
-    return differential.geometric(robot, q, robot.frames["wrist"])
+    return differential.frame_jacobian(robot, q, robot.frames["wrist"])
 
 
-def kinds(robot: Robot, q: Array, within: float = 1e-9) -> set[Kind]:
-    return {factor.kind for factor in singularity(robot, q).near(within)}
+def kinds(robot: Robot, q: Array, within: float = 1e-9) -> set[SingularityKind]:
+    return {factor.kind for factor in singularity(robot, q).near_factors(within)}
 
 
-def value(robot: Robot, q: Array, kind: Kind) -> float:
+def value(robot: Robot, q: Array, kind: SingularityKind) -> float:
     return next(factor.value for factor in singularity(robot, q).factors if factor.kind is kind)
 
 
@@ -79,14 +79,16 @@ UPRIGHT = np.arctan2(L1, L2)  # with q₃ = −π the wrist centre is over the f
 @pytest.mark.parametrize(
     ("kind", "joint", "at"),
     [
-        (Kind.ELBOW, 2, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]),
-        (Kind.ELBOW, 2, [0.3, 0.4, np.pi / 2, 0.2, 0.7, 0.1]),
-        (Kind.SHOULDER, 1, [0.3, np.pi - UPRIGHT, -np.pi, 0.2, 0.7, 0.1]),
-        (Kind.WRIST, 4, [0.3, 0.4, -2.0, 0.2, 0.0, 0.1]),
-        (Kind.WRIST, 4, [0.3, 0.4, -2.0, 0.2, np.pi, 0.1]),
+        (SingularityKind.ELBOW, 2, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]),
+        (SingularityKind.ELBOW, 2, [0.3, 0.4, np.pi / 2, 0.2, 0.7, 0.1]),
+        (SingularityKind.SHOULDER, 1, [0.3, np.pi - UPRIGHT, -np.pi, 0.2, 0.7, 0.1]),
+        (SingularityKind.WRIST, 4, [0.3, 0.4, -2.0, 0.2, 0.0, 0.1]),
+        (SingularityKind.WRIST, 4, [0.3, 0.4, -2.0, 0.2, np.pi, 0.1]),
     ],
 )
-def test_each_factor_changes_its_sign_at_its_own_singularity(kind: Kind, joint: int, at: list[float]) -> None:
+def test_each_factor_changes_its_sign_at_its_own_singularity(
+    kind: SingularityKind, joint: int, at: list[float]
+) -> None:
     robot, q, step = arm("zebra_zero"), np.array(at), 1e-3 * np.eye(6)[joint]
     before, after = singularity(robot, q - step), singularity(robot, q + step)
     assert value(robot, q - step, kind) * value(robot, q + step, kind) < 0
@@ -94,7 +96,7 @@ def test_each_factor_changes_its_sign_at_its_own_singularity(kind: Kind, joint: 
         assert one.kind is kind or one.value * other.value > 0
     assert kinds(robot, q) == {kind}
     here = singularity(robot, q)
-    assert (here.rank, here.usual, here.singular) == (5, 6, True)
+    assert (here.rank, here.generic_rank, here.singular) == (5, 6, True)
     assert not before.singular
     assert np.linalg.det(at_wrist(robot, q - step)) * np.linalg.det(at_wrist(robot, q + step)) < 0
 
@@ -102,19 +104,23 @@ def test_each_factor_changes_its_sign_at_its_own_singularity(kind: Kind, joint: 
 def test_the_singular_starts_of_the_source() -> None:
     """At the start of simulation 11b all kinds are near; the folded starts of 10 and 14 differ by the wrist."""
     robot = arm("zebra_zero")
-    assert kinds(robot, robot.poses["ill_conditioned"], within=0.15) == {Kind.SHOULDER, Kind.ELBOW, Kind.WRIST}
-    assert kinds(robot, robot.poses["folded"], within=0.15) == {Kind.WRIST}
+    assert kinds(robot, robot.poses["ill_conditioned"], within=0.15) == {
+        SingularityKind.SHOULDER,
+        SingularityKind.ELBOW,
+        SingularityKind.WRIST,
+    }
+    assert kinds(robot, robot.poses["folded"], within=0.15) == {SingularityKind.WRIST}
     assert kinds(robot, robot.poses["folded_down"], within=0.15) == set()
 
 
 def test_several_kinds_at_once_are_all_named_nearest_first() -> None:
     robot = arm("zebra_zero")
     here = singularity(robot, [0, 0.5, 0.01 - np.pi / 2, 0, 0.001, 0])
-    assert [factor.kind for factor in here.near(0.02)] == [Kind.WRIST, Kind.ELBOW]
-    assert here.words(0.02).en.startswith("wrist: ")
-    assert "; cotovelo: " in here.words(0.02).pt_BR
+    assert [factor.kind for factor in here.near_factors(0.02)] == [SingularityKind.WRIST, SingularityKind.ELBOW]
+    assert here.description(0.02).en.startswith("wrist: ")
+    assert "; cotovelo: " in here.description(0.02).pt_BR
     upright = np.array([0, np.pi / 2, -np.pi / 2, 0, 0, 0])
-    assert kinds(robot, upright) == {Kind.SHOULDER, Kind.ELBOW, Kind.WRIST}
+    assert kinds(robot, upright) == {SingularityKind.SHOULDER, SingularityKind.ELBOW, SingularityKind.WRIST}
 
 
 def test_lost_velocities_are_those_that_no_joint_gives() -> None:
@@ -122,11 +128,11 @@ def test_lost_velocities_are_those_that_no_joint_gives() -> None:
     robot = arm("zebra_zero")
     q = np.array([0.0, 0.4, -np.pi / 2, 0.2, 0.7, 0.1])
     here = singularity(robot, q)
-    assert here.lost.shape == (6, 1)
+    assert here.lost_velocities.shape == (6, 1)
     outwards = differential.frame_pose(robot, q, robot.frames["wrist"])[:3, 3]
     way, to_wrist = outwards - differential.frame_pose(robot, q)[:3, 3], np.eye(6)
     to_wrist[:3, 3:] = -rotation.skew(way)  # v of the wrist = v + ω × way
-    force = np.linalg.solve(to_wrist.T, here.lost[:, 0])  # yᵀ V_tool = fᵀ V_wrist
+    force = np.linalg.solve(to_wrist.T, here.lost_velocities[:, 0])  # yᵀ V_tool = fᵀ V_wrist
     np.testing.assert_allclose(np.cross(force[:3], outwards), 0, atol=1e-9)
     np.testing.assert_allclose(force[3:], 0, atol=1e-9)
 
@@ -136,10 +142,10 @@ def test_the_rank_is_usual_in_random_postures(name: str) -> None:
     robot = arm(name)
     for q in postures(robot, 5, seed=7):
         here = singularity(robot, q)
-        J = differential.geometric(robot, q)
-        assert here.rank == here.usual == np.linalg.matrix_rank(J, tol=1e-9)
-        np.testing.assert_allclose(here.lost.T @ J, 0, atol=1e-12)
-        assert here.lost.shape == (6, 6 - here.usual)
+        J = differential.frame_jacobian(robot, q)
+        assert here.rank == here.generic_rank == np.linalg.matrix_rank(J, tol=1e-9)
+        np.testing.assert_allclose(here.lost_velocities.T @ J, 0, atol=1e-12)
+        assert here.lost_velocities.shape == (6, 6 - here.generic_rank)
 
 
 @pytest.mark.parametrize(
@@ -155,7 +161,7 @@ def test_the_rank_is_usual_in_random_postures(name: str) -> None:
 def test_other_arms_say_their_rank(name: str, q: list[float], rank: int, usual: int) -> None:
     here = singularity(arm(name), q)
     assert here.factors == ()
-    assert (here.rank, here.usual) == (rank, usual)
+    assert (here.rank, here.generic_rank) == (rank, usual)
     assert here.singular == (rank < usual)
 
 
@@ -165,19 +171,19 @@ def test_an_oblique_arm_has_its_first_three_joints_in_one_factor() -> None:
     oblique = replace(robot.joints[2], direction=frozen([0.6, -0.8, 0.0]))
     robot = replace(robot, joints=(*robot.joints[:2], oblique, *robot.joints[3:]))
     for q in postures(robot, 50):
-        first_three, last_three = factors(robot, q, robot.frames["wrist"])
-        assert (first_three.kind, last_three.kind) == (Kind.ARM, Kind.WRIST)
+        first_three, last_three = determinant_factors(robot, q, robot.frames["wrist"])
+        assert (first_three.kind, last_three.kind) == (SingularityKind.ARM, SingularityKind.WRIST)
         assert first_three.value * last_three.value == pytest.approx(np.linalg.det(at_wrist(robot, q)), abs=1e-12)
         assert abs(first_three.relative) <= 1
 
 
 def test_words_name_the_kind_in_both_languages() -> None:
     robot = arm("zebra_zero")
-    stretched = singularity(robot, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]).words(0.05)
+    stretched = singularity(robot, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]).description(0.05)
     assert stretched.en == "elbow: the arm is stretched or folded (factor at 0.0 % of its largest)"
     assert stretched.pt_BR == "cotovelo: o braço está esticado ou dobrado (fator a 0,0 % do máximo)"
-    assert singularity(robot, robot.poses["ready"]).words(0.05).en == "none near"
-    planar = singularity(arm("planar3r"), np.zeros(3)).words(0.05)
+    assert singularity(robot, robot.poses["ready"]).description(0.05).en == "none near"
+    planar = singularity(arm("planar3r"), np.zeros(3)).description(0.05)
     assert planar.en == "the tool moves in 2 of its 3 independent directions"
 
 
@@ -186,19 +192,25 @@ def test_a_stretched_arm_of_two_joints_turns_but_its_point_is_stuck() -> None:
     robot = arm("planar2r")
     here = singularity(robot, [0.4, 0.0])
     assert not here.singular
-    assert (here.point.rank, here.point.usual) == (1, 2)
-    assert here.words(0.05).pt_BR == "o ponto do efetuador se move em 1 das suas 2 direções independentes"
+    assert (here.point.rank, here.point.generic_rank) == (1, 2)
+    assert here.description(0.05).pt_BR == "o ponto do efetuador se move em 1 das suas 2 direções independentes"
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_how_near_it_is_falls_to_nothing_at_a_singular_posture(name: str) -> None:
     """On the way from a posture to a singular one nearby; nothing is told where the arm is far from one."""
     robot = arm(name)
-    assert singularity(robot, robot.poses["ready"]).told() is None
+    assert singularity(robot, robot.poses["ready"]).warning() is None
     for q in postures(robot, 20, seed=3):
-        assert 0 < singularity(robot, q).tool.relative < 1.5
+        assert 0 < singularity(robot, q).tool.relative_singular_value < 1.5
     if name in ("planar3r", "movemaster", "scara"):
         straight = np.zeros(len(robot.variables))
-        parts = [singularity(robot, straight + x * robot.poses["ready"]).tool.relative for x in (0, 1e-3, 0.01, 0.1)]
+        parts = [
+            singularity(robot, straight + x * robot.poses["ready"]).tool.relative_singular_value
+            for x in (0, 1e-3, 0.01, 0.1)
+        ]
         assert parts[0] < 1e-9 < parts[1] < parts[2] < parts[3]
-        assert "in its slowest direction" in singularity(robot, straight + 1e-3 * robot.poses["ready"]).words(0.05).en
+        assert (
+            "in its slowest direction"
+            in singularity(robot, straight + 1e-3 * robot.poses["ready"]).description(0.05).en
+        )

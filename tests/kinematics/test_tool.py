@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.kinematics.arms import NAMES, arm, postures
 
 from helicoide.arrays import Array
-from helicoide.kinematics import differential, tool, tool_blocks
+from helicoide.kinematics import differential, tool_blocks, tool_kernels
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
@@ -32,34 +32,34 @@ def worst(angles: Array) -> float:
 @each_arm
 def test_one_posture_agrees_with_the_long_way(name: str) -> None:
     robot = arm(name)
-    packed, T = tool.packed(robot), np.full((4, 4), np.nan)
+    packed, T = tool_kernels.arm_array(robot), np.full((4, 4), np.nan)
     for q in postures(robot, 20):
         J = np.full((6, q.size), np.nan)
-        tool.tool_pose_into(packed, q, T)
-        tool.tool_jacobian_into(packed, q, J)
+        tool_kernels.tool_pose_into(packed, q, T)
+        tool_kernels.tool_jacobian_into(packed, q, J)
         np.testing.assert_allclose(T, tool_by_screws(robot, q), rtol=0, atol=1e-12)
-        np.testing.assert_allclose(J, differential.geometric(robot, q), rtol=0, atol=1e-12)
-        np.testing.assert_array_equal(tool.tool_pose(packed, q), T)
-        np.testing.assert_array_equal(tool.tool_jacobian(packed, q), J)
+        np.testing.assert_allclose(J, differential.frame_jacobian(robot, q), rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(tool_kernels.tool_pose(packed, q), T)
+        np.testing.assert_array_equal(tool_kernels.tool_jacobian(packed, q), J)
 
 
 @pytest.mark.parametrize("count", COUNTS)
 @each_arm
 def test_many_postures_agree_with_one(name: str, count: int) -> None:
     robot = arm(name)
-    packed = tool.packed(robot)
+    packed = tool_kernels.arm_array(robot)
     qs = np.array(postures(robot, count)).reshape(count, len(robot.variables))
     Ts, Js = tool_blocks.tool_poses(packed, qs), tool_blocks.tool_jacobians(packed, qs)
     assert Ts.shape == (count, 4, 4)
     assert Js.shape == (count, 6, len(robot.variables))
     for q, T, J in zip(qs, Ts, Js, strict=True):
-        np.testing.assert_allclose(T, tool.tool_pose(packed, q), rtol=0, atol=1e-14)
-        np.testing.assert_allclose(J, tool.tool_jacobian(packed, q), rtol=0, atol=1e-14)
+        np.testing.assert_allclose(T, tool_kernels.tool_pose(packed, q), rtol=0, atol=1e-14)
+        np.testing.assert_allclose(J, tool_kernels.tool_jacobian(packed, q), rtol=0, atol=1e-14)
 
 
 def test_postures_may_be_columns_of_a_larger_array() -> None:
     robot = arm("movemaster")
-    packed, qs = tool.packed(robot), np.array(postures(robot, 100))
+    packed, qs = tool_kernels.arm_array(robot), np.array(postures(robot, 100))
     np.testing.assert_array_equal(
         tool_blocks.tool_poses(packed, np.asfortranarray(qs)), tool_blocks.tool_poses(packed, qs)
     )

@@ -9,15 +9,15 @@ import pytest
 import trimesh
 from tests.kinematics.urdfs import GOOD, MISTAKES, chain_of, write
 
-from helicoide.kinematics.urdf_chain import from_urdf
-from helicoide.kinematics.urdf_file import not_drawn, parsed
+from helicoide.kinematics.urdf_chain import robot_from_urdf
+from helicoide.kinematics.urdf_file import parse_urdf, undrawn_remark
 from helicoide.kinematics.urdf_mesh import mesh_file
 from helicoide.text import HelicoideError
 
 
 def refused(path: Path, tip: str | None = "tool") -> str:
     with pytest.raises(HelicoideError) as caught:
-        from_urdf(path, tip)
+        robot_from_urdf(path, tip)
     text = caught.value.text
     for words in (text.en, text.pt_BR):
         assert str(path) in words
@@ -37,13 +37,13 @@ def test_a_mistake_is_named_with_its_place(tmp_path: Path, mistake: str) -> None
 def test_its_reason_is_said_in_portuguese_too(tmp_path: Path, mistake: str) -> None:
     old, new, _ = MISTAKES[mistake]
     with pytest.raises(HelicoideError) as caught:
-        from_urdf(write(tmp_path, old, new), "tool")
+        robot_from_urdf(write(tmp_path, old, new), "tool")
     text = caught.value.text
     assert text.en.partition("cannot be used: ")[2] != text.pt_BR.partition(str(tmp_path / "arm.urdf") + ": ")[2]
 
 
 def test_the_unchanged_file_is_accepted(tmp_path: Path) -> None:
-    assert [joint.name for joint in from_urdf(write(tmp_path)).joints] == ["one", "two"]
+    assert [joint.name for joint in robot_from_urdf(write(tmp_path)).joints] == ["one", "two"]
 
 
 @pytest.mark.parametrize(
@@ -73,7 +73,7 @@ def test_too_many_joints_are_refused(tmp_path: Path, count: int) -> None:
 
 def test_parameters_are_filled_in(tmp_path: Path) -> None:
     path = write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0.1 0 ${l1}"')
-    assert parsed(path, {"l1": 0.7}).joint_map["one"].origin[2, 3] == pytest.approx(0.7)
+    assert parse_urdf(path, {"l1": 0.7}).joint_map["one"].origin[2, 3] == pytest.approx(0.7)
     assert "${l1}" in refused(path)
 
 
@@ -99,21 +99,21 @@ def with_mesh(folder: Path, filename: str) -> Path:
 )
 def test_what_cannot_be_drawn_of_a_link_is_said_and_stops_no_arm(tmp_path: Path, visual: str, words: list[str]) -> None:
     path = write(tmp_path, '<link name="upper"/>', f'<link name="upper"><visual>{visual}</visual></link>')
-    assert len(from_urdf(path).joints) == 2
-    said = not_drawn(path)
+    assert len(robot_from_urdf(path).joints) == 2
+    said = undrawn_remark(path)
     assert said is not None
     for text in (said.en, said.pt_BR):
         assert len(text.splitlines()) == 1
         assert words[0] in text
     assert [word for word in words if word not in said.en] == []
     assert said.en != said.pt_BR
-    assert parsed(path, meshes=True).scene.geometry == {}
-    assert not_drawn(write(tmp_path)) is None
+    assert parse_urdf(path, meshes=True).scene.geometry == {}
+    assert undrawn_remark(write(tmp_path)) is None
 
 
 def test_of_many_links_that_are_not_drawn_the_first_are_named(tmp_path: Path) -> None:
     mesh = '<visual><geometry><mesh filename="m.stl"/></geometry></visual>'
-    said = not_drawn(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{5 * mesh}</link>'))
+    said = undrawn_remark(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{5 * mesh}</link>'))
     assert said is not None
     assert said.en.endswith("; and 2 more")
 
@@ -137,8 +137,8 @@ POINTER = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12
 def test_a_mesh_that_holds_none_is_left_out_and_said(tmp_path: Path, name: str, content: bytes, why: str) -> None:
     path = with_mesh(tmp_path, name)
     (tmp_path / name).write_bytes(content)
-    assert parsed(path, meshes=True).scene.geometry == {}
-    *_, said = from_urdf(path).all_remarks
+    assert parse_urdf(path, meshes=True).scene.geometry == {}
+    *_, said = robot_from_urdf(path).all_remarks
     assert name in said.en
     assert why in said.en
     assert name in said.pt_BR
@@ -148,10 +148,10 @@ def test_a_mesh_that_holds_none_is_left_out_and_said(tmp_path: Path, name: str, 
 def test_a_mesh_that_was_mended_is_drawn(tmp_path: Path) -> None:
     path = with_mesh(tmp_path, "upper.stl")
     (tmp_path / "upper.stl").write_bytes(POINTER)
-    assert not_drawn(path) is not None
+    assert undrawn_remark(path) is not None
     (tmp_path / "upper.stl").write_bytes(BOX)
-    assert not_drawn(path) is None
-    assert from_urdf(path).all_remarks == ()
+    assert undrawn_remark(path) is None
+    assert robot_from_urdf(path).all_remarks == ()
 
 
 @pytest.mark.parametrize(
@@ -174,14 +174,14 @@ def test_meshes_are_found_where_the_urdf_means_them(tmp_path: Path, urdf: str, f
     mesh.parent.mkdir(parents=True, exist_ok=True)
     trimesh.creation.box((1, 2, 3)).export(mesh)
     assert Path(mesh_file(path)(filename)).resolve() == mesh.resolve()
-    assert sorted(parsed(path, meshes=True).scene.extents) == pytest.approx([1, 2, 3])
+    assert sorted(parse_urdf(path, meshes=True).scene.extents) == pytest.approx([1, 2, 3])
 
 
 @pytest.mark.parametrize("filename", ["package://../secret.stl", "package://arm/../../secret.stl", "package://arm//"])
 def test_a_package_has_no_way_out(tmp_path: Path, filename: str) -> None:
     trimesh.creation.box((1, 2, 3)).export(tmp_path / "secret.stl")
     path = with_mesh(tmp_path / "arm/urdf", filename)
-    assert parsed(path, meshes=True).scene.geometry == {}
+    assert parse_urdf(path, meshes=True).scene.geometry == {}
 
 
 def test_the_good_file_names_what_is_replaced() -> None:

@@ -9,9 +9,9 @@ import pytest
 from tests.kinematics.urdfs import GOOD, chain_of, said, write
 
 from helicoide.arrays import Array
-from helicoide.kinematics.forward import ROADS, tool_by_screws
-from helicoide.kinematics.robot import NO_REACH
-from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.kinematics.forward import FORMULATIONS, tool_by_screws
+from helicoide.kinematics.robot import SMALLEST_REACH
+from helicoide.kinematics.urdf_chain import robot_from_urdf
 from helicoide.kinematics.urdf_limits import SLIDE
 from helicoide.text import HelicoideError
 
@@ -20,7 +20,7 @@ Q = np.array([0.7, 0.35])
 
 
 def good_tool(folder: Path, q: Array = Q) -> Array:
-    return tool_by_screws(from_urdf(write(folder), "tool"), q)
+    return tool_by_screws(robot_from_urdf(write(folder), "tool"), q)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,7 @@ def good_tool(folder: Path, q: Array = Q) -> Array:
 )
 def test_a_file_is_read_in_the_encoding_that_it_has(tmp_path: Path, content: bytes) -> None:
     (path := tmp_path / "other.urdf").write_bytes(content)
-    robot = from_urdf(path, "tool")
+    robot = robot_from_urdf(path, "tool")
     np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
     assert robot.title.en in ("arm", "braço", "机械臂")
 
@@ -61,7 +61,7 @@ def test_a_file_is_read_in_the_encoding_that_it_has(tmp_path: Path, content: byt
     ],
 )
 def test_what_others_add_stops_no_arm(tmp_path: Path, more: str) -> None:
-    robot = from_urdf(write(tmp_path, "</robot>", more + "</robot>"), "tool")
+    robot = robot_from_urdf(write(tmp_path, "</robot>", more + "</robot>"), "tool")
     np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
 
 
@@ -76,21 +76,21 @@ def test_what_others_add_stops_no_arm(tmp_path: Path, more: str) -> None:
     ],
 )
 def test_what_is_no_kinematics_of_a_link_stops_no_arm(tmp_path: Path, inside: str) -> None:
-    robot = from_urdf(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{inside}</link>'), "tool")
+    robot = robot_from_urdf(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{inside}</link>'), "tool")
     np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
 
 
 def test_an_entity_of_the_file_is_filled_in_and_none_from_outside(tmp_path: Path) -> None:
     inside = GOOD.replace("<robot", '<!DOCTYPE robot [<!ENTITY h "0.3">]><robot', 1).replace("0.1 0 0.3", "0.1 0 &h;")
     (path := tmp_path / "entity.urdf").write_text(inside, "utf-8")
-    np.testing.assert_array_equal(tool_by_screws(from_urdf(path, "tool"), Q), good_tool(tmp_path))
+    np.testing.assert_array_equal(tool_by_screws(robot_from_urdf(path, "tool"), Q), good_tool(tmp_path))
     (tmp_path / "secret").write_text("here it is", "utf-8")
     outside = f'<!DOCTYPE robot [<!ENTITY h SYSTEM "file://{tmp_path}/secret">]><robot'
     for what in ('name="arm"', '<link name="tool"/>'):
         text = GOOD.replace("<robot", outside, 1).replace(what, what.replace("arm", "&h;").replace("/>", ">&h;</link>"))
         path.write_text(text, "utf-8")
         try:
-            words = from_urdf(path, "tool").title.en
+            words = robot_from_urdf(path, "tool").title.en
         except HelicoideError as error:
             words = error.text.en
         assert "here it is" not in words
@@ -101,30 +101,30 @@ def test_entities_of_entities_end_soon(tmp_path: Path) -> None:
     text = GOOD.replace("<robot", f'<!DOCTYPE robot [<!ENTITY a0 "lol">{many}]><robot', 1).replace('"arm"', '"&a11;"')
     (path := tmp_path / "laughs.urdf").write_text(text, "utf-8")
     with pytest.raises(HelicoideError):
-        from_urdf(path, "tool")
+        robot_from_urdf(path, "tool")
 
 
 def test_a_robot_without_a_name_is_called_as_its_file(tmp_path: Path) -> None:
     for robot in ("<robot>", '<robot name="">'):
-        assert from_urdf(write(tmp_path, '<robot name="arm">', robot)).title.en == "arm"
+        assert robot_from_urdf(write(tmp_path, '<robot name="arm">', robot)).title.en == "arm"
 
 
 def test_commas_between_numbers_are_read(tmp_path: Path) -> None:
-    robot = from_urdf(write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0.1, 0,0.3"'), "tool")
+    robot = robot_from_urdf(write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0.1, 0,0.3"'), "tool")
     np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
     with pytest.raises(HelicoideError, match="origin xyz"):
-        from_urdf(write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0,1 0 0,3"'))
+        robot_from_urdf(write(tmp_path, 'xyz="0.1 0 0.3"', 'xyz="0,1 0 0,3"'))
 
 
 def test_a_type_in_capitals_is_that_type(tmp_path: Path) -> None:
-    robot = from_urdf(write(tmp_path, 'type="prismatic"', 'type=" PRISMATIC"'), "tool")
+    robot = robot_from_urdf(write(tmp_path, 'type="prismatic"', 'type=" PRISMATIC"'), "tool")
     np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
 
 
 def test_an_unknown_type_is_not_passed_over_by_the_default_tip(tmp_path: Path) -> None:
     with pytest.raises(HelicoideError, match=r"'two'.*'hinge'.*revolute, continuous, prismatic, fixed, planar, float"):
-        from_urdf(write(tmp_path, 'type="prismatic"', 'type="hinge"'))
-    assert from_urdf(write(tmp_path, 'type="prismatic"', 'type="hinge"'), "upper").tool_link == "upper"
+        robot_from_urdf(write(tmp_path, 'type="prismatic"', 'type="hinge"'))
+    assert robot_from_urdf(write(tmp_path, 'type="prismatic"', 'type="hinge"'), "upper").tool_link == "upper"
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_an_unknown_type_is_not_passed_over_by_the_default_tip(tmp_path: Path) -
 def test_limits_of_a_slide_that_bound_nothing_are_no_lengths(
     tmp_path: Path, limits: str, expected: tuple[float, float]
 ) -> None:
-    robot = from_urdf(write(tmp_path, LIMIT, limits), "tool")
+    robot = robot_from_urdf(write(tmp_path, LIMIT, limits), "tool")
     assert (robot.lower[1], robot.upper[1]) == expected
     assert [joint.assumed for joint in robot.joints] == [False, True]
     assert "limits" in robot.assumed
@@ -151,7 +151,7 @@ def test_limits_of_a_slide_that_bound_nothing_are_no_lengths(
 
 
 def test_a_long_slide_that_is_bounded_is_a_length(tmp_path: Path) -> None:
-    robot = from_urdf(write(tmp_path, 'upper="2"', 'upper="60"'), "tool")
+    robot = robot_from_urdf(write(tmp_path, 'upper="2"', 'upper="60"'), "tool")
     assert (robot.upper[1], robot.remarks, robot.assumed) == (60, (), ())
     assert robot.reach == pytest.approx(60.6)
 
@@ -159,33 +159,33 @@ def test_a_long_slide_that_is_bounded_is_a_length(tmp_path: Path) -> None:
 @pytest.mark.parametrize("limits", ["", '<limit velocity="1"/>', '<limit lower="-1e16" upper="1e16"/>'])
 def test_limits_of_a_turn_that_bound_nothing_are_two_turns(tmp_path: Path, limits: str) -> None:
     path = write(tmp_path, '<limit lower="-1.5" upper="1.5" velocity="1" effort="1"></limit>', limits)
-    robot = from_urdf(path, "tool")
+    robot = robot_from_urdf(path, "tool")
     assert (robot.lower[0], robot.upper[0]) == pytest.approx((-2 * np.pi, 2 * np.pi))
     assert "one -360…360°" in said(robot)
 
 
 def test_of_a_joint_that_turns_without_end_nothing_needs_to_be_said(tmp_path: Path) -> None:
-    robot = from_urdf(write(tmp_path, 'type="revolute"', 'type="continuous"'), "tool")
+    robot = robot_from_urdf(write(tmp_path, 'type="revolute"', 'type="continuous"'), "tool")
     assert robot.remarks == ()
     assert robot.joints[0].assumed
     assert "limits" in robot.assumed
 
 
 def test_a_limit_that_is_left_out_beside_another_is_zero(tmp_path: Path) -> None:
-    robot = from_urdf(write(tmp_path, 'lower="-1" ', ""), "tool")
+    robot = robot_from_urdf(write(tmp_path, 'lower="-1" ', ""), "tool")
     assert (robot.lower[1], robot.upper[1], robot.remarks) == (0, 2, ())
 
 
 @pytest.mark.parametrize("velocity", ["inf", "nan", "fast", "1e16"])
 def test_a_speed_that_is_none_is_ours(tmp_path: Path, velocity: str) -> None:
-    robot = from_urdf(write(tmp_path, 'velocity="0.5"', f'velocity="{velocity}"'), "tool")
+    robot = robot_from_urdf(write(tmp_path, 'velocity="0.5"', f'velocity="{velocity}"'), "tool")
     assert robot.assumed == ("speeds",)
     assert np.isfinite(robot.speed).all()
 
 
 def test_a_joint_whose_limits_are_one_value_stands_there(tmp_path: Path) -> None:
     for value in (0.0, 0.35):
-        robot = from_urdf(write(tmp_path, 'lower="-1" upper="2"', f'lower="{value}" upper="{value}"'), "tool")
+        robot = robot_from_urdf(write(tmp_path, 'lower="-1" upper="2"', f'lower="{value}" upper="{value}"'), "tool")
         assert [joint.name for joint in robot.joints] == ["one"]
         tool = tool_by_screws(robot, np.array([0.7]))
         np.testing.assert_allclose(tool, good_tool(tmp_path, np.array([0.7, value])), atol=1e-15)
@@ -197,7 +197,7 @@ def test_an_arm_that_its_limits_hold_says_so(tmp_path: Path) -> None:
     text = GOOD.replace('lower="-1" upper="2"', 'lower="1" upper="1"').replace("-1.5", "1.5")
     path.write_text(text, "utf-8")
     with pytest.raises(HelicoideError, match="lower and upper of one, two are the same"):
-        from_urdf(path)
+        robot_from_urdf(path)
 
 
 @pytest.mark.parametrize("kind", ["planar", "floating"])
@@ -206,27 +206,27 @@ def test_an_arm_on_a_free_base_begins_above_it(tmp_path: Path, kind: str) -> Non
     joint = f'<joint name="free" type="{kind}"><parent link="world"/><child link="base"/><origin xyz="9 9 9"/></joint>'
     (path := tmp_path / "free.urdf").write_text(text.replace("</robot>", f"{joint}</robot>"), "utf-8")
     for base in (None, "base"):
-        robot = from_urdf(path, "tool", base)
+        robot = robot_from_urdf(path, "tool", base)
         assert robot.base_link == "base"
         np.testing.assert_array_equal(tool_by_screws(robot, Q), good_tool(tmp_path))
         assert ("free" in said(robot)) == (base is None)
     with pytest.raises(HelicoideError, match=f"'free' is of type '{kind}'"):
-        from_urdf(path, "tool", "world")
+        robot_from_urdf(path, "tool", "world")
 
 
 def test_a_base_begins_the_chain_later(tmp_path: Path) -> None:
-    whole, later = from_urdf(write(tmp_path), "tool"), from_urdf(write(tmp_path), "tool", "upper")
+    whole, later = robot_from_urdf(write(tmp_path), "tool"), robot_from_urdf(write(tmp_path), "tool", "upper")
     assert [joint.name for joint in later.joints] == ["two"]
-    upper = tool_by_screws(from_urdf(write(tmp_path), "upper"), Q[:1])
-    for road in ROADS.values():
+    upper = tool_by_screws(robot_from_urdf(write(tmp_path), "upper"), Q[:1])
+    for road in FORMULATIONS.values():
         np.testing.assert_allclose(upper @ road(later, Q[1:]), tool_by_screws(whole, Q), atol=1e-14)
     for tip, base in (("upper", "tool"), ("tool", "nowhere"), (None, "nowhere"), (None, "tool")):
         with pytest.raises(HelicoideError, match=base):
-            from_urdf(write(tmp_path), tip, base)
+            robot_from_urdf(write(tmp_path), tip, base)
 
 
 def test_a_link_that_no_joint_holds_is_left_out(tmp_path: Path) -> None:
-    robot = from_urdf(write(tmp_path, "</robot>", '<link name="table"/></robot>'), "tool")
+    robot = robot_from_urdf(write(tmp_path, "</robot>", '<link name="table"/></robot>'), "tool")
     assert "table" in said(robot)
 
 
@@ -234,12 +234,12 @@ def test_a_link_that_no_joint_holds_is_left_out(tmp_path: Path) -> None:
 def test_an_arm_that_reaches_nowhere_has_a_size(tmp_path: Path, height: float) -> None:
     text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', f'xyz="0 0 {height}"')
     (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
-    robot = from_urdf(path)
-    assert robot.stretched < NO_REACH
-    assert robot.turns_only
+    robot = robot_from_urdf(path)
+    assert robot.stretched_length < SMALLEST_REACH
+    assert robot.fixed_tool_point
     assert robot.reach == pytest.approx(height or 0.5)
-    assert not from_urdf(write(tmp_path), "tool").turns_only
+    assert not robot_from_urdf(write(tmp_path), "tool").fixed_tool_point
 
 
 def test_millimetres_are_suspected(tmp_path: Path) -> None:
-    assert "millimetres" in said(from_urdf(write(tmp_path, 'xyz="0.2 0 0"', 'xyz="420 0 0"'), "tool"))
+    assert "millimetres" in said(robot_from_urdf(write(tmp_path, 'xyz="0.2 0 0"', 'xyz="420 0 0"'), "tool"))

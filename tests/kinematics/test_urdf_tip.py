@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from tests.kinematics.urdfs import chain_of
 
-from helicoide.kinematics.urdf_chain import from_urdf
+from helicoide.kinematics.urdf_chain import robot_from_urdf
 
 
 @pytest.mark.parametrize(
@@ -28,7 +28,7 @@ def test_the_tool_is_known_by_what_it_is_called(tmp_path: Path, links: list[str]
     )
     text = f'<robot name="three">{chain_of(["base", "a", "b"])}{more}</robot>'
     (path := tmp_path / "three.urdf").write_text(text, "utf-8")
-    assert from_urdf(path).tool_link == expected
+    assert robot_from_urdf(path).tool_link == expected
 
 
 def test_the_tool_may_be_beside_the_fingers(tmp_path: Path) -> None:
@@ -37,7 +37,7 @@ def test_the_tool_may_be_beside_the_fingers(tmp_path: Path) -> None:
     fingers = chain_of(["fork", "left"]) + chain_of(["fork", "right"]).replace('<link name="fork"/>', "")
     more = '<link name="tool0"/>' + fixed.format("tool0") + fixed.format("fork") + fingers
     (path := tmp_path / "fork.urdf").write_text(f'<robot name="r">{chain_of(["base", "a"])}{more}</robot>', "utf-8")
-    assert from_urdf(path).tool_link == "tool0"
+    assert robot_from_urdf(path).tool_link == "tool0"
 
 
 SHUTS = '<limit lower="0" upper="1.7" velocity="1"/>'
@@ -71,11 +71,11 @@ def test_a_last_joint_that_shuts_the_tool_is_no_joint_of_the_arm(
     more += "".join(fixed.format(part[0], name) for part in (links, moved) for name in part[1:])
     text = f'<robot name="r">{chain_of(["base", begin, links[0]])}{more}{last}</robot>'
     (path := tmp_path / "jaw.urdf").write_text(text, "utf-8")
-    assert from_urdf(path).tool_link == expected
+    assert robot_from_urdf(path).tool_link == expected
 
 
 def test_a_jaw_beyond_the_tool_is_no_joint_of_the_arm(tmp_path: Path) -> None:
     arm = chain_of(["base", "a", "tool0"])
     jaw = chain_of(["tool0", "jaw"]).replace("revolute", "prismatic").replace('<link name="tool0"/>', "")
     (path := tmp_path / "jaw.urdf").write_text(f'<robot name="r">{arm}{jaw}</robot>', "utf-8")
-    assert from_urdf(path).tool_link == "tool0"
+    assert robot_from_urdf(path).tool_link == "tool0"

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from tests.kinematics.urdfs import GOOD, chain_of
 
-from helicoide.kinematics.urdf_chain import from_urdf
-from helicoide.kinematics.urdf_file import not_drawn
+from helicoide.kinematics.urdf_chain import robot_from_urdf
+from helicoide.kinematics.urdf_file import undrawn_remark
 from helicoide.text import HelicoideError, Text
 
 MIMIC = '<mimic joint="a-b" multiplier="-2" offset="0.5"/>'
@@ -119,8 +119,8 @@ def judged(folder: Path, seed: int, count: int) -> tuple[Counter[str], float]:
 
 def _end(path: Path, which: str) -> str:
     try:
-        robot = from_urdf(path)
-        not_drawn(path)
+        robot = robot_from_urdf(path)
+        undrawn_remark(path)
     except HelicoideError as error:
         return _refused(error.text, which)
     except Exception as error:

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 from tests.perception.views import READINGS, pane, reading
 
 from helicoide.arrays import Array
-from helicoide.confinement import Obstacles, from_pieces, pane_axes
+from helicoide.confinement import Obstacles, pane_axes, segment_distances
 from helicoide.kinematics.robot import Robot
-from helicoide.perception.camera import D435, SimulatedCamera, on_hand
-from helicoide.perception.rays import to_capsule, to_pane
+from helicoide.perception.camera import D435, SimulatedCamera, hand_camera_pose
+from helicoide.perception.rays import ray_to_capsule, ray_to_pane
 from helicoide.state import State
 from helicoide.text import HelicoideError
 
@@ -37,22 +37,22 @@ def test_rays_meet_a_pane_where_its_plane_is(seed: int) -> None:
     rng = np.random.default_rng(seed)
     eye, centre, rays = rng.normal(size=3), rng.normal(size=3), rng.normal(size=(200, 3))
     axes, size = pane_axes(rng.normal(size=3)), (rng.uniform(0.5, 3), rng.uniform(0.5, 3))
-    t = to_pane(eye, rays, centre, axes, size)
+    t = ray_to_pane(eye, rays, centre, axes, size)
     met = np.isfinite(t)
     inside = (eye + t[met, None] * rays[met] - centre) @ axes
     assert (t[met] > 0).all()
     np.testing.assert_allclose(inside[:, 2], 0, atol=1e-9)
     assert (np.abs(inside[:, :2]) <= np.array(size) / 2 + 1e-9).all()
     aimed = centre + rng.uniform(-0.499, 0.499, (200, 2)) * size @ axes[:, :2].T - eye
-    np.testing.assert_allclose(to_pane(eye, aimed, centre, axes, size), 1, atol=1e-9)
+    np.testing.assert_allclose(ray_to_pane(eye, aimed, centre, axes, size), 1, atol=1e-9)
     outwards = centre + np.array([[0.501 * size[0], 0], [0, -0.501 * size[1]]]) @ axes[:, :2].T - eye
-    assert np.isinf(to_pane(eye, outwards, centre, axes, size)).all()
-    assert np.isinf(to_pane(eye, -aimed, centre, axes, size)).all()
+    assert np.isinf(ray_to_pane(eye, outwards, centre, axes, size)).all()
+    assert np.isinf(ray_to_pane(eye, -aimed, centre, axes, size)).all()
 
 
 def test_a_ray_along_a_pane_does_not_meet_it() -> None:
     along = np.array([[1.0, 0, 0], [0, 1, 0]])
-    assert np.isinf(to_pane(np.zeros(3), along, np.array([1.0, 0, 0]), np.eye(3), (1, 1))).all()
+    assert np.isinf(ray_to_pane(np.zeros(3), along, np.array([1.0, 0, 0]), np.eye(3), (1, 1))).all()
 
 
 @settings(max_examples=100)
@@ -67,20 +67,20 @@ def test_rays_meet_a_capsule_where_its_surface_is(seed: int, ball: bool, inside:
     rays = rng.normal(size=(100, 3))
     rays[:50] = ends[0] + rng.uniform(size=(50, 1)) * (ends[1] - ends[0]) + radius * rng.normal(size=(50, 3)) - eye
     rays[0] = ends[1] - ends[0] if not ball else rays[0]
-    t = to_capsule(eye, rays, ends, radius)
-    within = from_pieces(eye[None], ends[None])[0, 0] < radius
+    t = ray_to_capsule(eye, rays, ends, radius)
+    within = segment_distances(eye[None], ends[None])[0, 0] < radius
     met = np.isfinite(t)
-    np.testing.assert_allclose(from_pieces(eye + t[met, None] * rays[met], ends[None])[:, 0], radius, atol=1e-7)
+    np.testing.assert_allclose(segment_distances(eye + t[met, None] * rays[met], ends[None])[:, 0], radius, atol=1e-7)
     steps = np.where(met, t, 20.0)[:, None] * np.linspace(0, 0.999, 300)
-    way = from_pieces((eye + steps[..., None] * rays[:, None]).reshape(-1, 3), ends[None]).reshape(steps.shape)
+    way = segment_distances((eye + steps[..., None] * rays[:, None]).reshape(-1, 3), ends[None]).reshape(steps.shape)
     assert ((way < radius) == within).all()
 
 
 def test_a_ray_along_the_axis_of_a_capsule_meets_its_ball() -> None:
     ends = np.array([[1.0, 0, 0], [2, 0, 0]])
-    t = to_capsule(np.zeros(3), np.array([[1.0, 0, 0], [-1, 0, 0], [0, 1, 0]]), ends, 0.25)
+    t = ray_to_capsule(np.zeros(3), np.array([[1.0, 0, 0], [-1, 0, 0], [0, 1, 0]]), ends, 0.25)
     np.testing.assert_allclose(t, [0.75, np.inf, np.inf])
-    beside = to_capsule(np.array([0, 0.2, 0]), np.array([[1.0, 0, 0]]), ends, 0.25)
+    beside = ray_to_capsule(np.array([0, 0.2, 0]), np.array([[1.0, 0, 0]]), ends, 0.25)
     np.testing.assert_allclose(beside, 1 - 0.15)
 
 
@@ -119,7 +119,7 @@ def test_the_camera_looks_along_the_tool_with_its_picture_upright(robot: Robot) 
     T = robot.T_world_tool_0 @ D435.T_tool_camera
     np.testing.assert_allclose(T[:3, :3], np.array([[0, -1, 0], [0, 0, -1], [1, 0, 0]]).T, atol=1e-12)
     np.testing.assert_allclose(T[:3, 3], [0.62, 0, 0.47], atol=1e-12)
-    np.testing.assert_allclose(on_hand(0.1, 0.2)[:3, 3], [-0.1, 0, 0.2])
+    np.testing.assert_allclose(hand_camera_pose(0.1, 0.2)[:3, 3], [-0.1, 0, 0.2])
 
 
 def test_an_obstacle_hides_what_is_behind_it(state: State) -> None:
@@ -136,7 +136,7 @@ def test_an_obstacle_hides_what_is_behind_it(state: State) -> None:
 
 def test_planes_are_seen_where_they_have_been_put(state: State) -> None:
     here = reading(state, "+z")
-    planes = here.problem.planes.moved(0, np.array([0.0, 0, -1]), np.array([0.52, 0, 0.6]))
+    planes = here.problem.planes.with_plane(0, np.array([0.0, 0, -1]), np.array([0.52, 0, 0.6]))
     cloud = SimulatedCamera().cloud(replace(here, problem=replace(here.problem, planes=planes)))
     assert (np.abs(cloud.points[:, 2] - 0.6) < 1e-12).mean() > 0.8
 
@@ -167,7 +167,7 @@ def test_a_camera_that_sees_nothing_gives_an_empty_cloud(state: State) -> None:
     blind = replace(D435, clip=0.301)
     cloud = SimulatedCamera(blind, (20, 10)).cloud(state)
     assert (len(cloud.points), cloud.dropped) == (0, 200)
-    assert cloud.words.en.startswith("0 points")
+    assert cloud.description.en.startswith("0 points")
 
 
 @pytest.mark.parametrize(

@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 from tests.perception.cloud_bytes import WRITERS, by_trimesh, npy, npz, packed, pcd, ply, xyz
 
 from helicoide.arrays import Array
-from helicoide.kernels import plain
+from helicoide.kernels import python_function
 from helicoide.perception import cloud_file, formats
 from helicoide.perception.cloud import FARTHEST
-from helicoide.perception.lzf import unpack
+from helicoide.perception.lzf import unpack_kernel
 from helicoide.text import HelicoideError
 
 SOME = np.random.default_rng(0).normal(size=(200, 3))
@@ -27,15 +27,15 @@ HOLES[3:40, 1], HOLES[50], HOLES[60, 2], HOLES[70, 0] = np.nan, np.inf, -np.inf,
 every = pytest.mark.parametrize("name", WRITERS)
 
 
-def read(name: str, points: Array) -> cloud_file.Cloud:
+def read(name: str, points: Array) -> cloud_file.PointCloud:
     ending, writer = WRITERS[name]
-    return cloud_file.read(f"cloud{ending}", writer(points))
+    return cloud_file.read_cloud(f"cloud{ending}", writer(points))
 
 
 def refused(name: str, data: bytes) -> str:
     """What is said of a file, in English; both languages say what would be valid."""
     with pytest.raises(HelicoideError) as refusal:
-        cloud_file.read(name, data)
+        cloud_file.read_cloud(name, data)
     text = refusal.value.text
     assert text.en.startswith(f"{name} cannot be read: ")
     assert "Valid are LAS (not packed), NPY (an array k × 3), NPZ" in text.en
@@ -65,8 +65,8 @@ def test_points_without_coordinates_are_dropped_and_counted(name: str) -> None:
     kept = np.isfinite(HOLES).all(axis=1) & (np.abs(HOLES) <= FARTHEST).all(axis=1)
     np.testing.assert_array_equal(cloud.points, HOLES[kept])
     assert cloud.dropped == 40
-    assert cloud.words.en.startswith("160 points within")
-    assert "; 40 without coordinates were left out." in cloud.words.en
+    assert cloud.description.en.startswith("160 points within")
+    assert "; 40 without coordinates were left out." in cloud.description.en
 
 
 @every
@@ -89,7 +89,7 @@ def test_a_file_that_breaks_off_is_refused(name: str) -> None:
     data = writer(SOME)
     if name == "xyz":
         said = "Rows passed over: 1 of 201; line 201 has 2 columns; valid are at least 3."
-        assert said in [note.en for note in cloud_file.read("c.xyz", data + b"\n1 2").notes]
+        assert said in [note.en for note in cloud_file.read_cloud("c.xyz", data + b"\n1 2").notes]
         return
     behind = data.rindex(b"\n3 0") if name == "ply text" else len(data) - 5 if "ply" in name else len(data)
     for end in [*range(0, behind, 97), behind - 3]:
@@ -130,7 +130,7 @@ def test_files_that_are_too_long_are_refused(tmp_path: Path) -> None:
     with path.open("wb") as file:
         file.truncate(formats.MOST_BYTES + 1)
     with pytest.raises(HelicoideError, match=r"long\.ply cannot be read: it is too long"):
-        cloud_file.load(path)
+        cloud_file.load_cloud(path)
     assert refused("long.xyz", bytes(formats.MOST_BYTES + 1)) == "it is too long"
 
 
@@ -152,24 +152,24 @@ def test_small_files_that_unpack_to_huge_ones_are_refused(kind: str) -> None:
 def test_a_file_is_read_from_its_path(tmp_path: Path) -> None:
     path = tmp_path / "cloud.pcd"
     path.write_bytes(pcd(SOME, "binary"))
-    np.testing.assert_array_equal(cloud_file.load(path, "mm").points, SOME * 1e-3)
+    np.testing.assert_array_equal(cloud_file.load_cloud(path, "mm").points, SOME * 1e-3)
     with pytest.raises(HelicoideError, match=r"none\.pcd cannot be read: there is no such file"):
-        cloud_file.load(tmp_path / "none.pcd")
+        cloud_file.load_cloud(tmp_path / "none.pcd")
     with pytest.raises(HelicoideError, match="Valid are"):
-        cloud_file.load(tmp_path)
+        cloud_file.load_cloud(tmp_path)
 
 
 @every
 def test_millimetres_become_metres(name: str) -> None:
     ending, writer = WRITERS[name]
-    cloud = cloud_file.read(f"c{ending}", writer(1000 * SOME), "mm")
+    cloud = cloud_file.read_cloud(f"c{ending}", writer(1000 * SOME), "mm")
     np.testing.assert_allclose(cloud.points, SOME, rtol=1e-15)
-    assert "2,92" in cloud_file.read("c.npy", npy(SOME[:2] * 0 + [[0, 0, 0], [2.92, 1, 1]])).words.pt_BR
+    assert "2,92" in cloud_file.read_cloud("c.npy", npy(SOME[:2] * 0 + [[0, 0, 0], [2.92, 1, 1]])).description.pt_BR
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "binary"])
 def test_what_trimesh_writes_is_read(encoding: str) -> None:
-    cloud = cloud_file.read("c.ply", by_trimesh(SOME, encoding))
+    cloud = cloud_file.read_cloud("c.ply", by_trimesh(SOME, encoding))
     np.testing.assert_allclose(cloud.points, SOME, atol=5e-7)
 
 
@@ -184,7 +184,7 @@ BY_LIBLZF = base64.b64decode(
 def test_what_liblzf_packed_is_unpacked() -> None:
     head = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 20\nHEIGHT 15\nDATA binary_compressed\n"
     lengths = np.array([len(BY_LIBLZF), 3600], dtype="<u4").tobytes()
-    cloud = cloud_file.read("c.pcd", head.encode() + lengths + BY_LIBLZF)
+    cloud = cloud_file.read_cloud("c.pcd", head.encode() + lengths + BY_LIBLZF)
     i = np.arange(300)
     expected = np.stack([i % 20, i // 20, np.full(300, 0.25)], axis=1).astype("f4") / np.float32(10)
     np.testing.assert_array_equal(cloud.points, expected)
@@ -195,7 +195,7 @@ def test_no_packed_bytes_are_written_beyond_their_place(packed: bytes, size: int
     """The kernel does as the plain function does, whose indices are checked."""
     source = np.frombuffer(bytearray(packed), dtype=np.uint8)
     here, there = np.zeros(size, np.uint8), np.zeros(size, np.uint8)
-    assert unpack(source, here) == plain(unpack)(source, there)
+    assert unpack_kernel(source, here) == python_function(unpack_kernel)(source, there)
     np.testing.assert_array_equal(here, there)
 
 
@@ -211,7 +211,7 @@ def test_damaged_files_are_read_or_refused(name: str, data: st.DataObject) -> No
         lost, added = data.draw(st.integers(0, 3)), data.draw(st.binary(max_size=3))
         damaged[at : at + lost] = added
     with suppress(HelicoideError):
-        cloud = cloud_file.read(f"c{ending}", bytes(damaged))
+        cloud = cloud_file.read_cloud(f"c{ending}", bytes(damaged))
         assert np.isfinite(cloud.points).all()
         assert len(cloud.points) > 0
 
@@ -233,18 +233,18 @@ TEXTS = {
 
 @pytest.mark.parametrize("case", TEXTS)
 def test_text_in_the_ways_that_people_write_it(case: str) -> None:
-    cloud = cloud_file.read("c.csv", TEXTS[case].encode())
+    cloud = cloud_file.read_cloud("c.csv", TEXTS[case].encode())
     np.testing.assert_array_equal(cloud.points, [[1.5, -2, 0.3], [4, 5, 6]])
 
 
 def test_a_first_line_of_holes_is_not_one_of_names() -> None:
-    cloud = cloud_file.read("c.txt", b"nan NaN -inf\n1 2 3\n")
+    cloud = cloud_file.read_cloud("c.txt", b"nan NaN -inf\n1 2 3\n")
     assert (len(cloud.points), cloud.dropped) == (1, 1)
 
 
 @pytest.mark.parametrize("between", [" ", ";"])
 def test_decimal_commas_keep_every_digit(between: str) -> None:
-    np.testing.assert_array_equal(cloud_file.read("c.txt", xyz(SOME, between, ",")).points, SOME)
+    np.testing.assert_array_equal(cloud_file.read_cloud("c.txt", xyz(SOME, between, ",")).points, SOME)
 
 
 def bare(lines: str) -> bytes:
@@ -306,14 +306,14 @@ def test_what_is_wrong_with_a_file_is_said(case: str) -> None:
 
 def test_pictures_of_depth_cameras_and_other_numbers_are_read() -> None:
     picture = SOME.reshape(20, 10, 3)
-    np.testing.assert_array_equal(cloud_file.read("c.npy", npy(picture)).points, SOME)
-    np.testing.assert_array_equal(cloud_file.read("c.npy", npy(np.asfortranarray(picture))).points, SOME)
+    np.testing.assert_array_equal(cloud_file.read_cloud("c.npy", npy(picture)).points, SOME)
+    np.testing.assert_array_equal(cloud_file.read_cloud("c.npy", npy(np.asfortranarray(picture))).points, SOME)
     np.testing.assert_array_equal(
-        cloud_file.read("c.npy", npy(np.array([[1, 2, 3]], ">i2")), "mm").points * 1000, [[1, 2, 3]]
+        cloud_file.read_cloud("c.npy", npy(np.array([[1, 2, 3]], ">i2")), "mm").points * 1000, [[1, 2, 3]]
     )
     alone = io.BytesIO()
     np.savez(alone, SOME.astype("f4"))
-    np.testing.assert_array_equal(cloud_file.read("c.npz", alone.getvalue()).points, SOME.astype("f4"))
+    np.testing.assert_array_equal(cloud_file.read_cloud("c.npz", alone.getvalue()).points, SOME.astype("f4"))
 
 
 @pytest.mark.parametrize("kind", ["ascii", "binary", "binary_compressed"])
@@ -324,10 +324,10 @@ def test_of_a_field_of_several_numbers_the_first_is_taken(kind: str) -> None:
     lengths = np.array([len(fields), 32], dtype="<u4").tobytes()
     text = b"1 9 2 3\n4 9 5 6\n"
     data = {"ascii": text, "binary": rows.tobytes(), "binary_compressed": lengths + fields}[kind]
-    np.testing.assert_array_equal(cloud_file.read("c.pcd", head + data).points, [[1, 2, 3], [4, 5, 6]])
+    np.testing.assert_array_equal(cloud_file.read_cloud("c.pcd", head + data).points, [[1, 2, 3], [4, 5, 6]])
 
 
 def test_every_format_has_a_title_and_endings_of_its_own() -> None:
-    assert len(formats.endings()) == sum(len(module.ENDINGS) for module in formats.found())
+    assert len(formats.formats_by_ending()) == sum(len(module.ENDINGS) for module in formats.cloud_formats())
     texts = {".xyz", ".txt", ".csv", ".pts", ".asc", ".tsv"}
-    assert {".ply", ".pcd", ".npy", ".npz", ".las", ".laz", *texts} == set(formats.endings())
+    assert {".ply", ".pcd", ".npy", ".npz", ".las", ".laz", *texts} == set(formats.formats_by_ending())

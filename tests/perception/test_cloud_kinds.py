@@ -11,8 +11,8 @@ from tests.perception.cloud_bytes import las, npy
 
 from helicoide.arrays import Array
 from helicoide.perception import cloud_file
-from helicoide.perception.planes import Found, find
-from helicoide.perception.tour import READINGS, found_in
+from helicoide.perception.enclosure_reading import PLANE_READINGS, plane_in_cloud
+from helicoide.perception.planes import FoundPlane, find_plane
 from helicoide.perception.units import METRES, UNITS, Unit
 from helicoide.text import HelicoideError
 
@@ -77,11 +77,11 @@ TEXTS: dict[str, tuple[str, str | bytes]] = {
 }
 
 
-def ceiling(name: str, data: bytes, unit: Unit | None = None) -> Found:
+def ceiling(name: str, data: bytes, unit: Unit | None = None) -> FoundPlane:
     """The plane that is found in a file; it is the ceiling."""
-    cloud = cloud_file.read(name, data, unit)
-    found = find(cloud.points, READINGS[0].towards, INSIDE)
-    assert isinstance(found, Found), (found, cloud.notes)
+    cloud = cloud_file.read_cloud(name, data, unit)
+    found = find_plane(cloud.points, PLANE_READINGS[0].normal, INSIDE)
+    assert isinstance(found, FoundPlane), (found, cloud.notes)
     assert -found.plane.offset == pytest.approx(CEILING, abs=0.002)
     assert found.share > 0.99
     return found
@@ -206,7 +206,7 @@ REFUSED: dict[str, tuple[str, str, str]] = {
 def test_what_cannot_be_told_is_refused_in_both_languages(case: str) -> None:
     text, en, pt_BR = REFUSED[case]
     with pytest.raises(HelicoideError) as refusal:
-        cloud_file.read("c.txt", text.encode())
+        cloud_file.read_cloud("c.txt", text.encode())
     assert en in refusal.value.text.en
     assert pt_BR in refusal.value.text.pt_BR
 
@@ -223,7 +223,7 @@ def test_laser_scans_that_cannot_be_read_are_refused_in_both_languages() -> None
     }
     for said, data in cases.items():
         with pytest.raises(HelicoideError) as refusal:
-            cloud_file.read("c.laz", data)
+            cloud_file.read_cloud("c.laz", data)
         assert said in refusal.value.text.en
         assert refusal.value.text.pt_BR != refusal.value.text.en
 
@@ -240,19 +240,23 @@ def test_the_unit_that_is_chosen_counts(unit: Unit) -> None:
 def test_the_unit_in_the_names_counts(unit: str, names: str) -> None:
     text = f"{names.format(u=unit)}\n{points(1 / METRES['inch' if unit == 'in' else unit])}".encode()
     ceiling("c.csv", text)
-    assert "as the file says" in cloud_file.read("c.csv", text).notes[0].en
+    assert "as the file says" in cloud_file.read_cloud("c.csv", text).notes[0].en
 
 
 def test_millimetres_are_known_by_how_they_look_also_beyond_a_thousand() -> None:
     far = points(1000).encode(), rows(1000 * X + 1500, 1000 * Y, 1000 * Z).encode()
     for text in far:
         ceiling("c.csv", text)
-        assert cloud_file.read("c.csv", text).notes[0].pt_BR.startswith("Em milímetros, ao que parece (se não, escolha")
+        assert (
+            cloud_file.read_cloud("c.csv", text)
+            .notes[0]
+            .pt_BR.startswith("Em milímetros, ao que parece (se não, escolha")
+        )
 
 
 def test_the_unit_and_the_extent_are_said_with_the_plane() -> None:
-    cloud = cloud_file.read("c.xyz", f"{PLAIN}0.1 zero 0.2\nnan nan nan\n".encode())
-    seen, pane = found_in(cloud, READINGS[0], INSIDE)
+    cloud = cloud_file.read_cloud("c.xyz", f"{PLAIN}0.1 zero 0.2\nnan nan nan\n".encode())
+    seen, pane = plane_in_cloud(cloud, PLANE_READINGS[0], INSIDE)
     assert pane is not None
     assert (
         "In metres, as it looks (if not so, choose the unit): x 0.20 to 0.90, y -0.30 to 0.30, z 0.70 to 0.70 m."
@@ -261,14 +265,14 @@ def test_the_unit_and_the_extent_are_said_with_the_plane() -> None:
     assert "Rows passed over: 1 of 402; line 401, column 2 holds “zero”; valid is a number" in seen.words.en
     assert seen.words.en.endswith("Left out for want of coordinates within 1000 m: 1.")
     assert "Em metros, ao que parece (se não, escolha a unidade): x de 0,20 a 0,90" in seen.words.pt_BR
-    none, pane = found_in(cloud, READINGS[1], INSIDE)
+    none, pane = plane_in_cloud(cloud, PLANE_READINGS[1], INSIDE)
     assert pane is None
     assert "In metres, as it looks" in none.words.en
 
 
 def test_columns_that_were_guessed_are_said() -> None:
     def said(text: str) -> str:
-        return " ".join(note.en for note in cloud_file.read("c.csv", text.encode()).notes)
+        return " ".join(note.en for note in cloud_file.read_cloud("c.csv", text.encode()).notes)
 
     assert "x, y and z are columns 2, 3 and 4" in said(rows(COUNT, X, Y, Z))
     assert "Columns 2, 3 and 4 were taken" in said(rows(["a"] * N, X, Y, Z))
@@ -278,12 +282,12 @@ def test_columns_that_were_guessed_are_said() -> None:
 @pytest.mark.parametrize("huge", ["1e999", "-inf", "1e308", "-1e308"])
 def test_numbers_beyond_all_measure_are_holes(huge: str) -> None:
     for text in (f"{huge} {huge} 1e308 1\n{rows(X, Y, Z, BRIGHT, between=' ')}", f"1e308 {huge} {huge}\n{PLAIN}"):
-        cloud = cloud_file.read("c.txt", text.encode())
+        cloud = cloud_file.read_cloud("c.txt", text.encode())
         np.testing.assert_array_equal(cloud.points, POINTS)
         assert cloud.dropped == 1
 
 
 def test_an_empty_cell_moves_no_other() -> None:
-    cloud = cloud_file.read("c.csv", f"0.1,,0.7,128\n{rows(X, Y, Z, BRIGHT)}".encode())
+    cloud = cloud_file.read_cloud("c.csv", f"0.1,,0.7,128\n{rows(X, Y, Z, BRIGHT)}".encode())
     np.testing.assert_array_equal(cloud.points, POINTS)
     assert cloud.dropped == 1

@@ -11,7 +11,7 @@ from tests.perception import test_cloud_kinds as kinds
 from tests.perception.cloud_bytes import WRITERS
 
 from helicoide.perception import cloud_file
-from helicoide.perception.cloud import Cloud
+from helicoide.perception.cloud import PointCloud
 from helicoide.text import HelicoideError, Text
 
 Generator = np.random.Generator
@@ -78,9 +78,9 @@ def mutations(count: int, seed: int) -> Iterator[tuple[str, bytes]]:
         yield f"c{ending}", damaged(rng, data)
 
 
-def answer(name: str, data: bytes) -> Cloud | Text:
+def answer(name: str, data: bytes) -> PointCloud | Text:
     try:
-        return cloud_file.read(name, data)
+        return cloud_file.read_cloud(name, data)
     except HelicoideError as refusal:
         return refusal.text
 

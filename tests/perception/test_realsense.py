@@ -12,8 +12,8 @@ from tests.perception.views import INSIDE, READINGS, reading
 
 from helicoide.arrays import Array
 from helicoide.perception import realsense
-from helicoide.perception.camera import D435, SimulatedCamera, depths_of
-from helicoide.perception.planes import Found, find
+from helicoide.perception.camera import D435, SimulatedCamera, ray_depths
+from helicoide.perception.planes import FoundPlane, find_plane
 from helicoide.state import State
 from helicoide.text import HelicoideError
 
@@ -74,7 +74,7 @@ def seen(state: State, resolution: tuple[int, int]) -> Array:
     """The points of a scene in the frame of the camera, zero where there are none, as the real one gives them."""
     T = state.T_world_tool @ D435.T_tool_camera
     rays = D435.directions(resolution)
-    depths = depths_of(state, T[:3, 3], rays @ T[:3, :3].T)
+    depths = ray_depths(state, T[:3, 3], rays @ T[:3, :3].T)
     return np.where(np.isfinite(depths), depths, 0.0)[:, None] * rays
 
 
@@ -87,8 +87,8 @@ def test_it_gives_what_the_simulated_camera_gives(package: Package, state: State
     expected = SimulatedCamera(resolution=(106, 60)).cloud(here)
     assert cloud.dropped == expected.dropped
     np.testing.assert_allclose(cloud.points, expected.points, atol=1e-6)
-    answer = find(cloud.points, READINGS["+y"][1], INSIDE)
-    assert isinstance(answer, Found)
+    answer = find_plane(cloud.points, READINGS["+y"][1], INSIDE)
+    assert isinstance(answer, FoundPlane)
     assert package.stopped == 1
     assert package.wished == ("depth", 106, 60, "z16", 30)  # type: ignore[attr-defined]
 

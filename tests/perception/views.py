@@ -6,10 +6,10 @@ import numpy as np
 from tests.driving import at
 
 from helicoide.arrays import Array
-from helicoide.kinematics.robot_parts import Pane
+from helicoide.kinematics.robot_parts import PlanePane
 from helicoide.perception.camera import SimulatedCamera
-from helicoide.perception.cloud import Cloud
-from helicoide.perception.planes import Found, find
+from helicoide.perception.cloud import PointCloud
+from helicoide.perception.planes import FoundPlane, find_plane
 from helicoide.state import State
 from helicoide.text import Text
 
@@ -27,13 +27,15 @@ def reading(state: State, name: str) -> State:
     return at(state, state.robot.poses[READINGS[name][0]])
 
 
-def read(state: State, name: str, seed: int, noise: float = 0.002, outliers: float = 0.3) -> tuple[Cloud, Found | Text]:
+def read(
+    state: State, name: str, seed: int, noise: float = 0.002, outliers: float = 0.3
+) -> tuple[PointCloud, FoundPlane | Text]:
     """A cloud from where a plane is read, and the plane found in it."""
     cloud = SimulatedCamera(noise=noise, outliers=outliers, seed=seed).cloud(reading(state, name))
-    return cloud, find(cloud.points, READINGS[name][1], INSIDE, seed=seed)
+    return cloud, find_plane(cloud.points, READINGS[name][1], INSIDE, seed=seed)
 
 
-def pane(state: State, name: str) -> Pane:
+def pane(state: State, name: str) -> PlanePane:
     (found,) = [pane for pane in state.robot.panes if pane.name == name]
     return found
 
@@ -41,7 +43,7 @@ def pane(state: State, name: str) -> Pane:
 def misses(state: State, name: str, seed: int) -> tuple[float, float]:
     """How far the plane that is found is from the printed one: at the centroid of the cloud, m, and in angle, rad."""
     cloud, found = read(state, name, seed)
-    assert isinstance(found, Found), found
+    assert isinstance(found, FoundPlane), found
     true = pane(state, name)
     centroid = cloud.points.mean(axis=0)
     there = distance(true.normal, true.offset, centroid) - distance(found.plane.normal, found.plane.offset, centroid)

@@ -11,8 +11,8 @@ import pytest
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.kinematics import dh, forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 from helicoide.studies._coutinho_runs import START as SIMULATED
 
 ROBOT = Path(__file__).parents[2] / "robots" / "dia10"
@@ -23,10 +23,10 @@ Road = Callable[[Robot, Array], Array]
 
 @pytest.fixture(scope="module")
 def dia10() -> Robot:
-    return from_folder(ROBOT)
+    return robot_from_folder(ROBOT)
 
 
-@pytest.fixture(params=forward.ROADS.values(), ids=list(forward.ROADS))
+@pytest.fixture(params=forward.FORMULATIONS.values(), ids=list(forward.FORMULATIONS))
 def road(request: pytest.FixtureRequest) -> Road:
     tool: Road = request.param
     return tool
@@ -73,7 +73,7 @@ def test_effector_at_the_start_of_the_simulations(dia10: Robot, road: Road) -> N
     )
     quat = rotation.from_matrix(T[:3, :3])
     expected = [0.808886, 0.159871, 0.35811, -0.438065]
-    np.testing.assert_allclose(quat * rotation.hemisphere(quat), expected, atol=6e-7)
+    np.testing.assert_allclose(quat * rotation.hemisphere_sign(quat), expected, atol=6e-7)
 
 
 def test_entry_point_at_the_start_of_the_simulations(dia10: Robot) -> None:
@@ -92,7 +92,7 @@ def test_rows_and_axes_give_the_same_effector(dia10: Robot) -> None:
     assert dia10.dh.convention == "modified"
     random = np.random.default_rng(2015)
     for q in random.uniform(dia10.lower, dia10.upper, (200, 8)):
-        T = dh.poses(dia10.dh, dia10.joints, q)[-1] @ dia10.dh.T_dh_tool
+        T = dh.dh_poses(dia10.dh, dia10.joints, q)[-1] @ dia10.dh.T_dh_tool
         np.testing.assert_allclose(T, forward.tool_by_screws(dia10, q), atol=1e-12)
 
 

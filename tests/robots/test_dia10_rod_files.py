@@ -10,8 +10,8 @@ import pytest
 
 from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 START = np.array([0.4, -0.9, -0.5, 1.3, 0.4, -0.7, 0.0])
@@ -20,15 +20,15 @@ Road = Callable[[Robot, Array], Array]
 
 @pytest.fixture(scope="module")
 def rod() -> Robot:
-    return from_folder(ROBOTS / "dia10_rod")
+    return robot_from_folder(ROBOTS / "dia10_rod")
 
 
 @pytest.fixture(scope="module")
 def dia10() -> Robot:
-    return from_folder(ROBOTS / "dia10")
+    return robot_from_folder(ROBOTS / "dia10")
 
 
-@pytest.fixture(params=forward.ROADS.values(), ids=list(forward.ROADS))
+@pytest.fixture(params=forward.FORMULATIONS.values(), ids=list(forward.FORMULATIONS))
 def road(request: pytest.FixtureRequest) -> Road:
     tool: Road = request.param
     return tool

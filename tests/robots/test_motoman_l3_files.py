@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 
 from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
-ROBOT = from_folder(Path(__file__).parents[2] / "robots" / "motoman_l3")
+ROBOT = robot_from_folder(Path(__file__).parents[2] / "robots" / "motoman_l3")
 L2, L3 = 0.4, 0.5
 # The four solutions for one goal, degrees; the last lays the upper arm down behind the waist.
 SOLUTIONS = {
@@ -28,7 +28,7 @@ POSTURES = st.tuples(*[st.floats(-np.pi, np.pi)] * 5).map(np.array)
 Road = Callable[[Robot, Array], Array]
 
 
-@pytest.fixture(params=forward.ROADS.values(), ids=list(forward.ROADS))
+@pytest.fixture(params=forward.FORMULATIONS.values(), ids=list(forward.FORMULATIONS))
 def road(request: pytest.FixtureRequest) -> Road:
     tool: Road = request.param
     return tool

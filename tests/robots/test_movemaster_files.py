@@ -11,7 +11,7 @@ import yourdfpy
 
 from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_file import parsed
+from helicoide.kinematics.urdf_file import parse_urdf
 
 MESHES = Path(__file__).parents[2] / "robots" / "movemaster" / "meshes"
 SHELL = 0.065  # Cerbaro 2022, section 6.1
@@ -20,7 +20,7 @@ TOOL_RUN = 0.25
 
 @pytest.fixture
 def urdf(robot: Robot) -> yourdfpy.URDF:
-    return yourdfpy.URDF(robot=parsed(robot.urdf).robot, build_scene_graph=True, load_meshes=False)
+    return yourdfpy.URDF(robot=parse_urdf(robot.urdf).robot, build_scene_graph=True, load_meshes=False)
 
 
 def vertices(name: str) -> Array:

@@ -12,8 +12,8 @@ import yourdfpy
 
 from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
 ROBOT = Path(__file__).parents[2] / "robots" / "orca"
 Road = Callable[[Robot, Array], Array]
@@ -21,10 +21,10 @@ Road = Callable[[Robot, Array], Array]
 
 @pytest.fixture(scope="module")
 def orca() -> Robot:
-    return from_folder(ROBOT)
+    return robot_from_folder(ROBOT)
 
 
-@pytest.fixture(params=forward.ROADS.values(), ids=list(forward.ROADS))
+@pytest.fixture(params=forward.FORMULATIONS.values(), ids=list(forward.FORMULATIONS))
 def road(request: pytest.FixtureRequest) -> Road:
     tool: Road = request.param
     return tool

@@ -13,20 +13,20 @@ from hypothesis import strategies as st
 
 from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_file import parsed
+from helicoide.kinematics.robot_folder import robot_from_folder
+from helicoide.kinematics.urdf_file import parse_urdf
 
 ROBOT = Path(__file__).parents[2] / "robots" / "planar2r"
 Road = Callable[[Robot, Array], Array]
-roads = st.sampled_from(list(forward.ROADS.values()))
+roads = st.sampled_from(list(forward.FORMULATIONS.values()))
 angle = st.floats(-np.pi, np.pi)
 length_mm = st.floats(200, 2000)
 
 
 @pytest.fixture(scope="module")
 def planar() -> Robot:
-    return from_folder(ROBOT)
+    return robot_from_folder(ROBOT)
 
 
 def position(robot: Robot, q: Array) -> Array:
@@ -36,7 +36,7 @@ def position(robot: Robot, q: Array) -> Array:
 @given(q1=angle, q2=angle, l1=length_mm, l2=length_mm, road=roads)
 def test_tool_is_the_closed_form(q1: float, q2: float, l1: float, l2: float, road: Road) -> None:
     """The first two links of s.41: x = l1 c1 + l2 c12, y = l1 s1 + l2 s12."""
-    T = road(from_folder(ROBOT, {"l1": l1, "l2": l2}), np.array([q1, q2]))
+    T = road(robot_from_folder(ROBOT, {"l1": l1, "l2": l2}), np.array([q1, q2]))
     c, s = np.cos(q1 + q2), np.sin(q1 + q2)
     x, y = l1 * np.cos(q1) + l2 * c, l1 * np.sin(q1) + l2 * s
     expected = [[c, -s, 0, x / 1000], [s, c, 0, y / 1000], [0, 0, 1, 0], [0, 0, 0, 1]]
@@ -58,7 +58,7 @@ def test_edges_of_the_workspace(planar: Robot) -> None:
 
 def test_equal_links_reach_the_origin() -> None:
     """s.8: with L1 = L2 the hole closes."""
-    equal = from_folder(ROBOT, {"l1": 850, "l2": 850})
+    equal = robot_from_folder(ROBOT, {"l1": 850, "l2": 850})
     np.testing.assert_allclose(position(equal, equal.poses["folded"]), [0, 0], atol=1e-15)
 
 
@@ -82,7 +82,7 @@ def test_both_elbow_postures_exist(planar: Robot, q1: float, q2: float) -> None:
 
 @pytest.mark.parametrize("l2", [700.0, 1600.0])
 def test_the_drawing_ends_at_the_tool(l2: float) -> None:
-    robot = from_folder(ROBOT, {"l2": l2})
-    tube = next(v.geometry.mesh for v in parsed(robot.urdf, robot.parameters).link_map["link2"].visuals[1:])
+    robot = robot_from_folder(ROBOT, {"l2": l2})
+    tube = next(v.geometry.mesh for v in parse_urdf(robot.urdf, robot.parameters).link_map["link2"].visuals[1:])
     bounds = trimesh.load_scene(ROBOT / tube.filename).bounds * tube.scale
     np.testing.assert_allclose(bounds[:, 0], [0, l2 / 1000], atol=1e-6)

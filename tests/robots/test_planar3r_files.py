@@ -14,25 +14,25 @@ from hypothesis import strategies as st
 
 from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_file import parsed
+from helicoide.kinematics.robot_folder import robot_from_folder
+from helicoide.kinematics.urdf_file import parse_urdf
 
 ROBOT = Path(__file__).parents[2] / "robots" / "planar3r"
 Road = Callable[[Robot, Array], Array]
 LENGTHS = (2.0, 1.0, 1.0)
 angles = st.lists(st.floats(-4, 4), min_size=3, max_size=3).map(np.array)
 lengths = st.tuples(*[st.floats(200, 3000)] * 3)
-roads = st.sampled_from(list(forward.ROADS.values()))
+roads = st.sampled_from(list(forward.FORMULATIONS.values()))
 
 
 @pytest.fixture(scope="module")
 def planar() -> Robot:
-    return from_folder(ROBOT)
+    return robot_from_folder(ROBOT)
 
 
 def with_lengths(lengths_mm: tuple[float, float, float]) -> Robot:
-    return from_folder(ROBOT, dict(zip(("l1", "l2", "l3"), lengths_mm, strict=True)))
+    return robot_from_folder(ROBOT, dict(zip(("l1", "l2", "l3"), lengths_mm, strict=True)))
 
 
 def closed_form(q: Array, lengths: tuple[float, ...] | Array) -> Array:
@@ -99,7 +99,7 @@ def test_starts_of_the_simulations(planar: Robot, simulation: int, q: list[float
 @pytest.mark.parametrize("lengths_mm", [(2000, 1000, 1000), (700, 2500, 400)])
 def test_links_are_drawn_as_long_as_they_are(lengths_mm: tuple[float, float, float]) -> None:
     robot = with_lengths(lengths_mm)
-    urdf = parsed(robot.urdf, robot.parameters)
+    urdf = parse_urdf(robot.urdf, robot.parameters)
     links = [drawn(urdf, f"link{i}") for i in (1, 2, 3)]
     assert links[2][:, 0].max() == pytest.approx(robot.parameters["l3"], abs=1e-6)
     for link, after, length in zip(links, links[1:], lengths_mm, strict=False):

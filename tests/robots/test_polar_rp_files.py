@@ -13,17 +13,17 @@ from hypothesis import strategies as st
 
 from helicoide.arrays import Array
 from helicoide.kinematics import forward
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
 ROBOT = Path(__file__).parents[2] / "robots" / "polar_rp"
 Road = Callable[[Robot, Array], Array]
-roads = st.sampled_from(list(forward.ROADS.values()))
+roads = st.sampled_from(list(forward.FORMULATIONS.values()))
 
 
 @pytest.fixture(scope="module")
 def polar() -> Robot:
-    return from_folder(ROBOT)
+    return robot_from_folder(ROBOT)
 
 
 def bounds(part: str) -> Array:

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from helicoide.kinematics import dh
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
 A2, A3, D3, D4 = 0.4318, 0.0203, 0.1244, 0.4318
 TEST_POSE = np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])
@@ -35,12 +35,12 @@ angles = st.lists(st.floats(-np.pi, np.pi), min_size=6, max_size=6).map(np.array
 
 @pytest.fixture(scope="module")
 def puma() -> Robot:
-    return from_folder(Path(__file__).parents[2] / "robots" / "puma560")
+    return robot_from_folder(Path(__file__).parents[2] / "robots" / "puma560")
 
 
 def product(puma: Robot, q: Array) -> Array:
     """The product of the file's DH rows."""
-    return dh.poses(puma.dh, puma.joints, q)[-1]
+    return dh.dh_poses(puma.dh, puma.joints, q)[-1]
 
 
 def closed_form(q: Array) -> Array:

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from helicoide.kinematics import dh
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 
 L1, L2, LE = 0.2794, 0.2286, 0.165
 HALF_MM = 0.5e-4 + 1e-12  # positions are printed to 0.1 mm
@@ -22,12 +22,12 @@ angles = st.lists(st.floats(-np.pi, np.pi), min_size=6, max_size=6).map(np.array
 
 @pytest.fixture(scope="module")
 def zebra() -> Robot:
-    return from_folder(Path(__file__).parents[2] / "robots" / "zebra_zero")
+    return robot_from_folder(Path(__file__).parents[2] / "robots" / "zebra_zero")
 
 
 def product(zebra: Robot, q: Array) -> Array:
     """The product of the file's DH rows."""
-    return dh.poses(zebra.dh, zebra.joints, q)[-1]
+    return dh.dh_poses(zebra.dh, zebra.joints, q)[-1]
 
 
 def approach(q: Array) -> Array:
@@ -58,7 +58,7 @@ def about(axis: int, angle: float) -> Array:
 
 def jacobian(zebra: Robot, q: Array) -> Array:
     """Geometric Jacobian of the wrist centre, Vargas 2013, eqs. 2.16 to 2.21."""
-    frames = dh.poses(zebra.dh, zebra.joints, q)
+    frames = dh.dh_poses(zebra.dh, zebra.joints, q)
     centre = frames[4][:3, 3]
     columns = [np.hstack([np.cross(T[:3, 2], centre - T[:3, 3]), T[:3, 2]]) for T in frames[:-1]]
     return np.column_stack(columns)
@@ -77,7 +77,7 @@ def test_the_rows_multiply_to_the_closed_form(zebra: Robot, q: Array) -> None:
     """Vargas 2013, eqs. B.5 to B.7: approach axis, wrist centre, effector."""
     T = product(zebra, q)
     np.testing.assert_allclose(T[:3, 2], approach(q), atol=1e-9)
-    np.testing.assert_allclose(dh.poses(zebra.dh, zebra.joints, q)[4][:3, 3], wrist(q), atol=1e-9)
+    np.testing.assert_allclose(dh.dh_poses(zebra.dh, zebra.joints, q)[4][:3, 3], wrist(q), atol=1e-9)
     np.testing.assert_allclose(T[:3, 3], wrist(q) + LE * approach(q), atol=1e-9)
 
 
@@ -118,7 +118,7 @@ def test_every_start_of_the_source_is_inside_the_limits(zebra: Robot) -> None:
 @pytest.mark.parametrize(("q", "w"), [((0, np.pi / 2, -np.pi), 43285), ((0, np.pi / 2 - 0.1, 0.1 - np.pi / 2), 306)])
 def test_manipulability_of_the_effector_with_the_wrist_held(zebra: Robot, q: tuple[float, ...], w: float) -> None:
     """Vargas 2013, eq. 3.5 at the starts of simulations 10 and 11b: w = √det(J Jᵀ) in cm³."""
-    frames = dh.poses(zebra.dh, zebra.joints, np.array([*q, 0, 0, 0]))
+    frames = dh.dh_poses(zebra.dh, zebra.joints, np.array([*q, 0, 0, 0]))
     J = np.column_stack([np.cross(T[:3, 2], frames[-1][:3, 3] - T[:3, 3]) for T in frames[:3]]) * 100
     assert np.sqrt(np.linalg.det(J @ J.T)) == pytest.approx(w, abs=0.5)
 
@@ -134,7 +134,7 @@ def test_shoulder_elbow_and_wrist_each_have_a_factor_of_the_determinant(zebra: R
 @given(angles)
 def test_the_wrist_frame_is_where_its_three_axes_meet(zebra: Robot, q: Array) -> None:
     """Vargas 2013, App. B: a spherical wrist; the tool is l_e = 165 mm in front of it."""
-    frames = dh.poses(zebra.dh, zebra.joints, q)
+    frames = dh.dh_poses(zebra.dh, zebra.joints, q)
     np.testing.assert_allclose(frames[4][:3, 3], frames[5][:3, 3], atol=1e-12)
     before = zebra.frames["tool"].T_link_frame[:3, 3] - zebra.frames["wrist"].T_link_frame[:3, 3]
     np.testing.assert_allclose(before, [0, 0, LE], atol=1e-12)

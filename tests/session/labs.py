@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from tests.pages import Hand
 
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.session.lab import Lab
 from helicoide.state import State
 
@@ -25,7 +25,7 @@ def eventually(condition: Callable[[], bool], seconds: float = 60.0) -> bool:
 @contextmanager
 def running(robot: str = "movemaster") -> Iterator[Lab]:
     """A lab whose arms live."""
-    lab = Lab(load(robot), None, None)
+    lab = Lab(load_robot(robot), None, None)
     lab.open("127.0.0.1", 0)
     try:
         assert eventually(lambda: lab.ready, 300)
@@ -52,7 +52,7 @@ def state(lab: Lab) -> State:
 def after_ticks(lab: Lab, n: int = 40) -> State:
     """The shared arm n ticks later."""
     cell = lab.shared.workcell
-    cell.tell(lambda state: replace(state, request=replace(state.request, rested=0.0)))
+    cell.tell(lambda state: replace(state, request=replace(state.request, unchanged=0.0)))
     now = cell.ticks
     assert eventually(lambda: cell.ticks >= now + n)
     return cell.state

@@ -12,7 +12,7 @@ from tests.session.labs import after_ticks, eventually, state, window
 
 from helicoide import gate, kernels
 from helicoide.kernels import Kernel
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.session import lab as labs
 from helicoide.session import preparing
 from helicoide.session.lab import Lab
@@ -57,12 +57,12 @@ def preparing_lab(monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[Lab, Slow]]
     def exercise() -> None:
         asked.append("load")
         if len(asked) == 1:
-            raise kernels.NotKept
+            raise kernels.NotCached
         exercise_all()
 
     monkeypatch.setattr(preparing, "exercise", exercise)
     monkeypatch.setattr(labs, "Apart", Slow)
-    lab = Lab(load("movemaster"), None, None)
+    lab = Lab(load_robot("movemaster"), None, None)
     lab.open("127.0.0.1", 0)
     try:
         yield lab, lab._compilation

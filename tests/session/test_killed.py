@@ -8,7 +8,7 @@ import pytest
 from tests.jobs.works import dies
 
 from helicoide.session import mapping
-from helicoide.session.mapping import Mapping
+from helicoide.session.mapping import MapJob
 from helicoide.state import State, Update
 
 PATIENCE = 120.0
@@ -24,7 +24,7 @@ def test_a_map_that_is_killed_has_failed(
         nonlocal state
         state = update(state)
 
-    maps = Mapping(lambda: state, post)
+    maps = MapJob(lambda: state, post)
 
     async def run() -> None:
         maps.begin("reachable")
@@ -33,5 +33,5 @@ def test_a_map_that_is_killed_has_failed(
 
     asyncio.run(run())
     assert state.notice == mapping.FAILED
-    assert state.workspace.counting is None
+    assert state.workspace.progress is None
     assert "ended from outside" in caplog.text

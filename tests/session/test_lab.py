@@ -14,15 +14,15 @@ from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
 from helicoide import gate, lesson
-from helicoide.command import Hold
-from helicoide.kinematics.library import load
+from helicoide.command import HoldPosition
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.session import arms, bay
 from helicoide.session.display import Display
 from helicoide.session.lab import Lab
 from helicoide.session.seats import KEPT, LIVES_ON, Seats
 from helicoide.session.workcell import Workcell
-from helicoide.state import initial
+from helicoide.state import initial_state
 from helicoide.view.rows import View
 from helicoide.view.window import Window
 
@@ -90,7 +90,7 @@ def test_a_lesson_looks_only_at_its_own_arm(lab: Lab, hand: Hand) -> None:
     assert eventually(lambda: state(lab).robot.name == "planar2r")
     (visitor,) = lab.visitors.values()
     in_lesson = lesson.entered(visitor.place.seat, "drive_the_arm")
-    found = lesson.load("drive_the_arm")
+    found = lesson.load_lesson("drive_the_arm")
     for step in range(len(found.steps)):
         seat = replace(in_lesson, step=step)
         assert lesson.progressed(found, state(lab), seat) is seat
@@ -120,7 +120,7 @@ def test_a_lesson_stays_that_was_chosen_while_another_arm_was_on_its_way(
         return load(name, lengths)
 
     monkeypatch.setattr(arms, "_loaded", slowly)
-    hand.do(hand.page.give("Lesson", lesson.load("drive_the_arm").title.en))
+    hand.do(hand.page.give("Lesson", lesson.load_lesson("drive_the_arm").title.en))
     assert eventually(lambda: visitor.place.seat.lesson == "drive_the_arm")
     lab.loop.call_soon_threadsafe(visitor.meet)
     lab.loop.call_soon_threadsafe(coming.set)
@@ -248,13 +248,13 @@ def test_what_takes_longer_than_a_tick_is_no_part_of_one(lab: Lab, hand: Hand) -
     assert eventually(lambda: state(lab).request.searched)
     assert state(lab).request.command.T_world_target[0, 3] < 1.0  # type: ignore[union-attr]
     lab.shared.workcell.tell(gate.get_ready())
-    assert eventually(lambda: state(lab).request.command == Hold())
+    assert eventually(lambda: state(lab).request.command == HoldPosition())
     after_ticks(lab)
 
 
 def test_seats_that_nobody_uses_are_forgotten_and_their_arms_rest() -> None:
     seats = Seats(None)
-    cell = Workcell(initial(load("movemaster")), lambda: None, ThreadPoolExecutor(1))
+    cell = Workcell(initial_state(load_robot("movemaster")), lambda: None, ThreadPoolExecutor(1))
     used, left = seats.take(None, "en"), seats.take(None, "pt_BR")
     used.own = left.own = cell
     seats.leave(left)

@@ -11,22 +11,22 @@ import pytest
 
 from helicoide import gate
 from helicoide.jobs import chunks
-from helicoide.jobs.apart import Report
+from helicoide.jobs.process import Report
 from helicoide.kinematics import workspace
-from helicoide.kinematics.library import load
-from helicoide.kinematics.workspace import CHUNK, KINDS, Kind, Plan, normal_of
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.workspace import CHUNK, MAP_KINDS, MapKind, MapPlan, plane_normal
 from helicoide.session import mapping
-from helicoide.session.mapping import Mapping, plan_of
-from helicoide.state import State, Update, Workspace, initial
+from helicoide.session.mapping import MapJob, plan_of
+from helicoide.state import State, Update, WorkspaceMaps, initial_state
 from helicoide.view.layers.workspace import MOST
 
 TINY, ENDLESS = 2 * CHUNK, 10**6 * CHUNK
 PATIENCE = 300.0
 
 
-def share(workspace: Workspace) -> float | None:
+def share(workspace: WorkspaceMaps) -> float | None:
     """How much is counted of the map that is being counted."""
-    return None if workspace.counting is None else workspace.counting.share
+    return None if workspace.progress is None else workspace.progress.share
 
 
 class _Arm:
@@ -34,8 +34,8 @@ class _Arm:
 
     def __init__(self, state: State) -> None:
         self.state = state
-        self.had: list[Workspace] = []
-        self.mapping = Mapping(lambda: self.state, self.post)
+        self.had: list[WorkspaceMaps] = []
+        self.mapping = MapJob(lambda: self.state, self.post)
 
     def post(self, update: Update) -> None:
         self.state = update(self.state)
@@ -85,11 +85,11 @@ def live(arm: _Arm, run: Callable[[], Coroutine[object, object, None]]) -> None:
 
 
 def of_size(monkeypatch: pytest.MonkeyPatch, samples: int) -> None:
-    monkeypatch.setattr(mapping, "SAMPLES", {kind: {2: samples, 3: samples} for kind in KINDS})
+    monkeypatch.setattr(mapping, "SAMPLES", {kind: {2: samples, 3: samples} for kind in MAP_KINDS})
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytest.MonkeyPatch, kind: Kind) -> None:
+@pytest.mark.parametrize("kind", MAP_KINDS)
+def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytest.MonkeyPatch, kind: MapKind) -> None:
     of_size(monkeypatch, TINY)
 
     async def run() -> None:
@@ -97,8 +97,8 @@ def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytes
         await arm.over()
 
     live(arm, run)
-    plan = workspace.planned(arm.state.robot, kind, TINY)
-    expected = workspace.gathered(plan, workspace.parts(plan), lambda share: None)
+    plan = workspace.plan_map(arm.state.robot, kind, TINY)
+    expected = workspace.collect_map(plan, workspace.count_chunks(plan), lambda share: None)
     found = arm.state.workspace.map
     assert found is not None
     np.testing.assert_array_equal(found.hits, expected.hits)
@@ -106,7 +106,7 @@ def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytes
     assert not found.hits.flags.writeable
     assert not found.values.flags.writeable
     assert [share(had) for had in arm.had] == [0.0, 0.5, 1.0, None]
-    assert chunks.kept(plan) is not None
+    assert chunks.cached_map(plan) is not None
 
 
 def test_a_kept_map_appears_without_a_process(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -143,13 +143,13 @@ def ended(arm: _Arm, by: Callable[[], object]) -> None:
 def test_it_can_be_ended(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, ENDLESS)
     ended(arm, lambda: arm.post(gate.end_map()))
-    assert arm.state.workspace.counting is None
+    assert arm.state.workspace.progress is None
 
 
 def test_another_arm_ends_it_and_gets_no_map(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, ENDLESS)
-    scara = load("scara")
-    other = gate.start_map(scara, "reachable")(initial(scara))
+    scara = load_robot("scara")
+    other = gate.start_map(scara, "reachable")(initial_state(scara))
     ended(arm, lambda: setattr(arm, "state", other))
     assert arm.state is other
 
@@ -185,7 +185,7 @@ def test_a_second_one_ends_the_first(arm: _Arm, monkeypatch: pytest.MonkeyPatch)
     assert arm.state.workspace.map.samples == TINY
 
 
-def breaks(report: Report, plan: Plan) -> None:
+def breaks(report: Report, plan: MapPlan) -> None:
     raise ValueError("no such map")
 
 
@@ -201,7 +201,7 @@ def test_a_failure_is_said_in_words(
 
     live(arm, run)
     assert arm.state.notice == mapping.FAILED
-    assert (arm.state.workspace.counting, arm.state.workspace.map) == (None, None)
+    assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
     assert "no such map" in caplog.text
 
 
@@ -219,17 +219,17 @@ def test_a_killed_process_is_said_in_words(
 
     live(arm, run)
     assert arm.state.notice == mapping.FAILED
-    assert (arm.state.workspace.counting, arm.state.workspace.map) == (None, None)
+    assert (arm.state.workspace.progress, arm.state.workspace.map) == (None, None)
     assert "ended from outside" in caplog.text
 
 
 @pytest.mark.parametrize("name", ["movemaster", "scara", "planar3r", "polar_rp"])
-@pytest.mark.parametrize("kind", KINDS)
-def test_maps_are_fine_and_those_in_a_plane_can_be_sent_whole(name: str, kind: Kind) -> None:
-    robot = load(name)
+@pytest.mark.parametrize("kind", MAP_KINDS)
+def test_maps_are_fine_and_those_in_a_plane_can_be_sent_whole(name: str, kind: MapKind) -> None:
+    robot = load_robot(name)
     plan = plan_of(robot, kind)
     across = plan.cells.shape[0]
-    if normal_of(robot) is None:
+    if plane_normal(robot) is None:
         assert across == {"reachable": 64, "dexterous": 22, "manipulability": 56}[kind]
     else:
         assert across >= 130

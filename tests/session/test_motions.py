@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from helicoide import gate
-from helicoide.command import Hold, Replay
+from helicoide.command import HoldPosition, Replay
 from helicoide.kinematics.robot import Robot
 from helicoide.session import arms
 from helicoide.session.arms import Arms
 from helicoide.session.replaying import along_fastest
 from helicoide.session.workcell import Workcell
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 from helicoide.studies.study import Motion
 
 Meanwhile = Callable[[Workcell], object] | None
@@ -26,7 +26,7 @@ Meanwhile = Callable[[Workcell], object] | None
 
 @pytest.fixture
 def workcell(robot: Robot) -> Workcell:
-    return Workcell(initial(robot), lambda: None, ThreadPoolExecutor(1))
+    return Workcell(initial_state(robot), lambda: None, ThreadPoolExecutor(1))
 
 
 def stop_in_time(workcell: Workcell) -> None:
@@ -66,13 +66,13 @@ def test_a_motion_begins_when_it_is_worked_out(workcell: Workcell) -> None:
 
 @pytest.mark.parametrize("meanwhile", [stop_in_time, stop_before_it_is_done])
 def test_a_stop_ends_a_motion_that_is_worked_out(workcell: Workcell, meanwhile: Meanwhile) -> None:
-    assert worked_out(workcell, meanwhile).request.command == Hold(stopped=True)
+    assert worked_out(workcell, meanwhile).request.command == HoldPosition(stopped=True)
 
 
 @pytest.fixture
 def play_on_another_arm(monkeypatch: pytest.MonkeyPatch, workcell: Workcell) -> Callable[[Meanwhile], State]:
     """Play a motion of the PUMA while another arm stands there; what happens while the PUMA is fetched."""
-    fetched, load = threading.Event(), arms.load
+    fetched, load = threading.Event(), arms.load_robot
 
     def slowly(*arguments: Any) -> Robot:
         assert fetched.wait(60)
@@ -110,4 +110,4 @@ def test_a_stop_while_the_arm_is_fetched_ends_its_motion(
 ) -> None:
     state = play_on_another_arm(meanwhile)
     assert state.robot.name == "puma560"
-    assert state.request.command == Hold()
+    assert state.request.command == HoldPosition()

@@ -16,12 +16,12 @@ from tests.session.labs import after_ticks, eventually, running, state, window
 from tests.session.turns import Turns, counted
 
 from helicoide import gate, studies
-from helicoide.command import Hold
+from helicoide.command import HoldPosition
 from helicoide.jobs import chunks
-from helicoide.kinematics.workspace import KINDS
+from helicoide.kinematics.workspace import MAP_KINDS
 from helicoide.session import mapping
 from helicoide.session.lab import Lab
-from helicoide.view.mapping import TITLES
+from helicoide.view.workspace_rows import TITLES
 
 LONGEST = 0.1
 # Those that report most often; all of them run in the long form.
@@ -64,7 +64,7 @@ def drawn(lab: Lab) -> str:
 def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
     (visitor,) = lab.visitors.values()
     before = visitor.place.desk.last
-    hand.do(hand.page.give("Study", studies.named(name).TITLE.en))
+    hand.do(hand.page.give("Study", studies.study_named(name).TITLE.en))
     assert eventually(lambda: visitor.place.desk.study == name)
 
     def begun() -> bool:
@@ -75,18 +75,18 @@ def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
     assert eventually(begun)
     turns = under_way(lab, hand, lambda: visitor.place.desk.last is not before)
     assert turns.longest < LONGEST, turns.what
-    assert state(lab).request.command == Hold(stopped=True)
+    assert state(lab).request.command == HoldPosition(stopped=True)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", MAP_KINDS)
 def test_a_map_holds_nothing_up(lab: Lab, hand: Hand, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(chunks, "kept", lambda plan: None)
-    monkeypatch.setattr(mapping, "SAMPLES", {one: {2: 150_000, 3: 700_000} for one in KINDS})
+    monkeypatch.setattr(mapping, "SAMPLES", {one: {2: 150_000, 3: 700_000} for one in MAP_KINDS})
     hand.do(hand.page.give("Map", TITLES[kind].en))
     assert eventually(lambda: kind in {place.seat.map_kind for place in lab.seats.places.values()})
     hand.do(hand.page.press("Work out the map"))
-    assert eventually(lambda: state(lab).workspace.counting is not None)
-    turns = under_way(lab, hand, lambda: state(lab).workspace.counting is None)
+    assert eventually(lambda: state(lab).workspace.progress is not None)
+    turns = under_way(lab, hand, lambda: state(lab).workspace.progress is None)
     assert state(lab).workspace.map is not None
     assert turns.longest < LONGEST, turns.what
 
@@ -106,7 +106,7 @@ def test_a_cloud_of_a_million_points_holds_nothing_up(lab: Lab, hand: Hand) -> N
     file = f"{header}VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 1000000\nDATA binary\n".encode() + content
     lab.shared.workcell.tell(gate.clear_planes())
     lab.loop.call_soon_threadsafe(lab.shared.survey.read, "room.pcd", file, "+z")
-    turns = under_way(lab, hand, lambda: "+z" in state(lab).seen)
+    turns = under_way(lab, hand, lambda: "+z" in state(lab).clouds)
     assert turns.longest < LONGEST, turns.what
     lab.shared.workcell.tell(gate.restore_planes())
 
@@ -117,6 +117,6 @@ def test_a_stop_ends_a_tour_and_what_is_worked_out(lab: Lab, hand: Hand) -> None
         hand.do(hand.page.stop())
         stopped = after_ticks(lab, 20)
         later = after_ticks(lab, 200)
-        assert later.request.command == Hold(stopped=True)
+        assert later.request.command == HoldPosition(stopped=True)
         assert (later.arm.q == stopped.arm.q).all()
     lab.shared.workcell.tell(gate.restore_planes())

@@ -21,7 +21,7 @@ from numba.core import event
 
 from helicoide import kernels
 from helicoide.commands import serve
-from helicoide.jobs.apart import Apart
+from helicoide.jobs.process import Apart
 from helicoide.kinematics.library import load
 from helicoide.session.preparing import compiled, prepare
 from tests.pressing import everything

@@ -12,7 +12,7 @@ import pytest
 from tests.jobs.works import counts, fails, is_killed, waits
 
 from helicoide import kernels
-from helicoide.jobs.apart import Apart
+from helicoide.jobs.process import ProcessJob
 from helicoide.kinematics.robot import Robot
 from helicoide.session import preparing
 from helicoide.session.preparing import AGAIN, HERE, NOT_KEPT, compiling, prepare
@@ -29,18 +29,18 @@ def exercised(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
     def exercise() -> None:
         asked.append("load" if not asked else "rest")
         if asked == ["load"]:
-            raise kernels.NotKept
+            raise kernels.NotCached
 
     monkeypatch.setattr(preparing, "exercise", exercise)
     monkeypatch.setattr(kernels, "KERNELS", {})
     monkeypatch.setattr(kernels, "CACHE_FOLDER", tmp_path)
-    monkeypatch.setattr(kernels.Kept, "refusal", None)
+    monkeypatch.setattr(kernels.KernelCache, "refusal", None)
     return asked
 
 
 def said(
     robot: Robot,
-    compilation: Apart,
+    compilation: ProcessJob,
     hear: Callable[[Text], None] = lambda text: None,
     meanwhile: Callable[[bool], object] = lambda alive: None,
 ) -> Words:
@@ -57,44 +57,46 @@ def said(
 def test_what_is_on_disk_is_loaded_and_nothing_is_said(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
     alive: list[bool] = []
     monkeypatch.setattr(preparing, "exercise", lambda: None)
-    assert said(robot, Apart(fails), meanwhile=alive.append) == []
+    assert said(robot, ProcessJob(fails), meanwhile=alive.append) == []
     assert alive == [True], "by Python, as long as they are loaded"
 
 
 def test_what_is_not_on_disk_is_compiled_apart(robot: Robot, exercised: list[str]) -> None:
     alive: list[bool] = []
-    assert said(robot, Apart(counts, 3), meanwhile=alive.append) == [compiling(0), compiling(1), compiling(2)]
+    assert said(robot, ProcessJob(counts, 3), meanwhile=alive.append) == [compiling(0), compiling(1), compiling(2)]
     assert exercised == ["load", "rest"]
     assert alive == [True], "the arms live by Python meanwhile"
 
 
 def test_a_preparation_that_is_killed_begins_again(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
-    words = said(robot, Apart(is_killed, str(tmp_path / "lives"), 1))
+    words = said(robot, ProcessJob(is_killed, str(tmp_path / "lives"), 1))
     assert words == [compiling(1), compiling(0, AGAIN), compiling(1), compiling(2)]
     assert exercised == ["load", "rest"]
 
 
 def test_one_that_is_killed_twice_goes_on_in_this_process(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
-    words = said(robot, Apart(is_killed, str(tmp_path / "lives"), 2))
+    words = said(robot, ProcessJob(is_killed, str(tmp_path / "lives"), 2))
     assert words == [compiling(1), compiling(0, AGAIN), compiling(1), compiling(0, HERE)]
     assert exercised == ["load", "rest"]
 
 
 def test_a_killed_preparation_is_noticed_at_once(robot: Robot, exercised: list[str], tmp_path: Path) -> None:
     heard = dict[Text, float]()
-    said(robot, Apart(is_killed, str(tmp_path / "lives"), 1), lambda text: heard.setdefault(text, time.monotonic()))
+    said(
+        robot, ProcessJob(is_killed, str(tmp_path / "lives"), 1), lambda text: heard.setdefault(text, time.monotonic())
+    )
     took = heard[compiling(0, AGAIN)] - heard[compiling(1)]
     print(f"noticed after {took:.2f} s")
     assert took < 20
 
 
 def test_one_that_fails_goes_on_in_this_process(robot: Robot, exercised: list[str]) -> None:
-    assert said(robot, Apart(fails)) == [compiling(0)]
+    assert said(robot, ProcessJob(fails)) == [compiling(0)]
     assert exercised == ["load", "rest"]
 
 
 def test_one_that_is_stopped_leaves_it_at_that(robot: Robot, exercised: list[str]) -> None:
-    compilation = Apart(waits, "")
+    compilation = ProcessJob(waits, "")
     assert said(robot, compilation, lambda text: compilation.stop()) == [compiling(0)]
     assert exercised == ["load"]
 
@@ -107,11 +109,11 @@ def test_what_is_compiled_here_is_counted_and_why_is_said(
 
     def exercise() -> None:
         beginning()
-        monkeypatch.setattr(kernels.Kept, "refusal", OSError(errno.ENOSPC, "No space left on device"))
+        monkeypatch.setattr(kernels.KernelCache, "refusal", OSError(errno.ENOSPC, "No space left on device"))
         kernels.Kernel(twice)(1.0)
 
     monkeypatch.setattr(preparing, "exercise", exercise)
-    assert said(robot, Apart(fails), meanwhile=alive.append) == [compiling(0), compiling(1, NOT_KEPT)]
+    assert said(robot, ProcessJob(fails), meanwhile=alive.append) == [compiling(0), compiling(1, NOT_KEPT)]
     assert alive == [True, False]
     for language in LANGUAGES:
         assert str(kernels.CACHE_FOLDER) in compiling(1, NOT_KEPT)[language]
@@ -128,7 +130,7 @@ def test_a_process_of_its_own_stops_compiling_when_nothing_can_be_kept(
 
     def exercise() -> None:
         kernels.Kernel(twice)(1.0)
-        monkeypatch.setattr(kernels.Kept, "refusal", OSError(errno.ENOSPC, "No space left on device"))
+        monkeypatch.setattr(kernels.KernelCache, "refusal", OSError(errno.ENOSPC, "No space left on device"))
         kernels.Kernel(twice)(1)
         raise AssertionError("it was not stopped")
 

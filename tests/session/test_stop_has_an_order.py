@@ -10,9 +10,9 @@ import pytest
 from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 
-from helicoide.command import Hold
+from helicoide.command import HoldPosition
 from helicoide.session.lab import Lab
-from helicoide.state import State, initial
+from helicoide.state import State, initial_state
 from helicoide.view.window import LATE
 
 BUSY = 0.3
@@ -28,8 +28,8 @@ def lab() -> Iterator[Lab]:
 
 @pytest.fixture
 def one(lab: Lab) -> Iterator[Hand]:
-    lab.shared.workcell.tell(lambda state: initial(state.robot))
-    assert eventually(lambda: state(lab).request.command == Hold() and not state(lab).arm.moving)
+    lab.shared.workcell.tell(lambda state: initial_state(state.robot))
+    assert eventually(lambda: state(lab).request.command == HoldPosition() and not state(lab).arm.moving)
     hand = window(lab)
     yield hand
     hand.close()
@@ -79,7 +79,7 @@ def unmoved(lab: Lab, before: State) -> bool:
     """Whether the arm has been stopped, and neither it nor its planes have changed since."""
     after = after_ticks(lab)
     return bool(
-        after.request.command == Hold(stopped=True)
+        after.request.command == HoldPosition(stopped=True)
         and (after.arm.q == before.arm.q).all()
         and after.problem is before.problem
         and after.request.gripper == before.request.gripper
@@ -104,7 +104,7 @@ def test_what_a_window_sent_before_its_stop_does_nothing(lab: Lab, one: Hand, as
     busy(lab)
     ASKED[asked](one)
     one.do(one.page.stop())
-    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == HoldPosition(stopped=True))
     assert unmoved(lab, state(lab))
 
 
@@ -113,22 +113,22 @@ def test_what_another_window_sent_before_it_knew_does_nothing(lab: Lab, one: Han
     other.page.passes = False
     one.do(one.page.stop())
     before = state(lab)
-    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == HoldPosition(stopped=True))
     ASKED[asked](other)
     assert unmoved(lab, before)
 
 
 def test_a_drag_that_was_under_way_stays_dead_until_it_begins_anew(lab: Lab, one: Hand, other: Hand) -> None:
     drag(other)
-    assert eventually(lambda: state(lab).request.grasp is not None)
+    assert eventually(lambda: state(lab).request.drag is not None)
     one.do(one.page.stop())
-    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == HoldPosition(stopped=True))
     before = state(lab)
     other.do(other.page.gizmo("Update", wxyz=HERE["wxyz"], position=(0.4, -0.1, 0.3)))
     other.do(other.page.gizmo("DragEnd"))
     assert unmoved(lab, before)
     drag(other)
-    assert eventually(lambda: state(lab).request.grasp is not None)
+    assert eventually(lambda: state(lab).request.drag is not None)
     assert eventually(lambda: state(lab).arm.moving)
 
 
@@ -175,9 +175,9 @@ def test_a_page_without_its_own_channel_drives_nothing(lab: Lab, one: Hand, aske
 
 def test_a_drag_ends_when_the_channel_does(lab: Lab, one: Hand) -> None:
     drag(one)
-    assert eventually(lambda: state(lab).request.grasp is not None)
+    assert eventually(lambda: state(lab).request.drag is not None)
     one.do(one.page.hang_up())
-    assert eventually(lambda: state(lab).request.grasp is None)
+    assert eventually(lambda: state(lab).request.drag is None)
 
 
 def test_a_stop_reaches_every_arm_that_a_real_one_follows(lab: Lab, one: Hand, other: Hand) -> None:
@@ -187,9 +187,9 @@ def test_a_stop_reaches_every_arm_that_a_real_one_follows(lab: Lab, one: Hand, o
     assert eventually(lambda: state(lab).arm.moving)
     other.do(other.page.stop())
     after_ticks(lab)
-    assert state(lab).request.command != Hold(stopped=True), "an arm of one's own is stopped alone"
+    assert state(lab).request.command != HoldPosition(stopped=True), "an arm of one's own is stopped alone"
     lab.shared.workcell.connected = True
     other.do(other.page.stop())
-    assert eventually(lambda: state(lab).request.command == Hold(stopped=True))
+    assert eventually(lambda: state(lab).request.command == HoldPosition(stopped=True))
     assert eventually(lambda: one.page.notice.get("everywhere") is True)
     lab.shared.workcell.connected = False

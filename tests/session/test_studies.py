@@ -11,13 +11,13 @@ from typing import Any
 import pytest
 
 from helicoide import studies as all_studies
-from helicoide.jobs.apart import Apart, Report
+from helicoide.jobs.process import ProcessJob, Report
 from helicoide.seat import Seat
 from helicoide.session import studies
 from helicoide.session.seats import Place
 from helicoide.session.studies import FAILED, Studies
-from helicoide.studies import desk as desks
-from helicoide.studies.desk import Desk
+from helicoide.studies import panel_state as desks
+from helicoide.studies.panel_state import StudyPanelState
 
 NAME = "cerbaro_orca_convergence"
 PATIENCE = 300.0
@@ -34,7 +34,7 @@ def breaks(report: Report, name: str, options: Any, short: bool) -> object:
     raise ValueError("no such study")
 
 
-class Torn(Apart):
+class Torn(ProcessJob):
     """A run whose pipe breaks in the middle of a message."""
 
     def progress(self) -> Iterator[Any]:
@@ -42,7 +42,7 @@ class Torn(Apart):
         raise OSError("got end of file during message")
 
 
-class Unstarted(Apart):
+class Unstarted(ProcessJob):
     """A run for which the system has no process left."""
 
     def progress(self) -> Iterator[Any]:
@@ -63,12 +63,12 @@ class Person:
         self.place = Place(Seat("token", "en"))
 
     @property
-    def desk(self) -> Desk:
+    def desk(self) -> StudyPanelState:
         return self.place.desk
 
     def begin(self) -> None:
-        self.studies.redesk(self.place, desks.choose(NAME))
-        self.studies.redesk(self.place, desks.start)
+        self.studies.redesk(self.place, desks.with_study(NAME))
+        self.studies.redesk(self.place, desks.with_run_started)
         assert self.desk.progress == 0
 
     async def until(self, condition: Callable[[], object]) -> None:
@@ -115,7 +115,7 @@ def test_a_study_comes_to_its_result() -> None:
     assert person.desk.last is not None
     assert person.desk.last.study == NAME
     assert len(person.desk.last.result.rows) == len(
-        all_studies.named(NAME).run(person.desk.last.options, True, lambda share: None).rows
+        all_studies.study_named(NAME).run(person.desk.last.options, True, lambda share: None).rows
     )
     assert is_free(person)
 
@@ -156,7 +156,7 @@ def test_a_process_that_is_killed_before_it_says_anything_is_said(running: Calla
     ("way", "words"), [(Torn, "end of file during message"), (Unstarted, "Cannot allocate memory")]
 )
 def test_a_pipe_that_breaks_and_a_process_that_does_not_start_are_said(
-    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture, way: type[Apart], words: str
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture, way: type[ProcessJob], words: str
 ) -> None:
     monkeypatch.setattr(studies, "Apart", way)
 
@@ -188,8 +188,8 @@ def test_a_study_that_breaks_is_said_with_its_traceback_in_the_log(
 @pytest.mark.parametrize(
     "end",
     [
-        lambda person: person.studies.redesk(person.place, desks.end),
-        lambda person: person.studies.redesk(person.place, desks.choose("")),
+        lambda person: person.studies.redesk(person.place, desks.with_run_ended),
+        lambda person: person.studies.redesk(person.place, desks.with_study("")),
         lambda person: person.studies.forget(person.place),
         lambda person: person.studies.close(),
     ],

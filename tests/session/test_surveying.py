@@ -12,13 +12,13 @@ import pytest
 from tests.driving import at
 
 from helicoide import gate
-from helicoide.command import Hold, ToJoints
+from helicoide.command import HoldPosition, MoveToJoints
 from helicoide.perception import realsense
 from helicoide.perception.camera import SimulatedCamera
 from helicoide.perception.units import Unit
 from helicoide.session.surveying import LOOK, Surveying
 from helicoide.state import State, Update
-from helicoide.text import HelicoideError, same
+from helicoide.text import HelicoideError, untranslated
 
 
 class _Arm:
@@ -26,12 +26,12 @@ class _Arm:
 
     def __init__(self, state: State) -> None:
         self.state = state
-        self.sent: list[ToJoints] = []
+        self.sent: list[MoveToJoints] = []
 
     def post(self, update: Update) -> None:
         before, self.state = self.state, update(self.state)
         command = self.state.request.command
-        if isinstance(command, ToJoints) and command is not before.request.command:
+        if isinstance(command, MoveToJoints) and command is not before.request.command:
             self.sent.append(command)
             self.state = at(self.state, command.q)
 
@@ -44,8 +44,8 @@ def toured(state: State, stop_after: int | None, real: bool = False) -> _Arm:
         arm.post(update)
         if (
             stop_after is not None
-            and len(arm.state.seen) == stop_after
-            and arm.state.request.command != Hold(stopped=True)
+            and len(arm.state.clouds) == stop_after
+            and arm.state.request.command != HoldPosition(stopped=True)
         ):
             arm.post(gate.stop())
 
@@ -61,7 +61,7 @@ def toured(state: State, stop_after: int | None, real: bool = False) -> _Arm:
 
 def test_every_plane_is_read(state: State) -> None:
     arm = toured(state, None)
-    assert set(arm.state.seen) == {"+z", "+y", "-y"}
+    assert set(arm.state.clouds) == {"+z", "+y", "-y"}
     assert set(arm.state.problem.planes.names) == {"+z", "+y", "-y", "-z"}
     assert len(arm.sent) == 3
 
@@ -78,13 +78,13 @@ def test_a_tour_waits_for_an_arm_whose_thread_is_late(state: State) -> None:
         await asyncio.sleep(2 * late)
 
     asyncio.run(run())
-    assert set(arm.state.seen) == {"+z", "+y", "-y"}
+    assert set(arm.state.clouds) == {"+z", "+y", "-y"}
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])
 def test_nothing_moves_after_a_stop_while_a_plane_is_read(state: State, count: int) -> None:
     arm = toured(state, count)
-    assert arm.state.request.command == Hold(stopped=True)
+    assert arm.state.request.command == HoldPosition(stopped=True)
     assert len(arm.sent) == count
 
 
@@ -96,7 +96,7 @@ def camera(monkeypatch: pytest.MonkeyPatch) -> dict[str, bool]:
     @contextmanager
     def connected() -> Iterator[SimulatedCamera]:
         if not is_["there"]:
-            raise HelicoideError(same("No camera answers."))
+            raise HelicoideError(untranslated("No camera answers."))
         is_["open"] = True
         try:
             yield SimulatedCamera()
@@ -109,7 +109,7 @@ def camera(monkeypatch: pytest.MonkeyPatch) -> dict[str, bool]:
 
 def test_a_real_camera_reads_every_plane_and_is_let_go(state: State, camera: dict[str, bool]) -> None:
     arm = toured(state, None, real=True)
-    assert set(arm.state.seen) == {"+z", "+y", "-y"}
+    assert set(arm.state.clouds) == {"+z", "+y", "-y"}
     assert (camera["open"], camera["let go"]) == (False, True)
 
 
@@ -142,13 +142,13 @@ def test_a_camera_that_is_still_being_opened_is_let_go(state: State, camera: dic
 
     asyncio.run(run())
     assert (camera["open"], camera["let go"]) == (False, True)
-    assert set(arm.state.seen) == {"+z", "+y", "-y"}
+    assert set(arm.state.clouds) == {"+z", "+y", "-y"}
 
 
 def test_without_a_camera_it_is_said_and_the_planes_stay(state: State, camera: dict[str, bool]) -> None:
     camera["there"] = False
     arm = toured(state, None, real=True)
-    assert arm.state.notice == same("No camera answers.")
+    assert arm.state.notice == untranslated("No camera answers.")
     assert arm.state.problem.planes is state.problem.planes
     assert not arm.sent
 
@@ -178,7 +178,7 @@ def test_a_plane_of_a_file_is_put_up_and_the_unit_is_said(state: State, scale: f
     after = read(state, room(scale), unit)
     planes = after.problem.planes
     assert planes.offsets[planes.names.index("+z")] == pytest.approx(-0.9, abs=0.002)
-    assert ("as chosen" if unit else "as it looks") in after.seen["+z"].words.en
+    assert ("as chosen" if unit else "as it looks") in after.clouds["+z"].words.en
 
 
 def test_a_file_whose_unit_nobody_can_tell_changes_nothing_but_words(state: State) -> None:

@@ -25,7 +25,7 @@ DIFFERS = {"cerbaro_forward": 1, "cerbaro_movemaster_ellipse": 2, "cerbaro_algor
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_whole_study_says_what_it_says(name: str) -> None:
-    study = studies.named(name)
+    study = studies.study_named(name)
     rows = study.run(study.Options(), False, lambda share: None).rows
     differing = [row for row in rows if row.verdict is Verdict.DIFFERS]
     assert all(row.why for row in differing)

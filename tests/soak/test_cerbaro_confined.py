@@ -13,7 +13,7 @@ import pytest
 from helicoide import studies
 from helicoide.ik.adaptation import CAP, NONE, Rule, everywhere
 from helicoide.studies.cerbaro_runs import confined
-from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, Course, Gains
+from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, ConfinedRun, Gains
 from helicoide.studies.study import Verdict
 from helicoide.trajectory import Ellipse
 
@@ -36,8 +36,8 @@ PLANES = {"ellipse": (85.9, 118.5, 109.9, 110.0), "line": (81.6, 117.6, 110.0, 1
 OF_CASE_3 = {"ellipse": (112.0, 63.0, 317), "line": (50.5, 25.0, 325)}
 
 
-def course(path: Ellipse, case: int, rule: Rule) -> Course:
-    return confined.by_rule(path, case, Gains(500.0, 0.5, 1e-3), rule, 601, lambda share: None)
+def course(path: Ellipse, case: int, rule: Rule) -> ConfinedRun:
+    return confined.run_by_rule(path, case, Gains(500.0, 0.5, 1e-3), rule, 601, lambda share: None)
 
 
 def ratcheting(rule: Rule) -> Rule:
@@ -46,7 +46,7 @@ def ratcheting(rule: Rule) -> Rule:
 
 @pytest.mark.parametrize("name", PATHS)
 def test_a_whole_study_differs_where_it_says_so(name: str) -> None:
-    study = studies.named(f"cerbaro_confined_{name}")
+    study = studies.study_named(f"cerbaro_confined_{name}")
     rows = study.run(study.Options(), False, lambda share: None).rows
     assert {row.quantity.en for row in rows if row.verdict is Verdict.DIFFERS} == DIFFERS[name]
     assert all(row.why for row in rows if row.verdict is Verdict.DIFFERS)
@@ -56,22 +56,22 @@ def test_a_whole_study_differs_where_it_says_so(name: str) -> None:
 @pytest.mark.parametrize("name", PATHS)
 def test_least_distances_are_those_of_other_code(name: str, case: int) -> None:
     path = PATHS[name]
-    assert course(path, case, NONE).least[0] == pytest.approx(TRIMMED[name][case - 1], abs=0.16)
-    found = course(path, case, ratcheting(confined.source_rule())).least[:2]
+    assert course(path, case, NONE).least_distances[0] == pytest.approx(TRIMMED[name][case - 1], abs=0.16)
+    found = course(path, case, ratcheting(confined.source_rule())).least_distances[:2]
     np.testing.assert_allclose(found, CEILING[name][case - 1], atol=0.16)
 
 
 @pytest.mark.parametrize("name", OF_CASE_3)
 def test_case_3_is_that_of_other_code(name: str) -> None:
-    path, every = PATHS[name], everywhere(confined.confined().planes)
+    path, every = PATHS[name], everywhere(confined.confined_problem().planes)
     deviation, undamped, given_up = OF_CASE_3[name]
     found = course(path, 3, ratcheting(every))
-    np.testing.assert_allclose(found.least, PLANES[name], atol=0.16)
+    np.testing.assert_allclose(found.least_distances, PLANES[name], atol=0.16)
     assert found.deviation == pytest.approx(deviation, abs=0.6)
     assert course(path, 3, replace(every, damps=False)).deviation == pytest.approx(undamped, abs=0.6)
     printed = course(path, 3, Rule((confined.CEILING,), corrected=False, level=True, ratchets=True))
-    assert (printed.moved >= CAP).sum() == given_up
-    assert printed.least[0] == pytest.approx(72.75, abs=0.16)
+    assert (printed.target_moves >= CAP).sum() == given_up
+    assert printed.least_distances[0] == pytest.approx(72.75, abs=0.16)
 
 
 @pytest.mark.parametrize(

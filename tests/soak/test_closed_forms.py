@@ -7,7 +7,7 @@ import pytest
 from tests.ik.closed import test_movemaster, test_pieper
 
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import spherical
+from helicoide.studies._campos_arms import random_spherical_arm
 
 pytestmark = pytest.mark.soak
 
@@ -26,7 +26,7 @@ def test_the_movemaster_in_all_its_postures(robot: Robot) -> None:
 @pytest.mark.parametrize("family", test_pieper.FAMILIES)
 def test_random_arms(family: str, right_wrist: bool) -> None:
     draw = np.random.default_rng(1968)
-    arms = [spherical(draw, family, right_wrist) for _ in range(ARMS)]
+    arms = [random_spherical_arm(draw, family, right_wrist) for _ in range(ARMS)]
     missed, apart, counts = test_pieper.there_and_back(arms, draw)
     print(f"missed {missed:.1e}, generating posture {apart:.1e} rad, postures {sorted(counts)}")
     assert missed < 1e-9

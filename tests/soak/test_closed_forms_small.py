@@ -14,7 +14,7 @@ from helicoide.ik import closed
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 
 pytestmark = pytest.mark.soak
@@ -28,7 +28,7 @@ def answers(form: object, robot: Robot, lower: Array, upper: Array) -> Iterator[
 
 
 def test_polar() -> None:
-    robot = load("polar_rp")
+    robot = load_robot("polar_rp")
     missed, lost = 0.0, 0.0
     for q, answer in answers(polar, robot, robot.lower, robot.upper):
         missed, lost = max(missed, worst(robot, answer)), max(lost, recovered(answer, q))

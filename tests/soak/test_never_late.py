@@ -36,11 +36,11 @@ def lab() -> Iterator[Lab]:
         yield lab
 
 
-@pytest.mark.parametrize("name", studies.names())
+@pytest.mark.parametrize("name", studies.study_names())
 def test_no_study_holds_anything_up(lab: Lab, name: str) -> None:
     hand = window(lab)
     (visitor,) = lab.visitors.values()
-    hand.do(hand.page.give("Study", studies.named(name).TITLE.en))
+    hand.do(hand.page.give("Study", studies.study_named(name).TITLE.en))
     assert eventually(lambda: visitor.place.desk.study == name)
 
     def begun() -> bool:
@@ -117,7 +117,7 @@ def used(lab: Lab) -> tuple[float, int, int]:
     """Memory, MB, threads and open files of this process, when nothing is under way and the garbage is out."""
     places, bays = list(lab.seats.places.values()), list(lab.bays)
     assert eventually(lambda: all(place.desk.progress is None for place in places), 600)
-    assert eventually(lambda: all(bay.workcell.state.workspace.counting is None for bay in bays), 600)
+    assert eventually(lambda: all(bay.workcell.state.workspace.progress is None for bay in bays), 600)
     gc.collect()
     process = psutil.Process()
     return process.memory_info().rss / 1e6, threading.active_count(), process.num_fds()

@@ -13,4 +13,4 @@ pytestmark = pytest.mark.soak
 
 
 def test_nothing_is_compiled_with_any_arm(tmp_path: Path) -> None:
-    pressed(tmp_path, *content.found("robots"))
+    pressed(tmp_path, *content.content_folders("robots"))

@@ -10,7 +10,7 @@ from tests.browser.lab import PROJECT, Lab, opened
 from tests.soak.engines import until
 from tests.soak.windows import ESCAPE, Window, window
 
-from helicoide.command import Hold
+from helicoide.command import HoldPosition
 
 pytestmark = pytest.mark.soak
 
@@ -75,7 +75,7 @@ def test_stop_stops_the_moving_arm(lab: Lab, page: Window, way: str) -> None:
         page.press("#helicoide-stop")
     else:
         page.keys(ESCAPE)
-    until(lambda: lab.state.request.command == Hold(stopped=True), "the arm is stopped")
+    until(lambda: lab.state.request.command == HoldPosition(stopped=True), "the arm is stopped")
     q, t = lab.state.arm.q, lab.state.t
     until(lambda: lab.state.t > t + TICKS_S, "the arm lives on")
     assert (lab.state.arm.q == q).all()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from tests.studies.test_vargas import QUICK, SLOW_MUTATIONS, STUDIES, differing, turns_red
 
-from helicoide.studies import named
+from helicoide.studies import study_named
 
 pytestmark = pytest.mark.soak
 
@@ -105,13 +105,13 @@ RECOMPUTED: dict[str, list[tuple[str, float, float]]] = {
 
 @pytest.mark.parametrize("name", [name for name in STUDIES if name not in QUICK])
 def test_the_whole_form(name: str) -> None:
-    study, told = named(name), list[float]()
+    study, told = study_named(name), list[float]()
     result = study.run(study.Options(), False, told.append)
     for row in result.rows:
-        print(f"{row.quantity.en}: {row.ours:.5g} {row.unit} {row.verdict.name}")
+        print(f"{row.quantity.en}: {row.computed:.5g} {row.unit} {row.verdict.name}")
     assert [row.quantity.en for row in differing(result)] == DIFFERENT.get(name, [])
     for part, number, within in RECOMPUTED.get(name, []):
-        found = [row.ours for row in result.rows if part in row.quantity.en]
+        found = [row.computed for row in result.rows if part in row.quantity.en]
         assert found, part
         assert min(abs(ours - number) for ours in found) <= within, (part, found)
     assert told[-1] == 1

@@ -17,7 +17,7 @@ FOLDER = Path(__file__).parent / "recorded"
 
 def numbers(result: Result) -> dict[str, float]:
     """Our number of each row, by its quantity and what the source has of it."""
-    return {f"{row.quantity.en} | {row.unit}": row.ours for row in result.rows}
+    return {f"{row.quantity.en} | {row.unit}": row.computed for row in result.rows}
 
 
 def recorded(name: str) -> dict[str, float]:
@@ -27,7 +27,7 @@ def recorded(name: str) -> dict[str, float]:
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or studies.names():
-        study = studies.named(name)
+    for name in sys.argv[1:] or studies.study_names():
+        study = studies.study_named(name)
         found = numbers(study.run(study.Options(), True, lambda share: None))
         (FOLDER / f"{name}.json").write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n", "utf-8")

@@ -19,12 +19,12 @@ from helicoide.ik.families import elbow, paden_kahan
 from helicoide.ik.method import settings
 from helicoide.ik.postures import choice, numeric, subspace
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.studies import campos_dexterous, campos_table
 from helicoide.studies.study import Result, Statement, Verdict
 from helicoide.text import LANGUAGES
 
-NAMES = tuple(name for name in studies.names() if name.startswith("campos_"))
+NAMES = tuple(name for name in studies.study_names() if name.startswith("campos_"))
 # Whole forms that take ten seconds at most; the others are in the soak.
 QUICK = ("campos_dexterous", "campos_projection")
 ERRATA = {"campos_table": ["campos-1", "campos-2", "campos-1"]}
@@ -53,9 +53,9 @@ def held(name: str, result: Result) -> None:
 
 def ran(name: str, short: bool, **options: Any) -> Result:
     """A study's result; it has told its progress to the end."""
-    study = studies.named(name)
+    study = studies.study_named(name)
     shares: list[float] = []
-    result = studies.run(name, study.Options(**options), short, shares.append)
+    result = studies.run_study(name, study.Options(**options), short, shares.append)
     assert shares == sorted(shares)
     assert shares[-1] == 1.0
     return result
@@ -91,7 +91,7 @@ def test_with_other_settings_every_number_stands_alone(name: str, options: dict[
 
 @pytest.mark.parametrize("name", NAMES)
 def test_words_and_settings(name: str) -> None:
-    study = studies.named(name)
+    study = studies.study_named(name)
     assert study.SOURCE.startswith("Campos 1998")
     assert 1 <= len(settings(study.Options)) <= 2
     for language in LANGUAGES:
@@ -100,7 +100,7 @@ def test_words_and_settings(name: str) -> None:
 
 def test_the_hand_of_the_dexterous_arm_stays_at_one_metre() -> None:
     (motion,) = short("campos_dexterous")[0].motions
-    robot = load(campos_dexterous.ROBOT, settings=motion.parameters)
+    robot = load_robot(campos_dexterous.ROBOT, settings=motion.parameters)
     points = np.array([tool_at(robot, q)[:3, 3] for q in motion.q])
     np.testing.assert_allclose(points, np.tile([1.0, 0, 0], (len(points), 1)), atol=1e-12)
     assert motion.q.sum(axis=1)[-1] - motion.q.sum(axis=1)[0] == pytest.approx(2 * np.pi)
@@ -108,7 +108,7 @@ def test_the_hand_of_the_dexterous_arm_stays_at_one_metre() -> None:
 
 @pytest.mark.parametrize(("zeros", "bound"), campos_table.ROWS)
 def test_the_arm_that_is_known_is_of_its_row_and_its_postures_are_real(zeros: tuple[int, ...], bound: int) -> None:
-    robot = campos_table.known(zeros)
+    robot = campos_table.known_arm(zeros)
     goal = np.ascontiguousarray(tool_at(robot, campos_table.POSTURE))
     found, _ = numeric.gathered(robot, goal, np.zeros(6), True, campos_table.ENDLESS)
     assert len(found) == 16 >= bound
@@ -131,7 +131,7 @@ def red(name: str) -> frozenset[str]:
 
 def turns_red(name: str) -> set[str]:
     """The rows that differ by a law that is wrong; `red` has been asked with the right one."""
-    study = studies.named(name)
+    study = studies.study_named(name)
     result = study.run(study.Options(), True, lambda share: None)
     return {row.quantity.en for row in result.rows if row.verdict in (Verdict.DIFFERS, Verdict.ERRATUM)} - red(name)
 
@@ -183,7 +183,7 @@ def turned_further(robot: Any, T: Array, q: Array) -> Any:
     return replace(right, sine=np.sin(2 * right.angle), cosine=np.cos(2 * right.angle))
 
 
-SHARE, POINTED = campos_dexterous.share_of_two, motoman_l3.pointed
+SHARE, POINTED = campos_dexterous.two_link_share, motoman_l3.pointed
 GEOMETRIC, TURN_TO, POSTURES, RANKED = elbow.geometric, paden_kahan.turn_to, puma560.joint_values, choice.ranked
 HALVES = dual_quaternions.halves
 
@@ -220,12 +220,12 @@ def test_a_wrong_law_turns_a_row_red(
 def test_a_search_that_ends_early_turns_the_table_right(monkeypatch: pytest.MonkeyPatch) -> None:
     """The counts are made, not looked up: with three postures at most no row would be exceeded."""
     monkeypatch.setattr(campos_table, "ENDLESS", 3)
-    assert {row.ours for row in ran("campos_table", short=True).rows[:5]} == {3}
+    assert {row.computed for row in ran("campos_table", short=True).rows[:5]} == {3}
 
 
 def test_a_wrong_subproblem_shows_in_the_residual_of_the_screws(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(screws, "turn_to", mirrored)
-    robot = load("puma560")
+    robot = load_robot("puma560")
     T = tool_at(robot, frozen([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
     branches = closed.solve(closed.found()["screws"], robot, T, np.zeros(6)).branches
     assert max(branch.turned for branch in branches) > 0.1

@@ -18,10 +18,10 @@ from helicoide.arrays import Array
 from helicoide.ik import clik, limit_gains, secondary
 from helicoide.ik.limit_gains import GROWTH
 from helicoide.kinematics import forward
-from helicoide.kinematics.manipulability import Manipulability
+from helicoide.kinematics.manipulability import JacobianAnalysis
 from helicoide.studies import cerbaro_algorithm_1 as algorithm_1
-from helicoide.studies.cerbaro_runs import arms, convergence, tracking
-from helicoide.studies.cerbaro_runs.tracking import LimitGain, eq_32, unfed
+from helicoide.studies.cerbaro_runs import convergence, setups, tracking
+from helicoide.studies.cerbaro_runs.tracking import LimitGain, eq_32, zero_feedforward
 from helicoide.studies.study import Result, Row, Verdict
 
 FITTED = {
@@ -51,7 +51,7 @@ def nothing(share: float) -> None:
 
 
 def short(name: str, **options: object) -> Result:
-    return studies.run(name, studies.named(name).Options(**options), True, nothing)
+    return studies.run_study(name, studies.study_named(name).Options(**options), True, nothing)
 
 
 def verdicts(rows: tuple[Row, ...]) -> list[Verdict]:
@@ -65,22 +65,22 @@ def test_the_counts_of_iterations(name: str, factor: float, count: int) -> None:
     """Recomputed with Newton's steps; a small damping changes nothing."""
     for damping in ({},) if name == "orca" else ({"damping": 0.0}, {"damping": 0.1}):
         first, *_ = short(f"cerbaro_{name}_convergence", factor=factor, **damping).rows
-        assert first.ours == count
+        assert first.computed == count
 
 
 def test_where_both_arms_come_to() -> None:
     """The exact solutions, degrees."""
-    orca, movemaster = arms.orca(), arms.movemaster()
+    orca, movemaster = setups.orca(), setups.movemaster()
     aims = (
-        (orca, arms.with_heading(orca, arms.standing(0.26, 0.18)), [-0.7608, 130.9822, -130.2214]),
+        (orca, setups.heading_task(orca, setups.fixed_point(0.26, 0.18)), [-0.7608, 130.9822, -130.2214]),
         (
             movemaster,
-            arms.with_pitch_and_roll(movemaster, arms.standing(0.44, 0, 0.2), -np.pi / 3),
+            setups.pitch_and_roll_task(movemaster, setups.fixed_point(0.44, 0, 0.2), -np.pi / 3),
             [0, 56.4243, -129.9430, 13.5188, 0],
         ),
     )
     for problem, aiming, expected in aims:
-        q = arms.start_at(problem, aiming, problem.robot.poses["home"])
+        q = setups.solved_posture(problem, aiming, problem.robot.poses["home"])
         np.testing.assert_allclose(np.degrees(q), expected, rtol=0, atol=6e-5)
 
 
@@ -88,40 +88,40 @@ def test_where_both_arms_come_to() -> None:
 
 
 def test_the_error_of_the_closed_loop_grows_with_the_square_of_the_step() -> None:
-    errors = [tracking.circle(dt, 0.8, 0.5, seconds=20.0).error.max() for dt in (0.02, 0.01)]
+    errors = [tracking.run_circle(dt, 0.8, 0.5, seconds=20.0).position_error.max() for dt in (0.02, 0.01)]
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.05)
 
 
 def test_the_joints_of_the_circle_and_the_drift_of_its_open_loop() -> None:
-    closed, still_open = tracking.circle(0.01, 0.8, 0.5), tracking.circle(0.01, 0.0, 0.0)
+    closed, still_open = tracking.run_circle(0.01, 0.8, 0.5), tracking.run_circle(0.01, 0.0, 0.0)
     ranges = [closed.degrees(j) for j in (1, 2, 3)]
     np.testing.assert_allclose(ranges, [(-40.76, 11.59), (83.55, 141.06), (-130.22, -76.69)], rtol=0, atol=0.006)
-    assert closed.error.max() == pytest.approx(1.1e-4, rel=0.1)
-    assert still_open.error[-1] == pytest.approx(0.09, rel=0.05)
+    assert closed.position_error.max() == pytest.approx(1.1e-4, rel=0.1)
+    assert still_open.position_error[-1] == pytest.approx(0.09, rel=0.05)
 
 
 def test_the_joints_of_the_ellipse() -> None:
-    run = tracking.ellipse(0.01, 1.8, 1.2)
+    run = tracking.run_ellipse(0.01, 1.8, 1.2)
     ranges = [run.degrees(j) for j in (1, 2, 3, 4)]
     expected = [(-8.85, 8.85), (33.2, 62.4), (-129.97, -76.2), (-22.0, 18.0)]
     np.testing.assert_allclose(ranges, expected, rtol=0, atol=0.06)
-    assert np.degrees(run.fastest.max()) == pytest.approx(2.74, abs=0.006)
+    assert np.degrees(run.largest_velocity.max()) == pytest.approx(2.74, abs=0.006)
 
 
 def test_without_the_velocity_of_the_path_the_ellipse_lags() -> None:
     """5.9e-7 mm with it; 4.7e-3 to 5.5e-3 mm without, 9.9e-3 at the start; 4.2e-3 to 6.1e-3 with that of eq. 32."""
-    none, printed = (tracking.ellipse(1e-3, 1.8, 1.2, seconds=4.0, velocity=v) for v in (unfed, eq_32))
-    exact = tracking.ellipse(1e-3, 1.8, 1.2, seconds=4.0)
-    assert exact.error.max() == pytest.approx(5.9e-7, rel=0.02)
-    assert exact.turned.max() == pytest.approx(1.0e-6, rel=0.1)
-    assert none.error.max() == pytest.approx(9.9e-3, rel=0.01)
-    assert none.since(1.0).error.max() == pytest.approx(5.5e-3, rel=0.02)
-    assert printed.since(1.0).error.max() == pytest.approx(6.1e-3, rel=0.02)
+    none, printed = (tracking.run_ellipse(1e-3, 1.8, 1.2, seconds=4.0, velocity=v) for v in (zero_feedforward, eq_32))
+    exact = tracking.run_ellipse(1e-3, 1.8, 1.2, seconds=4.0)
+    assert exact.position_error.max() == pytest.approx(5.9e-7, rel=0.02)
+    assert exact.orientation_error.max() == pytest.approx(1.0e-6, rel=0.1)
+    assert none.position_error.max() == pytest.approx(9.9e-3, rel=0.01)
+    assert none.since(1.0).position_error.max() == pytest.approx(5.5e-3, rel=0.02)
+    assert printed.since(1.0).position_error.max() == pytest.approx(6.1e-3, rel=0.02)
 
 
 def test_the_joints_of_the_free_ellipse() -> None:
     q = tracking.start_of_ellipse()
-    plain, pushed = (tracking.free_ellipse(q, LimitGain(k0), 0.01) for k0 in (0.0, 500.0))
+    plain, pushed = (tracking.run_free_ellipse(q, LimitGain(k0), 0.01) for k0 in (0.0, 500.0))
     ranges = [run.degrees(j) for run in (plain, pushed) for j in (3, 4)]
     np.testing.assert_allclose(
         ranges, [(-130.8, -98.4), (12.4, 22.9), (-129.9, -72.0), (-60.4, 13.5)], rtol=0, atol=0.06
@@ -130,39 +130,41 @@ def test_the_joints_of_the_free_ellipse() -> None:
 
 def test_the_first_motion_in_the_null_space_is_violent() -> None:
     """650 °/s at once, at an error of 0.007 mm (steps of 1 ms, as in the source)."""
-    run = tracking.free_ellipse(tracking.start_of_ellipse(), LimitGain(500.0), 1e-3, seconds=0.3)
-    assert np.degrees(run.fastest.max()) == pytest.approx(650, abs=5)
-    assert run.error.max() == pytest.approx(0.007, abs=2e-4)
+    run = tracking.run_free_ellipse(tracking.start_of_ellipse(), LimitGain(500.0), 1e-3, seconds=0.3)
+    assert np.degrees(run.largest_velocity.max()) == pytest.approx(650, abs=5)
+    assert run.position_error.max() == pytest.approx(0.007, abs=2e-4)
 
 
 def test_from_the_printed_start_the_first_stop_throws_the_tool() -> None:
     """Five stops of J3, its gain 525.5, and 75 mm."""
-    run = tracking.free_ellipse(tracking.start_of_ellipse(), LimitGain(500.0, GROWTH), 1e-3, seconds=0.1)
+    run = tracking.run_free_ellipse(tracking.start_of_ellipse(), LimitGain(500.0, GROWTH), 1e-3, seconds=0.1)
     assert 500 * algorithm_1.growth_of_j3(run) == pytest.approx(525.5, abs=0.06)
-    assert run.error.max() == pytest.approx(75.0, abs=0.5)
+    assert run.position_error.max() == pytest.approx(75.0, abs=0.5)
 
 
 def test_j3_begins_as_far_inside_its_limit_as_is_asked_for() -> None:
     for inside in (0.1, 3.0):
         q = tracking.start_inside(inside)
         assert np.degrees(q[2]) == pytest.approx(-120 + inside, abs=1e-9)
-        np.testing.assert_allclose(arms.tool(arms.movemaster(), q), [0.44, 0, 0.2], atol=1e-12)
+        np.testing.assert_allclose(setups.tool_position(setups.movemaster(), q), [0.44, 0, 0.2], atol=1e-12)
 
 
 def test_in_radians_no_start_inside_lets_algorithm_1_act() -> None:
     """J3 does not pass its limit at all, and both runs are one."""
     q = tracking.start_inside(0.1)
-    one, grown = (tracking.free_ellipse(q, LimitGain(500.0, growth), 1e-3, seconds=1.0) for growth in (None, GROWTH))
+    one, grown = (
+        tracking.run_free_ellipse(q, LimitGain(500.0, growth), 1e-3, seconds=1.0) for growth in (None, GROWTH)
+    )
     assert algorithm_1.growth_of_j3(grown) == 1
     np.testing.assert_array_equal(one.q, grown.q)
 
 
 def test_500_in_degrees_is_that_of_eq_14_as_printed() -> None:
     """q̇₀ = k₀ (q_m − 2 q + q_M)/(6 (q_m − q_M)²) with all angles in degrees, turned into radians."""
-    movemaster, q = arms.movemaster(), np.array([0.2, 0.5, -1.9, 0.3, 0.1])
+    movemaster, q = setups.movemaster(), np.array([0.2, 0.5, -1.9, 0.3, 0.1])
     lower, upper = np.degrees(movemaster.limits.lower), np.degrees(movemaster.limits.upper)
     printed = np.radians(500 * (lower - 2 * np.degrees(q) + upper) / (6 * (lower - upper) ** 2))
-    ours = secondary.push(movemaster, arms.limit_distance(), tracking.in_degrees(500.0, 5))(q, 0.0)
+    ours = secondary.push(movemaster, setups.limit_distance(), tracking.gain_in_degrees(500.0, 5))(q, 0.0)
     np.testing.assert_allclose(ours, printed, rtol=1e-9)
 
 
@@ -171,7 +173,7 @@ def test_in_degrees_what_is_said_of_figs_37_and_38_comes_out() -> None:
 
     The numbers stand in the study without a verdict; the search for starts is `tests/studies/fits/`.
     """
-    found = {row.quantity.en: row.ours for row in as_it_is("cerbaro_algorithm_1")[0].rows}
+    found = {row.quantity.en: row.computed for row in as_it_is("cerbaro_algorithm_1")[0].rows}
     apart = "k₀ in degrees, start inside: "
     assert found[apart + "one gain: least margin of J3"] < -0.1
     assert found[apart + "Algorithm 1: least margin of J2 to J4 to their limits"] == pytest.approx(0, abs=1e-9)
@@ -224,50 +226,52 @@ def broken(rows: tuple[Row, ...]) -> set[str]:
 
 def test_without_stopping_at_the_limits_algorithm_1_keeps_nothing_inside(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(limit_gains, "clipped", never_growing)
-    runs = algorithm_1.made(algorithm_1.Options(), 1.0, nothing)
-    assert algorithm_1.room(runs.grown, *algorithm_1.BENT) < -9
-    assert algorithm_1.room(runs.grown_in_degrees, *algorithm_1.BENT) < -0.05
+    runs = algorithm_1.gain_runs(algorithm_1.Options(), 1.0, nothing)
+    assert algorithm_1.margin_after_start(runs.grown, *algorithm_1.BENT) < -9
+    assert algorithm_1.margin_after_start(runs.grown_in_degrees, *algorithm_1.BENT) < -0.05
 
 
 def test_without_growth_j3_stays_where_one_gain_leaves_it() -> None:
     start = tracking.start_inside(0.1)
-    grown = tracking.free_ellipse(start, LimitGain(0.25, 1.0), 1e-3, seconds=4.0, velocity=unfed)
+    grown = tracking.run_free_ellipse(start, LimitGain(0.25, 1.0), 1e-3, seconds=4.0, velocity=zero_feedforward)
     assert algorithm_1.growth_of_j3(grown) == 1
-    one = tracking.free_ellipse(tracking.start_inside(0.1), LimitGain(0.25), 1e-3, seconds=4.0, velocity=unfed)
+    one = tracking.run_free_ellipse(
+        tracking.start_inside(0.1), LimitGain(0.25), 1e-3, seconds=4.0, velocity=zero_feedforward
+    )
     assert grown.q[:, 2].mean() < one.q[:, 2].mean() + np.radians(0.2)
 
 
 def test_with_the_sign_of_the_objective_turned_the_orca_goes_to_its_limits(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(tracking, "push", away(secondary.push))
-    assert not any(row.source.holds(row.ours) for row in short("cerbaro_orca_secondary").rows if row.given)  # type: ignore[union-attr]
+    assert not any(row.source.holds(row.computed) for row in short("cerbaro_orca_secondary").rows if row.given)  # type: ignore[union-attr]
 
 
 def test_without_the_projector_the_tool_leaves_its_path(monkeypatch: pytest.MonkeyPatch) -> None:
     q = tracking.start_of_ellipse()
-    usual = tracking.free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).error.max()
+    usual = tracking.run_free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).position_error.max()
     monkeypatch.setattr(clik, "answered", no_projector)
-    assert tracking.free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).error.max() > 10 * usual
+    assert tracking.run_free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).position_error.max() > 10 * usual
 
 
 def test_with_a_wrong_row_of_j_the_heading_of_the_orca_is_not_held(monkeypatch: pytest.MonkeyPatch) -> None:
-    def followed(problem: Any, method: Any, options: Any, aiming: clik.Aiming, *others: Any) -> Any:
-        def skewed(q: Array, t: float) -> clik.Aim:
+    def followed(problem: Any, method: Any, options: Any, aiming: clik.TaskFunction, *others: Any) -> Any:
+        def skewed(q: Array, t: float) -> clik.TaskError:
             aim = aiming(q, t)
             return replace(aim, J=np.vstack([aim.J[:-1], [1, 1, 0.9]]))
 
-        return clik.followed(problem, method, options, skewed, *others)
+        return clik.closed_loop(problem, method, options, skewed, *others)
 
     monkeypatch.setattr(tracking, "followed", followed)
     assert broken(short("cerbaro_orca_circle").rows) == {"largest error of φ"}
 
 
 def test_without_the_projector_more_than_rows_2_to_4_are_not_zero(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Manipulability, "null_projector", property(lambda found: np.eye(found.J.shape[1])))
+    monkeypatch.setattr(JacobianAnalysis, "null_projector", property(lambda found: np.eye(found.J.shape[1])))
     assert any("J1 or J5" in quantity for quantity in broken(short("cerbaro_redundancy").rows))
 
 
 def test_with_half_of_each_step_the_count_of_iterations_is_another(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = convergence.by_method
+    whole = convergence.loop_of
     monkeypatch.setattr(convergence, "by_method", lambda *first: whole(*first[:3], first[3] / 2))
     assert broken(short("cerbaro_orca_convergence").rows) == {"iterations, step factor 0.56"}
     assert broken(short("cerbaro_movemaster_convergence").rows) == {"iterations, step factor 0.3"}
@@ -281,5 +285,5 @@ def test_with_another_sign_in_the_rotation_no_example_of_the_screws_is_met(monke
 
 
 def test_the_tool_is_where_the_arm_says() -> None:
-    here = arms.movemaster()
-    np.testing.assert_allclose(arms.tool(here, here.robot.poses["zero"]), [0.82, 0, 0.4], atol=1e-12)
+    here = setups.movemaster()
+    np.testing.assert_allclose(setups.tool_position(here, here.robot.poses["zero"]), [0.82, 0, 0.4], atol=1e-12)

@@ -7,64 +7,64 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from helicoide.studies import desk as desks
-from helicoide.studies import names
-from helicoide.studies.desk import EMPTY, Desk, Run
+from helicoide.studies import panel_state as desks
+from helicoide.studies import study_names
+from helicoide.studies.panel_state import NO_STUDY, CompletedRun, StudyPanelState
 from helicoide.studies.study import Result, Row
-from helicoide.text import HelicoideError, Text, same
+from helicoide.text import HelicoideError, Text, untranslated
 
 
-def ended(name: str, ours: float) -> Run:
-    return Run(name, None, True, Result((Row(same("x"), ours),)))
+def ended(name: str, ours: float) -> CompletedRun:
+    return CompletedRun(name, None, True, Result((Row(untranslated("x"), ours),)))
 
 
 @pytest.fixture
-def chosen() -> Desk:
-    return desks.choose(names()[0])(EMPTY)
+def chosen() -> StudyPanelState:
+    return desks.with_study(study_names()[0])(NO_STUDY)
 
 
 def test_an_unknown_study_is_refused_with_those_there_are() -> None:
-    with pytest.raises(HelicoideError, match=names()[0]):
-        desks.choose("magic")
+    with pytest.raises(HelicoideError, match=study_names()[0]):
+        desks.with_study("magic")
 
 
 def test_nothing_runs_without_a_study() -> None:
-    assert desks.start(EMPTY) is EMPTY
+    assert desks.with_run_started(NO_STUDY) is NO_STUDY
 
 
-def test_a_run_begins_tells_and_ends(chosen: Desk) -> None:
-    running = desks.start(chosen)
+def test_a_run_begins_tells_and_ends(chosen: StudyPanelState) -> None:
+    running = desks.with_run_started(chosen)
     assert running.progress == 0.0
-    assert desks.start(running) is running
-    assert desks.told(0.5)(running).progress == 0.5
+    assert desks.with_run_started(running) is running
+    assert desks.with_progress(0.5)(running).progress == 0.5
     run = ended(chosen.study, 1.0)
-    done = desks.done(run)(running)
+    done = desks.with_result(run)(running)
     assert done.progress is None
-    assert done.shown == (run,)
-    assert desks.told(0.7)(done).progress is None, "what comes late is not heard"
+    assert done.shown_runs == (run,)
+    assert desks.with_progress(0.7)(done).progress is None, "what comes late is not heard"
 
 
-def test_two_runs_of_one_study_are_compared(chosen: Desk) -> None:
+def test_two_runs_of_one_study_are_compared(chosen: StudyPanelState) -> None:
     first, second = ended(chosen.study, 1.0), ended(chosen.study, 2.0)
-    both = replace(desks.done(second)(desks.done(first)(chosen)), compared=True)
-    assert both.shown == (second, first)
-    other = desks.choose(names()[1])(both)
-    assert other.shown == ()
+    both = replace(desks.with_result(second)(desks.with_result(first)(chosen)), compared=True)
+    assert both.shown_runs == (second, first)
+    other = desks.with_study(study_names()[1])(both)
+    assert other.shown_runs == ()
 
 
-def test_a_failure_is_kept_until_the_next_start(chosen: Desk) -> None:
-    failed = desks.failed(Text(en="no", pt_BR="não"))(desks.start(chosen))
+def test_a_failure_is_kept_until_the_next_start(chosen: StudyPanelState) -> None:
+    failed = desks.with_failure(Text(en="no", pt_BR="não"))(desks.with_run_started(chosen))
     assert failed.progress is None
     assert failed.failure is not None
-    assert desks.start(failed).failure is None
+    assert desks.with_run_started(failed).failure is None
 
 
 def test_settings_are_kept_for_each_study_and_refused_in_words() -> None:
-    desk = desks.choose("cerbaro_confined_ellipse")(EMPTY)
-    name = next(iter(type(desk.chosen()).__dataclass_fields__))
+    desk = desks.with_study("cerbaro_confined_ellipse")(NO_STUDY)
+    name = next(iter(type(desk.current_options()).__dataclass_fields__))
     with pytest.raises(HelicoideError):
-        desks.set_option(name, np.nan)(desk)
+        desks.with_study_option(name, np.nan)(desk)
     with pytest.raises(HelicoideError):
-        desks.set_option("nonsense", 1)(desk)
-    away = desks.choose("cerbaro_confined_ellipse")(desks.choose(names()[0])(desk))
-    assert away.chosen() == desk.chosen()
+        desks.with_study_option("nonsense", 1)(desk)
+    away = desks.with_study("cerbaro_confined_ellipse")(desks.with_study(study_names()[0])(desk))
+    assert away.current_options() == desk.current_options()

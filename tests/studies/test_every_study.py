@@ -12,12 +12,12 @@ from tests.studies.record import FOLDER, numbers, recorded
 from helicoide import studies
 from helicoide.contributions.studies import described as described_faults
 from helicoide.contributions.studies import result_faults
-from helicoide.export.study_json import described
+from helicoide.export.study_json import study_json
 from helicoide.export.study_report import Record
 from helicoide.studies.study import Result
 from helicoide.text import HelicoideError
 
-NAMES = studies.names()
+NAMES = studies.study_names()
 RECORDED = sorted(file.stem for file in FOLDER.glob("*.json"))  # a study that was added may not be recorded yet
 
 
@@ -25,7 +25,7 @@ RECORDED = sorted(file.stem for file in FOLDER.glob("*.json"))  # a study that w
 def short(name: str) -> tuple[Result, tuple[float, ...]]:
     """The result of a quick run, and the progress that it reported."""
     shares: list[float] = []
-    study = studies.named(name)
+    study = studies.study_named(name)
     return study.run(study.Options(), True, shares.append), tuple(shares)
 
 
@@ -35,12 +35,12 @@ def test_there_are_studies() -> None:
 
 def test_an_unknown_study_is_refused_with_the_names() -> None:
     with pytest.raises(HelicoideError, match=r"'nothing'.*cerbaro_redundancy"):
-        studies.named("nothing")
+        studies.study_named("nothing")
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_study_says_what_it_is_in_both_languages(name: str) -> None:
-    assert [fault.en for fault in described_faults(studies.named(name))] == []
+    assert [fault.en for fault in described_faults(studies.study_named(name))] == []
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -56,9 +56,9 @@ def test_its_numbers_are_those_that_were_recorded(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_it_can_be_written_as_json(name: str) -> None:
-    study = studies.named(name)
+    study = studies.study_named(name)
     record = Record(name, study, study.Options(), True, short(name)[0], None, 1.0)
-    assert json.loads(json.dumps(described(record), allow_nan=False))["rows"]
+    assert json.loads(json.dumps(study_json(record), allow_nan=False))["rows"]
 
 
 @pytest.mark.parametrize("name", NAMES)

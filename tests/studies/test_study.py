@@ -8,12 +8,23 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from helicoide.studies.study import PUT_IN, Figure, Fitted, Relation, Result, Row, Statement, Verdict, printed, unstated
-from helicoide.text import same
+from helicoide.studies.study import (
+    INPUT_VALUE,
+    Figure,
+    Fitted,
+    Relation,
+    Result,
+    Row,
+    Statement,
+    Verdict,
+    printed_statement,
+    without_statements,
+)
+from helicoide.text import untranslated
 
-SAID = Statement(same("2"), "§1", 2.0, "=", 0.1)
-ROW = Row(same("q"), 1.0)
-GAIN = Fitted(same("γ"), 5.0, 4.0, 6.0)
+SAID = Statement(untranslated("2"), "§1", 2.0, "=", 0.1)
+ROW = Row(untranslated("q"), 1.0)
+GAIN = Fitted(untranslated("γ"), 5.0, 4.0, 6.0)
 numbers = st.floats(-1e6, 1e6)
 
 
@@ -30,7 +41,7 @@ numbers = st.floats(-1e6, 1e6)
     ],
 )
 def test_a_printed_number_is_met_to_its_last_digit(words: str, value: float, relation: str, within: float) -> None:
-    statement = printed(words, "fig. 1")
+    statement = printed_statement(words, "fig. 1")
     assert (statement.value, statement.relation) == (pytest.approx(value), relation)
     assert statement.within == pytest.approx(within)
     assert ("," in statement.words.en, "." in statement.words.pt_BR) == (False, False)
@@ -39,7 +50,7 @@ def test_a_printed_number_is_met_to_its_last_digit(words: str, value: float, rel
 @pytest.mark.parametrize("words", ["", "small", "1 to 2", "<"])
 def test_words_that_are_no_number_are_none(words: str) -> None:
     with pytest.raises(ValueError, match="no number"):
-        printed(words, "fig. 1")
+        printed_statement(words, "fig. 1")
 
 
 @pytest.mark.parametrize(
@@ -63,17 +74,17 @@ def test_words_that_are_no_number_are_none(words: str) -> None:
     ],
 )
 def test_a_relation_holds_or_not(relation: Relation, ours: float, holds: bool) -> None:
-    assert Statement(same("2"), "§1", 2.0, relation, 0.1 + 1e-12).holds(ours) is holds
+    assert Statement(untranslated("2"), "§1", 2.0, relation, 0.1 + 1e-12).holds(ours) is holds
 
 
 @given(
     ours=numbers,
     fitted=st.booleans(),
     erratum=st.sampled_from(["", "vargas-1"]),
-    why=st.sampled_from([None, same("!")]),
+    why=st.sampled_from([None, untranslated("!")]),
 )
 def test_the_verdict_is_about_the_statement_alone(ours: float, fitted: bool, erratum: str, why: None) -> None:
-    row = Row(same("q"), ours, "", SAID, (GAIN,) if fitted else (), erratum, why)
+    row = Row(untranslated("q"), ours, "", SAID, (GAIN,) if fitted else (), erratum, why)
     if SAID.holds(ours):
         assert row.verdict is (Verdict.FITTED if fitted else Verdict.PRINTED)
     else:
@@ -84,20 +95,23 @@ def test_the_verdict_is_about_the_statement_alone(ours: float, fitted: bool, err
 
 @pytest.mark.parametrize("ours", [2.0, 5.0])
 def test_what_was_put_in_has_no_verdict(ours: float) -> None:
-    assert Row(same("q"), ours, "", SAID, given=PUT_IN).verdict is Verdict.OURS
+    assert Row(untranslated("q"), ours, "", SAID, given=INPUT_VALUE).verdict is Verdict.OURS
 
 
 @pytest.mark.parametrize("source", [None, SAID, Figure("fig. 1")])
 def test_what_is_no_number_differs_from_everything(source: Statement | Figure | None) -> None:
-    row = Row(same("q"), float("nan"), "", source, (GAIN,), "vargas-1")
+    row = Row(untranslated("q"), float("nan"), "", source, (GAIN,), "vargas-1")
     assert row.verdict is Verdict.DIFFERS
 
 
 def test_with_other_settings_every_number_stands_alone() -> None:
-    (row,) = unstated((Row(same("q"), 2.0, "m", SAID, (GAIN,), "vargas-1", same("!")),))
-    assert row == Row(same("q"), 2.0, "m")
+    (row,) = without_statements((Row(untranslated("q"), 2.0, "m", SAID, (GAIN,), "vargas-1", untranslated("!")),))
+    assert row == Row(untranslated("q"), 2.0, "m")
 
 
 def test_a_value_that_was_fitted_for_several_statements_counts_once() -> None:
-    rows = (replace(ROW, fitted=(GAIN,)), replace(ROW, ours=2.0, fitted=(GAIN, replace(GAIN, name=same("κ")))))
+    rows = (
+        replace(ROW, fitted=(GAIN,)),
+        replace(ROW, computed=2.0, fitted=(GAIN, replace(GAIN, name=untranslated("κ")))),
+    )
     assert [value.name.en for value in Result(rows).fitted] == ["γ", "κ"]

@@ -15,10 +15,10 @@ from helicoide.ik import clik, filtered_inverse, scalar_filter
 from helicoide.ik.method import Task
 from helicoide.ik.methods import damped_by_manipulability, feedback, filtered, filtered_modified
 from helicoide.ik.objectives import ellipsoid, joint_barrier
-from helicoide.studies import named, names, run
+from helicoide.studies import run_study, study_named, study_names
 from helicoide.studies.study import Result, Row, Verdict
 
-STUDIES = [name for name in names() if name.startswith("vargas_")]
+STUDIES = [name for name in study_names() if name.startswith("vargas_")]
 QUICK = ["vargas_08", "vargas_09", "vargas_matrix", "vargas_scalar"]
 
 
@@ -29,7 +29,7 @@ def differing(result: Result) -> list[Row]:
 
 def short(name: str) -> Result:
     """A quick run."""
-    study = named(name)
+    study = study_named(name)
     return study.run(study.Options(), True, lambda share: None)
 
 
@@ -63,15 +63,17 @@ RECOMPUTED = {
 
 @pytest.mark.parametrize("name", RECOMPUTED)
 def test_its_numbers_are_those_of_another_integrator(name: str) -> None:
-    study = named(name)
+    study = study_named(name)
     rows = study.run(study.Options(), False, lambda share: None).rows
     for title, number in RECOMPUTED[name].items():
-        assert next(row.ours for row in rows if row.quantity.en.startswith(title)) == pytest.approx(number, rel=1e-3)
+        assert next(row.computed for row in rows if row.quantity.en.startswith(title)) == pytest.approx(
+            number, rel=1e-3
+        )
 
 
 @pytest.mark.parametrize("name", QUICK)
 def test_the_whole_form(name: str) -> None:
-    study, told = named(name), list[float]()
+    study, told = study_named(name), list[float]()
     result = study.run(study.Options(), False, told.append)
     assert differing(result) == []
     assert told[-1] == 1
@@ -79,19 +81,19 @@ def test_the_whole_form(name: str) -> None:
 
 
 def test_other_settings_leave_nothing_to_compare_with() -> None:
-    result = run("vargas_08", replace(named("vargas_08").Options(), beta=7.0), True, lambda share: None)
+    result = run_study("vargas_08", replace(study_named("vargas_08").Options(), beta=7.0), True, lambda share: None)
     assert {row.source for row in result.rows} == {None}
 
 
 # Each law changed: a term dropped, a sign turned, a gain doubled.
 
 
-def twice_the_error(aim: clik.Aim, gains: Any, q: Any, dt: float) -> Task:
-    return Task(q, aim.J, aim.ahead + 2 * gains * aim.error, dt)
+def twice_the_error(aim: clik.TaskError, gains: Any, q: Any, dt: float) -> Task:
+    return Task(q, aim.J, aim.feedforward + 2 * gains * aim.error, dt)
 
 
-def one_gain_for_all(aim: clik.Aim, gains: Any, q: Any, dt: float) -> Task:
-    return Task(q, aim.J, aim.ahead + 10 * aim.error, dt)
+def one_gain_for_all(aim: clik.TaskError, gains: Any, q: Any, dt: float) -> Task:
+    return Task(q, aim.J, aim.feedforward + 10 * aim.error, dt)
 
 
 def dropped(cost: Callable[..., Any]) -> Callable[..., Any]:

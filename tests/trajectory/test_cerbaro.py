@@ -10,7 +10,7 @@ from tests.kinematics.arms import twist_by_differences
 
 from helicoide.geometry import rotation
 from helicoide.trajectory.cerbaro import EQ_33, EQ_34, EQ_35, MOVEMASTER_ELLIPSE, ORCA_CIRCLE, Ellipse
-from helicoide.trajectory.path import Path, length
+from helicoide.trajectory.path import Path, path_length
 
 lengths = st.tuples(*[st.floats(-0.6, 0.6)] * 3)
 angles = st.floats(-np.pi, np.pi)
@@ -97,14 +97,14 @@ def test_the_line_goes_between_its_two_ends() -> None:
     np.testing.assert_allclose([a, b], [[550, 250, 280], [550, -250, 180]], rtol=0, atol=1e-9)
     np.testing.assert_allclose(1000 * EQ_34.point(0.0), (a + b) / 2, atol=1e-9)
     # the speed has a corner at either end, which lies between two of 64 pieces
-    assert 1000 * length(EQ_34) == pytest.approx(2 * np.hypot(500, 100), rel=1e-12)
+    assert 1000 * path_length(EQ_34) == pytest.approx(2 * np.hypot(500, 100), rel=1e-12)
 
 
 def test_the_circle_is_level() -> None:
     """Eq. 35: parallel to xy, a circle of 220 mm about (480, 100), once round."""
     points = 1000 * np.array([EQ_35.point(s) for s in np.linspace(0, 30, 97)])
     np.testing.assert_allclose(np.hypot(points[:, 0] - 480, points[:, 1] - 100), 220, rtol=1e-12)
-    assert 1000 * length(EQ_35) == pytest.approx(2 * np.pi * 220, rel=1e-12)
+    assert 1000 * path_length(EQ_35) == pytest.approx(2 * np.pi * 220, rel=1e-12)
 
 
 def test_the_first_turn_is_clockwise_seen_from_above() -> None:

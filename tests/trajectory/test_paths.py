@@ -14,11 +14,11 @@ from tests.kinematics.arms import twist_by_differences
 from helicoide.arrays import Array
 from helicoide.text import HelicoideError
 from helicoide.trajectory.cerbaro import EQ_33
-from helicoide.trajectory.chained import chain, joint_chain
 from helicoide.trajectory.joints import JointMove
-from helicoide.trajectory.loop import Loop, circle
-from helicoide.trajectory.path import Path, length, placed
-from helicoide.trajectory.straight import Line, Screw
+from helicoide.trajectory.loop import EllipsePath, circle_path
+from helicoide.trajectory.path import Path, path_length, wrapped_parameter
+from helicoide.trajectory.path_chain import chain_joint_paths, chain_paths
+from helicoide.trajectory.pose_paths import LinePath, ScrewPath
 from helicoide.trajectory.timing import MinimumJerk, TimedJoints, TimedPath
 
 durations = st.floats(0.5, 60.0)
@@ -26,9 +26,9 @@ shares = st.floats(0.01, 0.99)
 postures_of_3 = st.tuples(*[st.floats(-3, 3)] * 3).map(np.array)
 radii = st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0))
 rotations = poses.map(lambda T: T[:3, :3])
-loops = st.builds(Loop, poses, radii, rotations, durations)
-lines = st.builds(Line, poses, poses, durations)
-screws = st.builds(Screw, poses, poses, durations)
+loops = st.builds(EllipsePath, poses, radii, rotations, durations)
+lines = st.builds(LinePath, poses, poses, durations)
+screws = st.builds(ScrewPath, poses, poses, durations)
 timed = st.builds(TimedPath, st.one_of(loops, lines, screws), st.just(MinimumJerk()), durations)
 
 
@@ -52,13 +52,13 @@ def test_the_twist_is_the_derivative_of_the_pose(path: Path, s: float) -> None:
 
 
 @given(path=loops)
-def test_a_loop_closes(path: Loop) -> None:
+def test_a_loop_closes(path: EllipsePath) -> None:
     assert path.is_closed
     np.testing.assert_allclose(path.pose(path.duration), path.pose(0.0), atol=1e-12)
     np.testing.assert_allclose(path.twist(path.duration), path.twist(0.0), atol=1e-12 * (1 + 4 / path.duration))
 
 
-@given(start=poses, end=poses, duration=durations, kind=st.sampled_from([Line, Screw]))
+@given(start=poses, end=poses, duration=durations, kind=st.sampled_from([LinePath, ScrewPath]))
 def test_ways_between_poses_end_in_them(
     start: Array, end: Array, duration: float, kind: Callable[[Array, Array, float], Path]
 ) -> None:
@@ -69,16 +69,16 @@ def test_ways_between_poses_end_in_them(
 
 
 @given(path=lines, s=shares)
-def test_a_line_is_straight_and_turns_evenly(path: Line, s: float) -> None:
+def test_a_line_is_straight_and_turns_evenly(path: LinePath, s: float) -> None:
     a, b, here = (T[:3, 3] for T in (path.T_world_start, path.T_world_end, path.pose(s * path.duration)))
     np.testing.assert_allclose(here, a + s * (b - a), atol=1e-12)
     np.testing.assert_allclose(path.twist(s * path.duration), path.twist(0.0), atol=0)
-    assert length(path) == pytest.approx(float(np.linalg.norm(b - a)), abs=1e-12)
-    assert np.linalg.norm(path.turn) <= np.pi + 1e-12
+    assert path_length(path) == pytest.approx(float(np.linalg.norm(b - a)), abs=1e-12)
+    assert np.linalg.norm(path.rotation) <= np.pi + 1e-12
 
 
 @given(path=screws, s=shares)
-def test_a_screw_is_one_motion_all_the_way(path: Screw, s: float) -> None:
+def test_a_screw_is_one_motion_all_the_way(path: ScrewPath, s: float) -> None:
     """In its own axes its twist never changes; and two halves are alike: T(σ) T(0)⁻¹ twice is T(2σ) T(0)⁻¹."""
     R0, R = path.pose(0.0)[:3, :3], path.pose(s * path.duration)[:3, :3]
     for rows in (slice(0, 3), slice(3, 6)):
@@ -92,7 +92,7 @@ def test_a_screw_is_one_motion_all_the_way(path: Screw, s: float) -> None:
 def test_a_screw_and_a_line_agree_without_a_turn() -> None:
     start, end = np.eye(4), np.eye(4)
     end[:3, 3] = 0.3, -0.2, 0.5
-    screw, line = Screw(start, end, 2.0), Line(start, end, 2.0)
+    screw, line = ScrewPath(start, end, 2.0), LinePath(start, end, 2.0)
     np.testing.assert_allclose(screw.pose(0.7), line.pose(0.7), atol=1e-15)
     np.testing.assert_allclose(screw.twist(0.7), line.twist(0.7), atol=1e-15)
 
@@ -101,9 +101,9 @@ def test_a_quarter_turn_about_an_axis_beside_the_tool_is_an_arc_for_the_screw_an
     start, end = np.eye(4), np.eye(4)
     start[:3, 3] = 1.0, 0.0, 0.0
     end[:3, :3], end[:3, 3] = rodrigues(np.array([0.0, 0.0, 1.0]), np.pi / 2), [0.0, 1.0, 0.0]
-    assert length(Screw(start, end, 3.0)) == pytest.approx(np.pi / 2, abs=1e-12)
-    assert length(Line(start, end, 3.0)) == pytest.approx(np.sqrt(2), abs=1e-12)
-    np.testing.assert_allclose(Screw(start, end, 3.0).pose(1.5)[:2, 3], [np.sqrt(0.5), np.sqrt(0.5)], atol=1e-15)
+    assert path_length(ScrewPath(start, end, 3.0)) == pytest.approx(np.pi / 2, abs=1e-12)
+    assert path_length(LinePath(start, end, 3.0)) == pytest.approx(np.sqrt(2), abs=1e-12)
+    np.testing.assert_allclose(ScrewPath(start, end, 3.0).pose(1.5)[:2, 3], [np.sqrt(0.5), np.sqrt(0.5)], atol=1e-15)
 
 
 @given(centre=vectors, normal=axes, across=vectors, duration=durations, s=shares)
@@ -113,19 +113,19 @@ def test_a_circle_turns_about_its_normal(
     arm = np.cross(normal, across)
     radius = float(np.linalg.norm(arm))
     assume(radius > 1e-3)
-    path = circle(centre, normal, centre + arm, np.eye(3), duration)
+    path = circle_path(centre, normal, centre + arm, np.eye(3), duration)
     np.testing.assert_allclose(path.pose(0.0)[:3, 3], centre + arm, atol=1e-12)
     here = path.pose(s * duration)[:3, 3] - centre
     assert np.linalg.norm(here) == pytest.approx(radius)
     assert abs(normal @ here) < 1e-9
     np.testing.assert_allclose(path.twist(s * duration)[:3], 2 * np.pi / duration * np.cross(normal, here), atol=1e-9)
-    assert length(path) == pytest.approx(2 * np.pi * radius, rel=1e-12)
+    assert path_length(path) == pytest.approx(2 * np.pi * radius, rel=1e-12)
 
 
 @pytest.mark.parametrize("start", [(0.3, 0.0, 0.1), (0.0, 0.0, 0.0)])
 def test_a_circle_needs_a_start_in_its_plane(start: tuple[float, float, float]) -> None:
     with pytest.raises(HelicoideError, match="square to its normal"):
-        circle((0, 0, 0), (0, 0, 1), start, np.eye(3), 1.0)
+        circle_path((0, 0, 0), (0, 0, 1), start, np.eye(3), 1.0)
 
 
 def test_the_length_of_an_ellipse() -> None:
@@ -133,16 +133,16 @@ def test_the_length_of_an_ellipse() -> None:
     a, b = 1.0, 0.8
     h = ((a - b) / (a + b)) ** 2
     expected = np.pi * (a + b) * (1 + 3 * h / (10 + np.sqrt(4 - 3 * h)))
-    assert length(Loop(np.eye(4), (a, b), np.eye(3), 7.0)) == pytest.approx(expected, rel=1e-9)
+    assert path_length(EllipsePath(np.eye(4), (a, b), np.eye(3), 7.0)) == pytest.approx(expected, rel=1e-9)
 
 
 @pytest.mark.parametrize("duration", [0.0, -1.0, float("nan"), float("inf")])
 def test_a_duration_is_positive(duration: float) -> None:
-    for kind in (Line, Screw):
+    for kind in (LinePath, ScrewPath):
         with pytest.raises(HelicoideError, match="positive number of seconds"):
             kind(np.eye(4), np.eye(4), duration)
     with pytest.raises(HelicoideError, match="positive number of seconds"):
-        Loop(np.eye(4), (1, 1), np.eye(3), duration)
+        EllipsePath(np.eye(4), (1, 1), np.eye(3), duration)
     with pytest.raises(HelicoideError, match="positive number of seconds"):
         TimedPath(EQ_33, MinimumJerk(), duration)
     with pytest.raises(HelicoideError, match="positive number of seconds"):
@@ -154,9 +154,9 @@ def test_a_duration_is_positive(duration: float) -> None:
 def test_the_parameter_goes_round_or_stays_at_the_ends() -> None:
     there = np.eye(4)
     there[0, 3] = 1.0
-    loop, line = Loop(np.eye(4), (1, 1), np.eye(3), 4.0), Line(np.eye(4), there, 4.0)
-    assert [placed(loop, s) for s in (-1.0, 1.0, 4.0, 9.0)] == [3.0, 1.0, 0.0, 1.0]
-    assert [placed(line, s) for s in (-1.0, 1.0, 4.0, 9.0)] == [0.0, 1.0, 4.0, 4.0]
+    loop, line = EllipsePath(np.eye(4), (1, 1), np.eye(3), 4.0), LinePath(np.eye(4), there, 4.0)
+    assert [wrapped_parameter(loop, s) for s in (-1.0, 1.0, 4.0, 9.0)] == [3.0, 1.0, 0.0, 1.0]
+    assert [wrapped_parameter(line, s) for s in (-1.0, 1.0, 4.0, 9.0)] == [0.0, 1.0, 4.0, 4.0]
 
 
 # Polylines and chains.
@@ -165,28 +165,28 @@ def test_the_parameter_goes_round_or_stays_at_the_ends() -> None:
 def test_a_chain_is_of_paths_that_meet() -> None:
     there = np.eye(4)
     there[0, 3] = 1.0
-    out, back = Line(np.eye(4), there, 1.0), Line(there, np.eye(4), 2.0)
-    path = chain([out, back])
+    out, back = LinePath(np.eye(4), there, 1.0), LinePath(there, np.eye(4), 2.0)
+    path = chain_paths([out, back])
     assert path.duration == 3.0
     assert path.is_closed
     np.testing.assert_allclose(path.pose(2.0)[:3, 3], [0.5, 0, 0], atol=1e-15)
     np.testing.assert_allclose(path.twist(1.0), [-0.5, 0, 0, 0, 0, 0])
     with pytest.raises(HelicoideError, match="Path 2 must begin where path 1 ends; they are 1 apart"):
-        chain([out, out])
+        chain_paths([out, out])
     with pytest.raises(HelicoideError, match="at least one"):
-        chain([])
+        chain_paths([])
 
 
 def test_joint_moves_that_meet_make_a_chain() -> None:
     a, b = np.array([0.1, 0.2]), np.array([0.7, -0.4])
-    path = joint_chain([JointMove(a, b, 2.0), JointMove(b, a, 1.0)])
+    path = chain_joint_paths([JointMove(a, b, 2.0), JointMove(b, a, 1.0)])
     assert path.is_closed
     np.testing.assert_array_equal(path.q(2.0), b)
     np.testing.assert_allclose(path.q(2.5), (a + b) / 2)
     np.testing.assert_allclose(path.rates(1.0), (b - a) / 2)
     np.testing.assert_allclose(path.rates(2.0), a - b)
     with pytest.raises(HelicoideError, match="Path 2 must begin"):
-        joint_chain([JointMove(a, b, 2.0), JointMove(a, b, 2.0)])
+        chain_joint_paths([JointMove(a, b, 2.0), JointMove(a, b, 2.0)])
 
 
 @given(start=postures_of_3, end=postures_of_3, duration=durations)

@@ -8,13 +8,13 @@ from scipy.interpolate import CubicSpline
 
 from helicoide.arrays import Array
 from helicoide.text import HelicoideError
-from helicoide.trajectory.spline import Spline
+from helicoide.trajectory.spline import JointSpline
 
 
-def random(knots: int, seed: int, joints: int = 3) -> Spline:
+def random(knots: int, seed: int, joints: int = 3) -> JointSpline:
     rng = np.random.default_rng(seed)
     s = np.append(0.0, np.cumsum(rng.uniform(0.2, 1.0, knots - 1)))
-    return Spline(s, rng.normal(size=(knots, joints)))
+    return JointSpline(s, rng.normal(size=(knots, joints)))
 
 
 @pytest.mark.parametrize("knots", [2, 3, 4, 5, 17])
@@ -53,7 +53,7 @@ def test_a_polynomial_up_to_a_cubic_is_met_everywhere(degree: int) -> None:
     knots = np.array([0.0, 0.4, 1.5, 1.9, 3.0])[: degree + 1]
     powers = np.arange(degree + 1)
     coefficients = np.array([0.3, -1.0, 0.7, 0.2])[: degree + 1]
-    path = Spline(knots, np.sum(coefficients * knots[:, None] ** powers, axis=1)[:, None])
+    path = JointSpline(knots, np.sum(coefficients * knots[:, None] ** powers, axis=1)[:, None])
     s = np.linspace(0, knots[-1], 50)
     np.testing.assert_allclose(path.q(s)[:, 0], np.sum(coefficients * s[:, None] ** powers, axis=1), atol=1e-13)
 
@@ -61,14 +61,14 @@ def test_a_polynomial_up_to_a_cubic_is_met_everywhere(degree: int) -> None:
 def test_it_comes_nearer_with_the_fourth_power_of_the_step() -> None:
     def missed(samples: int) -> float:
         knots, s = np.linspace(0, 3, samples), np.linspace(0, 3, 999)
-        return float(np.abs(Spline(knots, np.sin(knots)[:, None]).q(s)[:, 0] - np.sin(s)).max())
+        return float(np.abs(JointSpline(knots, np.sin(knots)[:, None]).q(s)[:, 0] - np.sin(s)).max())
 
     assert missed(41) < missed(21) / 12
     assert missed(101) < 1e-7
 
 
 def test_it_closes_where_its_samples_do() -> None:
-    path = Spline(np.array([0.0, 1.0, 2.0]), np.array([[0.5], [1.0], [0.5]]))
+    path = JointSpline(np.array([0.0, 1.0, 2.0]), np.array([[0.5], [1.0], [0.5]]))
     assert path.is_closed
 
 
@@ -86,4 +86,4 @@ def test_it_closes_where_its_samples_do() -> None:
 )
 def test_samples_that_are_no_path_are_refused(knots: list[float], samples: list[list[float]]) -> None:
     with pytest.raises(HelicoideError, match="two or more instants that rise from 0"):
-        Spline(np.array(knots), np.array(samples))
+        JointSpline(np.array(knots), np.array(samples))

@@ -12,25 +12,25 @@ from tests.kinematics.arms import NAMES, arm
 from tests.trajectory.taught import taught
 
 from helicoide.text import HelicoideError
-from helicoide.trajectory.waypoint_file import FORMAT, decoded, encoded
-from helicoide.trajectory.waypoints import GRIPS, WAYS, Taught, waypoint
+from helicoide.trajectory.waypoint_file import FORMAT, decode_waypoints, encode_waypoints
+from helicoide.trajectory.waypoints import GRIPPER_ACTIONS, MOVE_TYPES, WaypointList, waypoint
 
 NAME = st.text(min_size=1, max_size=60).filter(lambda name: name.isprintable() and name == name.strip())
 ROBOT = arm("movemaster")
 
 
-def are_alike(one: Taught, other: Taught) -> None:
+def are_alike(one: WaypointList, other: WaypointList) -> None:
     assert one.robot is other.robot
     assert one.names == other.names
     for a, b in zip(one.waypoints, other.waypoints, strict=True):
         assert a.q.tobytes() == b.q.tobytes()
-        assert (a.way, a.dwell, a.gripper) == (b.way, b.dwell, b.gripper)
+        assert (a.move_type, a.dwell, a.gripper) == (b.move_type, b.dwell, b.gripper)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_there_and_back_for_every_robot(name: str) -> None:
     here = taught(name, [f"point {i}" for i in range(7)])
-    are_alike(decoded(encoded(here), here.robot), here)
+    are_alike(decode_waypoints(encode_waypoints(here), here.robot), here)
 
 
 @given(
@@ -38,9 +38,9 @@ def test_there_and_back_for_every_robot(name: str) -> None:
         st.tuples(
             NAME,
             st.tuples(*[st.floats(low, high) for low, high in zip(ROBOT.lower, ROBOT.upper, strict=True)]),
-            st.sampled_from(list(WAYS)),
+            st.sampled_from(list(MOVE_TYPES)),
             st.floats(0, 3600),
-            st.sampled_from(list(GRIPS)),
+            st.sampled_from(list(GRIPPER_ACTIONS)),
         ),
         max_size=5,
         unique_by=lambda point: point[0],
@@ -48,19 +48,19 @@ def test_there_and_back_for_every_robot(name: str) -> None:
 )
 def test_there_and_back_to_the_last_bit(points: list[tuple[str, tuple[float, ...], str, float, str]]) -> None:
     """Any name that a person can read, and every float, −0.0 and the smallest among them."""
-    here = Taught(ROBOT, tuple(waypoint(ROBOT, *point) for point in points))
-    are_alike(decoded(encoded(here), ROBOT), here)
+    here = WaypointList(ROBOT, tuple(waypoint(ROBOT, *point) for point in points))
+    are_alike(decode_waypoints(encode_waypoints(here), ROBOT), here)
 
 
 def test_any_name_of_a_robot_can_be_written() -> None:
     """Those of URDF files may hold anything."""
     odd = replace(ROBOT, name='odd "\\ \n\t\x00\x7f ção')
-    are_alike(decoded(encoded(Taught(odd)), odd), Taught(odd))
+    are_alike(decode_waypoints(encode_waypoints(WaypointList(odd)), odd), WaypointList(odd))
 
 
 def test_a_person_can_read_it() -> None:
     q = [0.1, 0.5, -1.0, 0.0, 1e-07]
-    file = encoded(Taught(ROBOT, (waypoint(ROBOT, 'above the "ball"', q, "line", 0.5),))).decode()
+    file = encode_waypoints(WaypointList(ROBOT, (waypoint(ROBOT, 'above the "ball"', q, "line", 0.5),))).decode()
     assert [line for line in file.splitlines() if not line.startswith("#")] == [
         'format = "helicoide waypoints 1"',
         'robot = "movemaster"',
@@ -75,20 +75,20 @@ def test_a_person_can_read_it() -> None:
 
 
 def test_a_gripper_that_opens_or_closes_has_a_line_of_its_own() -> None:
-    here = Taught(ROBOT, (waypoint(ROBOT, "x", [0, 0, -1, 0, 0], gripper="closed"),))
-    assert encoded(here).decode().splitlines()[-1] == 'gripper = "closed"'
+    here = WaypointList(ROBOT, (waypoint(ROBOT, "x", [0, 0, -1, 0, 0], gripper="closed"),))
+    assert encode_waypoints(here).decode().splitlines()[-1] == 'gripper = "closed"'
 
 
 def test_what_a_person_leaves_out_or_writes_as_a_whole_number() -> None:
-    file = encoded(Taught(ROBOT)) + b'[[waypoint]]\nname = "zero"\nq = [0, 0, -1, 0, 0]\n'
-    (point,) = decoded(file, ROBOT).waypoints
+    file = encode_waypoints(WaypointList(ROBOT)) + b'[[waypoint]]\nname = "zero"\nq = [0, 0, -1, 0, 0]\n'
+    (point,) = decode_waypoints(file, ROBOT).waypoints
     np.testing.assert_array_equal(point.q, [0, 0, -1, 0, 0])
-    assert (point.way, point.dwell, point.gripper) == ("joints", 0.0, "")
+    assert (point.move_type, point.dwell, point.gripper) == ("joints", 0.0, "")
 
 
 def test_the_file_of_another_robot_is_refused_with_both_names() -> None:
     with pytest.raises(HelicoideError, match="taught to puma560, and this robot is movemaster") as refused:
-        decoded(encoded(taught("puma560")), ROBOT)
+        decode_waypoints(encode_waypoints(taught("puma560")), ROBOT)
     assert "robô puma560, e este é o movemaster" in refused.value.text.pt_BR
 
 
@@ -99,13 +99,13 @@ def test_an_arm_without_a_gripper_has_none_to_open() -> None:
 
 
 def test_the_file_of_a_robot_with_other_joints_is_refused() -> None:
-    file = encoded(taught("movemaster")).replace(b'"J2", "J3"', b'"J3", "J2"')
+    file = encode_waypoints(taught("movemaster")).replace(b'"J2", "J3"', b'"J3", "J2"')
     with pytest.raises(HelicoideError, match="with the joints J1, J3, J2, J4, J5; this one has J1, J2, J3, J4, J5"):
-        decoded(file, ROBOT)
+        decode_waypoints(file, ROBOT)
 
 
-GOOD = encoded(taught("movemaster")).decode()
-HEADER = encoded(Taught(ROBOT)).decode()
+GOOD = encode_waypoints(taught("movemaster")).decode()
+HEADER = encode_waypoints(WaypointList(ROBOT)).decode()
 POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
 
 
@@ -144,15 +144,15 @@ POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
 )
 def test_broken_files_are_refused_in_words(file: str | bytes, words: str) -> None:
     with pytest.raises(HelicoideError) as refused:
-        decoded(file if isinstance(file, bytes) else file.encode(), ROBOT)
+        decode_waypoints(file if isinstance(file, bytes) else file.encode(), ROBOT)
     assert words in refused.value.text.en
     assert refused.value.text.pt_BR != refused.value.text.en
 
 
-def read(content: bytes) -> Taught | HelicoideError:
+def read(content: bytes) -> WaypointList | HelicoideError:
     """What is in a file, or why it is refused."""
     try:
-        return decoded(content, ROBOT)
+        return decode_waypoints(content, ROBOT)
     except HelicoideError as refused:
         return refused
 
@@ -167,5 +167,5 @@ def test_no_noise_in_a_file_crashes(noise: bytes, at: int) -> None:
 @given(at=st.integers(0, len(GOOD.encode()) - 1))
 def test_no_cut_in_a_file_crashes(at: int) -> None:
     """What is left is refused, unless it is a file itself: then its waypoints are the first of the whole."""
-    whole, found = decoded(GOOD.encode(), ROBOT), read(GOOD.encode()[:at])
+    whole, found = decode_waypoints(GOOD.encode(), ROBOT), read(GOOD.encode()[:at])
     assert isinstance(found, HelicoideError) or found.names == whole.names[: len(found.names)]

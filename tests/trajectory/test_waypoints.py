@@ -12,7 +12,14 @@ from tests.kinematics.arms import arm
 from tests.trajectory.taught import taught
 
 from helicoide.text import HelicoideError
-from helicoide.trajectory.waypoints import Taught, deleted, inserted, moved, renamed, waypoint
+from helicoide.trajectory.waypoints import (
+    WaypointList,
+    waypoint,
+    with_waypoint,
+    with_waypoint_at,
+    with_waypoint_name,
+    without_waypoint,
+)
 
 ROBOT = arm("movemaster")
 READY = ROBOT.poses["ready"]
@@ -21,32 +28,32 @@ READY = ROBOT.poses["ready"]
 def test_a_waypoint_goes_in_at_every_place() -> None:
     three, new = taught("movemaster"), waypoint(ROBOT, "new", READY)
     for at in range(4):
-        more = inserted(three, at, new)
+        more = with_waypoint(three, at, new)
         assert more.names == (*"abc"[:at], "new", *"abc"[at:])
         assert more.waypoints[at] is new
-        assert deleted(more, "new").waypoints == three.waypoints
+        assert without_waypoint(more, "new").waypoints == three.waypoints
     assert three.names == ("a", "b", "c")
-    assert inserted(Taught(ROBOT), 0, new).names == ("new",)
+    assert with_waypoint(WaypointList(ROBOT), 0, new).names == ("new",)
 
 
 @given(names=st.lists(st.sampled_from("abcdefg"), unique=True, min_size=1), data=st.data())
 def test_a_waypoint_can_be_moved_and_moved_back(names: list[str], data: st.DataObject) -> None:
     here = taught("movemaster", names)
     i, to = (data.draw(st.integers(0, len(names) - 1)) for _ in range(2))
-    there = moved(here, names[i], to)
+    there = with_waypoint_at(here, names[i], to)
     assert there.names[to] == names[i]
     assert [name for name in there.names if name != names[i]] == [name for name in names if name != names[i]]
-    assert moved(there, names[i], i).waypoints == here.waypoints
+    assert with_waypoint_at(there, names[i], i).waypoints == here.waypoints
 
 
 def test_another_name_changes_nothing_else() -> None:
     here = taught("movemaster")
-    there = renamed(here, "b", "above the ball")
+    there = with_waypoint_name(here, "b", "above the ball")
     assert there.names == ("a", "above the ball", "c")
     assert there.waypoints[1].q is here.waypoints[1].q
-    assert (there.waypoints[1].way, there.waypoints[1].dwell) == ("line", 0.5)
-    assert renamed(there, "above the ball", "b").names == here.names
-    assert renamed(here, "b", "b").names == here.names
+    assert (there.waypoints[1].move_type, there.waypoints[1].dwell) == ("line", 0.5)
+    assert with_waypoint_name(there, "above the ball", "b").names == here.names
+    assert with_waypoint_name(here, "b", "b").names == here.names
 
 
 def test_the_posture_cannot_be_changed_from_outside() -> None:
@@ -68,15 +75,15 @@ HERE = taught("movemaster")
 @pytest.mark.parametrize(
     ("wish", "words"),
     [
-        (lambda: deleted(HERE, "d"), "no waypoint 'd'; there is: a, b, c"),
-        (lambda: moved(HERE, "d", 0), "no waypoint 'd'"),
-        (lambda: renamed(HERE, "d", "e"), "no waypoint 'd'"),
-        (lambda: renamed(HERE, "a", "b"), "a waypoint 'b' already; taken are: a, b, c"),
-        (lambda: inserted(HERE, 0, HERE.waypoints[1]), "a waypoint 'b' already"),
-        (lambda: inserted(HERE, 4, waypoint(ROBOT, "d", READY)), "no place 4 in the list; the places are 0 to 3"),
-        (lambda: inserted(HERE, -1, waypoint(ROBOT, "d", READY)), "no place -1"),
-        (lambda: moved(HERE, "a", 3), "no place 3 in the list; the places are 0 to 2"),
-        (lambda: deleted(Taught(ROBOT), "a"), "there is: none yet"),
+        (lambda: without_waypoint(HERE, "d"), "no waypoint 'd'; there is: a, b, c"),
+        (lambda: with_waypoint_at(HERE, "d", 0), "no waypoint 'd'"),
+        (lambda: with_waypoint_name(HERE, "d", "e"), "no waypoint 'd'"),
+        (lambda: with_waypoint_name(HERE, "a", "b"), "a waypoint 'b' already; taken are: a, b, c"),
+        (lambda: with_waypoint(HERE, 0, HERE.waypoints[1]), "a waypoint 'b' already"),
+        (lambda: with_waypoint(HERE, 4, waypoint(ROBOT, "d", READY)), "no place 4 in the list; the places are 0 to 3"),
+        (lambda: with_waypoint(HERE, -1, waypoint(ROBOT, "d", READY)), "no place -1"),
+        (lambda: with_waypoint_at(HERE, "a", 3), "no place 3 in the list; the places are 0 to 2"),
+        (lambda: without_waypoint(WaypointList(ROBOT), "a"), "there is: none yet"),
         (
             lambda: waypoint(ROBOT, "x", READY, "jump"),
             "joints (joint move), line (linear move), screw (screw move)",
@@ -101,4 +108,4 @@ def test_a_name_is_visible(name: str) -> None:
     with pytest.raises(HelicoideError, match="1 to 60 visible characters"):
         waypoint(ROBOT, name, READY)
     with pytest.raises(HelicoideError, match="1 to 60 visible characters"):
-        renamed(HERE, "a", name)
+        with_waypoint_name(HERE, "a", name)

@@ -19,7 +19,7 @@ from websockets.sync.connection import Connection
 from websockets.typing import Origin
 
 from helicoide.text import Text
-from helicoide.view.channel import PATH, Control, Hello, Notice
+from helicoide.view.channel import PATH, ControlChannel, Hello, Notice
 from helicoide.view.link import HelicoideFence, HelicoideMadeAt
 from helicoide.view.serve import CHANNEL_BYTES, serve
 
@@ -35,12 +35,12 @@ def stops() -> list[str]:
 
 
 @pytest.fixture(scope="module")
-def control(stops: list[str]) -> Control:
-    return Control(on_stop=lambda key: stops.append(str(key)))
+def control(stops: list[str]) -> ControlChannel:
+    return ControlChannel(on_stop=lambda key, closing: stops.append(str(key)))
 
 
 @pytest.fixture(scope="module")
-def server(control: Control, tmp_path_factory: pytest.TempPathFactory) -> Iterator[viser.ViserServer]:
+def server(control: ControlChannel, tmp_path_factory: pytest.TempPathFactory) -> Iterator[viser.ViserServer]:
     served = serve("127.0.0.1", 0, tmp_path_factory.mktemp("static"), {PATH: control.serve})
     yield served
     served.stop()
@@ -127,7 +127,9 @@ def meet(page: Connection, key: str, **said: object) -> dict[str, object]:
     return told
 
 
-def test_a_released_pointer_is_told_with_its_window(server: viser.ViserServer, control: Control, post: Post) -> None:
+def test_a_released_pointer_is_told_with_its_window(
+    server: viser.ViserServer, control: ControlChannel, post: Post
+) -> None:
     told: list[str] = []
     control.on_release = told.append
     post(control.open, "a")
@@ -140,7 +142,9 @@ def test_a_released_pointer_is_told_with_its_window(server: viser.ViserServer, c
     assert eventually(lambda: told == ["a", "a"]), "and so is the end of its last channel"
 
 
-def test_a_stop_is_told_with_its_window(page: Connection, stops: list[str], control: Control, post: Post) -> None:
+def test_a_stop_is_told_with_its_window(
+    page: Connection, stops: list[str], control: ControlChannel, post: Post
+) -> None:
     page.send('{"stop": true}')
     assert json.loads(page.recv(5)) == {"heard": "stop"}
     post(control.open, "a")
@@ -161,7 +165,7 @@ def test_a_stop_is_told_with_its_window(page: Connection, stops: list[str], cont
     ],
 )
 def test_a_page_says_its_seat_and_its_languages(
-    page: Connection, control: Control, post: Post, said: dict[str, object], hello: Hello
+    page: Connection, control: ControlChannel, post: Post, said: dict[str, object], hello: Hello
 ) -> None:
     line = post(control.open, "hello")
     meet(page, "hello", **said)
@@ -169,7 +173,7 @@ def test_a_page_says_its_seat_and_its_languages(
 
 
 def test_a_window_drives_only_when_its_page_has_passed_the_last_fence(
-    server: viser.ViserServer, control: Control, post: Post
+    server: viser.ViserServer, control: ControlChannel, post: Post
 ) -> None:
     line = post(control.open, "f")
     with open_page(server) as page:
@@ -202,7 +206,7 @@ def test_who_says_too_much_waits_and_nobody_else(server: viser.ViserServer, page
 
 
 def test_an_oversized_message_closes_the_connection(
-    page: Connection, control: Control, post: Post, stops: list[str]
+    page: Connection, control: ControlChannel, post: Post, stops: list[str]
 ) -> None:
     post(control.open, "wordy")
     meet(page, "wordy")
@@ -215,7 +219,7 @@ def test_an_oversized_message_closes_the_connection(
 
 
 def test_words_arrive_once_and_only_at_their_window(
-    server: viser.ViserServer, page: Connection, control: Control, post: Post
+    server: viser.ViserServer, page: Connection, control: ControlChannel, post: Post
 ) -> None:
     with open_page(server) as other:
         for key, one in (("a", page), ("b", other)):
@@ -238,7 +242,7 @@ def test_words_arrive_once_and_only_at_their_window(
         beat(other)
 
 
-def test_words_wait_for_a_page_that_comes_later(page: Connection, control: Control, post: Post) -> None:
+def test_words_wait_for_a_page_that_comes_later(page: Connection, control: ControlChannel, post: Post) -> None:
     post(control.open, "late")
     post(control.push, "late", HELD)
     meet(page, "late")
@@ -248,7 +252,7 @@ def test_words_wait_for_a_page_that_comes_later(page: Connection, control: Contr
     beat(page)
 
 
-def test_pages_that_left_are_forgotten(server: viser.ViserServer, control: Control, post: Post) -> None:
+def test_pages_that_left_are_forgotten(server: viser.ViserServer, control: ControlChannel, post: Post) -> None:
     line = post(control.open, "gone")
     with open_page(server) as page:
         meet(page, "gone")

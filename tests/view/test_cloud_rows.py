@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import pytest
 
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.perception.units import UNITS
 from helicoide.seat import Seat
-from helicoide.state import initial
-from helicoide.view.enclosure import plane_rows
-from helicoide.view.rows import Choice, Folder, ForSeat, ReadCloud, Row, Upload, View
+from helicoide.state import initial_state
+from helicoide.view.plane_rows import plane_rows
+from helicoide.view.rows import Dropdown, Folder, ForSeat, ReadCloud, Row, Upload, View
 
-STATE = initial(load("movemaster"))
+STATE = initial_state(load_robot("movemaster"))
 SEAT = Seat("token", "en")
 
 
@@ -26,23 +26,23 @@ def all_rows(rows: Sequence[Row]) -> Iterator[Row]:
 
 
 ROWS = list(all_rows([plane_rows(STATE.robot)]))
-(UNIT,) = [row for row in ROWS if isinstance(row, Choice)]
+(UNIT,) = [row for row in ROWS if isinstance(row, Dropdown)]
 UPLOADS = [row for row in ROWS if isinstance(row, Upload) and row.label.en.startswith("Look for")]
 
 
 @pytest.mark.parametrize("unit", UNITS)
 def test_the_unit_that_is_chosen_goes_with_the_file(unit: str) -> None:
-    chosen = UNIT.wish(unit)
+    chosen = UNIT.request(unit)
     assert isinstance(chosen, ForSeat)
     view = View(STATE, chosen.update(SEAT))
     assert UNIT.value(view) == unit
-    wishes = [row.wish(view, "room.xyz", b"1 2 3") for row in UPLOADS]
+    wishes = [row.request(view, "room.xyz", b"1 2 3") for row in UPLOADS]
     assert [wish.unit for wish in wishes if isinstance(wish, ReadCloud)] == [unit] * 3
 
 
 def test_at_first_and_after_nonsense_a_file_tells_its_unit() -> None:
     for seat in (SEAT, replace(SEAT, cloud_unit="furlong")):
-        wish = UPLOADS[0].wish(View(STATE, seat), "room.xyz", b"1 2 3")
+        wish = UPLOADS[0].request(View(STATE, seat), "room.xyz", b"1 2 3")
         assert isinstance(wish, ReadCloud)
         assert wish.unit is None
     assert UNIT.value(View(STATE, SEAT)) == ""

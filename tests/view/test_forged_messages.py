@@ -16,7 +16,7 @@ from tests.session.labs import state as arm
 from websockets.exceptions import ConnectionClosed
 
 from helicoide import gate
-from helicoide.command import Hold, ToJoints
+from helicoide.command import HoldPosition, MoveToJoints
 from helicoide.session.lab import Lab
 from helicoide.view.news import tell_once
 from helicoide.view.window import Window
@@ -122,33 +122,33 @@ def test_an_update_without_a_grasp_moves_nothing(session: Lab, page: Page) -> No
 def test_a_drag_whose_end_gets_lost_ends_when_the_pointer_is_let_go(session: Lab, page: Page) -> None:
     page.drag("Start")
     page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.5, 0.1, 0.3))
-    assert eventually(lambda: arm(session).request.grasp is not None)
+    assert eventually(lambda: arm(session).request.drag is not None)
     page.do(page.page.tell(released=True))
-    assert eventually(lambda: arm(session).request.grasp is None)
+    assert eventually(lambda: arm(session).request.drag is None)
     assert eventually(lambda: arm(session).request.searched)
     wished = arm(session).request.command
     page.drag("Move", wxyz=(1.0, 0.0, 0.0, 0.0), position=(0.4, 0.2, 0.3))
     after_ticks(session)
     assert arm(session).request.command is wished
     page.drag("Start")
-    assert eventually(lambda: arm(session).request.grasp is not None)
+    assert eventually(lambda: arm(session).request.drag is not None)
     stranger = Page(session.server.get_port())
     stranger.do(stranger.page.tell(released=True))
     after_ticks(session, 80)
     stranger.close()
-    assert arm(session).request.grasp is not None, "another person's pointer"
+    assert arm(session).request.drag is not None, "another person's pointer"
     page.drag("End")
-    assert eventually(lambda: arm(session).request.grasp is None)
+    assert eventually(lambda: arm(session).request.drag is None)
 
 
 def test_what_is_taken_hold_of_right_after_a_release_stays_in_the_hand(session: Lab, page: Page) -> None:
     page.do(page.page.tell(released=True))
     page.drag("Start")
-    assert eventually(lambda: arm(session).request.grasp is not None)
+    assert eventually(lambda: arm(session).request.drag is not None)
     after_ticks(session, 80)
-    assert arm(session).request.grasp is not None
+    assert arm(session).request.drag is not None
     page.drag("End")
-    assert eventually(lambda: arm(session).request.grasp is None)
+    assert eventually(lambda: arm(session).request.drag is None)
 
 
 @pytest.mark.parametrize("position", [(math.nan, 0.0, 0.3), (math.inf, 0.0, 0.3), (1e6, 0.0, 0.3)])
@@ -216,12 +216,12 @@ def test_the_fixed_plane_and_unknown_names_move_nothing(session: Lab, page: Page
 
 def test_a_disabled_control_moves_nothing(session: Lab, page: Page) -> None:
     page.give("Park (planes off)", True)
-    assert eventually(lambda: arm(session).arm.parked and arm(session).request.command == Hold())
+    assert eventually(lambda: arm(session).arm.parked and arm(session).request.command == HoldPosition())
     assert eventually(lambda: control(session, "1 waist").disabled)
     assert not moved(session, lambda: page.give("1 waist", 20.0))
     assert not moved(session, lambda: page.give("Play", True))
     page.give("Ready", True)
-    assert eventually(lambda: not arm(session).arm.parked and arm(session).request.command == Hold())
+    assert eventually(lambda: not arm(session).arm.parked and arm(session).request.command == HoldPosition())
 
 
 def control(session: Lab, label: str) -> Any:
@@ -258,7 +258,7 @@ def test_messages_that_viser_does_not_know_end_at_most_their_own_connection(sess
     good = Page(port)
     assert eventually(good.page.may_drive.is_set)
     good.give("1 waist", 12.0)
-    assert eventually(lambda: isinstance(arm(session).request.command, ToJoints))
+    assert eventually(lambda: isinstance(arm(session).request.command, MoveToJoints))
     assert eventually(lambda: abs(math.degrees(arm(session).arm.q[0]) - 12) < 0.1)
     good.close()
 

@@ -9,7 +9,7 @@ import pytest
 from tests.hostile import NAMES, Page
 
 from helicoide.geometry.clifford import CL031
-from helicoide.view.formula import coefficient_grid, mathml
+from helicoide.view.formula import coefficient_grid, formula_html
 
 
 def test_every_blade_has_its_coefficient_and_its_name() -> None:
@@ -25,10 +25,10 @@ def test_every_blade_has_its_coefficient_and_its_name() -> None:
 
 @pytest.mark.parametrize("name", [*NAMES, "+z", "&", "π < 4"])
 def test_a_name_below_a_symbol_is_no_formula(name: str) -> None:
-    read = Page(mathml(r"\pi", name))
+    read = Page(formula_html(r"\pi", name))
     assert read.text == f"π{name}"
     assert read.tags == {"div", "math", "msub", "mrow", "mi", "mtext"}
 
 
 def test_signs_of_a_formula_are_text() -> None:
-    assert Page(mathml(r"a < b \leq c - d")).text == "a<b≤c−d"
+    assert Page(formula_html(r"a < b \leq c - d")).text == "a<b≤c−d"

@@ -16,14 +16,14 @@ from helicoide import gate, lesson, studies
 from helicoide.confinement import plane_file
 from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
-from helicoide.state import Seen, State, initial
-from helicoide.studies.desk import Desk, Run
-from helicoide.text import LANGUAGES, Language, Text, same
+from helicoide.state import FittedCloud, State, initial_state
+from helicoide.studies.panel_state import CompletedRun, StudyPanelState
+from helicoide.text import LANGUAGES, Language, Text, untranslated
 from helicoide.trajectory.waypoints import Waypoint
 from helicoide.view import layers, panels
 from helicoide.view.panels import lesson as lesson_panel
 from helicoide.view.panels import robot as robot_panel
-from helicoide.view.placed import FAILED, place
+from helicoide.view.placed_rows import FAILED, place_rows
 from helicoide.view.rows import View
 
 SHOWS = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
@@ -39,31 +39,34 @@ def server() -> Iterator[viser.ViserServer]:
 def state_named(robot: Robot, name: str) -> State:
     """A scene in which the robot, its planes, its waypoints, what was read and what is said have that name."""
     hostile = renamed(robot, name)
-    file = plane_file.written([name, ""], robot_planes(robot))
-    state = gate.take_planes_of(file.encode(), name)(initial(hostile))
+    file = plane_file.encode_planes([name, ""], robot_planes(robot))
+    state = gate.take_planes_of(file.encode(), name)(initial_state(hostile))
     assert state.problem.planes.names[-2:] == (name, "")
     waypoints = (Waypoint(name, state.arm.q), Waypoint("", state.arm.q))
-    seen = Seen(np.zeros((1, 3)), np.ones(1, bool), same(name))
+    seen = FittedCloud(np.zeros((1, 3)), np.ones(1, bool), untranslated(name))
     return replace(
-        state, taught=replace(state.taught, waypoints=waypoints), seen=MappingProxyType({name: seen}), notice=same(name)
+        state,
+        taught=replace(state.taught, waypoints=waypoints),
+        clouds=MappingProxyType({name: seen}),
+        notice=untranslated(name),
     )
 
 
 def robot_planes(robot: Robot) -> Any:
-    planes = initial(robot).problem.planes
+    planes = initial_state(robot).problem.planes
     return replace(planes, normals=planes.normals[:2], centres=planes.centres[:2])
 
 
-def desk_named(name: str) -> Desk:
-    run = Run("a study", None, True, result_named(name))
-    return Desk("a study", last=run, before=run, failure=same(name))
+def desk_named(name: str) -> StudyPanelState:
+    run = CompletedRun("a study", None, True, result_named(name))
+    return StudyPanelState("a study", last=run, previous=run, failure=untranslated(name))
 
 
 @pytest.fixture
 def named(monkeypatch: pytest.MonkeyPatch, robot: Robot, request: pytest.FixtureRequest) -> State:
     """A scene, a lesson and a study, all of that name."""
     name = request.param
-    guided = renamed(lesson.load("drive_the_arm"), name)
+    guided = renamed(lesson.load_lesson("drive_the_arm"), name)
     monkeypatch.setattr(lesson_panel, "load", lambda _: guided)
     monkeypatch.setattr(robot_panel, "titles", dict)
     monkeypatch.setattr(studies, "named", lambda _: study_named(name))
@@ -80,11 +83,13 @@ def elements(gui: viser.GuiApi) -> list[Any]:
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("named", NAMES, indirect=True)
 def test_every_panel_shows_a_name_as_it_is(server: viser.ViserServer, named: State, language: Language) -> None:
-    (seen,) = named.seen
-    seat = Seat("", language, lesson="drive_the_arm", hint_open=True, selected="plane 1", shows=SHOWS)
+    (seen,) = named.clouds
+    seat = Seat("", language, lesson="drive_the_arm", hint_open=True, selected="plane 1", visible_layers=SHOWS)
     view = View(named, seat, desk_named(seen))
     server.gui.reset()
-    placed = [row for panel in panels.found() for row in place(server.gui, panel.rows(named.robot), view, print)]
+    placed = [
+        row for panel in panels.all_panels() for row in place_rows(server.gui, panel.rows(named.robot), view, print)
+    ]
     for now in (view, replace(view, seat=replace(seat, selected="point 0"))):
         for row in placed:
             row.refresh(now)

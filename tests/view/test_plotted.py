@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from helicoide.studies.study import Chart, Line
-from helicoide.text import same
-from helicoide.view.plotted import POINTS, common, heights, turns_back
+from helicoide.studies.study import Chart, ChartLine
+from helicoide.text import untranslated
+from helicoide.view.chart_plot import POINTS, common, heights, turns_back
 
 AROUND = np.linspace(0, 2 * np.pi, 50)
 
 
 def chart(*curves: tuple[object, object]) -> Chart:
-    lines = tuple(Line(same("a curve"), np.asarray(x, float), np.asarray(y, float)) for x, y in curves)
-    return Chart(same("a chart"), same("x"), same("y"), lines)
+    lines = tuple(ChartLine(untranslated("a curve"), np.asarray(x, float), np.asarray(y, float)) for x, y in curves)
+    return Chart(untranslated("a chart"), untranslated("x"), untranslated("y"), lines)
 
 
 @pytest.mark.parametrize(

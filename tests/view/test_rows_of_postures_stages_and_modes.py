@@ -12,16 +12,16 @@ from tests.driving import after
 from helicoide import gate, readout
 from helicoide.export import stage_table
 from helicoide.ik import methods
-from helicoide.kinematics.library import load
-from helicoide.kinematics.stages import STAGES, Kind
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.stages import STAGES, StageKind
 from helicoide.seat import Seat
-from helicoide.session.postures import postures
-from helicoide.state import State, initial
+from helicoide.session.postures import list_postures
+from helicoide.state import State, initial_state
 from helicoide.text import LANGUAGES, Language
 from helicoide.view.modes import mode_table
 from helicoide.view.panels import algebra, method, robot
-from helicoide.view.postures import posture_rows
-from helicoide.view.rows import Choice, Folder, ForArm, ForSeat, ListPostures, Row, View, Words
+from helicoide.view.posture_rows import posture_rows
+from helicoide.view.rows import Dropdown, Folder, ForArm, ForSeat, HtmlRow, ListPostures, Row, View
 
 
 def inside(folder: Folder) -> Iterator[Row]:
@@ -33,7 +33,7 @@ def inside(folder: Folder) -> Iterator[Row]:
 
 
 def written(folder: Folder, view: View) -> str:
-    return " ".join(row.html(view) for row in inside(folder) if isinstance(row, Words))
+    return " ".join(row.html(view) for row in inside(folder) if isinstance(row, HtmlRow))
 
 
 def folder(rows: list[Row], english: str) -> Folder:
@@ -42,7 +42,7 @@ def folder(rows: list[Row], english: str) -> Folder:
 
 @pytest.fixture
 def puma() -> State:
-    return initial(load("puma560"))
+    return initial_state(load_robot("puma560"))
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -52,10 +52,10 @@ def test_the_list_names_every_posture_and_marks_the_one_that_the_arm_has(puma: S
     view = View(puma, Seat("", language))
     assert "<li" not in written(rows, view)
     (button,) = [row for row in inside(rows) if type(row).__name__ == "Button"]
-    assert button.wish(view) == ListPostures()  # type: ignore[union-attr]
-    view = replace(view, state=postures(puma)(puma))
+    assert button.request(view) == ListPostures()  # type: ignore[union-attr]
+    view = replace(view, state=list_postures(puma)(puma))
     said = written(rows, view)
-    listed = view.state.postures.listed
+    listed = view.state.postures.listing
     assert listed is not None
     assert all(row.branch.name[language] in said for row in listed.rows)
     assert said.count("<li") == 8
@@ -68,12 +68,12 @@ def test_the_list_names_every_posture_and_marks_the_one_that_the_arm_has(puma: S
 
 def test_a_posture_is_chosen_from_the_list(puma: State) -> None:
     rows = posture_rows(puma.robot)
-    (choice,) = [row for row in inside(rows) if isinstance(row, Choice)]
-    view = View(postures(puma)(puma), Seat("", "en"))
+    (choice,) = [row for row in inside(rows) if isinstance(row, Dropdown)]
+    view = View(list_postures(puma)(puma), Seat("", "en"))
     assert callable(choice.options)
     assert len(choice.options(View(puma, view.seat))) == 1
     assert len(choice.options(view)) == 9
-    wish = choice.wish("1")
+    wish = choice.request("1")
     assert isinstance(wish, ForArm)
     gone = after(wish.update(view.state), 12.0)
     assert "shoulder right, elbow up</b> the arm is here" in written(rows, replace(view, state=gone))
@@ -81,24 +81,24 @@ def test_a_posture_is_chosen_from_the_list(puma: State) -> None:
 
 @pytest.mark.parametrize("kind", STAGES)
 @pytest.mark.parametrize("name", ["movemaster", "dia10"])
-def test_the_arm_joint_by_joint_as_the_command_line_prints_it(name: str, kind: Kind) -> None:
-    state = initial(load(name))
+def test_the_arm_joint_by_joint_as_the_command_line_prints_it(name: str, kind: StageKind) -> None:
+    state = initial_state(load_robot(name))
     rows = folder(algebra.rows(state.robot), "Joint by joint")
     assert not rows.open
-    (choice,) = [row for row in inside(rows) if isinstance(row, Choice)]
+    (choice,) = [row for row in inside(rows) if isinstance(row, Dropdown)]
     seat = Seat("", "pt_BR")
     assert "<td" not in written(rows, View(state, seat))
-    wish = choice.wish(kind)
+    wish = choice.request(kind)
     assert isinstance(wish, ForSeat)
     said = written(rows, View(state, wish.update(seat)))
-    table = stage_table.table(state.robot, state.arm.q, kind, as_source=True)
+    table = stage_table.text_table(state.robot, state.arm.q, kind, as_source=True)
     assert all(text.pt_BR in said for text in (table.head, table.end, *(named for named, _ in table.joints)))
     cells = [cell.pt_BR.replace("-", "−") for _, matrix in table.joints for row in matrix for cell in row]
     assert [part.split("<")[0] for part in said.split("<td>")[1:]] == cells
-    hidden = choice.wish("")
+    hidden = choice.request("")
     assert isinstance(hidden, ForSeat)
     assert hidden.update(wish.update(seat)).stages is None
-    forged = choice.wish("nothing of this kind")
+    forged = choice.request("nothing of this kind")
     assert isinstance(forged, ForSeat)
     assert forged.update(seat).stages is None
 
@@ -109,7 +109,7 @@ def test_a_table_of_an_arm_that_has_not_moved_is_not_written_again(
     rows = folder(algebra.rows(puma.robot), "Joint by joint")
     view = View(puma, replace(Seat("", "en"), stages="screws"))
     once = written(rows, view)
-    monkeypatch.setattr("helicoide.view.stages.table", None)
+    monkeypatch.setattr("helicoide.view.stage_rows.table", None)
     assert written(rows, replace(view, state=replace(puma, t=1.0))) == once
 
 

@@ -13,24 +13,24 @@ from markupsafe import Markup
 
 from helicoide.seat import Seat
 from helicoide.state import State
-from helicoide.text import LANGUAGES, Language, same
-from helicoide.view.placed import FAILED, place
+from helicoide.text import LANGUAGES, Language, untranslated
+from helicoide.view.placed_rows import FAILED, place_rows
 from helicoide.view.rows import (
     Bar,
     Button,
-    Changing,
-    Choice,
-    Entry,
+    Checkbox,
+    DependentRows,
+    Dropdown,
     Folder,
     ForLab,
+    HtmlRow,
+    PageRequest,
     Plot,
     Row,
     Slider,
-    Tick,
-    Triple,
+    TextEntry,
+    VectorRow,
     View,
-    Wish,
-    Words,
 )
 
 
@@ -43,33 +43,33 @@ def english(value: Any) -> Any:
     return lambda view: value if view.seat.language == "en" else fails()
 
 
-NAME, WISH = same("a row"), ForLab("movemaster")
+NAME, WISH = untranslated("a row"), ForLab("movemaster")
 UNREADABLE: dict[str, Row] = {
-    "words": Words(english(Markup("said"))),
+    "words": HtmlRow(english(Markup("said"))),
     "slider": Slider(NAME, 0.0, 1.0, 0.1, english(0.5), lambda _: WISH),
     "slider with a label": Slider(english(NAME), 0.0, 1.0, 0.1, lambda _: 0.5, lambda _: WISH),
     "slider that is disabled": Slider(NAME, 0.0, 1.0, 0.1, lambda _: 0.5, lambda _: WISH, english(True)),
     "button": Button(english(NAME), lambda _: WISH),
     "button that is hidden": Button(lambda _: NAME, lambda _: WISH, shown=english(True)),
-    "tick": Tick(NAME, english(True), lambda _: WISH),
-    "choice": Choice(NAME, [("a", NAME)], english("a"), lambda _: WISH),
-    "choice of what there is": Choice(NAME, english([("a", NAME)]), lambda _: "a", lambda _: WISH),
-    "triple": Triple(NAME, 1.0, english((0.0, 0.0, 0.0)), lambda view, _: WISH),
-    "entry": Entry(NAME, english("typed"), NAME, lambda _: WISH),
+    "tick": Checkbox(NAME, english(True), lambda _: WISH),
+    "choice": Dropdown(NAME, [("a", NAME)], english("a"), lambda _: WISH),
+    "choice of what there is": Dropdown(NAME, english([("a", NAME)]), lambda _: "a", lambda _: WISH),
+    "triple": VectorRow(NAME, 1.0, english((0.0, 0.0, 0.0)), lambda view, _: WISH),
+    "entry": TextEntry(NAME, english("typed"), NAME, lambda _: WISH),
     "bar": Bar(english(0.5)),
     "plot": Plot(english(()), 0),
-    "folder": Folder(NAME, Changing(english("key"), lambda key: [])),
+    "folder": Folder(NAME, DependentRows(english("key"), lambda key: [])),
     "folder of rows": Folder(
-        NAME, Changing(lambda view: view.seat.language, lambda key: [] if key == "en" else fails())
+        NAME, DependentRows(lambda view: view.seat.language, lambda key: [] if key == "en" else fails())
     ),
 }
 UNWISHED: dict[str, Row] = {
     "slider": Slider(NAME, 0.0, 1.0, 0.1, lambda _: 0.5, fails),
     "button": Button(lambda _: NAME, fails),
-    "tick": Tick(NAME, lambda _: True, fails),
-    "choice": Choice(NAME, [("a", NAME)], lambda _: "a", fails),
-    "triple": Triple(NAME, 1.0, lambda _: (0.0, 0.0, 0.0), fails),
-    "entry": Entry(NAME, lambda _: "typed", NAME, fails),
+    "tick": Checkbox(NAME, lambda _: True, fails),
+    "choice": Dropdown(NAME, [("a", NAME)], lambda _: "a", fails),
+    "triple": VectorRow(NAME, 1.0, lambda _: (0.0, 0.0, 0.0), fails),
+    "entry": TextEntry(NAME, lambda _: "typed", NAME, fails),
 }
 
 
@@ -103,7 +103,7 @@ def mark(language: Language) -> str:
 
 def among_others(row: Row) -> list[Row]:
     """The row between two that say which language the view has."""
-    says = Words(lambda view: Markup("{}").format(view.seat.language))
+    says = HtmlRow(lambda view: Markup("{}").format(view.seat.language))
     return [says, row, says]
 
 
@@ -112,7 +112,7 @@ def test_a_row_that_cannot_be_built_leaves_a_mark_in_its_place(
     server: viser.ViserServer, views: dict[Language, View], row: Row, caplog: pytest.LogCaptureFixture
 ) -> None:
     server.gui.reset()
-    placed = place(server.gui, among_others(row), views["pt_BR"], fails)
+    placed = place_rows(server.gui, among_others(row), views["pt_BR"], fails)
     for _ in range(3):
         for one in placed:
             one.refresh(views["pt_BR"])
@@ -134,7 +134,7 @@ def test_a_row_that_cannot_be_refreshed_is_marked(
     server: viser.ViserServer, views: dict[Language, View], row: Row, caplog: pytest.LogCaptureFixture
 ) -> None:
     server.gui.reset()
-    placed = place(server.gui, among_others(row), views["en"], fails)
+    placed = place_rows(server.gui, among_others(row), views["en"], fails)
     assert mark("en") not in read(server.gui)
     assert told(caplog) == []
     for _ in range(3):
@@ -150,7 +150,7 @@ def test_a_row_whose_wish_cannot_be_made_is_marked(
     server: viser.ViserServer, views: dict[Language, View], row: Row, caplog: pytest.LogCaptureFixture
 ) -> None:
     server.gui.reset()
-    place(server.gui, [row], views["en"], fails)
+    place_rows(server.gui, [row], views["en"], fails)
     (handle, *_) = [each for each in elements(server.gui) if getattr(each._impl, "update_cb", None)]
     for _ in range(3):
         touch(handle)
@@ -169,15 +169,15 @@ def test_a_wish_that_cannot_be_granted_marks_its_row(
     server: viser.ViserServer, views: dict[Language, View], caplog: pytest.LogCaptureFixture
 ) -> None:
     server.gui.reset()
-    wishes: list[Wish] = []
-    placed = place(server.gui, [Button(lambda _: NAME, lambda _: WISH)], views["en"], wishes.append)
+    wishes: list[PageRequest] = []
+    placed = place_rows(server.gui, [Button(lambda _: NAME, lambda _: WISH)], views["en"], wishes.append)
     (button,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiButtonHandle)]
     touch(button)
     assert wishes == [WISH]
     placed[0].refresh(views["pt_BR"])
     assert told(caplog) == []
     server.gui.reset()
-    place(server.gui, [Button(lambda _: NAME, lambda _: WISH)], views["en"], fails)
+    place_rows(server.gui, [Button(lambda _: NAME, lambda _: WISH)], views["en"], fails)
     (button,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiButtonHandle)]
     touch(button)
     assert read(server.gui) == [mark("en")]
@@ -190,10 +190,10 @@ def test_rows_come_back_when_their_key_can_be_read_again(
     server.gui.reset()
 
     def rows(lesson: str | None) -> list[Row]:
-        return fails() if lesson == "bad" else [Words(lambda _: Markup("{}").format(lesson))]
+        return fails() if lesson == "bad" else [HtmlRow(lambda _: Markup("{}").format(lesson))]
 
     view = views["en"]
-    (folder,) = place(server.gui, [Folder(NAME, Changing(lambda view: view.seat.lesson, rows))], view, fails)
+    (folder,) = place_rows(server.gui, [Folder(NAME, DependentRows(lambda view: view.seat.lesson, rows))], view, fails)
     for lesson, shown in (("a b", ["a b"]), ("bad", []), ("a", ["a"])):
         for _ in range(2):
             folder.refresh(replace(view, seat=replace(view.seat, lesson=lesson)))
@@ -204,9 +204,9 @@ def test_rows_come_back_when_their_key_can_be_read_again(
 def test_two_that_are_called_alike_can_be_told_apart(server: viser.ViserServer, views: dict[Language, View]) -> None:
     """The page refuses a list with the same words twice."""
     server.gui.reset()
-    wishes: list[Wish] = []
-    alike = Choice(NAME, [(key, NAME) for key in "abc"], lambda _: "a", ForLab)
-    (placed,) = place(server.gui, [alike], views["en"], wishes.append)
+    wishes: list[PageRequest] = []
+    alike = Dropdown(NAME, [(key, NAME) for key in "abc"], lambda _: "a", ForLab)
+    (placed,) = place_rows(server.gui, [alike], views["en"], wishes.append)
     (handle,) = [each for each in elements(server.gui) if isinstance(each, viser.GuiDropdownHandle)]
     assert len(set(handle.options)) == 3
     for option in handle.options:

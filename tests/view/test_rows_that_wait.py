@@ -18,7 +18,7 @@ from helicoide.kernels import KERNELS
 from helicoide.seat import Seat
 from helicoide.state import initial
 from helicoide.view import layers, panels
-from helicoide.view.placed import place
+from helicoide.view.placed_rows import place
 from helicoide.view.rows import View
 
 compiled = []

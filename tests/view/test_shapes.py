@@ -19,22 +19,22 @@ from helicoide import content
 from helicoide.geometry import rotation
 from helicoide.kinematics import urdf_file
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
-from helicoide.state import initial
+from helicoide.state import initial_state
 from helicoide.text import Language
 from helicoide.view import shapes
-from helicoide.view.layers.arm import Placed
+from helicoide.view.layers.arm import LinkNodes
 from helicoide.view.panels import robot as panel
-from helicoide.view.rows import View, Words
+from helicoide.view.rows import HtmlRow, View
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
 
 BOX, CYLINDER, SPHERE = '<box size="0.1 0.2 0.4"/>', '<cylinder radius="0.1" length="0.6"/>', '<sphere radius="0.2"/>'
 MESH = '<mesh filename="plate.stl" scale="0.001 0.002 0.003"/>'  # of 100 mm each way
 TURNED = '<origin xyz="1 2 3" rpy="0 1.5707963267948966 0"/>'  # its x along -z, its z along x
-ARMS = [*sorted(content.found("robots")), "ur5", "kr16_2", "so101"]
+ARMS = [*sorted(content.content_folders("robots")), "ur5", "kr16_2", "so101"]
 
 
 class Said:
@@ -65,18 +65,18 @@ def led_from_beside(folder: Path) -> Robot:
         text = text.replace(f'<link name="{link}"/>', f'<link name="{link}">{visual(BOX)}</link>')
     text = text.replace('<child link="b"/>', '<child link="b"/><mimic joint="base-x" multiplier="2" offset="0.1"/>')
     (path := folder / "led.urdf").write_text(f'<robot name="led">{text}</robot>', "utf-8")
-    return load(str(path), "b")
+    return load_robot(str(path), "b")
 
 
 @pytest.mark.parametrize("name", [*ARMS, "led"])
 def test_every_mesh_stands_where_the_urdf_has_its_link(name: str, tmp_path: Path) -> None:
-    robot = led_from_beside(tmp_path) if name == "led" else load(name)
-    found = shapes.load(robot)
+    robot = led_from_beside(tmp_path) if name == "led" else load_robot(name)
+    found = shapes.load_shapes(robot)
     said = Said()
     frames = [node(said, shape.name) for shape in found]
-    oracle = yourdfpy.URDF(urdf_file.parsed(robot.urdf, robot.parameters).robot, load_meshes=False)
+    oracle = yourdfpy.URDF(urdf_file.parse_urdf(robot.urdf, robot.parameters).robot, load_meshes=False)
     q = np.random.default_rng(3).uniform(robot.lower, robot.upper)
-    Placed(found, cast(Any, frames)).write(link_poses(robot.chain, q), gripper=0.0)
+    LinkNodes(found, cast(Any, frames)).write(link_poses(robot.chain, q), gripper=0.0)
     oracle.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))
     for shape in found:
         T = oracle.get_transform(shape.name)
@@ -100,7 +100,7 @@ def drawn(folder: Path, *visuals: str) -> list[Shape]:
         <limit lower="-1" upper="1" effort="1" velocity="1"/></joint></robot>""",
         "utf-8",
     )
-    return shapes.load(load(str(path)))
+    return shapes.load_shapes(load_robot(str(path)))
 
 
 def meshes(shape: Shape) -> list[trimesh.Trimesh]:
@@ -165,11 +165,13 @@ SAID: dict[Language, str] = {"en": "there is no mesh plate.stl", "pt_BR": "não 
 
 
 def test_what_is_not_drawn_is_said_in_the_panel_of_the_robot(tmp_path: Path) -> None:
-    robot = load(str(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{visual(MESH)}</link>')), "tool")
-    words = next(row for row in panel.rows(robot) if isinstance(row, Words))
+    robot = load_robot(
+        str(write(tmp_path, '<link name="upper"/>', f'<link name="upper">{visual(MESH)}</link>')), "tool"
+    )
+    words = next(row for row in panel.rows(robot) if isinstance(row, HtmlRow))
     for language, said in SAID.items():
-        assert said in words.html(View(initial(robot), Seat("", language)))
-    assert words.html(View(initial(load("movemaster")), Seat("", "en"))) == ""
+        assert said in words.html(View(initial_state(robot), Seat("", language)))
+    assert words.html(View(initial_state(load_robot("movemaster")), Seat("", "en"))) == ""
 
 
 @pytest.mark.parametrize("origin", ["", TURNED])
@@ -183,8 +185,8 @@ def test_a_capsule_is_a_cylinder_between_two_spheres(tmp_path: Path, origin: str
 
 
 def test_an_arm_that_shows_nothing_is_drawn_as_lines_and_cylinders(tmp_path: Path) -> None:
-    robot = load(str(write(tmp_path)), "tool")
-    found = shapes.load(robot)
+    robot = load_robot(str(write(tmp_path)), "tool")
+    found = shapes.load_shapes(robot)
     assert [(shape.name, shape.link) for shape in found] == [("base", 0), ("upper", 1), ("lower", 2)]
     for shape, end in zip(found, np.diff([[0, 0, 0], *robot.points, robot.T_world_tool_0[:3, 3]], axis=0), strict=True):
         assert len(shape.edges) > 0
@@ -195,8 +197,12 @@ def test_an_arm_that_shows_nothing_is_drawn_as_lines_and_cylinders(tmp_path: Pat
 
 def test_a_link_in_whose_place_nothing_is_seen_is_added_where_most_are_missing(tmp_path: Path) -> None:
     box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
-    robot = load(str(write(tmp_path, '<link name="base"/>', f'<link name="base">{box}</link>')), "tool")
-    assert [(shape.name, shape.link) for shape in shapes.load(robot)] == [("base", 0), ("upper", 1), ("lower", 2)]
+    robot = load_robot(str(write(tmp_path, '<link name="base"/>', f'<link name="base">{box}</link>')), "tool")
+    assert [(shape.name, shape.link) for shape in shapes.load_shapes(robot)] == [
+        ("base", 0),
+        ("upper", 1),
+        ("lower", 2),
+    ]
 
 
 def test_what_follows_stands_where_it_stands_at_zero(tmp_path: Path) -> None:
@@ -207,7 +213,7 @@ def test_what_follows_stands_where_it_stands_at_zero(tmp_path: Path) -> None:
     path.write_text(
         path.read_text("utf-8").replace('<link name="lower"/>', f'<link name="lower">{box}</link>'), "utf-8"
     )
-    (shape,) = (shape for shape in shapes.load(load(str(path), "tool")) if shape.name == "lower")
+    (shape,) = (shape for shape in shapes.load_shapes(load_robot(str(path), "tool")) if shape.name == "lower")
     assert shape.link == 2
     np.testing.assert_allclose(shape.T_link_shape[:3, 3], 0, atol=1e-12)
 
@@ -215,8 +221,8 @@ def test_what_follows_stands_where_it_stands_at_zero(tmp_path: Path) -> None:
 def test_a_later_base_is_where_the_scene_begins(tmp_path: Path) -> None:
     box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
     path = write(tmp_path, '<link name="tool"/>', f'<link name="tool">{box}</link>')
-    robot = load(str(path), "tool", (), "upper")
-    (shape,) = (shape for shape in shapes.load(robot) if shape.name == "tool")
+    robot = load_robot(str(path), "tool", (), "upper")
+    (shape,) = (shape for shape in shapes.load_shapes(robot) if shape.name == "tool")
     poses = link_poses(robot.chain, np.zeros(1))
     np.testing.assert_allclose(poses[shape.link] @ shape.T_link_shape, robot.T_world_tool_0, atol=1e-12)
 
@@ -225,10 +231,10 @@ def test_a_later_base_is_where_the_scene_begins(tmp_path: Path) -> None:
 def test_an_arm_that_reaches_nowhere_is_seen(tmp_path: Path, height: float) -> None:
     text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', f'xyz="0 0 {height}"')
     (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
-    robot = load(str(path))
+    robot = load_robot(str(path))
     place, looked_at = outlook(robot)
     assert np.linalg.norm(place - looked_at) > 0.2
-    assert [shape.name for shape in shapes.load(robot)][-1] == "plate"
+    assert [shape.name for shape in shapes.load_shapes(robot)][-1] == "plate"
 
 
 def test_whatever_stands_beside_the_arm_it_is_drawn(tmp_path: Path) -> None:
@@ -239,5 +245,5 @@ def test_whatever_stands_beside_the_arm_it_is_drawn(tmp_path: Path) -> None:
         for kind in ("floating", "planar", "hinge", "revolute")
     )
     path = write(tmp_path, "</robot>", beside + "</robot>")
-    found = shapes.load(load(str(path), "tool"))
+    found = shapes.load_shapes(load_robot(str(path), "tool"))
     assert {"floating", "planar", "hinge", "revolute"} <= {shape.name for shape in found}

@@ -7,35 +7,49 @@ import re
 import pytest
 
 from helicoide.export import study_table
-from helicoide.studies.desk import Run
-from helicoide.studies.study import PUT_IN, Figure, Fitted, Reading, Result, Row, Statement, Verdict, printed
-from helicoide.text import Language, Text, same
+from helicoide.studies.panel_state import CompletedRun
+from helicoide.studies.study import (
+    INPUT_VALUE,
+    Figure,
+    Fitted,
+    Interpretation,
+    Result,
+    Row,
+    Statement,
+    Verdict,
+    printed_statement,
+)
+from helicoide.text import Language, Text, untranslated
 from helicoide.view.panels.study import SIGNS, _written
 
 ROWS = (
-    Row(Text(en="right", pt_BR="certo"), 6.05262e-14, "mm/s", printed("≤ 1 × 10⁻¹²", "fig. 1")),
+    Row(Text(en="right", pt_BR="certo"), 6.05262e-14, "mm/s", printed_statement("≤ 1 × 10⁻¹²", "fig. 1")),
     Row(
         Text(en="fitted", pt_BR="ajustado"),
         2.0,
         "",
-        printed("< 2,5", "§2"),
+        printed_statement("< 2,5", "§2"),
         fitted=(Fitted(Text(en="gain <b>", pt_BR="ganho <b>"), 5.5, 4.0, 6.0, "1/s"),),
     ),
     Row(
-        Text(en="wrong", pt_BR="errado"), -2.0, "", printed("1,0", "§3"), why=Text(en="not known", pt_BR="não se sabe")
+        Text(en="wrong", pt_BR="errado"),
+        -2.0,
+        "",
+        printed_statement("1,0", "§3"),
+        why=Text(en="not known", pt_BR="não se sabe"),
     ),
-    Row(Text(en="misprinted", pt_BR="mal impresso"), 3.0, "m", printed("1,0", "§4"), erratum="vargas-2"),
+    Row(Text(en="misprinted", pt_BR="mal impresso"), 3.0, "m", printed_statement("1,0", "§4"), erratum="vargas-2"),
     Row(Text(en="drawn", pt_BR="desenhado"), 3.0, "", Figure("fig. 5")),
     Row(Text(en="alone", pt_BR="sozinho"), 3.0),
 )
 
 
 NEAR = Text(en="near zero", pt_BR="perto de zero")
-TAKEN = Reading(Text(en="the instant", pt_BR="o instante"), Text(en="3.1", pt_BR="3,1"))
+TAKEN = Interpretation(Text(en="the instant", pt_BR="o instante"), Text(en="3.1", pt_BR="3,1"))
 
 
-def run(*rows: Row) -> Run:
-    return Run("a study", None, True, Result(rows))
+def run(*rows: Row) -> CompletedRun:
+    return CompletedRun("a study", None, True, Result(rows))
 
 
 def lines(table: str) -> list[list[str]]:
@@ -78,7 +92,7 @@ def test_what_nobody_printed_stands_at_the_end() -> None:
 
 
 def test_the_run_before_stands_in_the_place_of_the_source() -> None:
-    before = run(Row(ROWS[0].quantity, 7e-14), Row(same("gone"), 1.0))
+    before = run(Row(ROWS[0].quantity, 7e-14), Row(untranslated("gone"), 1.0))
     heads, _, numbers, _, _, others, *_ = lines(_written((run(*ROWS[:2]), before), "en"))
     assert heads == ["here", "before"]
     assert numbers == ["6.0526×10⁻¹⁴ mm/s", "7×10⁻¹⁴"]
@@ -95,20 +109,24 @@ def test_the_run_before_stands_in_the_place_of_the_source() -> None:
         ),
         (Row(NEAR, 4.0, "", Statement(NEAR, "§1", 4.2, "=", 0.5)), "near zero (§1), read as 4.2 ± 0.5", "as printed"),
         (Row(NEAR, 5e-3, "", Statement(NEAR, "§1", 1e-3, "~")), "near zero (§1), read as 0.001 to 0.01", "as printed"),
-        (Row(NEAR, 2.0, "cm/s", printed("2,0", "§4"), given=PUT_IN), "2.0 cm/s (§4)", "here: it was put in"),
         (
-            Row(NEAR, 2.0, "", printed("2,0", "§4"), (TAKEN,)),
+            Row(NEAR, 2.0, "cm/s", printed_statement("2,0", "§4"), given=INPUT_VALUE),
+            "2.0 cm/s (§4)",
+            "here: it was put in",
+        ),
+        (
+            Row(NEAR, 2.0, "", printed_statement("2,0", "§4"), (TAKEN,)),
             "2.0 (§4)",
             "as printed, with a fitted value or reading: the instant",
         ),
     ],
 )
 def test_how_words_are_read_and_what_was_chosen_is_said(row: Row, said: str, verdict: str) -> None:
-    assert study_table.source(row).en == said
-    assert study_table.verdict(row).en == verdict
+    assert study_table.source_cell(row).en == said
+    assert study_table.verdict_cell(row).en == verdict
 
 
 def test_a_reading_is_told_with_what_comes_out_otherwise() -> None:
-    chosen = study_table.fitted(Result((Row(NEAR, 2.0, "", printed("2,0", "§4"), (TAKEN,)),)))
+    chosen = study_table.fitted_line(Result((Row(NEAR, 2.0, "", printed_statement("2,0", "§4"), (TAKEN,)),)))
     assert chosen is not None
     assert chosen.en == "Chosen, each varied alone: the instant (otherwise 3.1)."

@@ -14,17 +14,26 @@ from tests.kinematics.urdfs import chain_of
 
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics import workspace
-from helicoide.kinematics.cells import Cells
-from helicoide.kinematics.library import load
-from helicoide.kinematics.workspace import Kind, Map
+from helicoide.kinematics.grid import WorkspaceGrid
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.workspace import MapKind, WorkspaceMap
 from helicoide.seat import Seat
-from helicoide.state import Workspace, initial, points_on
+from helicoide.state import WorkspaceMaps, initial_state, points_on
 from helicoide.text import LANGUAGES, Language
 from helicoide.view import shapes
 from helicoide.view.layers import Stage
 from helicoide.view.layers import workspace as layer
-from helicoide.view.mapping import ANCHORS, TITLES, colours, measure, scale, scale_of, values, workspace_rows
-from helicoide.view.rows import Slider, View, Words
+from helicoide.view.rows import HtmlRow, Slider, View
+from helicoide.view.workspace_rows import (
+    ANCHORS,
+    TITLES,
+    colours,
+    measure_title,
+    scale,
+    scale_of,
+    values,
+    workspace_rows,
+)
 
 
 @dataclass
@@ -40,22 +49,22 @@ class _Scene:
 
 
 @cache
-def counted(name: str, kind: Kind, samples: int = 1 << 18) -> Map:
-    plan = workspace.planned(load(name), kind, samples)
-    return workspace.gathered(plan, workspace.parts(plan), lambda share: None)
+def counted(name: str, kind: MapKind, samples: int = 1 << 18) -> WorkspaceMap:
+    plan = workspace.plan_map(load_robot(name), kind, samples)
+    return workspace.collect_map(plan, workspace.count_chunks(plan), lambda share: None)
 
 
-def seen(found: Map | None, name: str = "movemaster", cut: float = 0.0, shown: bool = True) -> View:
-    state = replace(initial(load(name)), workspace=Workspace(map=found))
-    return View(state, Seat("", "en", cut=cut).showing(layer.NAME, shown))
+def seen(found: WorkspaceMap | None, name: str = "movemaster", cut: float = 0.0, shown: bool = True) -> View:
+    state = replace(initial_state(load_robot(name)), workspace=WorkspaceMaps(map=found))
+    return View(state, Seat("", "en", cut=cut).with_layer(layer.NAME, shown))
 
 
-def staged(name: str = "movemaster") -> tuple[_Scene, layer.Workspace]:
-    scene, robot = _Scene(), load(name)
-    return scene, layer.build(Stage(scene, robot, shapes.load(robot), lambda wish: None, ""))  # type: ignore[arg-type]
+def staged(name: str = "movemaster") -> tuple[_Scene, layer.WorkspaceLayer]:
+    scene, robot = _Scene(), load_robot(name)
+    return scene, layer.build(Stage(scene, robot, shapes.load_shapes(robot), lambda wish: None, ""))  # type: ignore[arg-type]
 
 
-def drawn(found: Map, name: str = "movemaster", cut: float = 0.0) -> Any:
+def drawn(found: WorkspaceMap, name: str = "movemaster", cut: float = 0.0) -> Any:
     """What is in the scene of a fresh window."""
     scene, one = staged(name)
     one.update(None, seen(found, name, cut))
@@ -69,7 +78,7 @@ def drawn(found: Map, name: str = "movemaster", cut: float = 0.0) -> Any:
 def test_only_what_lies_beyond_the_cut_is_drawn(name: str, axis: int, sign: int, cut: float) -> None:
     """It lies on the far side of the arm, as that is first seen, and reaches up to the cut."""
     found = counted(name, "reachable")
-    centre, reach = workspace.extent(load(name))
+    centre, reach = workspace.reach_sphere(load_robot(name))
     along = sign * (drawn(found, name, cut).points[:, axis] - centre[axis])
     assert along.min() >= cut * reach - 1e-6
     assert along.min() <= cut * reach + found.cells.size / (66 // found.cells.shape[0])
@@ -82,8 +91,8 @@ def test_a_cut_before_it_all_shows_the_whole_map_and_one_beyond_it_nothing() -> 
     assert len(drawn(found, cut=1.0).points) == 0
 
 
-@pytest.mark.parametrize("kind", workspace.KINDS)
-def test_every_cell_that_can_be_seen_is_drawn_and_no_other(kind: Kind) -> None:
+@pytest.mark.parametrize("kind", workspace.MAP_KINDS)
+def test_every_cell_that_can_be_seen_is_drawn_and_no_other(kind: MapKind) -> None:
     """A cell inside, with all six neighbours drawn, cannot be seen; coarse ones are drawn in parts."""
     found = counted("movemaster", kind)
     shape, size = np.array(found.cells.shape), found.cells.size
@@ -107,7 +116,7 @@ def test_every_cell_that_can_be_seen_is_drawn_and_no_other(kind: Kind) -> None:
 
 
 @pytest.mark.parametrize("kind", ["dexterous", "manipulability"])
-def test_the_colours_follow_the_values(kind: Kind) -> None:
+def test_the_colours_follow_the_values(kind: MapKind) -> None:
     found = counted("movemaster", kind)
     cloud = drawn(found)
     at = np.floor((cloud.points - found.cells.origin) / found.cells.size).astype(int)
@@ -165,24 +174,24 @@ def test_it_is_sent_again_only_for_another_layer_of_cells_or_another_map() -> No
 
 @pytest.mark.parametrize("name", ["planar2r", "planar3r", "orca", "polar_rp"])
 def test_the_sheet_of_a_planar_arm_is_whole_and_lies_behind_all_that_moves(name: str) -> None:
-    robot, found = load(name), counted(name, "manipulability")
+    robot, found = load_robot(name), counted(name, "manipulability")
     cloud = drawn(found, name, cut=0.7)
     assert len(cloud.points) == found.reached.sum()
     heights = np.unique(cloud.points[:, 2])
     assert np.ptp(heights) < 1e-6
     moving = [
-        (initial(robot).arm.poses[shape.link] @ shape.T_link_shape @ np.append(point, 1.0))[2]
-        for shape in shapes.load(robot)
+        (initial_state(robot).arm.poses[shape.link] @ shape.T_link_shape @ np.append(point, 1.0))[2]
+        for shape in shapes.load_shapes(robot)
         if shape.link > 0
         for point in shape.edges.reshape(-1, 3)
     ]
     assert heights[0] <= min(moving) + 1e-6
-    assert heights[0] > points_on(robot, initial(robot).arm.poses)[:, 2].min() - 0.25 * robot.reach
+    assert heights[0] > points_on(robot, initial_state(robot).arm.poses)[:, 2].min() - 0.25 * robot.reach
 
 
 def test_no_map_is_more_than_a_browser_can_take() -> None:
-    cells = Cells(frozen([-1, -1, 0]), frozen(np.eye(3)[:2]), 2 / 400, (400, 400))
-    found = Map("reachable", 10**6, cells, np.ones(400 * 400, dtype=np.int64), frozen(np.ones(400 * 400)))
+    cells = WorkspaceGrid(frozen([-1, -1, 0]), frozen(np.eye(3)[:2]), 2 / 400, (400, 400))
+    found = WorkspaceMap("reachable", 10**6, cells, np.ones(400 * 400, dtype=np.int64), frozen(np.ones(400 * 400)))
     points = drawn(found, "planar2r").points
     assert 25_000 < len(points) <= 30_000
     assert np.abs(points[:, :2]).max(axis=0) == pytest.approx([1, 1], abs=0.01)
@@ -198,23 +207,23 @@ def test_volumes_and_areas_are_said_in_a_fitting_unit(name: str, edge: float, wo
     size, n = edge / 10, 12
     hits = np.zeros((n,) * d, dtype=np.int64)
     hits[(slice(1, 11),) * d] = 1
-    cells = Cells(frozen(np.zeros(3)), frozen(np.eye(3)[:d]), size, (n,) * d)
-    found = Map("reachable", 9, cells, hits.ravel(), frozen(hits.ravel() > 0))
+    cells = WorkspaceGrid(frozen(np.zeros(3)), frozen(np.eye(3)[:d]), size, (n,) * d)
+    found = WorkspaceMap("reachable", 9, cells, hits.ravel(), frozen(hits.ravel() > 0))
     inner = 0.5 * (10**d + 8**d) * size**d  # what is touched, and what lies wholly inside
     found = replace(found, cells=replace(cells, size=size * (edge**d / inner) ** (1 / d)))
-    assert measure(found) == words
+    assert measure_title(found) == words
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("kind", workspace.KINDS)
-def test_the_words_give_measure_postures_and_the_bounds_of_the_scale(kind: Kind, language: Any) -> None:
+@pytest.mark.parametrize("kind", workspace.MAP_KINDS)
+def test_the_words_give_measure_postures_and_the_bounds_of_the_scale(kind: MapKind, language: Any) -> None:
     found = counted("movemaster", kind)
     view = seen(found)
     view = replace(view, seat=replace(view.seat, language=language))
-    rows = workspace_rows(load("movemaster")).rows
-    html = "".join(row.html(view) for row in rows if isinstance(row, Words))  # type: ignore[union-attr]
-    said = scale_of(load("movemaster"), found)
-    assert measure(found) in html
+    rows = workspace_rows(load_robot("movemaster")).rows
+    html = "".join(row.html(view) for row in rows if isinstance(row, HtmlRow))  # type: ignore[union-attr]
+    said = scale_of(load_robot("movemaster"), found)
+    assert measure_title(found) in html
     assert "262\u202f144" in html
     assert said.title[language] in html
     assert all(f"rgb({r} {g} {b})" in html for r, g, b in ANCHORS.astype(int))
@@ -223,17 +232,17 @@ def test_the_words_give_measure_postures_and_the_bounds_of_the_scale(kind: Kind,
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("kind", workspace.KINDS)
-def test_of_a_tool_that_only_turns_no_volume_is_told(tmp_path: Path, language: Language, kind: Kind) -> None:
+@pytest.mark.parametrize("kind", workspace.MAP_KINDS)
+def test_of_a_tool_that_only_turns_no_volume_is_told(tmp_path: Path, language: Language, kind: MapKind) -> None:
     text = chain_of(["base", "plate"]).replace('xyz="0.1 0 0"', 'xyz="0 0 0.3"')
     (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
-    robot = load(str(path))
-    plan = workspace.planned(robot, kind, 1000)
-    found = workspace.gathered(plan, workspace.parts(plan), lambda share: None)
-    view = View(replace(initial(robot), workspace=Workspace(map=found)), Seat("", language))
-    html = "".join(row.html(view) for row in workspace_rows(robot).rows if isinstance(row, Words))  # type: ignore[union-attr]
-    assert workspace.stays(robot, TITLES[kind])[language] in html
-    assert measure(found) not in html
+    robot = load_robot(str(path))
+    plan = workspace.plan_map(robot, kind, 1000)
+    found = workspace.collect_map(plan, workspace.count_chunks(plan), lambda share: None)
+    view = View(replace(initial_state(robot), workspace=WorkspaceMaps(map=found)), Seat("", language))
+    html = "".join(row.html(view) for row in workspace_rows(robot).rows if isinstance(row, HtmlRow))  # type: ignore[union-attr]
+    assert workspace.fixed_tool_text(robot, TITLES[kind])[language] in html
+    assert measure_title(found) not in html
 
 
 def test_manipulability_has_a_unit_only_where_all_joints_turn() -> None:
@@ -244,4 +253,4 @@ def test_manipulability_has_a_unit_only_where_all_joints_turn() -> None:
 
 @pytest.mark.parametrize(("name", "cuts"), [("movemaster", 1), ("planar3r", 0)])
 def test_only_maps_in_space_are_cut(name: str, cuts: int) -> None:
-    assert sum(isinstance(row, Slider) for row in workspace_rows(load(name)).rows) == cuts  # type: ignore[union-attr]
+    assert sum(isinstance(row, Slider) for row in workspace_rows(load_robot(name)).rows) == cuts  # type: ignore[union-attr]

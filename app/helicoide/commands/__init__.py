@@ -24,18 +24,18 @@ if TYPE_CHECKING:  # it imports the kernels, and --version shall be fast
 
 WRONG_INPUT = 2
 NOT_REACHED = 3
-ENDS = Text(en="   from link {base} to link {tip}", pt_BR="   do elo {base} ao elo {tip}")
-CLOSED = 141  # as in a shell, 128 + SIGPIPE
+CHAIN_ENDS = Text(en="   from link {base} to link {tip}", pt_BR="   do elo {base} ao elo {tip}")
+PIPE_CLOSED = 141  # as in a shell, 128 + SIGPIPE
 
 # ASCII equivalents of characters that Unicode does not decompose
-LIKE = str.maketrans(
+ASCII_EQUIVALENTS = str.maketrans(
     {"−": "-", "–": "-", "·": "-", "•": "*", "×": "x", "°": " deg", "±": "+-", "→": "->", "≤": "<=", "≥": ">="}
     | {"≠": "!=", "√": "sqrt", "§": "sec. ", "“": '"', "”": '"', "‘": "'", "’": "'"}
 )
 
 
 @contextmanager
-def ending() -> Iterator[None]:
+def exit_codes() -> Iterator[None]:
     """Exit a command with its code: a HelicoideError prints one line on stderr, and a closed pipe prints nothing.
 
     A pipe closes in `helicoide study --list | head`, for instance. Inside, characters that the terminal cannot show are
@@ -56,10 +56,10 @@ def ending() -> Iterator[None]:
             sys.stdout.flush()
     except BrokenPipeError:
         _drop_what_is_left()
-        sys.exit(CLOSED)
+        sys.exit(PIPE_CLOSED)
 
 
-def tell_version() -> None:
+def print_version() -> None:
     """Print the name and the version."""
     print(f"helicoide {__version__}")
 
@@ -79,7 +79,7 @@ def _alike(error: UnicodeError) -> tuple[str, int]:
 
 
 def _plain(character: str) -> str:
-    parts = unicodedata.normalize("NFKD", character.translate(LIKE)).translate(LIKE)
+    parts = unicodedata.normalize("NFKD", character.translate(ASCII_EQUIVALENTS)).translate(ASCII_EQUIVALENTS)
     plain = "".join(part for part in parts if not unicodedata.combining(part))
     return plain if plain.isascii() else "?"
 
@@ -87,20 +87,20 @@ def _plain(character: str) -> str:
 codecs.register_error(_alike.__name__, _alike)
 
 
-def ends(robot: Robot) -> Text:
+def chain_ends(robot: Robot) -> Text:
     """The base link and the tip link of the arm, as a line."""
-    return ENDS.format(base=robot.base_link, tip=robot.tool_link)
+    return CHAIN_ENDS.format(base=robot.base_link, tip=robot.tool_link)
 
 
-def remark(robot: Robot, drawn: bool = False, lang: Language | None = None) -> None:
-    """Print the remarks about a robot's file on stderr; drawn: also what cannot be drawn, and the faults."""
-    for text in _said_of(robot, drawn):
+def print_remarks(robot: Robot, with_visuals: bool = False, lang: Language | None = None) -> None:
+    """Print the remarks about a robot's file on stderr; with_visuals: also what cannot be drawn, and the faults."""
+    for text in _said_of(robot, with_visuals):
         print(f"{robot.name}: {text[lang or language()]}", file=sys.stderr)
 
 
-def described_ends(robot: Robot, drawn: bool = False) -> dict[str, object]:
+def chain_ends_json(robot: Robot, with_visuals: bool = False) -> dict[str, object]:
     """For --json: the base link and the tip link of the arm, and the remarks about its file."""
-    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in _said_of(robot, drawn)]
+    remarks = [{"en": text.en, "pt_BR": text.pt_BR} for text in _said_of(robot, with_visuals)]
     return {"base": robot.base_link, "tip": robot.tool_link, "remarks": remarks}
 
 

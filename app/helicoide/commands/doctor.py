@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 
 from helicoide import __version__, content, kernels
 from helicoide.commands import language
-from helicoide.text import Text, same
+from helicoide.text import Text, untranslated
 
 PACKAGES = ("viser", "numpy", "numba", "trimesh", "yourdfpy", "tyro", "latex2mathml")
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
@@ -20,11 +20,11 @@ KERNELS = Text(
 )
 BROWSER = Text(en="browser for the tests: {found}", pt_BR="navegador para os testes: {found}")
 NO_BROWSER = Text(en="not found (install chromium)", pt_BR="não encontrado (instale o chromium)")
-FOUND: dict[content.Kind, Text] = {
+FOUND: dict[content.ContentKind, Text] = {
     "robots": Text(en="robots: {names}  ({folder})", pt_BR="robôs: {names}  ({folder})"),
     "lessons": Text(en="lessons: {names}  ({folder})", pt_BR="lições: {names}  ({folder})"),
 }
-YOURS = Text(
+USER_FOLDER = Text(
     en="your own robots, lessons, methods and studies: {folder}",
     pt_BR="seus robôs, lições, métodos e estudos: {folder}",
 )
@@ -43,12 +43,14 @@ def run() -> None:
     found = next(filter(None, map(shutil.which, BROWSERS)), None)
     print(BROWSER.format(found=found or NO_BROWSER)[spoken])
     for kind, words in FOUND.items():
-        print(words.format(names=", ".join(content.found(kind)) or "-", folder=content.SHIPPED / kind)[spoken])
-    print(YOURS.format(folder=content.user_folder())[spoken])
+        print(
+            words.format(names=", ".join(content.content_folders(kind)) or "-", folder=content.SHIPPED / kind)[spoken]
+        )
+    print(USER_FOLDER.format(folder=content.user_folder())[spoken])
 
 
 def _version(name: str) -> Text:
     try:
-        return same(version(name))
+        return untranslated(version(name))
     except PackageNotFoundError:
         return MISSING

@@ -11,18 +11,18 @@ import numpy as np
 import tyro
 
 from helicoide.arrays import Array
-from helicoide.commands import described_ends, ends, language, remark
+from helicoide.commands import chain_ends, chain_ends_json, language, print_remarks
 from helicoide.export import stage_table
 from helicoide.geometry import rigid, rotation
 from helicoide.geometry.clifford import CL031
-from helicoide.kernels import as_python
-from helicoide.kinematics.chain import Variable
-from helicoide.kinematics.forward import ROADS
-from helicoide.kinematics.library import load
+from helicoide.kernels import run_interpreted
+from helicoide.kinematics.chain import JointVariable
+from helicoide.kinematics.forward import FORMULATIONS
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.singularity import NEAR, singularity
-from helicoide.kinematics.stages import Kind
-from helicoide.text import HelicoideError, Text, same
+from helicoide.kinematics.singularity import NEAR_SINGULAR, singularity
+from helicoide.kinematics.stages import StageKind
+from helicoide.text import HelicoideError, Text, untranslated
 
 POSE = Text(
     en="{road:>16}: position {position} m; quaternion wxyz {quaternion}",
@@ -38,7 +38,7 @@ NO_FRAMES = Text(
 )
 SINGULAR = Text(en="singularity: {words}", pt_BR="singularidade: {words}")
 MOTORS = Text(en="motors, pulses from an assumed zero:", pt_BR="motores, pulsos a partir de um zero assumido:")
-DRIVEN = Text(
+MOTOR_READING = Text(
     en="{label:>16}: {angle:.6g}°, {pulses:.6g} pulses", pt_BR="{label:>16}: {angle:.6g}°, {pulses:.6g} pulsos"
 )
 SCREW = Text(
@@ -48,7 +48,7 @@ SCREW = Text(
 ROUNDING = 1e-9  # tolerance of a joint on its limit, rad or m
 
 
-def described(T_world_tool: Array, robot: Robot) -> dict[str, object]:
+def pose_json(T_world_tool: Array, robot: Robot) -> dict[str, object]:
     """A pose as JSON: its two frames, position, m, matrix, quaternion wxyz, and motor by blade."""
     motor = rigid.canonical(rigid.motor_from_pose(T_world_tool))
     return {
@@ -61,13 +61,13 @@ def described(T_world_tool: Array, robot: Robot) -> dict[str, object]:
     }
 
 
-def outside(robot: Robot, q: Array) -> list[tuple[Variable, float]]:
+def joints_outside_limits(robot: Robot, q: Array) -> list[tuple[JointVariable, float]]:
     """The joints of q (n,), rad or m, that are outside their limits, with their values."""
     pairs = zip(robot.variables, map(float, q), strict=True)
     return [(joint, x) for joint, x in pairs if not joint.lower - ROUNDING <= x <= joint.upper + ROUNDING]
 
 
-@as_python()
+@run_interpreted()
 def run(
     robot: tyro.conf.Positional[str],
     q: Annotated[tuple[float, ...], tyro.conf.arg(help="joint values: rad, or m where a joint slides")],
@@ -75,7 +75,7 @@ def run(
     tip: str | None = None,
     base: str | None = None,
     set: tuple[str, ...] = (),
-    frames: Kind | None = None,
+    frames: StageKind | None = None,
     as_: Annotated[Literal["si", "source"], tyro.conf.arg(name="as")] = "si",
     json: bool = False,
 ) -> None:
@@ -97,35 +97,37 @@ def run(
     """
     if as_ == "source" and frames is None:
         raise HelicoideError(NO_FRAMES)
-    arm = load(robot, tip, set, base)
-    remark(arm)
+    arm = load_robot(robot, tip, set, base)
+    print_remarks(arm)
     values = arm.check_joints(q)
     if deg:
-        values = np.where([joint.slides for joint in arm.variables], values, np.radians(values))
+        values = np.where([joint.is_prismatic for joint in arm.variables], values, np.radians(values))
     if json:
-        staged = {} if frames is None else {"frames": stage_table.described(arm, values, frames, as_ == "source")}
+        staged = {} if frames is None else {"frames": stage_table.stages_json(arm, values, frames, as_ == "source")}
         print(json_format.dumps(_told(arm, values) | staged, indent=1))
         return
     spoken = language()
-    for line in _poses(arm, values) if frames is None else stage_table.lines(arm, values, frames, as_ == "source"):
+    for line in (
+        _poses(arm, values) if frames is None else stage_table.stage_lines(arm, values, frames, as_ == "source")
+    ):
         print(line[spoken])
-    for joint, value in outside(arm, values):
+    for joint, value in joints_outside_limits(arm, values):
         print(_warning(joint, value, deg)[spoken], file=sys.stderr)
 
 
 def _poses(robot: Robot, q: Array) -> list[Text]:
     """The tool pose by each formulation, how near the posture is to a singularity, and the motor readings."""
-    lines = [same(f"{robot.name}:"), ends(robot)]
-    for name, road in ROADS.items():
+    lines = [untranslated(f"{robot.name}:"), chain_ends(robot)]
+    for name, road in FORMULATIONS.items():
         pose = road(robot, q)
         position, quat = _decimals(pose[:3, 3]), _decimals(rotation.from_matrix(pose[:3, :3]))
         lines.append(POSE.format(road=name, position=position, quaternion=quat))
-    lines.append(SINGULAR.format(words=singularity(robot, q).words(NEAR)))
-    motors = driven(robot, q)
+    lines.append(SINGULAR.format(words=singularity(robot, q).description(NEAR_SINGULAR)))
+    motors = motor_readings(robot, q)
     if isinstance(motors, Text):
         return [*lines, motors]
     told = [
-        (DRIVEN if isnan(length) else SCREW).format(
+        (MOTOR_READING if isnan(length) else SCREW).format(
             label=label, angle=np.degrees(angle), pulses=pulses + 0.0, mm=1000 * length
         )
         for label, angle, pulses, length in motors
@@ -136,7 +138,7 @@ def _poses(robot: Robot, q: Array) -> list[Text]:
 Motor = tuple[str, float, float, float]
 
 
-def driven(robot: Robot, q: Array) -> list[Motor] | Text:
+def motor_readings(robot: Robot, q: Array) -> list[Motor] | Text:
     """For each actuator: label, driven angle, rad, pulses, and length of its ball screw, m, NaN if it has none.
 
     Returns the reason instead if an actuator cannot reach its angle.
@@ -155,22 +157,22 @@ def driven(robot: Robot, q: Array) -> list[Motor] | Text:
 def _told(robot: Robot, q: Array) -> dict[str, Any]:
     """What --json prints: poses by formulation, nearness to a singularity, motors, and joints outside limits."""
     here = singularity(robot, q)
-    words = here.words(NEAR)
+    words = here.description(NEAR_SINGULAR)
     return {
         "robot": robot.name,
-        **described_ends(robot),
+        **chain_ends_json(robot),
         "q": q.tolist(),
-        "roads": {name: described(road(robot, q), robot) for name, road in ROADS.items()},
+        "roads": {name: pose_json(road(robot, q), robot) for name, road in FORMULATIONS.items()},
         "singularity": {
             "rank": here.rank,
-            "usual": here.usual,
+            "usual": here.generic_rank,
             "factors": {factor.kind.name.lower(): factor.relative for factor in here.factors},
             "words": {"en": words.en, "pt_BR": words.pt_BR},
         },
-        "motors": _motors(driven(robot, q)),
+        "motors": _motors(motor_readings(robot, q)),
         "outside": [
             {"joint": joint.name, "value": value, "lower": joint.lower, "upper": joint.upper}
-            for joint, value in outside(robot, q)
+            for joint, value in joints_outside_limits(robot, q)
         ],
     }
 
@@ -184,8 +186,8 @@ def _motors(found: list[Motor] | Text) -> list[dict[str, Any]]:
     ]
 
 
-def _warning(joint: Variable, value: float, deg: bool) -> Text:
-    scale, unit = (1.0, " m") if joint.slides else (180 / np.pi, "°") if deg else (1.0, " rad")
+def _warning(joint: JointVariable, value: float, deg: bool) -> Text:
+    scale, unit = (1.0, " m") if joint.is_prismatic else (180 / np.pi, "°") if deg else (1.0, " rad")
     given, lower, upper = (f"{scale * x:.6g}{unit}" for x in (value, joint.lower, joint.upper))
     return OUTSIDE.format(joint=joint.name, value=given, lower=lower, upper=upper)
 

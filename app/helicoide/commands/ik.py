@@ -12,24 +12,24 @@ import numpy as np
 import tyro
 
 from helicoide.arrays import Array, frozen
-from helicoide.commands import NOT_REACHED, described_ends, ends, language, remark
+from helicoide.commands import NOT_REACHED, chain_ends, chain_ends_json, language, print_remarks
 from helicoide.confinement import Obstacles
 from helicoide.geometry import euler, rotation
 from helicoide.ik.postures import solvability
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
 from helicoide.ik.postures.solve import chosen, reached, solve, solve_by, status
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Language, Text
 
 URDF = euler.EXTRINSIC + "xyz"
-LEFT = Text(
+RESIDUAL = Text(
     en="   {mm:.4f} mm and {turned} from the target; {limits}",
     pt_BR="   a {mm:.4f} mm e {turned} do alvo; {limits}",
 )
 WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas")
-BEYOND = Text(en="outside the joint limits", pt_BR="fora dos limites das juntas")
+OUTSIDE_LIMITS = Text(en="outside the joint limits", pt_BR="fora dos limites das juntas")
 COST = Text(en="; cost {cost:.3f}", pt_BR="; custo {cost:.3f}")
 RULED_OUT = Text(en="; ruled out: {why}", pt_BR="; descartada: {why}")
 ALL_COLLIDE = Text(
@@ -73,8 +73,8 @@ def run(
         set: parameters of a robot to change, mm, such as l1=1500.
         json: print JSON (SI units).
     """
-    arm = load(robot, tip, set, base)
-    remark(arm)
+    arm = load_robot(robot, tip, set, base)
+    print_remarks(arm)
     R = _orientation(quat, rpy, deg)
     T = np.eye(4)
     T[:3, 3] = _checked(position, "--position", 3)
@@ -89,14 +89,14 @@ def run(
     told = answer.only([answer.branches.index(row.branch) for row in free])
     said = ALL_COLLIDE if answer.branches and not free else status(told)
     if json:
-        print(json_format.dumps(described(arm, told, said, shown, T, R is not None), indent=1))
+        print(json_format.dumps(answer_json(arm, told, said, shown, T, R is not None), indent=1))
     else:
         print("\n".join(_lines(arm, (said, answer.words), shown, Style(deg, choosing, language()))))
     if not reached(told):
         sys.exit(NOT_REACHED)
 
 
-def described(
+def answer_json(
     robot: Robot, answer: Answer, said: Text, shown: Sequence[Ranked], T_world_tool: Array, with_orientation: bool
 ) -> dict[str, Any]:
     """An answer as JSON, in SI units, with texts in both languages.
@@ -110,7 +110,7 @@ def described(
     verdict = solvability.verdict(robot)
     return {
         "robot": robot.name,
-        **described_ends(robot),
+        **chain_ends_json(robot),
         "solvability": {"closed": verdict.closed, "axes": [axis + 1 for axis in verdict.axes], **_words(verdict.words)},
         "joints": [joint.name for joint in robot.variables],
         "goal": _pose(T_world_tool, with_orientation),
@@ -162,7 +162,7 @@ def _lines(robot: Robot, status: tuple[Text, Text], shown: Sequence[Ranked], sty
     spoken, (said, words) = style.language, status
     return [
         f"{robot.name}: {said[spoken]}",
-        ends(robot)[spoken],
+        chain_ends(robot)[spoken],
         f"   {solvability.verdict(robot).words[spoken]}",
         *([f"   {words[spoken]}"] if words[spoken] else []),
         *(line for row in shown for line in _of_posture(robot, row, style)),
@@ -172,10 +172,13 @@ def _lines(robot: Robot, status: tuple[Text, Text], shown: Sequence[Ranked], sty
 def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
     branch, (deg, costs, spoken) = row.branch, style
     values = ", ".join(
-        f"{joint.name} {_value(float(x), joint.slides, deg)}" for joint, x in zip(robot.variables, row.q, strict=True)
+        f"{joint.name} {_value(float(x), joint.is_prismatic, deg)}"
+        for joint, x in zip(robot.variables, row.q, strict=True)
     )
     turned = f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad"
-    left = LEFT.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else BEYOND)[spoken]
+    left = RESIDUAL.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else OUTSIDE_LIMITS)[
+        spoken
+    ]
     if costs:
         left += COST.format(cost=row.cost)[spoken]
     if row.dropped is COLLIDES:
@@ -183,7 +186,7 @@ def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
     yield f"{branch.name[spoken]}: {values}"
     yield left
     if robot.actuators is not None:
-        yield f"   {robot.actuators.words(row.q)[spoken]}"
+        yield f"   {robot.actuators.description(row.q)[spoken]}"
 
 
 def _value(x: float, slides: bool, deg: bool) -> str:
@@ -195,7 +198,7 @@ def _value(x: float, slides: bool, deg: bool) -> str:
 def _radians(robot: Robot, values: Array, deg: bool) -> Array:
     if not deg:
         return values
-    return frozen(np.where([joint.slides for joint in robot.variables], values, np.radians(values)))
+    return frozen(np.where([joint.is_prismatic for joint in robot.variables], values, np.radians(values)))
 
 
 def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, deg: bool) -> Array | None:
@@ -208,11 +211,11 @@ def _orientation(quat: tuple[float, ...] | None, rpy: tuple[float, ...] | None, 
             raise HelicoideError(
                 Text(en="--quat is zero: it has no direction.", pt_BR="--quat é nulo: não tem direção.")
             )
-        return rotation.to_matrix(rotation.unit(w))
+        return rotation.to_matrix(rotation.unit_vector(w))
     if rpy is None:
         return None
     angles = _checked(rpy, "--rpy", 3)
-    return euler.matrix(np.radians(angles) if deg else angles, URDF)
+    return euler.euler_matrix(np.radians(angles) if deg else angles, URDF)
 
 
 def _sphere(given: tuple[float, ...] | None) -> Obstacles:

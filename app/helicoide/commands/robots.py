@@ -9,10 +9,10 @@ import numpy as np
 import tyro
 
 from helicoide import content
-from helicoide.commands import described_ends, ends, language, remark
-from helicoide.kinematics.chain import Variable
-from helicoide.kinematics.forward import disagreement
-from helicoide.kinematics.library import load, packaged
+from helicoide.commands import chain_ends, chain_ends_json, language, print_remarks
+from helicoide.kinematics.chain import JointVariable
+from helicoide.kinematics.forward import formulation_difference
+from helicoide.kinematics.library import load_robot, packaged_urdfs
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.text import Language, Text
@@ -32,7 +32,7 @@ PACKAGED = Text(en="by name from installed packages: {names}", pt_BR="pelo nome,
 NONE = Text(en="none", pt_BR="nenhum")
 
 
-def described(robot: Robot) -> dict[str, Any]:
+def robot_json(robot: Robot) -> dict[str, Any]:
     """A robot as JSON; limits in rad or m; disagreement: the largest between formulations, over random postures."""
     random = np.random.default_rng(0)
     postures = random.uniform(robot.lower, robot.upper, (POSTURES, len(robot.variables)))
@@ -40,12 +40,12 @@ def described(robot: Robot) -> dict[str, Any]:
         "name": robot.name,
         "title": robot.title.en,
         "source": robot.source,
-        **described_ends(robot, drawn=True),
+        **chain_ends_json(robot, with_visuals=True),
         "assumed": list(robot.assumed),
-        "reach": robot.stretched,
-        "disagreement": max(disagreement(robot, q) for q in postures),
+        "reach": robot.stretched_length,
+        "disagreement": max(formulation_difference(robot, q) for q in postures),
         "planes": [
-            {"name": pane.name, "normal": [*pane.normal], "offset": pane.offset, "printed": pane.printed or None}
+            {"name": pane.name, "normal": [*pane.normal], "offset": pane.offset, "printed": pane.as_printed or None}
             for pane in robot.panes
         ],
         "joints": [
@@ -78,27 +78,27 @@ def run(
         base: the link of the URDF files where the arm begins; the root if none.
         json: print JSON (SI units).
     """
-    robots = [load(name, tip, (), base) for name in names or sorted(content.found("robots"))]
+    robots = [load_robot(name, tip, (), base) for name in names or sorted(content.content_folders("robots"))]
     if json:
-        print(json_format.dumps([described(robot) for robot in robots], indent=1))
+        print(json_format.dumps([robot_json(robot) for robot in robots], indent=1))
         return
     spoken = language()
     for robot in robots:
-        remark(robot, drawn=True)
+        print_remarks(robot, with_visuals=True)
         print("\n".join(_lines(robot, spoken)))
     if not names:
-        print(PACKAGED.format(names=", ".join(sorted(packaged())) or NONE)[spoken])
+        print(PACKAGED.format(names=", ".join(sorted(packaged_urdfs())) or NONE)[spoken])
 
 
 def _lines(robot: Robot, spoken: Language) -> list[str]:
     """The description of a robot as lines of text."""
-    head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.stretched)
+    head = HEAD.format(name=robot.name, title=robot.title, n=len(robot.variables), reach=robot.stretched_length)
     assumed = ASSUMED.format(fields=", ".join(robot.assumed)) if robot.assumed else ""
     planes = printed_planes(robot)
-    agreement = AGREEMENT.format(error=described(robot)["disagreement"], n=POSTURES)
+    agreement = AGREEMENT.format(error=robot_json(robot)["disagreement"], n=POSTURES)
     return [
         head[spoken],
-        ends(robot)[spoken],
+        chain_ends(robot)[spoken],
         "   " + ", ".join(map(_limits, robot.variables)),
         SOURCE.format(source=robot.source, assumed=assumed)[spoken],
         agreement[spoken],
@@ -106,7 +106,7 @@ def _lines(robot: Robot, spoken: Language) -> list[str]:
     ]
 
 
-def _limits(joint: Variable) -> str:
-    scale, unit = (1000.0, " mm") if joint.slides else (180 / np.pi, "°")
+def _limits(joint: JointVariable) -> str:
+    scale, unit = (1000.0, " mm") if joint.is_prismatic else (180 / np.pi, "°")
     assumed = ASSUMED_HERE[language()] if joint.assumed else ""
     return f"{joint.name} {scale * joint.lower:.0f}…{scale * joint.upper:.0f}{unit}{assumed}"

@@ -11,14 +11,14 @@ import warnings
 from typing import Literal, NoReturn
 
 from helicoide import kernels
-from helicoide.commands import language, remark
-from helicoide.jobs.apart import end_all
-from helicoide.kinematics.library import load, welcome
-from helicoide.lesson import load as read_lesson
+from helicoide.commands import language, print_remarks
+from helicoide.jobs.process import kill_processes
+from helicoide.kinematics.library import load_robot, register_robot
+from helicoide.lesson import load_lesson as read_lesson
 from helicoide.session.lab import Lab
 
-ENDS_WITHIN = 1.5
-LOOK = 0.25
+CLOSE_TIMEOUT = 1.5
+POLL_PERIOD = 0.25
 
 
 def run(
@@ -48,8 +48,8 @@ def run(
         projector: large words and handles in new windows, for the back row.
     """
     default = "movemaster" if lesson is None else read_lesson(lesson).robot
-    arm = load(robot or default, tip, set, base)
-    welcome(arm)
+    arm = load_robot(robot or default, tip, set, base)
+    register_robot(arm)
     lab = Lab(arm, lang, lesson, projector)
     if kernels.CACHE_NOTE is not None:
         print(kernels.CACHE_NOTE[lang or language()])
@@ -57,8 +57,8 @@ def run(
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda *_: stopped.set())
     print(f"Helicoide: http://{host}:{lab.open(host, port, origin)}", flush=True)
-    remark(arm, drawn=True, lang=lang)
-    while not stopped.wait(LOOK):  # without a timeout, Ctrl+C is not seen on Windows
+    print_remarks(arm, with_visuals=True, lang=lang)
+    while not stopped.wait(POLL_PERIOD):  # without a timeout, Ctrl+C is not seen on Windows
         pass
     _end(lab)
 
@@ -67,8 +67,8 @@ def _end(lab: Lab) -> NoReturn:
     """End the program without waiting for busy threads, as Python would: compiling takes minutes."""
     closing = threading.Thread(target=_close, args=(lab,), daemon=True)
     closing.start()
-    closing.join(ENDS_WITHIN)
-    end_all()
+    closing.join(CLOSE_TIMEOUT)
+    kill_processes()
     sys.stdout.flush()
     os._exit(0)
 
@@ -76,5 +76,5 @@ def _end(lab: Lab) -> NoReturn:
 def _close(lab: Lab) -> None:
     warnings.simplefilter("ignore")  # from viser, about drawing while its server stops
     lab.close()
-    end_all()
+    kill_processes()
     atexit._run_exitfuncs()

@@ -18,24 +18,33 @@ from tqdm import tqdm
 
 from helicoide import studies
 from helicoide.commands import NOT_REACHED, language
-from helicoide.export.study_json import described
-from helicoide.export.study_report import DIFFERS, FAILED, Record, by_source, chosen, counted, differences, page
-from helicoide.export.study_table import HEADINGS, cells, fitted, in_order
-from helicoide.files.system import why
+from helicoide.export.study_json import study_json
+from helicoide.export.study_report import (
+    DIFFERS,
+    FAILED,
+    Record,
+    differences,
+    options_line,
+    report_page,
+    source_counts,
+    verdict_counts,
+)
+from helicoide.export.study_table import HEADINGS, fitted_line, row_cells, sorted_by_verdict
+from helicoide.files.os_errors import os_error_reason
 from helicoide.ik.method import OneOf, Quantity, YesNo, changed, settings
-from helicoide.jobs.several import Outcome, Progress, in_processes, timed
+from helicoide.jobs.parallel import JobOutcome, Progress, run_parallel, run_timed
 from helicoide.studies.study import Result
-from helicoide.text import HelicoideError, Language, Text, same
+from helicoide.text import HelicoideError, Language, Text, untranslated
 
 log = logging.getLogger("helicoide")
 
 WORDS = {"true": True, "yes": True, "sim": True, "false": False, "no": False, "não": False}
 CRASHED = Text(en="the program failed; the terminal shows where", pt_BR="o programa falhou; o terminal mostra onde")
-UNWRITTEN = Text(en="{report} cannot be written: {why}.", pt_BR="Não dá para gravar {report}: {why}.")
+CANNOT_WRITE = Text(en="{report} cannot be written: {why}.", pt_BR="Não dá para gravar {report}: {why}.")
 
 
 @dataclass(frozen=True)
-class Asked:
+class StudyRequest:
     """A study to run: its name, its options, and whether it is a quick run."""
 
     name: str
@@ -81,9 +90,9 @@ def run(
     records = _run(asked, workers)
     seconds = time.perf_counter() - began
     if report is not None:
-        _write(report, page(records, seconds, spoken))
+        _write(report, report_page(records, seconds, spoken))
     if json:
-        print(json_format.dumps([described(record) for record in records], indent=1, allow_nan=False))
+        print(json_format.dumps([study_json(record) for record in records], indent=1, allow_nan=False))
     else:
         _print(records, seconds, spoken)
     if any(record.result is None for record in records):
@@ -92,7 +101,7 @@ def run(
         sys.exit(1)
 
 
-def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tuple[Asked, ...]:
+def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tuple[StudyRequest, ...]:
     """The studies to run; raises HelicoideError, which lists the names."""
     if all and (name is not None or set):
         raise HelicoideError(
@@ -102,15 +111,15 @@ def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tu
             )
         )
     if all:
-        return tuple(Asked(each, studies.named(each).Options(), short) for each in studies.names())
+        return tuple(StudyRequest(each, studies.study_named(each).Options(), short) for each in studies.study_names())
     if name is None:
         raise HelicoideError(
             Text(
                 en="Name a study, or use --list or --all; there is: {known}.",
                 pt_BR="Diga o nome de um estudo, ou use --list ou --all; há: {known}.",
-            ).format(known=", ".join(studies.names()))
+            ).format(known=", ".join(studies.study_names()))
         )
-    return (Asked(name, _with(studies.named(name).Options(), set), short),)
+    return (StudyRequest(name, _with(studies.study_named(name).Options(), set), short),)
 
 
 def _with(options: Any, set: tuple[str, ...]) -> Any:
@@ -158,29 +167,29 @@ def _write(report: Path, text: str) -> None:
     try:
         report.write_text(text, "utf-8")
     except OSError as error:
-        raise HelicoideError(UNWRITTEN.format(report=report, why=why(error))) from error
+        raise HelicoideError(CANNOT_WRITE.format(report=report, why=os_error_reason(error))) from error
 
 
-def _work(asked: Asked, progress: Progress) -> Result:
-    return studies.run(asked.name, asked.options, asked.short, progress)
+def _work(asked: StudyRequest, progress: Progress) -> Result:
+    return studies.run_study(asked.name, asked.options, asked.short, progress)
 
 
-def _run(asked: tuple[Asked, ...], workers: int) -> list[Record]:
+def _run(asked: tuple[StudyRequest, ...], workers: int) -> list[Record]:
     with _bar(len(asked)) as progress:
         if len(asked) == 1:
-            outcomes = [timed(_work, asked[0], progress)]
+            outcomes = [run_timed(_work, asked[0], progress)]
         else:
-            outcomes = in_processes(_work, asked, workers, progress)
+            outcomes = run_parallel(_work, asked, workers, progress)
     return [_record(one, outcome) for one, outcome in zip(asked, outcomes, strict=True)]
 
 
-def _record(asked: Asked, outcome: Outcome[Result]) -> Record:
+def _record(asked: StudyRequest, outcome: JobOutcome[Result]) -> Record:
     error, failure = outcome.failure, None
     if error is not None:
         failure = error.text if isinstance(error, HelicoideError) else CRASHED
     if failure is CRASHED:
         log.error("the study %s stopped", asked.name, exc_info=error)
-    study = studies.named(asked.name)
+    study = studies.study_named(asked.name)
     return Record(asked.name, study, asked.options, asked.short, outcome.value, failure, outcome.seconds)
 
 
@@ -197,8 +206,8 @@ def _bar(count: int) -> Iterator[Callable[[float], None]]:
 
 
 def _print_list(language: Language) -> None:
-    for name in studies.names():
-        study = studies.named(name)
+    for name in studies.study_names():
+        study = studies.study_named(name)
         print(f"{name}: {study.TITLE[language]} ({study.SOURCE})")
         for option, setting in settings(study.Options).items():
             print(f"   {option}={_range(setting)}: {setting.title[language]}")
@@ -216,23 +225,23 @@ def _range(setting: object) -> str:
 def _print(records: list[Record], seconds: float, language: Language) -> None:
     for record in records:
         print(f"{record.study.TITLE[language]} ({record.study.SOURCE})")
-        if options := chosen(record, language):
+        if options := options_line(record, language):
             print(options)
         if record.result is None:
-            print(FAILED.format(why=record.failure or same(""))[language] + "\n")
+            print(FAILED.format(why=record.failure or untranslated(""))[language] + "\n")
             continue
         for line in _table(record.result, language):
             print(line)
-        if chosen_for_it := fitted(record.result):
+        if chosen_for_it := fitted_line(record.result):
             print(chosen_for_it[language])
         print()
-    print(counted(records, seconds)[language])
-    for said in (*by_source(records), DIFFERS, *differences(records)):
+    print(verdict_counts(records, seconds)[language])
+    for said in (*source_counts(records), DIFFERS, *differences(records)):
         print(said[language])
 
 
 def _table(result: Result, language: Language) -> list[str]:
-    lines = [HEADINGS, *(cells(row) for row in in_order(result.rows))]
+    lines = [HEADINGS, *(row_cells(row) for row in sorted_by_verdict(result.rows))]
     rows = [tuple(cell[language] for cell in line) for line in lines]
     widths = [max(len(row[i]) for row in rows) for i in range(len(HEADINGS))]
     return ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]

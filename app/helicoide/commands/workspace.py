@@ -11,12 +11,12 @@ from typing import Annotated, Any
 import numpy as np
 import tyro
 
-from helicoide.commands import described_ends, ends, language, remark
+from helicoide.commands import chain_ends, chain_ends_json, language, print_remarks
 from helicoide.jobs import chunks
 from helicoide.jobs.chunks import Backend
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Kind, Map, planned, stays
+from helicoide.kinematics.workspace import MapKind, WorkspaceMap, fixed_tool_text, plan_map
 from helicoide.text import HelicoideError, Language, Text
 
 WIDTH = 40
@@ -38,7 +38,7 @@ MANIPULABILITY = Text(
 
 def run(
     robot: tyro.conf.Positional[str],
-    kind: Kind = "reachable",
+    kind: MapKind = "reachable",
     samples: int = 1_000_000,
     workers: Annotated[int | None, tyro.conf.arg(help="processes; as many as there are processors if none")] = None,
     backend: Backend = "loky",
@@ -63,47 +63,47 @@ def run(
         json: print JSON (SI units).
         out: write the map to this file (.npz): hits, values, shape, origin, axes and size of the cells, m.
     """
-    arm = load(robot, tip, set, base)
-    remark(arm)
+    arm = load_robot(robot, tip, set, base)
+    print_remarks(arm)
     _check(out)
-    plan = planned(arm, kind, samples)
+    plan = plan_map(arm, kind, samples)
     found = chunks.workspace_map(plan, os.cpu_count() or 1 if workers is None else workers, backend, _show)
     if out is not None:
-        chunks.write(out, arrays(found))
+        chunks.write_arrays(out, map_arrays(found))
     if json:
-        print(json_format.dumps(described(arm, found), indent=1))
+        print(json_format.dumps(map_json(arm, found), indent=1))
         return
     print("\n".join(_lines(arm, found, language())))
 
 
-def arrays(found: Map) -> chunks.Arrays:
+def map_arrays(found: WorkspaceMap) -> chunks.Arrays:
     """What `--out` writes."""
     cells = found.cells
     grid = {"origin": cells.origin, "axes": cells.axes, "size": np.array(cells.size), "shape": np.array(cells.shape)}
     return {"hits": found.hits, "values": found.values, **grid}
 
 
-def described(robot: Robot, found: Map) -> dict[str, Any]:
+def map_json(robot: Robot, found: WorkspaceMap) -> dict[str, Any]:
     """A map as JSON, in m, m² or m³; best: the largest value and the centre of its cell."""
     best = int(np.argmax(found.values))
     return {
         "robot": robot.name,
-        **described_ends(robot),
+        **chain_ends_json(robot),
         "kind": found.kind,
         "samples": found.samples,
         "dimensions": len(found.cells.shape),
         "cell": found.cells.size,
         "shape": list(found.cells.shape),
         "reached": int(found.reached.sum()),
-        "measure": 0.0 if robot.turns_only else found.measure,
+        "measure": 0.0 if robot.fixed_tool_point else found.measure,
         "best": {"value": float(found.values[best]), "position": found.cells.centres[best].tolist()},
         "mean": float(found.values[found.reached].mean()),
     }
 
 
-def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
+def _lines(robot: Robot, found: WorkspaceMap, spoken: Language) -> list[str]:
     """The numbers as lines of text."""
-    said = described(robot, found)
+    said = map_json(robot, found)
     what, power = (AREA, "²") if said["dimensions"] == 2 else (VOLUME, "³")
     position = ", ".join(f"{x + 0.0:.3f}" for x in said["best"]["position"])
     value, mean = said["best"]["value"], said["mean"]
@@ -115,9 +115,9 @@ def _lines(robot: Robot, found: Map, spoken: Language) -> list[str]:
         lines.append(DEXTEROUS.format(value=value, position=position, mean=mean))
     if found.kind == "manipulability":
         lines.append(MANIPULABILITY.format(value=value, position=position, mean=mean))
-    if robot.turns_only:
-        lines[:2] = [stays(robot, robot.name)]
-    return [line[spoken] for line in [lines[0], ends(robot), *lines[1:]]]
+    if robot.fixed_tool_point:
+        lines[:2] = [fixed_tool_text(robot, robot.name)]
+    return [line[spoken] for line in [lines[0], chain_ends(robot), *lines[1:]]]
 
 
 def _show(share: float) -> None:

@@ -1,16 +1,16 @@
 """What confines the arm: planes with their zones, and obstacles."""
 
-from helicoide.confinement.given import BOX, box, from_coefficients, through_points
-from helicoide.confinement.obstacles import Obstacles, from_pieces, last_clear
+from helicoide.confinement.obstacles import Obstacles, last_free_point, segment_distances
+from helicoide.confinement.plane_input import BOX, box_planes, from_coefficients, through_points
 from helicoide.confinement.planes import (
     Plane,
     Planes,
-    distances,
+    limited_plane_centre,
     pane_axes,
-    pane_on,
+    pane_on_plane,
+    planes_around,
     planes_of,
-    standing,
-    stopped_at_arm,
+    signed_distances,
 )
 from helicoide.confinement.zones import Zone, Zones
 
@@ -21,15 +21,15 @@ __all__ = [
     "Planes",
     "Zone",
     "Zones",
-    "box",
-    "distances",
+    "box_planes",
     "from_coefficients",
-    "from_pieces",
-    "last_clear",
+    "last_free_point",
+    "limited_plane_centre",
     "pane_axes",
-    "pane_on",
+    "pane_on_plane",
+    "planes_around",
     "planes_of",
-    "standing",
-    "stopped_at_arm",
+    "segment_distances",
+    "signed_distances",
     "through_points",
 ]

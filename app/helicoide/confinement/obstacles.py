@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array, frozen
 
-LOOKED_AT = 1e-3
-ON_AXIS = 8
+PATH_STEP = 1e-3
+AXIS_POINTS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,8 +25,8 @@ class Obstacles:
 
     @property
     def points(self) -> Array:
-        """Points on their axes, (m, 3), m: the centre of a sphere, `ON_AXIS` points of any other capsule."""
-        shares = np.linspace(0.0, 1.0, ON_AXIS)[:, None]
+        """Points on their axes, (m, 3), m: the centre of a sphere, `AXIS_POINTS` points of any other capsule."""
+        shares = np.linspace(0.0, 1.0, AXIS_POINTS)[:, None]
         axes = [start[None] if (start == end).all() else start + shares * (end - start) for start, end in self.ends]
         return np.concatenate([np.zeros((0, 3)), *axes])
 
@@ -38,7 +38,7 @@ class Obstacles:
         """The obstacles with one more sphere around centre (3,), m."""
         return self.with_capsule(centre, centre, radius)
 
-    def replaced(self, index: int, centre: ArrayLike, radius: float) -> Obstacles:
+    def with_sphere_at(self, index: int, centre: ArrayLike, radius: float) -> Obstacles:
         """The obstacles with one replaced by a sphere around centre (3,), m."""
         ends, radii = self.ends.copy(), self.radii.copy()
         ends[index], radii[index] = centre, radius
@@ -49,7 +49,7 @@ class Obstacles:
         return Obstacles(frozen(np.delete(self.ends, index, axis=0)), frozen(np.delete(self.radii, index)))
 
 
-def from_pieces(points: Array, ends: Array) -> Array:
+def segment_distances(points: Array, ends: Array) -> Array:
     """Distances of points (m, 3) from segments (k, 2, 3): (m, k), m."""
     start, along = ends[:, 0], ends[:, 1] - ends[:, 0]
     square = np.maximum(np.einsum("ka,ka->k", along, along), 1e-30)
@@ -58,14 +58,14 @@ def from_pieces(points: Array, ends: Array) -> Array:
     return np.asarray(np.linalg.norm(offsets - share[..., None] * along, axis=2))
 
 
-def last_clear(start: Array, asked: Array, ends: Array, apart: Array) -> Array:
-    """The last point on the straight line from start to asked, (3,), m, before an obstacle is too close.
+def last_free_point(start: Array, requested: Array, ends: Array, clearances: Array) -> Array:
+    """The last point on the straight line from start to requested, (3,), m, before an obstacle is too close.
 
-    The line is sampled in steps of at most `LOOKED_AT`. Args: ends (k, 2, 3), m: axes of the obstacles; apart (k,), m:
-    the clearance from each axis, reduced if the start is closer.
+    The line is sampled in steps of at most `PATH_STEP`. Args: ends (k, 2, 3), m: axes of the obstacles; clearances
+    (k,), m: required distance from each axis, reduced if the start is closer.
     """
-    steps = 1 + int(np.ceil(np.linalg.norm(asked - start) / LOOKED_AT))
-    way = start + np.linspace(0.0, 1.0, steps + 1)[:, None] * (asked - start)
-    found = from_pieces(way, ends)
-    blocked = (found < np.minimum(apart, found[0] - 1e-9)).any(axis=1)
-    return np.asarray(way[int(blocked.argmax()) - 1] if blocked.any() else asked)
+    steps = 1 + int(np.ceil(np.linalg.norm(requested - start) / PATH_STEP))
+    way = start + np.linspace(0.0, 1.0, steps + 1)[:, None] * (requested - start)
+    found = segment_distances(way, ends)
+    blocked = (found < np.minimum(clearances, found[0] - 1e-9)).any(axis=1)
+    return np.asarray(way[int(blocked.argmax()) - 1] if blocked.any() else requested)

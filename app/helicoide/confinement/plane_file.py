@@ -10,10 +10,10 @@ import msgspec
 import numpy as np
 
 from helicoide.arrays import frozen
-from helicoide.confinement.given import FARTHEST
+from helicoide.confinement.plane_input import FARTHEST
 from helicoide.confinement.planes import Planes
 from helicoide.files import toml
-from helicoide.files.written import decoded as text_of
+from helicoide.files.text_file import decode_utf8 as text_of
 from helicoide.text import HelicoideError, Text
 
 # Largest number of planes, and of bytes of a file.
@@ -48,8 +48,8 @@ class PlanesFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     planes: tuple[PlaneEntry, ...]
 
 
-def written(names: Sequence[str], planes: Planes) -> str:
-    """The text of the file; `decoded` returns the same names and exactly the same numbers."""
+def encode_planes(names: Sequence[str], planes: Planes) -> str:
+    """The text of the file; `decode_planes` returns the same names and exactly the same numbers."""
     entries = [
         f"\n[[planes]]\nname = {_quoted(name)}\nnormal = {normal.tolist()}\ncentre_m = {centre.tolist()}\n"
         for name, normal, centre in zip(names, planes.normals, planes.centres, strict=True)
@@ -57,10 +57,10 @@ def written(names: Sequence[str], planes: Planes) -> str:
     return "".join([_HEAD, *entries])
 
 
-def decoded(content: bytes, name: str) -> tuple[tuple[str, ...], Planes]:
+def decode_planes(content: bytes, name: str) -> tuple[tuple[str, ...], Planes]:
     """Names and planes in the content of a file; raises HelicoideError with the name, the reason and what is valid."""
     try:
-        file = toml.struct(toml.table(text_of(content, MOST_BYTES)), PlanesFile)
+        file = toml.table_to_struct(toml.parse_toml(text_of(content, MOST_BYTES)), PlanesFile)
         _check(file)
     except HelicoideError as error:
         raise HelicoideError(_VALID.format(name=name, reason=error.text, most=MOST, far=FARTHEST)) from error

@@ -14,8 +14,8 @@ import numpy as np
 
 from helicoide.arrays import Array, frozen
 from helicoide.kernels import kernel
-from helicoide.kinematics.robot_parts import Pane
-from helicoide.text import Text, same
+from helicoide.kinematics.robot_parts import PlanePane
+from helicoide.text import Text, untranslated
 
 # A plane is a ceiling if the z component of its inward normal is at most this.
 DOWN = -np.sqrt(0.5)
@@ -33,12 +33,14 @@ class Plane:
         return np.asarray(point - (self.normal @ point - self.offset) * self.normal)
 
 
-PANE = (0.6, 0.6)
+DEFAULT_PANE_SIZE = (0.6, 0.6)
 
 
-def pane_on(plane: Plane, name: str, title: Text, centre: Array, size: tuple[float, float] = PANE) -> Pane:
+def pane_on_plane(
+    plane: Plane, name: str, title: Text, centre: Array, size: tuple[float, float] = DEFAULT_PANE_SIZE
+) -> PlanePane:
     """A movable pane on a plane, centred at the foot of a point (3,), m; size, m."""
-    return Pane(name, title, plane.normal, plane.offset, frozen(plane.foot(centre)), size, movable=True)
+    return PlanePane(name, title, plane.normal, plane.offset, frozen(plane.foot(centre)), size, movable=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,13 +53,13 @@ class Planes:
 
     normals: Array
     centres: Array
-    panes: tuple[Pane, ...] = ()
+    panes: tuple[PlanePane, ...] = ()
 
     def __post_init__(self) -> None:
         if len(self.panes) != len(self.normals):
             known = zip(self.normals, self.centres, strict=True)
             panes = (
-                pane_on(Plane(normal, float(normal @ centre)), str(k), same(str(k)), centre)
+                pane_on_plane(Plane(normal, float(normal @ centre)), str(k), untranslated(str(k)), centre)
                 for k, (normal, centre) in enumerate(known, 1)
             )
             object.__setattr__(self, "panes", tuple(panes))
@@ -67,13 +69,13 @@ class Planes:
         """d = n·r of each plane, (k,), m."""
         return np.asarray(np.einsum("ij,ij->i", self.normals, self.centres))
 
-    def moved(self, index: int, normal: Array, centre: Array) -> Planes:
+    def with_plane(self, index: int, normal: Array, centre: Array) -> Planes:
         """The planes with one replaced; the normal is scaled to length one."""
         normals, centres = self.normals.copy(), self.centres.copy()
         normals[index], centres[index] = normal / np.linalg.norm(normal), centre
         return replace(self, normals=frozen(normals), centres=frozen(centres))
 
-    def with_pane(self, pane: Pane) -> Planes:
+    def with_pane(self, pane: PlanePane) -> Planes:
         """The planes with one more; a plane of the same name is replaced."""
         rest = self.without(self.names.index(pane.name)) if pane.name in self.names else self
         return Planes(frozen([*rest.normals, pane.normal]), frozen([*rest.centres, pane.centre]), (*rest.panes, pane))
@@ -89,14 +91,14 @@ class Planes:
         return tuple(pane.name for pane in self.panes)
 
 
-def planes_of(panes: tuple[Pane, ...]) -> Planes:
+def planes_of(panes: tuple[PlanePane, ...]) -> Planes:
     """The planes of a robot's file; pane centres are projected onto their planes."""
     normals = np.array([pane.normal for pane in panes]).reshape(-1, 3)
     centres = np.array([pane.centre - (pane.normal @ pane.centre - pane.offset) * pane.normal for pane in panes])
     return Planes(frozen(normals), frozen(centres.reshape(-1, 3)), panes)
 
 
-def standing(planes: Sequence[Plane], inside: Array) -> Planes:
+def planes_around(planes: Sequence[Plane], inside: Array) -> Planes:
     """Planes whose panes are centred at the feet of perpendiculars from a point inside, (3,), m."""
     normals = np.array([plane.normal for plane in planes]).reshape(-1, 3)
     centres = np.array([plane.foot(inside) for plane in planes]).reshape(-1, 3)
@@ -111,7 +113,7 @@ def pane_axes(normal: Array) -> Array:
     return np.column_stack([x, np.cross(z, x), z])
 
 
-def stopped_at_arm(normal: Array, centre: Array, points: Array, critical: float) -> Array:
+def limited_plane_centre(normal: Array, centre: Array, points: Array, critical: float) -> Array:
     """The centre of a moved plane, limited so that the arm keeps its distance: c − max(0, δ − minⱼ n·(pⱼ − c)) n.
 
     Args: normal (3,), unit; centre (3,), m, requested; points (m, 3), m, of the arm; critical: δ, m. Returns (3,), m.
@@ -121,7 +123,7 @@ def stopped_at_arm(normal: Array, centre: Array, points: Array, critical: float)
 
 
 @kernel
-def distances(normals: Array, offsets: Array, points: Array) -> Array:
+def signed_distances(normals: Array, offsets: Array, points: Array) -> Array:
     """Signed distances l = n·r − d of every point to every plane.
 
     Args: normals (k, 3); offsets (k,), m; points (m, 3), m. Returns (m, k), m. Source: Cerbaro 2022, eq. 20.

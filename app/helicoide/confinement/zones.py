@@ -9,8 +9,8 @@ from helicoide.text import HelicoideError, Text
 
 # The shell of the arm extends this far from the screw axes (Cerbaro 2022, fig. 43). Distances are taken from points, so
 # the critical distance must be larger. The source adds 15 mm; at least MARGIN is required here.
-SHELL, MARGIN = 0.065, 0.010
-LEAST_CRITICAL = SHELL + MARGIN
+SHELL_THICKNESS, MARGIN = 0.065, 0.010
+LEAST_CRITICAL = SHELL_THICKNESS + MARGIN
 # With larger values an arm between walls 620 mm apart, as in the source, has hardly any free space.
 MOST_CRITICAL, MOST_WARNING = 0.150, 0.250
 # Least depth of the warning zone: a point that approaches at 1 m/s is in it for at least one tick.
@@ -29,14 +29,14 @@ class Zone(Enum):
 class Zones:
     """Distances, m: no guarded point comes closer to a plane than `critical`; below `warning` people are warned.
 
-    between: least clearance between two bodies, from surface to surface.
+    body_clearance: least clearance between two bodies, from surface to surface.
     """
 
     critical: float = 0.080
     warning: float = 0.110
-    between: float = 0.010
+    body_clearance: float = 0.010
 
-    def of(self, distance: float) -> Zone:
+    def zone_of(self, distance: float) -> Zone:
         """The zone of a distance, m; a point limited at the critical distance counts as critical."""
         if distance <= self.critical + 1e-6:
             return Zone.CRITICAL
@@ -54,7 +54,7 @@ class Zones:
                 ).format(
                     least=1000 * LEAST_CRITICAL,
                     most=1000 * MOST_CRITICAL,
-                    shell=1000 * SHELL,
+                    shell=1000 * SHELL_THICKNESS,
                     depth=1000 * LEAST_DEPTH,
                     far=1000 * MOST_WARNING,
                 )

@@ -34,13 +34,13 @@ def found(kind: Kind) -> tuple[str, ...]:
     """The names of all of a kind, those that cannot be used included."""
     match kind:
         case "robot":
-            return tuple(sorted(content.found("robots")))
+            return tuple(sorted(content.content_folders("robots")))
         case "lesson":
-            return tuple(sorted(content.found("lessons")))
+            return tuple(sorted(content.content_folders("lessons")))
         case "method":
             return _modules(all_methods.names(), all_methods.__path__)
         case "study":
-            return _modules(all_studies.names(), all_studies.__path__)
+            return _modules(all_studies.study_names(), all_studies.__path__)
 
 
 def _modules(usable: Iterable[str], path: Iterable[str]) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from helicoide import content, studies
 from helicoide.contributions import TITLES, Kind, found
-from helicoide.files.system import why
+from helicoide.files.os_errors import os_error_reason
 from helicoide.ik import methods
 from helicoide.kinematics import library
 from helicoide.text import HelicoideError, Text
@@ -38,7 +38,7 @@ def made(kind: Kind, name: str, own: bool) -> list[Path]:
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
         raise HelicoideError(BAD_NAME.format(name=name, kind=kind))
-    known = (*found(kind), *(library.names() if kind == "robot" else ()))
+    known = (*found(kind), *(library.robot_names() if kind == "robot" else ()))
     if name in known:
         raise HelicoideError(TAKEN.format(what=TITLES[kind], name=name))
     target = _target(kind, own or not content.IN_CHECKOUT) / name
@@ -71,4 +71,4 @@ def _write(path: Path, text: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     except OSError as error:
-        raise HelicoideError(UNWRITTEN.format(path=path, why=why(error))) from error
+        raise HelicoideError(UNWRITTEN.format(path=path, why=os_error_reason(error))) from error

@@ -9,12 +9,12 @@ from functools import lru_cache
 from helicoide.contributions.words import untold
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Lesson, Prose
-from helicoide.state import initial
-from helicoide.text import LANGUAGES, Language, Text, joined
+from helicoide.state import initial_state
+from helicoide.text import LANGUAGES, Language, Text, join_texts
 from helicoide.view import page, panels
 from helicoide.view.panels.lesson import step_rows
-from helicoide.view.rows import Button, Changing, Choice, Folder, Row, Slider, Tick, Triple, View
-from helicoide.view.window import seated
+from helicoide.view.rows import Button, Checkbox, DependentRows, Dropdown, Folder, Row, Slider, VectorRow, View
+from helicoide.view.window import new_seat
 
 SHORTEST_HINT = 20
 BOLD = re.compile(r"\*\*(.+?)\*\*")
@@ -59,7 +59,7 @@ def _of_prose(prose: Prose, robot: Robot) -> Iterator[Text]:
         text: Text = getattr(prose, name)
         yield from untold(part, text, differ=True)
         if name != "title" and (unlike := [*_unlike(text)]):
-            yield UNLIKE.format(part=part, what=joined(unlike, ", "))
+            yield UNLIKE.format(part=part, what=join_texts(unlike, ", "))
     for language in LANGUAGES:
         if len(prose.hint[language]) <= SHORTEST_HINT:
             yield HINT.format(n=SHORTEST_HINT, language=language)
@@ -87,9 +87,9 @@ def _numbers(words: str) -> list[str]:
 @lru_cache(maxsize=32)
 def screen_words(robot: Robot, language: Language) -> frozenset[str]:
     """What stands on the panels in front of a robot: titles of tabs, labels, buttons, choices."""
-    view = View(initial(robot), seated("", language, None))
-    rows = [*(row for panel in panels.found() for row in panel.rows(robot)), *step_rows(robot, ())]
-    titles = [panel.TITLE[language] for panel in panels.found()]
+    view = View(initial_state(robot), new_seat("", language, None))
+    rows = [*(row for panel in panels.all_panels() for row in panel.rows(robot)), *step_rows(robot, ())]
+    titles = [panel.TITLE[language] for panel in panels.all_panels()]
     return frozenset((page.STOP[language], *titles, *_labels(rows, view)))
 
 
@@ -99,13 +99,13 @@ def _labels(rows: Sequence[Row], view: View) -> Iterator[str]:
         match row:
             case Folder(label, inside):
                 yield label[language]
-                yield from _labels(inside.rows(inside.key(view)) if isinstance(inside, Changing) else inside, view)
-            case Choice(label, options):
+                yield from _labels(inside.rows(inside.key(view)) if isinstance(inside, DependentRows) else inside, view)
+            case Dropdown(label, options):
                 known = options(view) if callable(options) else options
                 yield from (label[language], *(shown[language] for _, shown in known))
             case Button(label):
                 yield label(view)[language]
             case Slider(label):
                 yield (label if isinstance(label, Text) else label(view))[language]
-            case Tick(label) | Triple(label):
+            case Checkbox(label) | VectorRow(label):
                 yield label[language]

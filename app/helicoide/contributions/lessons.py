@@ -10,15 +10,15 @@ from itertools import chain
 import numpy as np
 
 from helicoide import content, gate, lesson
-from helicoide.command import Hold
+from helicoide.command import HoldPosition
 from helicoide.contributions.lesson_words import word_faults
 from helicoide.contributions.loading import gathered
 from helicoide.foresight import lived
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import AtSeat, Lesson, Step
 from helicoide.seat import Seat
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 from helicoide.text import HelicoideError, Text
 
 TICK = 0.01
@@ -59,12 +59,12 @@ class _Wrong(Exception):
 def faults(name: str) -> tuple[Text, ...]:
     """Everything that is wrong with a lesson, by the name of its folder, in words. It is played."""
     try:
-        found = lesson.load(name)
-        robot = load(found.robot)
+        found = lesson.load_lesson(name)
+        robot = load_robot(found.robot)
     except HelicoideError as error:
         return (error.text,)
     found_faults = chain(word_faults(found, robot), _whole(found, robot), _from_anywhere(found, robot))
-    return gathered(content.folder("lessons", name) / "lesson.py", found_faults)
+    return gathered(content.content_folder("lessons", name) / "lesson.py", found_faults)
 
 
 def played(state: State, seconds: float) -> State:
@@ -78,7 +78,7 @@ def settled(state: State) -> State | None:
     """The state when the arm rests and nothing is asked any more; None where it never does."""
     for _ in range(round(LONGEST)):
         state = played(state, 1.0)
-        if isinstance(state.request.command, Hold) and not state.arm.moving:
+        if isinstance(state.request.command, HoldPosition) and not state.arm.moving:
             return state
     return None
 
@@ -93,7 +93,7 @@ def done(state: State, seat: Seat, part: tuple[Update | AtSeat, float]) -> tuple
 
 def _whole(found: Lesson, robot: Robot) -> Iterator[Text]:
     """The faults of the steps, each begun where the one before has ended."""
-    state, seat = initial(robot), Seat(token="", language="en", lesson=found.id)
+    state, seat = initial_state(robot), Seat(token="", language="en", lesson=found.id)
     for number, step in enumerate(found.steps):
         try:
             begun = _begun(step, state, seat, BEFORE)
@@ -120,7 +120,7 @@ def _from_anywhere(found: Lesson, robot: Robot) -> Iterator[Text]:
 
 
 def _arrived(robot: Robot, ask: Update) -> State | None:
-    return settled(ask(initial(robot)))
+    return settled(ask(initial_state(robot)))
 
 
 def _begun(step: Step, state: State, seat: Seat, start: Text) -> State:

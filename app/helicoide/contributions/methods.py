@@ -16,10 +16,10 @@ from helicoide.contributions.words import untold
 from helicoide.ik import methods
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
-from helicoide.kernels import as_python
-from helicoide.kinematics.library import titles
-from helicoide.text import Text, same
-from helicoide.view.formula import mathml
+from helicoide.kernels import run_interpreted
+from helicoide.kinematics.library import robot_titles
+from helicoide.text import Text, untranslated
+from helicoide.view.formula import formula_html
 
 SOURCE = Text(
     en="SOURCE is empty: author, year and place, or that it is your own",
@@ -51,11 +51,11 @@ class Pair:
 
 
 @lru_cache
-@as_python()
+@run_interpreted()
 def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
     """The pairs that a method applies to, and why it does not apply to the others. Of all robots that have a folder."""
     applying, refused = list[Pair](), dict[Pair, Text]()
-    for pair in (Pair(robot, turned) for robot in sorted(titles()) for turned in (True, False)):
+    for pair in (Pair(robot, turned) for robot in sorted(robot_titles()) for turned in (True, False)):
         state = bare_state(pair.robot)
         why = named(name).applies(asked(state, state.T_world_tool, pair.with_orientation))
         if why is None:
@@ -75,20 +75,22 @@ def faults(name: str) -> tuple[Text, ...]:
 def described(name: str) -> Iterator[Text]:
     """What is wrong with what a method says of itself."""
     method = named(name)
-    yield from untold(same("TITLE"), method.TITLE)
+    yield from untold(untranslated("TITLE"), method.TITLE)
     if not method.SOURCE.strip():
         yield SOURCE
-    if "<math" not in mathml(method.EQUATION):
+    if "<math" not in formula_html(method.EQUATION):
         yield NO_TEX
     if method.REMEMBERS is not None:
-        yield from untold(same("REMEMBERS"), method.REMEMBERS)
-    yield from (fault for symbol, title in method.FIGURES.items() for fault in untold(same(symbol), title))
+        yield from untold(untranslated("REMEMBERS"), method.REMEMBERS)
+    yield from (fault for symbol, title in method.FIGURES.items() for fault in untold(untranslated(symbol), title))
     yield from _promised(name)
     yield from option_faults(method.Options)
     applying, refused = pairs(name)
     if not applying:
         yield NOWHERE
-    yield from (fault for why in dict.fromkeys(refused.values()) for fault in untold(same("applies"), why, differ=True))
+    yield from (
+        fault for why in dict.fromkeys(refused.values()) for fault in untold(untranslated("applies"), why, differ=True)
+    )
 
 
 def _promised(name: str) -> Iterator[Text]:
@@ -98,7 +100,7 @@ def _promised(name: str) -> Iterator[Text]:
     elif not method.PROMISES and why_none is None:
         yield NO_PROMISES.format(known=", ".join(promise.name for promise in Promise))
     elif why_none is not None:
-        yield from untold(same("NO_PROMISES"), why_none, differ=True)
+        yield from untold(untranslated("NO_PROMISES"), why_none, differ=True)
 
 
 def _held(name: str) -> Iterator[Text]:

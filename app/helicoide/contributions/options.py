@@ -8,7 +8,7 @@ from typing import Any
 
 from helicoide.contributions.words import untold
 from helicoide.ik.method import OneOf, changed, settings
-from helicoide.text import HelicoideError, Text, same
+from helicoide.text import HelicoideError, Text, untranslated
 
 NO_SETTING = Text(
     en="option {name} is annotated with none of Quantity, OneOf, YesNo",
@@ -25,7 +25,7 @@ def option_faults(options: type) -> Iterator[Text]:
             yield NO_SETTING.format(name=field.name)
     for name, setting in known.items():
         titles = [setting.title, *(setting.choices.values() if isinstance(setting, OneOf) else ())]
-        yield from (fault for title in titles for fault in untold(same(name), title))
+        yield from (fault for title in titles for fault in untold(untranslated(name), title))
         yield from _default(default, name)
 
 

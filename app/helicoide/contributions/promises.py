@@ -20,10 +20,10 @@ from helicoide.contributions.trials import (
     singular_starts,
     tool_at,
 )
-from helicoide.ik.drive import Drive, step
+from helicoide.ik.controller import Controller, step
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
-from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.text import Text
 
 DTS = (0.001, 0.003, 0.01, 0.02, 0.05)
@@ -44,7 +44,7 @@ MOVED = Text(en="the joints moved by {moved:.1e}", pt_BR="as juntas se moveram {
 def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
     """Whether answers are finite for targets that jump by metres, with titled figures, and not zero all along."""
     state, rng, most = bare_state(robot), np.random.default_rng(1), 0.0
-    drive, q = Drive().by(name), state.arm.q
+    drive, q = Controller().with_method(name), state.arm.q
     for T in far_poses(state.robot, rng):
         for _ in range(10):
             wished, drive = answered(at(state, q), T, with_orientation, drive, float(rng.choice(DTS)))
@@ -60,7 +60,7 @@ def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
 def keeps_limits(name: str, robot: str, with_orientation: bool) -> Text | None:
     """KEEPS_LIMITS: joints stay inside their limits and speeds, wherever targets jump."""
     state, rng = bare_state(robot), np.random.default_rng(7)
-    drive, q = Drive().by(name), state.arm.q
+    drive, q = Controller().with_method(name), state.arm.q
     for T in far_poses(state.robot, rng):
         for _ in range(40):
             dt = float(rng.choice(DTS))
@@ -76,7 +76,7 @@ def converges(name: str, robot: str, with_orientation: bool) -> Text | None:
     """CONVERGES: to a thousandth of the reach and of a radian, or a fiftieth of the way, from a posture not far off."""
     state, rng = bare_state(robot), np.random.default_rng(2)
     q, goal = clear_of_singularities(state.robot, rng, with_orientation)
-    T, drive = tool_at(state.robot, goal), Drive().by(name)
+    T, drive = tool_at(state.robot, goal), Controller().with_method(name)
     way = missing(at(state, q), T, with_orientation)
     for _ in range(200):
         wished, drive = answered(at(state, q), T, with_orientation, drive, 0.02)
@@ -92,7 +92,7 @@ def exact(name: str, robot: str, with_orientation: bool) -> Text | None:
         q, _ = clear_of_singularities(state.robot, rng, with_orientation)
         task = asked(at(state, q), state.T_world_tool, with_orientation)
         task = replace(task, rate=task.J @ rng.normal(size=len(q)))
-        _, drive = step(state.problem, task, state.arm.poses, Drive().by(name))
+        _, drive = step(state.problem, task, state.arm.poses, Controller().with_method(name))
         off = np.inf if drive.solution is None else float(np.abs(task.J @ drive.solution.rates - task.rate).max())
         if not off <= 1e-9:
             return broken(Promise.EXACT, MISSED.format(off=off))
@@ -103,7 +103,7 @@ def bounded(name: str, robot: str, with_orientation: bool) -> Text | None:
     """BOUNDED: ‖q̇‖ ≤ 100 ‖ν‖ in every step of a motion that begins in a singular posture."""
     state, rng = bare_state(robot), np.random.default_rng(6)
     for start in singular_starts(state, with_orientation):
-        q, drive = start, Drive().by(name)
+        q, drive = start, Controller().with_method(name)
         T = tool_at(state.robot, start + 0.3 * rng.normal(size=len(start)))
         for _ in range(40):
             task = asked(at(state, q), T, with_orientation)
@@ -136,8 +136,8 @@ def moved_from_singular(name: str, robot: str) -> float:
     """How far the joints of the stretched arm move in 200 steps that ask for the lost direction only, rad or m."""
     state = bare_state(robot)
     start = singular_starts(state, with_orientation=False)[0]
-    lost = analysed(asked(at(state, start), state.T_world_tool, False).J).lost[:, -1]
-    drive, q = Drive().by(name), start
+    lost = analyse_jacobian(asked(at(state, start), state.T_world_tool, False).J).lost_velocities[:, -1]
+    drive, q = Controller().with_method(name), start
     for _ in range(200):
         task = asked(at(state, q), state.T_world_tool, False)
         wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)

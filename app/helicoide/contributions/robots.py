@@ -15,10 +15,10 @@ import trimesh
 from helicoide import content
 from helicoide.contributions.loading import raised
 from helicoide.contributions.words import untold
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_faults import remarks_and_faults
-from helicoide.text import LANGUAGES, HelicoideError, Text, same
+from helicoide.kinematics.robot_folder import robot_from_folder
+from helicoide.text import LANGUAGES, HelicoideError, Text, untranslated
 
 HEAVIEST = 1_000_000
 SAME_TITLE = Text(en="robot {other} has the same title", pt_BR="o robô {other} tem o mesmo título")
@@ -37,28 +37,28 @@ NOT_DRAWN = Text(
 
 def faults(name: str) -> tuple[Text, ...]:
     """Everything that is wrong with a robot, by the name of its folder, in words."""
-    folder = content.folder("robots", name)
+    folder = content.content_folder("robots", name)
     try:
-        robot = from_folder(folder)
+        robot = robot_from_folder(folder)
         return (*_titles(robot), *remarks_and_faults(robot), *_folder(folder, robot), *_drawing(folder))
     except HelicoideError as error:
         return (error.text,)
 
 
 def _titles(robot: Robot) -> Iterator[Text]:
-    yield from untold(same("title"), robot.title)
+    yield from untold(untranslated("title"), robot.title)
     for title in (*robot.pose_titles.values(), *(joint.title for joint in robot.joints)):
-        yield from untold(same("title"), title)
-    for folder in content.found("robots").values():
+        yield from untold(untranslated("title"), title)
+    for folder in content.content_folders("robots").values():
         if folder.name != robot.name and _alike(_title_of(folder), robot.title):
             yield SAME_TITLE.format(other=folder.name)
 
 
 def _title_of(folder: Path) -> Text:
     try:
-        return from_folder(folder).title
+        return robot_from_folder(folder).title
     except HelicoideError:  # that one is broken, and says so itself
-        return same("")
+        return untranslated("")
 
 
 def _alike(one: Text, other: Text) -> bool:

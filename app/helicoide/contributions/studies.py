@@ -12,9 +12,9 @@ from helicoide.contributions.loading import gathered, unusable
 from helicoide.contributions.options import option_faults
 from helicoide.contributions.words import untold
 from helicoide.export import errata
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.studies.study import Fitted, Motion, Result, Row, Statement, Study, Verdict
-from helicoide.text import LANGUAGES, Text, same
+from helicoide.text import LANGUAGES, Text, untranslated
 
 BOUND = re.compile(r"(?P<sign>[<≤>≥])\s*(?P<number>[-−]?\d+(?:\.\d+)?)(?:\s.*)?")
 ABOUT = Text(
@@ -62,7 +62,7 @@ def faults(name: str) -> tuple[Text, ...]:
     """Everything that is wrong with a study, by its name, in words. Its short form is run."""
     if (why := unusable(studies, name)) is not None:
         return (why,)
-    return gathered(content.module_file(studies.__path__, name), _all(studies.named(name)))
+    return gathered(content.module_file(studies.__path__, name), _all(studies.study_named(name)))
 
 
 def _all(study: Study) -> Iterator[Text]:
@@ -76,14 +76,14 @@ def _all(study: Study) -> Iterator[Text]:
 
 def described(study: Study) -> Iterator[Text]:
     """What is wrong with what a study says of itself. Raises HelicoideError for a robot that is not there."""
-    yield from untold(same("TITLE"), study.TITLE)
-    yield from untold(same("ABOUT"), study.ABOUT, differ=True)
+    yield from untold(untranslated("TITLE"), study.TITLE)
+    yield from untold(untranslated("ABOUT"), study.ABOUT, differ=True)
     for language in LANGUAGES:
         if study.ABOUT[language].count(".") < 2:
             yield ABOUT.format(language=language)
     if not study.SOURCE.strip():
         yield SOURCE
-    load(study.ROBOT)
+    load_robot(study.ROBOT)
     yield from option_faults(study.Options)
 
 
@@ -108,8 +108,8 @@ def result_faults(result: Result) -> Iterator[Text]:
 
 
 def _of_row(row: Row, rows: tuple[Row, ...]) -> Iterator[Text]:
-    yield from untold(same("quantity"), row.quantity)
-    if np.isnan(row.ours):
+    yield from untold(untranslated("quantity"), row.quantity)
+    if np.isnan(row.computed):
         yield NAN
     if [(other.quantity, other.unit) for other in rows].count((row.quantity, row.unit)) > 1:
         yield TWICE
@@ -117,11 +117,16 @@ def _of_row(row: Row, rows: tuple[Row, ...]) -> Iterator[Text]:
         yield NO_REASON
     if isinstance(row.source, Statement) and (read := BOUND.fullmatch(row.source.words.en)):
         bound = float(read["number"].replace("−", "-"))
-        breaks = {"<": row.ours >= bound, "≤": row.ours > bound, ">": row.ours <= bound, "≥": row.ours < bound}
+        breaks = {
+            "<": row.computed >= bound,
+            "≤": row.computed > bound,
+            ">": row.computed <= bound,
+            "≥": row.computed < bound,
+        }
         if row.verdict in (Verdict.PRINTED, Verdict.FITTED) and breaks[read["sign"]]:
             yield AGAINST
     for language in LANGUAGES:
-        if row.erratum and f'id="{row.erratum}"' not in errata.page(language):
+        if row.erratum and f'id="{row.erratum}"' not in errata.sources_page(language):
             yield NO_ERRATUM.format(erratum=row.erratum, language=language)
 
 
@@ -130,16 +135,16 @@ def _charts(result: Result) -> Iterator[Text]:
         yield NO_CHARTS
     for chart in result.charts:
         for name in ("title", "across", "up"):
-            yield from untold(same(name), getattr(chart, name))
+            yield from untold(untranslated(name), getattr(chart, name))
         for line in chart.lines:
-            yield from untold(same("line.title"), line.title)
+            yield from untold(untranslated("line.title"), line.title)
             shaped = line.x.shape == line.y.shape and line.x.ndim == 1 and len(line.x) >= 2
             if not (shaped and np.isfinite([line.x, line.y]).all()):
                 yield CURVE.format(name=line.title)
 
 
 def _motion(motion: Motion) -> Iterator[Text]:
-    robot = load(motion.robot, None, motion.parameters)
+    robot = load_robot(motion.robot, None, motion.parameters)
     shaped = motion.q.shape == (len(motion.times), len(robot.variables))
     if not (shaped and np.isfinite(motion.q).all() and (np.diff(motion.times) > 0).all()):
         yield MOTION.format(name=motion.title, robot=robot.name)

@@ -11,13 +11,13 @@ import numpy as np
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.geometry import rotation
-from helicoide.ik.drive import Drive, step, task_of
+from helicoide.ik.controller import Controller, closed_loop_task, step
 from helicoide.ik.method import Task
 from helicoide.kinematics import library
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, initial
+from helicoide.state import State, initial_state
 from helicoide.text import HelicoideError, Text
 
 STILL = np.zeros(3)
@@ -32,7 +32,7 @@ ALWAYS_SINGULAR = Text(
 @cache
 def bare_state(robot: str) -> State:
     """The arm at `ready`, with nothing around it."""
-    state = initial(library.load(robot))
+    state = initial_state(library.load_robot(robot))
     return replace(state, problem=replace(state.problem, planes=planes_of(())))
 
 
@@ -44,10 +44,12 @@ def at(state: State, q: Array) -> State:
 
 def asked(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:
     """The task of the closed loop towards a pose (4, 4), m."""
-    return task_of(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
+    return closed_loop_task(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
 
 
-def answered(state: State, T: Array, with_orientation: bool, drive: Drive, dt: float = 0.01) -> tuple[Array, Drive]:
+def answered(
+    state: State, T: Array, with_orientation: bool, drive: Controller, dt: float = 0.01
+) -> tuple[Array, Controller]:
     """The joint displacement that the method of a drive answers in one step towards a pose (4, 4), m."""
     return step(state.problem, asked(state, T, with_orientation, dt), state.arm.poses, drive)
 
@@ -85,7 +87,7 @@ def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientat
 
 def least(state: State, with_orientation: bool) -> float:
     """The least singular value that belongs to what the arm can usually do."""
-    here = analysed(asked(state, state.T_world_tool, with_orientation).J)
+    here = analyse_jacobian(asked(state, state.T_world_tool, with_orientation).J)
     return float(here.sigma[usual(state.robot.name, with_orientation) - 1])
 
 
@@ -94,7 +96,7 @@ def usual(robot: str, with_orientation: bool) -> int:
     """The rank of the task's Jacobian at a posture of no account."""
     state, rng = bare_state(robot), np.random.default_rng(3)
     q = frozen(rng.uniform(state.robot.lower, state.robot.upper))
-    return analysed(asked(at(state, q), state.T_world_tool, with_orientation).J).rank
+    return analyse_jacobian(asked(at(state, q), state.T_world_tool, with_orientation).J).rank
 
 
 def singular_starts(state: State, with_orientation: bool) -> list[Array]:
@@ -103,5 +105,7 @@ def singular_starts(state: State, with_orientation: bool) -> list[Array]:
     rng = np.random.default_rng(5)
     grid = [np.zeros(n), *(rng.integers(-2, 3, n) * np.pi / 2 for _ in range(200)), *robot.poses.values()]
     expected = usual(robot.name, with_orientation)
-    lost = [q for q in grid if analysed(asked(at(state, q), state.T_world_tool, with_orientation).J).rank < expected]
+    lost = [
+        q for q in grid if analyse_jacobian(asked(at(state, q), state.T_world_tool, with_orientation).J).rank < expected
+    ]
     return [frozen(q) for q in lost[:4]]

@@ -7,13 +7,13 @@ from functools import cache
 from markupsafe import Markup
 
 from helicoide import content
-from helicoide.markup import markdown
+from helicoide.markup import markdown_to_html
 from helicoide.text import Language
 
 
 @cache
-def page(language: Language) -> Markup:
+def sources_page(language: Language) -> Markup:
     """The page as HTML with its drawings; each erratum, such as "vargas-2", is an anchor."""
     pages = content.STATIC / "pages"
     drawings = {file.name: file.read_text("utf-8") for file in (pages / "drawings").glob("*.svg")}
-    return markdown((pages / language / "sources.md").read_text("utf-8"), drawings)
+    return markdown_to_html((pages / language / "sources.md").read_text("utf-8"), drawings)

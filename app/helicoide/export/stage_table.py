@@ -10,10 +10,10 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.geometry import euler
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.stages import SOURCE_ANGLE, STAGES, Kind, Stage, in_source_units
+from helicoide.kinematics.stages import SOURCE_ANGLE, STAGES, JointStage, StageKind, in_source_units
 from helicoide.text import LANGUAGES, Text
 
-HEADS: dict[Kind, Text] = {
+HEADS: dict[StageKind, Text] = {
     "dh": Text(
         en="{robot}: DH rows ({convention}) and the DH frames in {base}; {units}. The last is not the tool's frame.",
         pt_BR="{robot}: linhas DH ({convention}) e referenciais DH em {base}; {units}. O último não é o do efetuador.",
@@ -32,7 +32,7 @@ CONVENTIONS = {
     "standard": Text(en="standard", pt_BR="padrão"),
     "modified": Text(en="modified", pt_BR="modificada"),
 }
-ENDS: dict[Kind, Text] = {
+ENDS: dict[StageKind, Text] = {
     "dh": Text(
         en="Origin of the last frame: {place}. Roll, Pitch, Yaw (about z, y, x): {turns}.",
         pt_BR="Origem do último referencial: {place}. Roll, Pitch, Yaw (em torno de z, y, x): {turns}.",
@@ -48,7 +48,7 @@ DECIMALS = {SOURCE_UNITS: 3, OWN_UNITS: 6}
 
 
 @dataclass(frozen=True)
-class Table:
+class StageTable:
     """A table as text: for each joint its parameters and the rows of a matrix or of eight coefficients."""
 
     head: Text
@@ -56,7 +56,7 @@ class Table:
     end: Text
 
 
-def table(robot: Robot, q: Array, kind: Kind, as_source: bool) -> Table:
+def text_table(robot: Robot, q: Array, kind: StageKind, as_source: bool) -> StageTable:
     """The table of a posture q (n,), rad or m: each joint, then the pose at the end.
 
     as_source: in mm and degrees, else in m and rad.
@@ -65,7 +65,7 @@ def table(robot: Robot, q: Array, kind: Kind, as_source: bool) -> Table:
     convention = CONVENTIONS[robot.dh.convention]
     places = DECIMALS[units]
     before, place, turns = (_numbers(numbers, places) for numbers in _end(robot, q, kind, as_source))
-    return Table(
+    return StageTable(
         HEADS[kind].format(robot=robot.name, convention=convention, base=robot.base_link, units=units),
         tuple(
             (_named(stage, places), tuple(_cells(row, places) for row in np.atleast_2d(stage.partial)))
@@ -75,14 +75,14 @@ def table(robot: Robot, q: Array, kind: Kind, as_source: bool) -> Table:
     )
 
 
-def lines(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Text]:
+def stage_lines(robot: Robot, q: Array, kind: StageKind, as_source: bool) -> list[Text]:
     """The table as lines of text, with numbers aligned in columns."""
-    found, width = table(robot, q, kind, as_source), 7 + DECIMALS[SOURCE_UNITS if as_source else OWN_UNITS]
+    found, width = text_table(robot, q, kind, as_source), 7 + DECIMALS[SOURCE_UNITS if as_source else OWN_UNITS]
     rows = [line for named, matrix in found.joints for line in (named, *(_aligned(row, width) for row in matrix))]
     return [found.head, *rows, found.end]
 
 
-def described(robot: Robot, q: Array, kind: Kind, as_source: bool) -> dict[str, Any]:
+def stages_json(robot: Robot, q: Array, kind: StageKind, as_source: bool) -> dict[str, Any]:
     """The same as JSON, with a sentence that says between which frames each matrix or product transforms."""
     units = SOURCE_UNITS if as_source else OWN_UNITS
     before, place, turns = _end(robot, q, kind, as_source)
@@ -102,28 +102,28 @@ def described(robot: Robot, q: Array, kind: Kind, as_source: bool) -> dict[str, 
     }
 
 
-def _stages(robot: Robot, q: Array, kind: Kind, as_source: bool) -> list[Stage]:
+def _stages(robot: Robot, q: Array, kind: StageKind, as_source: bool) -> list[JointStage]:
     stages = STAGES[kind](robot, q)
     return [in_source_units(stage) for stage in stages] if as_source else stages
 
 
-def _end(robot: Robot, q: Array, kind: Kind, as_source: bool) -> tuple[Array, Array, Array]:
+def _end(robot: Robot, q: Array, kind: StageKind, as_source: bool) -> tuple[Array, Array, Array]:
     """Tool position at q = 0 (3,), position at q (3,), and roll, pitch, yaw (3,) of the last frame or displacement."""
     length, angle = (1000.0, SOURCE_ANGLE) if as_source else (1.0, 1.0)
     last = STAGES["dh" if kind == "dh" else "screws"](robot, q)[-1].partial
     before = robot.T_world_tool_0[:3, 3]
     place = last[:3, 3] if kind == "dh" else last[:3, :3] @ before + last[:3, 3]
-    turns = euler.angles(last[:3, :3], euler.ROLL_PITCH_YAW).values
+    turns = euler.euler_angles(last[:3, :3], euler.ROLL_PITCH_YAW).values
     return length * before, length * place, angle * turns
 
 
-def _described(stage: Stage) -> dict[str, Any]:
+def _described(stage: JointStage) -> dict[str, Any]:
     lengths = {name: np.asarray(value).tolist() for name, value in stage.lengths.items()}
     direction = {} if stage.direction is None else {"s": stage.direction.tolist()}
     return {"joint": stage.joint, **stage.angles, **lengths, **direction, "partial": stage.partial.tolist()}
 
 
-def _named(stage: Stage, decimals: int) -> Text:
+def _named(stage: JointStage, decimals: int) -> Text:
     """The name of a joint with its angles, lengths and direction."""
     angles = {name: np.asarray(value) for name, value in stage.angles.items()}
     named = angles | stage.lengths | ({} if stage.direction is None else {"s": stage.direction})

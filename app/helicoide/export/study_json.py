@@ -7,11 +7,11 @@ from math import isfinite
 from typing import Any
 
 from helicoide.export.study_report import Record
-from helicoide.studies.study import Chart, Figure, Fitted, Motion, Reading, Row, Statement
+from helicoide.studies.study import Chart, Figure, Fitted, Interpretation, Motion, Row, Statement
 from helicoide.text import Text
 
 
-def described(record: Record) -> dict[str, Any]:
+def study_json(record: Record) -> dict[str, Any]:
     """A record as JSON: texts in both languages; NaN and infinities become null."""
     result = record.result
     return {
@@ -34,7 +34,7 @@ def _row(row: Row) -> dict[str, Any]:
         "quantity": _words(row.quantity),
         "unit": row.unit,
         "source": _source(row.source),
-        "ours": row.ours if isfinite(row.ours) else None,
+        "ours": row.computed if isfinite(row.computed) else None,
         "verdict": row.verdict.name.lower(),
         "fitted": [_chosen(choice) for choice in row.fitted],
         "erratum": row.erratum or None,
@@ -43,7 +43,7 @@ def _row(row: Row) -> dict[str, Any]:
     }
 
 
-def _chosen(choice: Fitted | Reading) -> dict[str, Any]:
+def _chosen(choice: Fitted | Interpretation) -> dict[str, Any]:
     return {key: _words(value) if isinstance(value, Text) else value for key, value in vars(choice).items()}
 
 
@@ -60,8 +60,8 @@ def _chart(chart: Chart) -> dict[str, Any]:
     return {
         "title": _words(chart.title),
         "figure": chart.figure,
-        "across": _words(chart.across),
-        "up": _words(chart.up),
+        "across": _words(chart.x_label),
+        "up": _words(chart.y_label),
         "lines": [{"title": _words(e.title), "x": e.x.tolist(), "y": e.y.tolist()} for e in chart.lines],
     }
 

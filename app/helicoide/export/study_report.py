@@ -9,19 +9,19 @@ from typing import Any
 from markupsafe import Markup
 
 from helicoide.export import errata
-from helicoide.export.readable import readable
-from helicoide.export.study_table import HEADINGS, cells, fitted, in_order, ours, source
+from helicoide.export.chart_scale import scaled_chart
+from helicoide.export.study_table import HEADINGS, computed_cell, fitted_line, row_cells, sorted_by_verdict, source_cell
 from helicoide.export.svg import figure
 from helicoide.ik.method import OneOf, Quantity, settings
-from helicoide.studies.study import Reading, Result, Row, Statement, Study, Verdict
-from helicoide.text import Language, Text, same
+from helicoide.studies.study import Interpretation, Result, Row, Statement, Study, Verdict
+from helicoide.text import Language, Text, untranslated
 
 TITLE = Text(en="Studies of Helicoide", pt_BR="Estudos do Helicoide")
-COUNTED = Text(
+VERDICT_COUNTS = Text(
     en="Studies: {studies}. Rows: {rows}; {counts}. The whole took {seconds:.0f} s, some studies in parallel.",
     pt_BR="Estudos: {studies}. Linhas: {rows}; {counts}. Tudo levou {seconds:.0f} s, com estudos em paralelo.",
 )
-OF_SOURCE = Text(
+SOURCE_COUNTS = Text(
     en="{source}: rows compared: {stated}; different statements of the source in them: {said}; values fitted for them: "
     "{fitted}; readings chosen: {read}",
     pt_BR="{source}: linhas comparadas: {stated}; afirmações distintas da fonte nelas: {said}; valores ajustados para "
@@ -32,7 +32,7 @@ DIFFERENCE = Text(
     en="{name}, {quantity}: the source says {printed}; computed here: {ours}{why}",
     pt_BR="{name}, {quantity}: a fonte diz {printed}; calculado aqui: {ours}{why}",
 )
-AND_WHY = same("; {why}")
+AND_WHY = untranslated("; {why}")
 NONE_DIFFERS = Text(en="Nothing.", pt_BR="Nada.")
 ABOUT_VERDICTS = Text(
     en="First comes what a source says, with its place: a number as it is printed, anything else in our words. The "
@@ -135,7 +135,7 @@ class Record:
         return self.result is None or any(row.why is None for row in self.differences)
 
 
-def page(records: Sequence[Record], seconds: float, language: Language) -> Markup:
+def report_page(records: Sequence[Record], seconds: float, language: Language) -> Markup:
     """The report as an HTML document. seconds: duration of all studies together."""
     entry = Markup('<li><a href="#{}">{}</a></li>')
     item = Markup("<li>{}</li>")
@@ -143,8 +143,8 @@ def page(records: Sequence[Record], seconds: float, language: Language) -> Marku
         language="pt-BR" if language == "pt_BR" else "en",
         title=TITLE[language],
         style=STYLE,
-        counted=counted(records, seconds)[language],
-        of_sources=_joined(item.format(words[language]) for words in by_source(records)),
+        counted=verdict_counts(records, seconds)[language],
+        of_sources=_joined(item.format(words[language]) for words in source_counts(records)),
         about=ABOUT_VERDICTS[language],
         contents=_joined(entry.format(record.name, record.study.TITLE[language]) for record in records),
         sections=Markup("\n").join(_section(record, language) for record in records),
@@ -152,7 +152,7 @@ def page(records: Sequence[Record], seconds: float, language: Language) -> Marku
         differences=Markup("<ul>{}</ul>").format(
             _joined(item.format(words[language]) for words in differences(records))
         ),
-        errata=errata.page(language),
+        errata=errata.sources_page(language),
     )
 
 
@@ -160,7 +160,7 @@ def _joined(parts: Iterable[Markup]) -> Markup:
     return Markup("").join(parts)
 
 
-def counted(records: Sequence[Record], seconds: float) -> Text:
+def verdict_counts(records: Sequence[Record], seconds: float) -> Text:
     """The number of rows of each verdict, and the duration of all studies together, s."""
     verdicts = [row.verdict for record in records if record.result for row in record.result.rows]
     found = [(verdict.value, verdicts.count(verdict)) for verdict in Verdict]
@@ -168,10 +168,10 @@ def counted(records: Sequence[Record], seconds: float) -> Text:
         en="; ".join(f"{words.en}: {n}" for words, n in found if n) or "–",
         pt_BR="; ".join(f"{words.pt_BR}: {n}" for words, n in found if n) or "–",
     )
-    return COUNTED.format(studies=len(records), rows=len(verdicts), counts=counts, seconds=seconds)
+    return VERDICT_COUNTS.format(studies=len(records), rows=len(verdicts), counts=counts, seconds=seconds)
 
 
-def by_source(records: Sequence[Record]) -> list[Text]:
+def source_counts(records: Sequence[Record]) -> list[Text]:
     """For each source: rows compared, different statements among them, fitted values and chosen interpretations."""
     results = [(record.study.SOURCE.partition(",")[0], record.result) for record in records if record.result]
     lines = []
@@ -179,10 +179,10 @@ def by_source(records: Sequence[Record]) -> list[Text]:
         of_it = [result for other, result in results if other == name]
         rows = [row for result in of_it for row in result.rows if row.verdict in JUDGED]
         chosen = {choice for result in of_it for choice in result.fitted}
-        read = sum(isinstance(choice, Reading) for choice in chosen)
+        read = sum(isinstance(choice, Interpretation) for choice in chosen)
         said = {(row.source.words, row.source.place) for row in rows if isinstance(row.source, Statement)}
         lines.append(
-            OF_SOURCE.format(source=name, stated=len(rows), said=len(said), fitted=len(chosen) - read, read=read)
+            SOURCE_COUNTS.format(source=name, stated=len(rows), said=len(said), fitted=len(chosen) - read, read=read)
         )
     return lines
 
@@ -197,13 +197,13 @@ def _difference(study: Study, row: Row) -> Text:
     return DIFFERENCE.format(
         name=study.TITLE,
         quantity=row.quantity,
-        printed=source(row),
-        ours=ours(row),
-        why=same("") if row.why is None else AND_WHY.format(why=row.why),
+        printed=source_cell(row),
+        ours=computed_cell(row),
+        why=untranslated("") if row.why is None else AND_WHY.format(why=row.why),
     )
 
 
-def chosen(record: Record, language: Language) -> str:
+def options_line(record: Record, language: Language) -> str:
     """The options of a study and their values, in one line."""
     return "; ".join(
         f"{setting.title[language]}: {_value(setting, getattr(record.options, name), language)}"
@@ -214,7 +214,7 @@ def chosen(record: Record, language: Language) -> str:
 def _value(setting: object, value: Any, language: Language) -> str:
     match setting:
         case Quantity(_, _, _, unit):
-            return same("{value:g} {unit}").format(value=value, unit=unit)[language].strip()
+            return untranslated("{value:g} {unit}").format(value=value, unit=unit)[language].strip()
         case OneOf(_, choices):
             return choices[value][language]
     return str({True: Text(en="yes", pt_BR="sim"), False: Text(en="no", pt_BR="não")}[value][language])
@@ -222,7 +222,7 @@ def _value(setting: object, value: Any, language: Language) -> str:
 
 def _section(record: Record, language: Language) -> Markup:
     study, short = record.study, f" ({SHORT[language]})" if record.short else ""
-    options = chosen(record, language)
+    options = options_line(record, language)
     return SECTION.format(
         name=record.name,
         title=study.TITLE[language] + short,
@@ -238,17 +238,17 @@ def _body(record: Record, language: Language) -> Markup:
     if record.result is None:
         why = record.failure[language] if record.failure else ""
         return Markup('<p class="verdict differs">{}</p>').format(FAILED.format(why=why)[language])
-    chosen = fitted(record.result)
+    chosen = fitted_line(record.result)
     return TABLE.format(
         fitted=Markup('<p class="source">{}</p>\n').format(chosen[language]) if chosen else "",
         heads=_joined(Markup("<th>{}</th>").format(head[language]) for head in HEADINGS),
-        rows=Markup("\n").join(_row(row, language) for row in in_order(record.result.rows)),
-        charts=Markup("\n").join(figure(readable(chart), language) for chart in record.result.charts),
+        rows=Markup("\n").join(_row(row, language) for row in sorted_by_verdict(record.result.rows)),
+        charts=Markup("\n").join(figure(scaled_chart(chart), language) for chart in record.result.charts),
     )
 
 
 def _row(row: Row, language: Language) -> Markup:
-    *plain, verdict = (cell[language] for cell in cells(row))
+    *plain, verdict = (cell[language] for cell in row_cells(row))
     said = Markup('<a href="#{}">{}</a>').format(row.erratum, verdict) if row.verdict is Verdict.ERRATUM else verdict
     return Markup('<tr>{}<td><span class="verdict {}">{}</span></td></tr>').format(
         _joined(Markup("<td>{}</td>").format(cell) for cell in plain), row.verdict.name.lower(), said

@@ -13,8 +13,8 @@ import numpy as np
 from markupsafe import Markup
 
 from helicoide.arrays import Array
-from helicoide.export.study_table import short
-from helicoide.studies.study import Chart, Line
+from helicoide.export.study_table import significant_digits
+from helicoide.studies.study import Chart, ChartLine
 from helicoide.text import Language
 
 # The size of a chart on a page: small enough for its words to be read on a phone, where it is drawn smaller than this.
@@ -23,22 +23,22 @@ LEFT, RIGHT, TOP, BOTTOM = 52, 14, 10, 26
 # Distinguishable with colour blindness (Okabe and Ito 2008); dashes distinguish curves without colour.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 DASHES = ("", "7 3", "2 3", "9 3 2 3", "4 4", "12 4", "1 2")
-FEW, MOST = 4, 8
+MIN_TICKS, MAX_TICKS = 4, 8
 FINEST, COARSEST = 1e-4, 1e6
 
 
 def ticks(lower: float, upper: float) -> Array:
     """Round numbers within a range, `FEW` to `MOST` of them; the step is 1, 2 or 5 times a power of ten."""
-    exponent = floor(log10((upper - lower) / FEW))
+    exponent = floor(log10((upper - lower) / MIN_TICKS))
     steps = [m * 10.0**e for e in (exponent, exponent - 1) for m in (5, 2, 1)]
-    step = next((s for s in steps if FEW <= floor(upper / s) - ceil(lower / s) + 1 <= MOST), steps[0])
+    step = next((s for s in steps if MIN_TICKS <= floor(upper / s) - ceil(lower / s) + 1 <= MAX_TICKS), steps[0])
     return np.asarray(np.arange(ceil(lower / step), floor(upper / step) + 1) * step)
 
 
 def powers(lower: float, upper: float) -> Array:
     """Powers of ten within a range, at most `MOST` of them."""
     first, last = round(log10(lower)), round(log10(upper))
-    return np.asarray(10.0 ** np.arange(first, last + 1, max(1, ceil((last - first) / MOST))))
+    return np.asarray(10.0 ** np.arange(first, last + 1, max(1, ceil((last - first) / MAX_TICKS))))
 
 
 def labels(values: Array) -> list[str]:
@@ -52,7 +52,7 @@ def labels(values: Array) -> list[str]:
     return [f"{value:.{digits}g}" for value in values]
 
 
-def span(values: list[Array], log: bool = False) -> tuple[float, float]:
+def axis_range(values: list[Array], log: bool = False) -> tuple[float, float]:
     """The range of several curves with a margin, even if they are constant; log: whole powers of ten."""
     if log:
         powers = np.log10([value for v in values for value in v[v > 0]] or [1.0])
@@ -62,7 +62,7 @@ def span(values: list[Array], log: bool = False) -> tuple[float, float]:
     return lower - room, upper + room
 
 
-def thinned(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
+def reduced_curve(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
     """The curve with fewer points: minimum and maximum of each column where x increases, else evenly spaced points."""
     if len(x) <= 4 * columns:
         return x, y
@@ -75,7 +75,7 @@ def thinned(x: Array, y: Array, columns: int = PAGE[0]) -> tuple[Array, Array]:
 
 
 @dataclass(frozen=True)
-class Frame:
+class ChartFrame:
     """The frame of a chart, in SVG units, and the ranges (lower, upper) of its axes.
 
     log: whether the vertical axis is logarithmic.
@@ -83,30 +83,32 @@ class Frame:
 
     width: int
     height: int
-    across: tuple[float, float]
-    up: tuple[float, float]
+    x_range: tuple[float, float]
+    y_range: tuple[float, float]
     log: bool = False
 
     @property
-    def floor(self) -> int:
+    def bottom(self) -> int:
         """The y coordinate of the lower edge of the plot."""
         return self.height - BOTTOM
 
-    def right(self, x: Array) -> Array:
+    def x_pixels(self, x: Array) -> Array:
         """The horizontal SVG coordinates of values of x."""
-        share = (x - self.across[0]) / (self.across[1] - self.across[0])
+        share = (x - self.x_range[0]) / (self.x_range[1] - self.x_range[0])
         return np.asarray(LEFT + share * (self.width - LEFT - RIGHT))
 
-    def down(self, y: Array) -> Array:
+    def y_pixels(self, y: Array) -> Array:
         """The vertical SVG coordinates of values of y."""
-        lower, upper, y = (np.log10(v) if self.log else np.asarray(v) for v in (*self.up, y))
-        return np.asarray(self.floor - (y - lower) / (upper - lower) * (self.floor - TOP))
+        lower, upper, y = (np.log10(v) if self.log else np.asarray(v) for v in (*self.y_range, y))
+        return np.asarray(self.bottom - (y - lower) / (upper - lower) * (self.bottom - TOP))
 
 
 def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Markup:
     """A chart as an SVG element, without title and legend."""
-    across = span([line.x for line in chart.lines])
-    frame = Frame(*size, across, span([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log), chart.log)
+    across = axis_range([line.x for line in chart.lines])
+    frame = ChartFrame(
+        *size, across, axis_range([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log), chart.log
+    )
     inside = (*_grid(frame), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
     return Markup('<svg viewBox="0 0 {} {}" role="img" aria-label="{}">\n{}\n</svg>').format(
         frame.width, frame.height, chart.title[language], Markup("\n").join(inside)
@@ -117,7 +119,7 @@ def caption(chart: Chart, language: Language) -> Markup:
     """The title and the axis labels of a chart as HTML text, which can wrap."""
     title = f"{chart.title[language]} ({chart.figure})" if chart.figure else chart.title[language]
     return Markup('<figcaption>{}</figcaption>\n<p class="axes"><span>↑ {}</span> <span>→ {}</span></p>').format(
-        title, chart.up[language], chart.across[language]
+        title, chart.y_label[language], chart.x_label[language]
     )
 
 
@@ -131,17 +133,19 @@ def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Ma
     )
 
 
-def _grid(frame: Frame) -> list[Markup]:
-    x, y = ticks(*frame.across), powers(*frame.up) if frame.log else ticks(*frame.up)
-    floor_y, edge = frame.floor, frame.width - RIGHT
+def _grid(frame: ChartFrame) -> list[Markup]:
+    x, y = ticks(*frame.x_range), powers(*frame.y_range) if frame.log else ticks(*frame.y_range)
+    floor_y, edge = frame.bottom, frame.width - RIGHT
     frame_of = Markup('<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>')
     path = Markup('<path class="grid" d="{}"/>')
     text = Markup('<text x="{}" y="{}" text-anchor="{}">{}</text>')
     rows = [frame_of.format(LEFT, TOP, edge - LEFT, floor_y - TOP)]
-    for at, label in zip(frame.right(x), labels(x), strict=True):
+    for at, label in zip(frame.x_pixels(x), labels(x), strict=True):
         rows.append(path.format(f"M{at:.1f} {TOP}V{floor_y}"))
         rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", label))
-    for at, label in zip(frame.down(y), [short(v, 2) for v in y] if frame.log else labels(y), strict=True):
+    for at, label in zip(
+        frame.y_pixels(y), [significant_digits(v, 2) for v in y] if frame.log else labels(y), strict=True
+    ):
         rows.append(path.format(f"M{LEFT} {at:.1f}H{edge}"))
         rows.append(text.format(LEFT - 6, f"{at + 4:.1f}", "end", label))
     return rows
@@ -159,8 +163,8 @@ def _swatch(index: int) -> Markup:
     return Markup('<svg class="swatch" viewBox="0 0 28 8" aria-hidden="true">{}</svg>').format(stroke)
 
 
-def _polyline(line: Line, index: int, frame: Frame) -> Markup:
+def _polyline(line: ChartLine, index: int, frame: ChartFrame) -> Markup:
     there = np.isfinite(line.y)
-    x, y = thinned(line.x[there], line.y[there])
-    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(frame.right(x), frame.down(y), strict=True))
+    x, y = reduced_curve(line.x[there], line.y[there])
+    points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(frame.x_pixels(x), frame.y_pixels(y), strict=True))
     return Markup('<polyline class="line" points="{}" {}/>').format(points, _pen(index))

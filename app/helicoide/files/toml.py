@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from helicoide.text import HelicoideError, Text, same
+from helicoide.text import HelicoideError, Text, untranslated
 
 Struct = TypeVar("Struct", bound=msgspec.Struct)
 
@@ -28,7 +28,7 @@ _KINDS = {
     "time": Text(en="a time", pt_BR="uma hora"),
 }
 # Messages of tomllib and msgspec, by patterns of their beginnings, and their translations.
-_SAID: Mapping[str, Text] = {
+_MESSAGES: Mapping[str, Text] = {
     r"(Cannot overwrite|Cannot declare|Cannot mutate)": Text(
         en="something is given twice", pt_BR="algo aparece duas vezes"
     ),
@@ -61,11 +61,11 @@ _PLACES: Mapping[str, Text] = {
     ),
     r" \(at end of document\)$": Text(en=" (at the end)", pt_BR=" (no fim)"),
     r" - at `(?:key in )?(?P<path>\$.*)`$": Text(en=" (at {path})", pt_BR=" (em {path})"),
-    r"$": same(""),
+    r"$": untranslated(""),
 }
 
 
-def table(words: str, parse_float: Callable[[str], float] = float) -> dict[str, Any]:
+def parse_toml(words: str, parse_float: Callable[[str], float] = float) -> dict[str, Any]:
     """Parse a TOML text into a table."""
     if not words.strip():
         raise HelicoideError(Text(en="it is empty", pt_BR="está vazio"))
@@ -76,26 +76,26 @@ def table(words: str, parse_float: Callable[[str], float] = float) -> dict[str, 
     except RecursionError as error:
         raise HelicoideError(Text(en="it is nested too deep", pt_BR="há níveis demais")) from error
     except tomllib.TOMLDecodeError as error:
-        raise HelicoideError(_reason(str(error))) from error
+        raise HelicoideError(_translated(str(error))) from error
     except (ValueError, OverflowError) as error:  # digits or dates that Python cannot hold
         number = Text(en="a number or a date is impossible", pt_BR="há um número ou uma data impossível")
         raise HelicoideError(number) from error
 
 
-def struct(found: object, kind: type[Struct]) -> Struct:
+def table_to_struct(found: object, kind: type[Struct]) -> Struct:
     """Convert a table to the struct of a file format."""
     try:
         return msgspec.convert(found, kind)
     except RecursionError as error:
         raise HelicoideError(Text(en="it is nested too deep", pt_BR="há níveis demais")) from error
     except (msgspec.ValidationError, ValueError, OverflowError) as error:
-        raise HelicoideError(_reason(str(error))) from error
+        raise HelicoideError(_translated(str(error))) from error
 
 
-def _reason(said: str) -> Text:
+def _translated(said: str) -> Text:
     """The translation of a library's message, with its place."""
     place = next((match, words) for start, words in _PLACES.items() if (match := re.search(start, said)))
-    what = next((match, words) for start, words in _SAID.items() if (match := re.match(start, said)))
+    what = next((match, words) for start, words in _MESSAGES.items() if (match := re.match(start, said)))
     fields = {name: _KINDS.get(value, value) for name, value in what[0].groupdict().items() if value is not None}
     return Text(en="{what}{where}", pt_BR="{what}{where}").format(
         what=what[1].format(**fields), where=place[1].format(**place[0].groupdict())

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array, frozen
 from helicoide.gate.check import FARTHEST, checked, finite
-from helicoide.kernels import plain
-from helicoide.kinematics.ball import RADIUS, Ball, closed_on
+from helicoide.kernels import python_function
+from helicoide.kinematics.ball import BALL_RADIUS, GolfBall, holding_opening
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.state import State, Update
@@ -33,20 +33,20 @@ POINTS = {
 
 def can_grasp(robot: Robot) -> bool:
     """Whether the fingers of an arm go round the ball."""
-    return robot.gripper is not None and closed_on(robot.gripper) < 1
+    return robot.gripper is not None and holding_opening(robot.gripper) < 1
 
 
 def put_ball(centre: ArrayLike) -> Update:
     """The ball with its centre at a point (3,), m; nobody holds it."""
 
-    def wish(state: State) -> State:
-        at, far = finite(centre, (3,)), FARTHEST * state.robot.extended
+    def change(state: State) -> State:
+        at, far = finite(centre, (3,)), FARTHEST * state.robot.maximum_reach
         if not can_grasp(state.robot):
             raise HelicoideError(
                 Text(
                     en="This arm has no gripper that goes round a ball of {mm:.1f} mm.",
                     pt_BR="Este braço não tem garra em que caiba uma bola de {mm:.1f} mm.",
-                ).format(mm=2000 * RADIUS)
+                ).format(mm=2000 * BALL_RADIUS)
             )
         if np.abs(at).max() > far:
             raise HelicoideError(
@@ -55,9 +55,9 @@ def put_ball(centre: ArrayLike) -> Update:
                     pt_BR="A bola deve ficar a até {far:.1f} m da base.",
                 ).format(far=far)
             )
-        return replace(state, ball=Ball(at), notice=None)
+        return replace(state, ball=GolfBall(at), notice=None)
 
-    return checked(wish)
+    return checked(change)
 
 
 def take_ball_away() -> Update:
@@ -68,7 +68,7 @@ def take_ball_away() -> Update:
 def pick_and_place() -> Update:
     """The ball on the first of two stands, and the points that take it to the second, in place of those there are."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         robot = state.robot
         if robot.name not in POINTS:
             raise HelicoideError(
@@ -81,13 +81,13 @@ def pick_and_place() -> Update:
             waypoint(robot, name, np.radians(q), way, gripper=gripper) for name, q, way, gripper in POINTS[robot.name]
         )
         first, second = (_tool(robot, points[i].q) for i in (1, 4))
-        stands = frozen(np.array([first, second]) - [0, 0, RADIUS])
+        stands = frozen(np.array([first, second]) - [0, 0, BALL_RADIUS])
         taught = replace(state.taught, waypoints=points)
-        return replace(state, taught=taught, ball=Ball(first, stands), notice=None)
+        return replace(state, taught=taught, ball=GolfBall(first, stands), notice=None)
 
-    return checked(wish)
+    return checked(change)
 
 
 def _tool(robot: Robot, q: Array) -> Array:
     """Where the tool is in a posture (n,), (3,), m; without a kernel, for the view."""
-    return frozen((plain(link_poses)(robot.chain, frozen(q))[-1] @ robot.T_link_tool)[:3, 3])
+    return frozen((python_function(link_poses)(robot.chain, frozen(q))[-1] @ robot.T_link_tool)[:3, 3])

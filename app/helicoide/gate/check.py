@@ -56,7 +56,7 @@ def driven(wish: Update) -> Update:
 
 def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
     """T (4, 4), m, from a position and a quaternion; raises HelicoideError unless both are finite and make a pose."""
-    p, q, far = finite(position, (3,)), finite(wxyz, (4,)), FARTHEST * state.robot.extended
+    p, q, far = finite(position, (3,)), finite(wxyz, (4,)), FARTHEST * state.robot.maximum_reach
     if np.abs(p).max() > far or np.abs(q).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
         raise HelicoideError(
             Text(

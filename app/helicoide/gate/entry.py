@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
 from helicoide.gate.check import FARTHEST, driven, finite
-from helicoide.gate.method import of_both
+from helicoide.gate.method import for_both_arms
 from helicoide.gate.target import Phase
 from helicoide.ik import entry_point
-from helicoide.state import Grasp, State, Update, enclosed, grasped
+from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
 
 ENTRY = "entry"
@@ -21,28 +21,28 @@ NONE_HELD = Text(en="No entry point is held.", pt_BR="Nenhum ponto de entrada es
 def hold_entry(on: bool) -> Update:
     """Keep the instrument in the entry point where it is now, or let it go."""
 
-    def wish(state: State) -> State:
-        state = of_both(state, lambda drive: drive.by(drive.method))
+    def change(state: State) -> State:
+        state = for_both_arms(state, lambda drive: drive.with_method(drive.method))
         if not on:
-            return _with(grasped(state, None), None)
+            return _with(with_drag(state, None), None)
         here = entry_point(state.robot, [0.0, 0.0, 0.0])
         return _with(state, state.arm.poses[here.link, :3, :3] @ here.shaft[0] + state.arm.poses[here.link, :3, 3])
 
-    return driven(wish)
+    return driven(change)
 
 
 def drag_entry(seat: str, phase: Phase, position: ArrayLike) -> Update:
     """The entry point under the hand; the instrument follows it as fast as the arm can."""
 
-    def wish(state: State) -> State:
-        asked, grasp = _place(state, position), Grasp(seat, ENTRY)
+    def change(state: State) -> State:
+        asked, grasp = _place(state, position), Drag(seat, ENTRY)
         if phase == "start":
-            state = grasped(state, grasp)
-        if state.request.grasp != grasp:
+            state = with_drag(state, grasp)
+        if state.request.drag != grasp:
             return state
-        return _with(grasped(state, None) if phase == "end" else state, asked)
+        return _with(with_drag(state, None) if phase == "end" else state, asked)
 
-    return driven(wish)
+    return driven(change)
 
 
 def set_entry(position: ArrayLike) -> Update:
@@ -53,7 +53,7 @@ def set_entry(position: ArrayLike) -> Update:
 def _place(state: State, position: ArrayLike) -> Array:
     if state.problem.entry is None:
         raise HelicoideError(NONE_HELD)
-    asked, far = finite(position, (3,)), FARTHEST * state.robot.extended
+    asked, far = finite(position, (3,)), FARTHEST * state.robot.maximum_reach
     if abs(asked).max() > far:
         raise HelicoideError(
             Text(
@@ -66,4 +66,4 @@ def _place(state: State, position: ArrayLike) -> Array:
 
 def _with(state: State, point: Array | None) -> State:
     entry = None if point is None else entry_point(state.robot, point)
-    return enclosed(state, replace(state.problem, entry=entry))
+    return with_problem(state, replace(state.problem, entry=entry))

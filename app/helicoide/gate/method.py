@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from helicoide.gate.check import checked, finite
 from helicoide.ik import objectives
-from helicoide.ik.drive import Drive, Gains, Secondary
+from helicoide.ik.controller import Controller, Gains, SecondaryObjective
 from helicoide.ik.method import changed
 from helicoide.ik.methods import named
-from helicoide.state import Compared, State, Update
+from helicoide.state import ComparedArm, State, Update
 from helicoide.text import HelicoideError, Text
 
 LEAST_GAIN, LARGEST_GAIN, HEAVIEST = 0.5, 50.0, 1000.0
@@ -25,8 +25,8 @@ def choose_method(name: str) -> Update:
 
     def wish(state: State) -> State:
         named(name)
-        drive = state.request.drive.by(name)
-        return replace(state, request=replace(state.request.afresh(), drive=drive))
+        drive = state.request.controller.with_method(name)
+        return replace(state, request=replace(state.request.renewed(), controller=drive))
 
     return checked(wish)
 
@@ -38,9 +38,9 @@ def compare_with(name: str | None) -> Update:
         if name is None:
             return replace(state, compared=None)
         named(name)
-        drive = state.request.drive.by(name)
+        drive = state.request.controller.with_method(name)
         arm = state.arm if state.compared is None else state.compared.arm
-        return replace(state, compared=Compared(replace(arm, held=None), drive))
+        return replace(state, compared=ComparedArm(replace(arm, active_set=None), drive))
 
     return checked(wish)
 
@@ -49,8 +49,8 @@ def set_option(method: str, name: str, value: object) -> Update:
     """One setting of a method, for whichever arm it drives."""
 
     def wish(state: State) -> State:
-        options = changed(state.request.drive.options(method), name, value)
-        return of_both(state, lambda drive: drive.with_options(method, options))
+        options = changed(state.request.controller.options(method), name, value)
+        return for_both_arms(state, lambda drive: drive.with_options(method, options))
 
     return checked(wish)
 
@@ -67,7 +67,7 @@ def set_gain(index: int, value: float) -> Update:
                     pt_BR="Os ganhos de 1 a 4 aceitam de {least:g} a {largest:g} 1/s.",
                 ).format(least=LEAST_GAIN, largest=LARGEST_GAIN)
             )
-        return of_both(state, lambda drive: replace(drive, gains=_with(drive.gains, index, float(gain))))
+        return for_both_arms(state, lambda drive: replace(drive, gains=_with(drive.gains, index, float(gain))))
 
     return checked(wish)
 
@@ -77,11 +77,13 @@ def choose_objective(name: str | None) -> Update:
 
     def wish(state: State) -> State:
         if name is None:
-            return of_both(state, lambda drive: replace(drive, secondary=None))
+            return for_both_arms(state, lambda drive: replace(drive, secondary=None))
         objective = objectives.named(name)
         if (why := objective.applies(state.robot)) is not None:
             raise HelicoideError(why)
-        return of_both(state, lambda drive: replace(drive, secondary=Secondary(name, objective.Options())))
+        return for_both_arms(
+            state, lambda drive: replace(drive, secondary=SecondaryObjective(name, objective.Options()))
+        )
 
     return checked(wish)
 
@@ -94,7 +96,7 @@ def set_objective(name: str, value: object) -> Update:
 def weigh_objective(weight: float) -> Update:
     """The weight k₀ of the objective, 1/s; gains that have grown begin with it anew."""
 
-    def heavier(second: Secondary) -> Secondary:
+    def heavier(second: SecondaryObjective) -> SecondaryObjective:
         (value,) = finite([weight], (1,))
         if not 0.0 <= value <= HEAVIEST:
             raise HelicoideError(
@@ -110,7 +112,7 @@ def weigh_objective(weight: float) -> Update:
 def objective_as_row(on: bool) -> Update:
     """Whether the objective is one more row of the task, or moves the joints in its null space."""
 
-    def change(second: Secondary) -> Secondary:
+    def change(second: SecondaryObjective) -> SecondaryObjective:
         objective = objectives.named(second.objective)
         if on and not objective.AUGMENTS:
             raise HelicoideError(NOT_A_ROW.format(title=objective.TITLE))
@@ -121,15 +123,15 @@ def objective_as_row(on: bool) -> Update:
 
 def grow_weights(on: bool) -> Update:
     """Algorithm 1: the weight of a joint grows each time it is stopped at its limit."""
-    return _objective_changed(lambda second: replace(second, grows=bool(on), weights=None))
+    return _objective_changed(lambda second: replace(second, adapts=bool(on), weights=None))
 
 
-def _objective_changed(change: Callable[[Secondary], Secondary]) -> Update:
+def _objective_changed(change: Callable[[SecondaryObjective], SecondaryObjective]) -> Update:
     def wish(state: State) -> State:
-        if state.request.drive.secondary is None:
+        if state.request.controller.secondary is None:
             raise HelicoideError(Text(en="Choose an objective first.", pt_BR="Escolha um objetivo primeiro."))
-        second = change(state.request.drive.secondary)
-        return of_both(state, lambda drive: replace(drive, secondary=second))
+        second = change(state.request.controller.secondary)
+        return for_both_arms(state, lambda drive: replace(drive, secondary=second))
 
     return checked(wish)
 
@@ -139,7 +141,7 @@ def _with(gains: Gains, index: int, value: float) -> Gains:
     return x, y, z, turn
 
 
-def of_both(state: State, change: Callable[[Drive], Drive]) -> State:
+def for_both_arms(state: State, change: Callable[[Controller], Controller]) -> State:
     """The same change of the drive of the arm and of the one beside it."""
-    beside = state.compared and replace(state.compared, drive=change(state.compared.drive))
-    return replace(state, request=replace(state.request, drive=change(state.request.drive)), compared=beside)
+    beside = state.compared and replace(state.compared, controller=change(state.compared.controller))
+    return replace(state, request=replace(state.request, controller=change(state.request.controller)), compared=beside)

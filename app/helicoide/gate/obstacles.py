@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.confinement import Obstacles, from_pieces, last_clear
+from helicoide.confinement import Obstacles, last_free_point, segment_distances
 from helicoide.gate.check import FARTHEST, driven, finite
 from helicoide.gate.target import Phase
 from helicoide.kinematics.robot_parts import Capsule
-from helicoide.state import Grasp, State, Update, enclosed, grasped
+from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
 
 MOST = 6
@@ -31,7 +31,7 @@ def obstacle_handle(index: int) -> str:
 def add_obstacle() -> Update:
     """One more sphere beside the tool."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         obstacles, reach = state.problem.obstacles, state.robot.reach
         if len(obstacles.radii) == MOST:
             raise HelicoideError(
@@ -50,22 +50,22 @@ def add_obstacle() -> Update:
             )
         return _with(state, obstacles.with_sphere(place, radius))
 
-    return driven(wish)
+    return driven(change)
 
 
 def drag_obstacle(seat: str, phase: Phase, index: int, position: ArrayLike) -> Update:
     """A sphere under the hand: it follows on the straight way, and rests where the arm would be touched."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         asked = _place(state, index, position)
-        grasp = Grasp(seat, obstacle_handle(index))
+        grasp = Drag(seat, obstacle_handle(index))
         if phase == "start":
-            state = grasped(state, grasp)
-        if state.request.grasp != grasp:
+            state = with_drag(state, grasp)
+        if state.request.drag != grasp:
             return state
-        return _moved(grasped(state, None) if phase == "end" else state, index, asked)
+        return _moved(with_drag(state, None) if phase == "end" else state, index, asked)
 
-    return driven(wish)
+    return driven(change)
 
 
 def set_obstacle(index: int, position: ArrayLike) -> Update:
@@ -76,7 +76,7 @@ def set_obstacle(index: int, position: ArrayLike) -> Update:
 def set_obstacle_radius(index: int, radius: float) -> Update:
     """A sphere made larger, as far as the arm leaves room for it, or smaller; m."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         _check(state, index)
         (value,), reach = finite([radius], (1,)), state.robot.reach
         if not SMALLEST * reach <= value <= LARGEST * reach:
@@ -90,19 +90,19 @@ def set_obstacle_radius(index: int, radius: float) -> Update:
         centre, before = obstacles.ends[index, 0], obstacles.radii[index]
         fitting = value if value <= before else max(before, _fitting(state, centre, value))
         notice = None if fitting == value else _at_arm(state, index)
-        return replace(_with(state, obstacles.replaced(index, centre, fitting)), notice=notice)
+        return replace(_with(state, obstacles.with_sphere_at(index, centre, fitting)), notice=notice)
 
-    return driven(wish)
+    return driven(change)
 
 
 def remove_obstacle(index: int) -> Update:
     """Take a sphere away."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         _check(state, index)
-        return _with(grasped(state, None), state.problem.obstacles.without(index))
+        return _with(with_drag(state, None), state.problem.obstacles.without(index))
 
-    return driven(wish)
+    return driven(change)
 
 
 def _roomy(state: State, radius: float) -> Array:
@@ -111,7 +111,7 @@ def _roomy(state: State, radius: float) -> Array:
     places = state.T_world_tool[:3, 3] + np.concatenate([np.eye(3), -np.eye(3)]) * ASIDE * reach
     places[:, 2] = np.maximum(places[:, 2], state.robot.floor + radius)
     axes, kept = np.concatenate([_axes(state), obstacles.ends]), np.concatenate([_kept(state), obstacles.radii])
-    room = np.hstack([from_pieces(places, axes) - kept, places @ planes.normals.T - planes.offsets]).min(axis=1)
+    room = np.hstack([segment_distances(places, axes) - kept, places @ planes.normals.T - planes.offsets]).min(axis=1)
     far = np.linalg.norm(places - state.robot.points[0], axis=1)
     return np.asarray(places[np.lexsort([far, -np.minimum(room, radius)])[0]])
 
@@ -128,7 +128,7 @@ def _check(state: State, index: int) -> None:
 
 def _place(state: State, index: int, position: ArrayLike) -> Array:
     _check(state, index)
-    asked, far = finite(position, (3,)), FARTHEST * state.robot.extended
+    asked, far = finite(position, (3,)), FARTHEST * state.robot.maximum_reach
     if np.abs(asked).max() > far:
         raise HelicoideError(
             Text(
@@ -142,21 +142,21 @@ def _place(state: State, index: int, position: ArrayLike) -> Array:
 def _moved(state: State, index: int, asked: Array) -> State:
     obstacles = state.problem.obstacles
     start, radius = obstacles.ends[index, 0], float(obstacles.radii[index])
-    centre = last_clear(start, asked, _axes(state), _kept(state) + radius)
+    centre = last_free_point(start, asked, _axes(state), _kept(state) + radius)
     notice = None if np.array_equal(centre, asked) else _at_arm(state, index)
-    return replace(_with(state, obstacles.replaced(index, centre, radius)), notice=notice)
+    return replace(_with(state, obstacles.with_sphere_at(index, centre, radius)), notice=notice)
 
 
 def _axes(state: State) -> Array:
     """The axes of the moving bodies of the arm where they are, and of the arm beside, (k, 2, 3), m."""
     arms = [state.arm.poses] if state.compared is None else [state.arm.poses, state.compared.arm.poses]
-    return np.array([body.at(poses) for poses in arms for body in _moving(state)])
+    return np.array([body.axis_at(poses) for poses in arms for body in _moving(state)])
 
 
 def _kept(state: State) -> Array:
     """How far an obstacle without size stays from each of `_axes`, (k,), m."""
     arms = 1 if state.compared is None else 2
-    return np.array([body.radius + state.problem.zones.between for body in _moving(state)] * arms)
+    return np.array([body.radius + state.problem.zones.body_clearance for body in _moving(state)] * arms)
 
 
 def _moving(state: State) -> list[Capsule]:
@@ -165,15 +165,15 @@ def _moving(state: State) -> list[Capsule]:
 
 def _fitting(state: State, centre: Array, radius: float) -> float:
     """The radius, or the largest that keeps its distance from the arm."""
-    return min(radius, float((from_pieces(centre[None], _axes(state))[0] - _kept(state)).min()))
+    return min(radius, float((segment_distances(centre[None], _axes(state))[0] - _kept(state)).min()))
 
 
 def _at_arm(state: State, index: int) -> Text:
     return Text(
         en="Obstacle {n} stops at the arm: {mm:.0f} mm stay free.",
         pt_BR="O obstáculo {n} para no braço: {mm:.0f} mm ficam livres.",
-    ).format(n=index + 1, mm=1000 * state.problem.zones.between)
+    ).format(n=index + 1, mm=1000 * state.problem.zones.body_clearance)
 
 
 def _with(state: State, obstacles: Obstacles) -> State:
-    return enclosed(state, replace(state.problem, obstacles=obstacles))
+    return with_problem(state, replace(state.problem, obstacles=obstacles))

@@ -4,41 +4,43 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from helicoide.command import Along, Course, Hold
+from helicoide.command import FollowPath, HoldPosition, PathChoice
 from helicoide.gate.check import driven, finite
 from helicoide.gate.presets import path_of, title_of
-from helicoide.state import State, Update, commanded
+from helicoide.state import State, Update, with_command
 from helicoide.text import HelicoideError, Text
-from helicoide.trajectory.fastest import Shape
+from helicoide.trajectory.time_optimal import TimingShape
 
 
 def play() -> Update:
     """Follow the path from where its parameter stands, or an open one that has ended from its start."""
 
-    def wish(state: State) -> State:
-        path = path_of(state.robot, state.request.course)
+    def change(state: State) -> State:
+        path = path_of(state.robot, state.request.path_choice)
         ended = state.request.path_s >= path.duration and not path.is_closed
         s = 0.0 if ended else state.request.path_s
-        return commanded(state, Along(path, s, playing=True, title=title_of(state.robot, state.request.course)))
+        return with_command(
+            state, FollowPath(path, s, playing=True, title=title_of(state.robot, state.request.path_choice))
+        )
 
-    return driven(wish)
+    return driven(change)
 
 
 def pause() -> Update:
     """Stay at this place of the path."""
 
-    def wish(state: State) -> State:
-        if not isinstance(state.request.command, Along):
+    def change(state: State) -> State:
+        if not isinstance(state.request.command, FollowPath):
             return state
-        return commanded(state, replace(state.request.command, playing=False))
+        return with_command(state, replace(state.request.command, playing=False))
 
-    return driven(wish)
+    return driven(change)
 
 
 def scrub(share: float) -> Update:
     """Another place of the path, as a share of its time, 0 to 1; playing goes on from there."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         (value,) = finite([share], (1,))
         if not 0.0 <= value <= 1.0:
             raise HelicoideError(
@@ -47,44 +49,44 @@ def scrub(share: float) -> Update:
                     pt_BR="Um ponto da trajetória fica entre 0 e 100 % do seu tempo.",
                 )
             )
-        path = path_of(state.robot, state.request.course)
+        path = path_of(state.robot, state.request.path_choice)
         s = float(value) * path.duration
-        playing = isinstance(state.request.command, Along) and state.request.command.playing
-        title = title_of(state.robot, state.request.course)
-        return commanded(
-            replace(state, request=replace(state.request, path_s=s)), Along(path, s, playing=playing, title=title)
+        playing = isinstance(state.request.command, FollowPath) and state.request.command.playing
+        title = title_of(state.robot, state.request.path_choice)
+        return with_command(
+            replace(state, request=replace(state.request, path_s=s)), FollowPath(path, s, playing=playing, title=title)
         )
 
-    return driven(wish)
+    return driven(change)
 
 
 def choose_path(name: str) -> Update:
     """Another path of `presets`, from its start and in its own time; an arm that follows a path stops."""
-    return driven(lambda state: _from_start(state, replace(state.request.course, name=name, duration=None)))
+    return driven(lambda state: _from_start(state, replace(state.request.path_choice, name=name, duration=None)))
 
 
-def choose_scaling(shape: Shape) -> Update:
+def choose_scaling(shape: TimingShape) -> Update:
     """Another time scaling of the path, from its start; an arm that follows a path stops."""
-    return driven(lambda state: _from_start(state, replace(state.request.course, shape=shape)))
+    return driven(lambda state: _from_start(state, replace(state.request.path_choice, shape=shape)))
 
 
 def set_duration(seconds: float) -> Update:
     """How long the path takes; an arm that follows it goes on from where it is, slower or faster."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         (value,) = finite([seconds], (1,))
         request = state.request
-        course = replace(request.course, duration=float(value))
-        before, after = path_of(state.robot, request.course), path_of(state.robot, course)
+        course = replace(request.path_choice, duration=float(value))
+        before, after = path_of(state.robot, request.path_choice), path_of(state.robot, course)
         s, command = request.path_s * after.duration / before.duration, request.command
-        if isinstance(command, Along):
+        if isinstance(command, FollowPath):
             command = replace(command, path=after, s=s)
-        return replace(state, request=replace(request, command=command, course=course, path_s=s), notice=None)
+        return replace(state, request=replace(request, command=command, path_choice=course, path_s=s), notice=None)
 
-    return driven(wish)
+    return driven(change)
 
 
-def _from_start(state: State, course: Course) -> State:
+def _from_start(state: State, course: PathChoice) -> State:
     path_of(state.robot, course)
-    state = replace(state, request=replace(state.request, course=course, path_s=0.0), notice=None)
-    return commanded(state, Hold()) if isinstance(state.request.command, Along) else state
+    state = replace(state, request=replace(state.request, path_choice=course, path_s=0.0), notice=None)
+    return with_command(state, HoldPosition()) if isinstance(state.request.command, FollowPath) else state

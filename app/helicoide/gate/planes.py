@@ -8,44 +8,44 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.confinement import planes_of, stopped_at_arm
+from helicoide.confinement import limited_plane_centre, planes_of
 from helicoide.gate.check import driven, pose
 from helicoide.gate.target import Phase
-from helicoide.state import Grasp, State, Update, enclosed, grasped
+from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
 
 
 def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: ArrayLike) -> Update:
     """A plane's gizmo, z along the inward normal: the plane stops at the critical distance from the arm."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         T = pose(state, position, wxyz)
         panes = state.problem.planes.panes
         if index not in range(len(panes)) or not panes[index].movable:
             raise HelicoideError(Text(en="That plane is fixed.", pt_BR="Esse plano é fixo."))
         handle = f"plane {index}"
         if phase == "start":
-            state = grasped(state, Grasp(seat, handle))
-        if state.request.grasp != Grasp(seat, handle):
+            state = with_drag(state, Drag(seat, handle))
+        if state.request.drag != Drag(seat, handle):
             return state
-        held = grasped(state, None) if phase == "end" else state
+        held = with_drag(state, None) if phase == "end" else state
         return _plane_moved(held, index, T[:3, 2], T[:3, 3])
 
-    return driven(wish)
+    return driven(change)
 
 
 def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State:
     """The plane where it was asked for, or at the critical distance from the arm, and then the words that say so."""
     problem, critical = state.problem, state.problem.zones.critical
     points = state.guarded_points
-    centre = stopped_at_arm(normal, asked, points, critical)
+    centre = limited_plane_centre(normal, asked, points, critical)
     stopped = None if np.array_equal(centre, asked) else _stopped_plane(state, index, (points - centre) @ normal)
-    problem = replace(problem, planes=problem.planes.moved(index, normal, centre))
-    return enclosed(state, problem, stopped)
+    problem = replace(problem, planes=problem.planes.with_plane(index, normal, centre))
+    return with_problem(state, problem, stopped)
 
 
 def _stopped_plane(state: State, index: int, distances: Array) -> Text:
-    pane, point = state.problem.planes.panes[index], state.robot.guarded[int(distances.argmin())]
+    pane, point = state.problem.planes.panes[index], state.robot.monitored[int(distances.argmin())]
     return Text(
         en="Plane {name} ({pane}) stops at {mm:.0f} mm from the arm: {point}.",
         pt_BR="O plano {name} ({pane}) para a {mm:.0f} mm do braço: {point}.",
@@ -55,7 +55,7 @@ def _stopped_plane(state: State, index: int, distances: Array) -> Text:
 def restore_planes() -> Update:
     """The planes of the robot's file, each where it has it, or as near to that as the arm allows; no others."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         state = replace(state, notice=None)
         before = replace(state.problem, planes=planes_of(state.robot.panes))
         state = replace(state, problem=before)
@@ -64,4 +64,4 @@ def restore_planes() -> Update:
             state = replace(moved, notice=moved.notice or state.notice)
         return state
 
-    return driven(wish)
+    return driven(change)

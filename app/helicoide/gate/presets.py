@@ -10,20 +10,20 @@ from types import MappingProxyType
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.command import Course
+from helicoide.command import PathChoice
 from helicoide.ik.rcm.paths import PATHS as COUTINHO
-from helicoide.kernels import plain
+from helicoide.kernels import python_function
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import normal_of
-from helicoide.text import HelicoideError, Text, same
+from helicoide.kinematics.workspace import plane_normal
+from helicoide.text import HelicoideError, Text, untranslated
 from helicoide.trajectory.cerbaro import EQ_33, EQ_34, EQ_35, MOVEMASTER_ELLIPSE, ORCA_CIRCLE
-from helicoide.trajectory.chained import Chain
-from helicoide.trajectory.fastest import Shape
-from helicoide.trajectory.loop import Loop
+from helicoide.trajectory.loop import EllipsePath
 from helicoide.trajectory.path import Path
-from helicoide.trajectory.straight import Line
-from helicoide.trajectory.timing import Constant, Law, MinimumJerk, TimedPath, Trapezoid
+from helicoide.trajectory.path_chain import PathChain
+from helicoide.trajectory.pose_paths import LinePath
+from helicoide.trajectory.time_optimal import TimingShape
+from helicoide.trajectory.timing import ConstantSpeed, MinimumJerk, TimedPath, TimeScaling, TrapezoidalVelocity
 from helicoide.trajectory.vargas import VARGAS
 
 # Half the length of the line, or of the longer axis of a loop, and half the shorter, as shares of the reach; time, s.
@@ -33,10 +33,10 @@ FIVE = 5  # joints, one less than any pose takes
 LAST_PLANAR = 5  # of the trajectories of Vargas
 RAMP, ABOVE = 0.25, 1e-6
 MEETS = Text(en="Cerbaro 2022, eq. {n} (meets the planes)", pt_BR="Cerbaro 2022, eq. {n} (encontra os planos)")
-LAWS: Mapping[Shape, tuple[Text, Law]] = MappingProxyType(
+LAWS: Mapping[TimingShape, tuple[Text, TimeScaling]] = MappingProxyType(
     {
-        "constant speed": (Text(en="even", pt_BR="uniforme"), Constant()),
-        "trapezoid": (Text(en="trapezoid", pt_BR="trapézio"), Trapezoid(RAMP)),
+        "constant speed": (Text(en="even", pt_BR="uniforme"), ConstantSpeed()),
+        "trapezoid": (Text(en="trapezoid", pt_BR="trapézio"), TrapezoidalVelocity(RAMP)),
         "minimum jerk": (Text(en="minimum jerk", pt_BR="jerk mínimo"), MinimumJerk()),
     }
 )
@@ -56,7 +56,7 @@ def presets(robot: Robot) -> Mapping[str, Preset]:
     return {key: Preset(title, path) for key, title, path in (*_of_any(robot), *_of_source(robot))}
 
 
-def path_of(robot: Robot, course: Course) -> Path:
+def path_of(robot: Robot, course: PathChoice) -> Path:
     """The path of a course in its own time. Raises HelicoideError for a path that the arm has not, or another time."""
     known = presets(robot)
     name = next(iter(known)) if course.name is None else course.name
@@ -78,14 +78,14 @@ def path_of(robot: Robot, course: Course) -> Path:
     return _in_time(robot, name, course.shape, duration)
 
 
-def title_of(robot: Robot, course: Course) -> Text:
+def title_of(robot: Robot, course: PathChoice) -> Text:
     """What the path of a course is called, which is one of the arm's."""
     known = presets(robot)
     return known[course.name or next(iter(known))].title
 
 
 @lru_cache(maxsize=16)
-def _in_time(robot: Robot, name: str, shape: Shape, duration: float) -> Path:
+def _in_time(robot: Robot, name: str, shape: TimingShape, duration: float) -> Path:
     path = presets(robot)[name].path
     unchanged = shape == "constant speed" and duration == path.duration
     return path if unchanged else TimedPath(path, LAWS[shape][1], duration)
@@ -96,9 +96,9 @@ def _of_source(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
         case "movemaster":
             for number, path in ((33, EQ_33), (34, EQ_34), (35, EQ_35)):
                 yield f"eq{number}", MEETS.format(n=number), path
-            yield "demonstration", same("Cerbaro 2022, §4.4.4"), MOVEMASTER_ELLIPSE
+            yield "demonstration", untranslated("Cerbaro 2022, §4.4.4"), MOVEMASTER_ELLIPSE
         case "orca":
-            yield "demonstration", same("Cerbaro 2022, §4.4.3"), ORCA_CIRCLE
+            yield "demonstration", untranslated("Cerbaro 2022, §4.4.3"), ORCA_CIRCLE
         case "planar3r" | "zebra_zero":
             title = Text(en="Vargas 2013, trajectory {n}", pt_BR="Vargas 2013, trajetória {n}")
             for number, trajectory in VARGAS.items():
@@ -106,12 +106,12 @@ def _of_source(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
                     yield f"vargas{number}", title.format(n=number), trajectory
         case "dia10" | "dia10_rod":
             for name, way in COUTINHO.items():
-                yield name, same("Coutinho 2015, {name}").format(name=name), way.of(_ready(robot))
+                yield name, untranslated("Coutinho 2015, {name}").format(name=name), way.of(_ready(robot))
 
 
 def _ready(robot: Robot) -> Array:
     """The tool at `ready`, T_world_tool (4, 4), m; without a kernel, for the view."""
-    return frozen(plain(link_poses)(robot.chain, robot.poses["ready"])[-1] @ robot.T_link_tool)
+    return frozen(python_function(link_poses)(robot.chain, robot.poses["ready"])[-1] @ robot.T_link_tool)
 
 
 def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
@@ -120,7 +120,7 @@ def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
     With five joints a tool keeps its orientation only in the plane through the first axis and itself: there they lie,
     the longer axis level.
     """
-    T, normal = _ready(robot), normal_of(robot)
+    T, normal = _ready(robot), plane_normal(robot)
     n = np.array([0.0, 0.0, 1.0]) if normal is None else normal
     outward = _outward(T[:3, 3] - robot.points[0], n)
     upright = normal is None and len(robot.variables) == FIVE
@@ -128,16 +128,16 @@ def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
         n = np.cross(outward, n)
     sideways, long, short = np.cross(n, outward), LONG * robot.reach, SHORT * robot.reach
     there, back = (_moved(T, way * sideways) for way in (long, -long))
-    ways = Line(T, there, TIME / 4), Line(there, back, TIME / 2), Line(back, T, TIME / 4)
+    ways = LinePath(T, there, TIME / 4), LinePath(there, back, TIME / 2), LinePath(back, T, TIME / 4)
     plane = np.eye(4)
     plane[:3] = np.column_stack([outward, sideways, n, T[:3, 3] - short * outward])
-    round_ = Loop(frozen(plane), (short, short), frozen(T[:3, :3]), TIME)
+    round_ = EllipsePath(frozen(plane), (short, short), frozen(T[:3, :3]), TIME)
     flat = (short / 2, short) if upright else (short, long)
     plane[:3, 3] = T[:3, 3] - flat[0] * outward
-    oval = Loop(frozen(plane), flat, frozen(T[:3, :3]), TIME)
+    oval = EllipsePath(frozen(plane), flat, frozen(T[:3, :3]), TIME)
     yield "ellipse", Text(en="ellipse", pt_BR="elipse"), oval
     yield "circle", Text(en="circle", pt_BR="círculo"), round_
-    yield "line", Text(en="straight line, there and back", pt_BR="reta, ida e volta"), Chain(ways)
+    yield "line", Text(en="straight line, there and back", pt_BR="reta, ida e volta"), PathChain(ways)
 
 
 def _moved(T: Array, way: Array) -> Array:

@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import frozen
 from helicoide.command import Replay
 from helicoide.gate.check import driven, finite
-from helicoide.state import State, Update, commanded
+from helicoide.state import State, Update, with_command
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.path import JointPath
-from helicoide.trajectory.spline import Spline
+from helicoide.trajectory.spline import JointSpline
 
 MOST, KNOTS = 500_000, 1500
 
@@ -19,11 +19,11 @@ MOST, KNOTS = 500_000, 1500
 def replay(path: JointPath, title: Text, grips: tuple[tuple[float, float], ...] = ()) -> Update:
     """A path of this arm's joints; the guard keeps every limit on the way. grips: as in `Replay`."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         finite(path.q(0.0), state.arm.q.shape)
-        return commanded(state, Replay(path, title, grips=grips))
+        return with_command(state, Replay(path, title, gripper_events=grips))
 
-    return driven(wish)
+    return driven(change)
 
 
 def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
@@ -32,7 +32,7 @@ def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
     Where the guard holds the arm back, it lags behind: the time goes on as it did.
     """
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         n, count = len(state.arm.q), len(np.atleast_1d(times))
         if not 2 <= count <= MOST:
             raise HelicoideError(
@@ -43,6 +43,6 @@ def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
             )
         kept = np.unique(np.linspace(0, count - 1, min(count, KNOTS)).round().astype(int))
         at, values = finite(times, (count,))[kept], finite(q, (count, n))[kept]
-        return commanded(state, Replay(Spline(frozen(at - at[0]), frozen(values)), title, waits=False))
+        return with_command(state, Replay(JointSpline(frozen(at - at[0]), frozen(values)), title, slows_down=False))
 
-    return driven(wish)
+    return driven(change)

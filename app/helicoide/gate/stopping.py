@@ -4,15 +4,25 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from helicoide.command import Hold
-from helicoide.state import State, Update, commanded
+from helicoide.command import FollowPath, GetReady, HoldPosition, Park, Replay
+from helicoide.state import State, Update, with_command
 
 
-def stop() -> Update:
-    """Nothing moves from this tick on, and what is held is let go."""
+def stop(closing: bool = False) -> Update:
+    """Nothing moves from this tick on, and what is held is let go.
 
-    def wish(state: State) -> State:
-        state = commanded(state, Hold(stopped=True))
-        return replace(state, request=replace(state.request, grasp=None, gripper=state.arm.gripper))
+    closing: whether the same key closes something on the page; then no stop is said to have been where nothing moved.
+    """
 
-    return wish
+    def change(state: State) -> State:
+        said = not closing or _moves(state) or state.request.command == HoldPosition(stopped=True)
+        state = with_command(state, HoldPosition(stopped=said))
+        return replace(state, request=replace(state.request, drag=None, gripper=state.arm.gripper))
+
+    return change
+
+
+def _moves(state: State) -> bool:
+    command = state.request.command
+    follows = isinstance(command, Replay | Park | GetReady) or (isinstance(command, FollowPath) and command.playing)
+    return follows or state.arm.moving or state.arm.gripper != state.request.gripper

@@ -8,10 +8,10 @@ from typing import Literal
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.command import ToPose
+from helicoide.command import MoveToPose
 from helicoide.gate.check import driven, pose
-from helicoide.ik.drive import GUARDED
-from helicoide.state import Grasp, State, Update, commanded, grasped
+from helicoide.ik.controller import GUARDED
+from helicoide.state import Drag, State, Update, with_command, with_drag
 
 Phase = Literal["start", "update", "end"]
 
@@ -19,16 +19,16 @@ Phase = Literal["start", "update", "end"]
 def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -> Update:
     """The target gizmo: held from start to end; at the end it comes to rest on the accepted goal."""
 
-    def wish(state: State) -> State:
+    def change(state: State) -> State:
         T = pose(state, position, wxyz)
         if phase == "start":
-            state = grasped(state, Grasp(seat, "target"))
-        if state.request.grasp != Grasp(seat, "target"):
+            state = with_drag(state, Drag(seat, "target"))
+        if state.request.drag != Drag(seat, "target"):
             return state
-        state = commanded(state, ToPose(T))
+        state = with_command(state, MoveToPose(T))
         return _released(state, T) if phase == "end" else state
 
-    return driven(wish)
+    return driven(change)
 
 
 def _released(state: State, T_world_target: Array) -> State:
@@ -36,29 +36,29 @@ def _released(state: State, T_world_target: Array) -> State:
 
     A method of the sources looks for neither: the target stays, and one sees what the method makes of it.
     """
-    settles = state.request.drive.method == GUARDED
-    request = replace(state.request, grasp=None, command=ToPose(T_world_target, settles), searched=False)
+    settles = state.request.controller.method == GUARDED
+    request = replace(state.request, drag=None, command=MoveToPose(T_world_target, settles), searched=False)
     return replace(state, request=request)
 
 
-def let_go(grasp: Grasp) -> Update:
+def let_go(grasp: Drag) -> Update:
     """That grasp, and no later one, ends where it is."""
 
     def update(state: State) -> State:
-        if state.request.grasp is not grasp:
+        if state.request.drag is not grasp:
             return state
-        if grasp.handle == "target" and isinstance(state.request.command, ToPose):
+        if grasp.handle == "target" and isinstance(state.request.command, MoveToPose):
             return _released(state, state.request.command.T_world_target)
-        return grasped(state, None)
+        return with_drag(state, None)
 
     return update
 
 
 def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
     """The target by numbers; it stays where it was put, also out of reach."""
-    return driven(lambda state: commanded(state, ToPose(pose(state, position, wxyz))))
+    return driven(lambda state: with_command(state, MoveToPose(pose(state, position, wxyz))))
 
 
 def hold_orientation(on: bool) -> Update:
     """Whether the target's orientation counts, or its position only."""
-    return lambda state: replace(state, request=replace(state.request.afresh(), with_orientation=bool(on)))
+    return lambda state: replace(state, request=replace(state.request.renewed(), with_orientation=bool(on)))

@@ -9,80 +9,80 @@ from helicoide.gate.check import checked, finite
 from helicoide.gate.presets import LAWS
 from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
-from helicoide.trajectory.fastest import Shape
-from helicoide.trajectory.waypoint_file import decoded
+from helicoide.trajectory.time_optimal import TimingShape
+from helicoide.trajectory.waypoint_file import decode_waypoints
 from helicoide.trajectory.waypoints import (
-    Taught,
-    deleted,
-    gripping_at,
-    inserted,
-    moved,
-    placed_at,
-    reached_by,
-    renamed,
-    stayed_at,
+    WaypointList,
     waypoint,
+    with_dwell,
+    with_gripper_action,
+    with_move_type,
+    with_posture,
+    with_waypoint,
+    with_waypoint_at,
+    with_waypoint_name,
+    without_waypoint,
 )
 
 MOST = 60
 
 
 def record(way: str = "joints") -> Update:
-    """One more waypoint where the arm stands, reached from the one before in a way of `waypoints.WAYS`."""
+    """One more waypoint where the arm stands, reached from the one before in a way of `waypoints.MOVE_TYPES`."""
 
-    def change(state: State) -> Taught:
+    def change(state: State) -> WaypointList:
         taught = state.taught
         if len(taught.waypoints) >= MOST:
             raise HelicoideError(
                 Text(en="There are {most} waypoints at most.", pt_BR="Há no máximo {most} pontos.").format(most=MOST)
             )
         name = next(name for k in range(1, MOST + 2) if (name := f"P{k}") not in taught.names)
-        return inserted(taught, len(taught.waypoints), waypoint(state.robot, name, state.arm.q, way))
+        return with_waypoint(taught, len(taught.waypoints), waypoint(state.robot, name, state.arm.q, way))
 
     return _changed(change)
 
 
 def rename_waypoint(name: str, new: str) -> Update:
     """Another name for a waypoint."""
-    return _changed(lambda state: renamed(state.taught, name, new))
+    return _changed(lambda state: with_waypoint_name(state.taught, name, new))
 
 
 def move_waypoint(name: str, to: int) -> Update:
     """A waypoint at another place of the list, 0 to its length less one."""
-    return _changed(lambda state: moved(state.taught, name, to))
+    return _changed(lambda state: with_waypoint_at(state.taught, name, to))
 
 
 def delete_waypoint(name: str) -> Update:
     """A waypoint less."""
-    return _changed(lambda state: deleted(state.taught, name))
+    return _changed(lambda state: without_waypoint(state.taught, name))
 
 
 def set_way(name: str, way: str) -> Update:
-    """Another way to a waypoint, one of `waypoints.WAYS`."""
-    return _changed(lambda state: reached_by(state.taught, name, way))
+    """Another way to a waypoint, one of `waypoints.MOVE_TYPES`."""
+    return _changed(lambda state: with_move_type(state.taught, name, way))
 
 
 def set_dwell(name: str, seconds: float) -> Update:
     """How long to stay at a waypoint, s."""
 
-    def change(state: State) -> Taught:
+    def change(state: State) -> WaypointList:
         (value,) = finite([seconds], (1,))
-        return stayed_at(state.taught, name, float(value))
+        return with_dwell(state.taught, name, float(value))
 
     return _changed(change)
 
 
 def set_grip(name: str, gripper: str) -> Update:
-    """What the gripper does at a waypoint, one of `waypoints.GRIPS`."""
-    return _changed(lambda state: gripping_at(state.taught, name, gripper))
+    """What the gripper does at a waypoint, one of `waypoints.GRIPPER_ACTIONS`."""
+    return _changed(lambda state: with_gripper_action(state.taught, name, gripper))
 
 
 def teach_again(name: str) -> Update:
     """A waypoint as the arm stands now."""
-    return _changed(lambda state: placed_at(state.taught, name, state.arm.q))
+    return _changed(lambda state: with_posture(state.taught, name, state.arm.q))
 
 
-def choose_leg_shape(shape: Shape) -> Update:
+def choose_leg_shape(shape: TimingShape) -> Update:
     """Another time scaling of the way to each waypoint."""
 
     def wish(state: State) -> State:
@@ -100,10 +100,10 @@ def choose_leg_shape(shape: Shape) -> Update:
 
 def take_waypoints(content: bytes) -> Update:
     """The waypoints of a file in place of those there are."""
-    return _changed(lambda state: decoded(content, state.robot))
+    return _changed(lambda state: decode_waypoints(content, state.robot))
 
 
-def _changed(change: Callable[[State], Taught]) -> Update:
+def _changed(change: Callable[[State], WaypointList]) -> Update:
     return checked(
         lambda state: replace(state, taught=replace(state.taught, waypoints=change(state).waypoints), notice=None)
     )

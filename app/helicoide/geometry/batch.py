@@ -12,7 +12,7 @@ from helicoide.geometry.clifford import CL031, PGA, Algebra, Array
 from helicoide.kernels import kernel
 from helicoide.text import HelicoideError, Text
 
-Places = NDArray[np.intp]
+TermIndices = NDArray[np.intp]
 
 # Blocks of this many multivectors with 16 coefficients fit into the fastest cache while their terms are added up.
 BLOCK = 64
@@ -24,26 +24,26 @@ POINT_ROWS = np.flatnonzero(CL031.grades == 3)
 """Indices of the coefficients of a point: e1e2e3, e1e2e, e1e3e, e2e3e."""
 
 
-def products(algebra: Algebra, a: Array, b: Array) -> Array:
+def batch_products(algebra: Algebra, a: Array, b: Array) -> Array:
     """Geometric products aᵢ bᵢ. a, b: (N, 2ⁿ); returns (N, 2ⁿ). Source: Cerbaro 2022, eqs. 73–74."""
     out = np.empty_like(a)
     multiply_columns(*algebra.terms, a.T, b.T, out.T)
     return out
 
 
-def product_rows(algebra: Algebra, a: Array, b: Array) -> Array:
+def batch_products_by_columns(algebra: Algebra, a: Array, b: Array) -> Array:
     """Geometric products with one multivector per column. a, b: (2ⁿ, N); returns (2ⁿ, N)."""
     out = np.empty_like(a)
     multiply_columns(*algebra.terms, a, b, out)
     return out
 
 
-def sandwiches(algebra: Algebra, a: Array, b: Array) -> Array:
+def batch_sandwiches(algebra: Algebra, a: Array, b: Array) -> Array:
     """Sandwiches aᵢ bᵢ aᵢ* with the Clifford conjugate. a, b: (N, 2ⁿ); returns (N, 2ⁿ).
 
     Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes.
     """
-    return products(algebra, products(algebra, a, b), algebra.conjugate(a))
+    return batch_products(algebra, batch_products(algebra, a, b), algebra.conjugate(a))
 
 
 def move_points(algebra: Algebra, motors: Array, points: Array) -> Array:
@@ -55,22 +55,22 @@ def move_points(algebra: Algebra, motors: Array, points: Array) -> Array:
     Source: Cerbaro 2022, eq. 95 as corrected for points, lines and planes, written out in quaternions.
     """
     out = np.empty_like(points)
-    move_columns(_turn(algebra), motors[0], motors[1:7], motors[7], points, out)
+    move_columns(_orientation_sign(algebra), motors[0], motors[1:7], motors[7], points, out)
     return out
 
 
-def move_whole_points(algebra: Algebra, motors: Array, points: Array) -> Array:
+def move_full_points(algebra: Algebra, motors: Array, points: Array) -> Array:
     """`move_points` with one whole multivector per row; odd blades of motors, and grades of points but 3, are ignored.
 
     motors, points: (N, 16); returns (N, 16).
     """
     out = np.zeros(points.shape)
     M, rows = motors.T, slice(POINT_ROWS[0], POINT_ROWS[-1] + 1)
-    move_columns(_turn(algebra), M[0], M[5:11], M[15], points.T[rows], out.T[rows])
+    move_columns(_orientation_sign(algebra), M[0], M[5:11], M[15], points.T[rows], out.T[rows])
     return out
 
 
-def _turn(algebra: Algebra) -> float:
+def _orientation_sign(algebra: Algebra) -> float:
     """Sign of i = e2e3, j = −e1e3, k = e1e2, ε = −e1e2e3e and of a point's e2e3e, −e1e3e, e1e2e against Cl(0,3,1)."""
     if algebra not in (CL031, PGA):
         raise HelicoideError(
@@ -83,25 +83,25 @@ def _turn(algebra: Algebra) -> float:
 
 
 @kernel
-def move_columns(turn: float, scalars: Array, bivectors: Array, volumes: Array, points: Array, out: Array) -> None:
+def move_columns(sign: float, scalars: Array, bivectors: Array, volumes: Array, points: Array, out: Array) -> None:
     """The equation of `move_points`, column by column, with the motors split by grade."""
     for i in range(points.shape[1]):
-        s, d0 = scalars[i], -turn * volumes[i]
-        gx, gy, gz = turn * bivectors[2, i], -turn * bivectors[1, i], turn * bivectors[0, i]
+        s, d0 = scalars[i], -sign * volumes[i]
+        gx, gy, gz = sign * bivectors[2, i], -sign * bivectors[1, i], sign * bivectors[0, i]
         dx, dy, dz = bivectors[3, i], bivectors[4, i], bivectors[5, i]
-        w, x, y, z = points[0, i], turn * points[3, i], -turn * points[2, i], turn * points[1, i]
+        w, x, y, z = points[0, i], sign * points[3, i], -sign * points[2, i], sign * points[1, i]
         squared = s * s + gx * gx + gy * gy + gz * gz
         cx = gy * z - gz * y + s * x + w * dx
         cy = gz * x - gx * z + s * y + w * dy
         cz = gx * y - gy * x + s * z + w * dz
         out[0, i] = squared * w
-        out[3, i] = turn * (squared * x + 2 * (gy * cz - gz * cy + w * (s * dx - d0 * gx)))
-        out[2, i] = -turn * (squared * y + 2 * (gz * cx - gx * cz + w * (s * dy - d0 * gy)))
-        out[1, i] = turn * (squared * z + 2 * (gx * cy - gy * cx + w * (s * dz - d0 * gz)))
+        out[3, i] = sign * (squared * x + 2 * (gy * cz - gz * cy + w * (s * dx - d0 * gx)))
+        out[2, i] = -sign * (squared * y + 2 * (gz * cx - gx * cz + w * (s * dy - d0 * gy)))
+        out[1, i] = sign * (squared * z + 2 * (gx * cy - gy * cx + w * (s * dz - d0 * gz)))
 
 
 @kernel
-def multiply_columns(places: Places, factors: Array, a: Array, b: Array, out: Array) -> None:
+def multiply_columns(places: TermIndices, factors: Array, a: Array, b: Array, out: Array) -> None:
     """Products of columns, block by block: each row t of `places`, (k, i, j), adds factorsₜ aᵢ bⱼ to outₖ."""
     shape = (out.shape[0], BLOCK)
     left, right, total = np.zeros(shape), np.zeros(shape), np.empty(shape)

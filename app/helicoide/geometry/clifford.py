@@ -9,14 +9,14 @@ import numpy as np
 from numpy import empty
 from numpy.typing import NDArray
 
-from helicoide.geometry.products import Into, OfTwo, written_out
-from helicoide.geometry.signature import Array, Signature, Table
-from helicoide.kernels import entry, kernel_into
+from helicoide.geometry.products import PairProducts, WriteProduct, generated_products
+from helicoide.geometry.signature import Array, ProductTable, Signature
+from helicoide.kernels import kernel_into, typed_entry
 from helicoide.text import HelicoideError, Text
 
 __all__ = ["CL031", "PGA", "QUATERNIONS", "Algebra", "Array"]
 
-Places = NDArray[np.intp]
+BladeIndices = NDArray[np.intp]
 
 # If a is a zero divisor, rounding makes the computed inverse huge, or a a⁻¹ differs from 1 by about 1.
 WORST_CONDITION = 1e12
@@ -24,8 +24,8 @@ INVERSE_TOLERANCE = 1e-6
 
 
 @kernel_into
-def multiply(table: Places, a: Array, b: Array, out: Array) -> None:
-    """Product of two multivectors by a `Table.whole`, factors and partners: outₖ = Σⱼ factors[k, j] a[partner] b[j]."""
+def multiply_by_table(table: BladeIndices, a: Array, b: Array, out: Array) -> None:
+    """Product of two multivectors by `ProductTable.packed` (f and partner): outₖ = Σⱼ f[k, j] a[partner] b[j]."""
     count = out.size
     if a.size != count or b.size != count:
         raise ValueError("each multivector needs as many coefficients as the algebra has blades")
@@ -66,7 +66,7 @@ class Algebra(Signature):
 
     def regressive(self, a: Array, b: Array) -> Array:
         """Regressive product, the dual of the outer one: a ∨ b = ⋆⁻¹(⋆a ∧ ⋆b), shapes (..., 2ⁿ)."""
-        return self.unhodge(self.outer(self.hodge(a), self.hodge(b)))
+        return self.inverse_hodge(self.outer(self.hodge(a), self.hodge(b)))
 
     def sandwich(self, a: Array, b: Array) -> Array:
         """Sandwich a b a* with the Clifford conjugate, by which a motor a moves b, shapes (..., 2ⁿ).
@@ -100,11 +100,11 @@ class Algebra(Signature):
 
         a: (..., 2ⁿ). In Cl(0,3,1) it is that of Selig 2000. Source: Cerbaro 2022, §5.2.4.
         """
-        return np.asarray((a * self._star_signs).take(self._rest, axis=-1))
+        return np.asarray((a * self._star_signs).take(self._complement, axis=-1))
 
-    def unhodge(self, a: Array) -> Array:
+    def inverse_hodge(self, a: Array) -> Array:
         """Inverse of the Hodge star: ⋆⁻¹(⋆a) = a, shape (..., 2ⁿ)."""
-        return np.asarray(a.take(self._rest, axis=-1) * self._star_signs)
+        return np.asarray(a.take(self._complement, axis=-1) * self._star_signs)
 
     def squared_norm(self, a: Array) -> Array:
         """Squared norm ⟨a ã⟩₀, which may be negative where generators square to −1.
@@ -131,7 +131,9 @@ class Algebra(Signature):
                 u = self.product(a, u)
                 u = u - count / k * u[..., :1] * one
             inverse = np.asarray(u / self.product(a, u)[..., :1])
-            condition = np.linalg.norm(a * self._solid, axis=-1) * np.linalg.norm(inverse * self._solid, axis=-1)
+            condition = np.linalg.norm(a * self._without_null, axis=-1) * np.linalg.norm(
+                inverse * self._without_null, axis=-1
+            )
             error = np.abs(self.product(a, inverse) - one).max(axis=-1)
         if not np.all((condition < WORST_CONDITION) & (error < INVERSE_TOLERANCE)):
             raise HelicoideError(
@@ -145,41 +147,41 @@ class Algebra(Signature):
         return inverse
 
     @cached_property
-    def product_into(self) -> Into:
+    def product_into(self) -> WriteProduct:
         """Function that writes the product of two (2ⁿ,) into a third: generated in `products`, else by the table."""
-        return self._of_two.product
+        return self._pair_products.product
 
     @cached_property
-    def product_of_own(self) -> Into:
+    def product_unchecked(self) -> WriteProduct:
         """The same for contiguous float64 arrays, without checks: a `Multivector` holds no others."""
-        return entry(self.product_into, *np.zeros((3, self.count)))
+        return typed_entry(self.product_into, *np.zeros((3, self.count)))
 
     @cached_property
-    def sandwich_into(self) -> Into:
+    def sandwich_into(self) -> WriteProduct:
         """Function that writes the sandwich of two (2ⁿ,) into a third."""
-        return self._of_two.sandwich
+        return self._pair_products.sandwich
 
     @cached_property
-    def _of_two(self) -> OfTwo:
-        return written_out(self) or self._by_table
+    def _pair_products(self) -> PairProducts:
+        return generated_products(self) or self._by_table
 
     @cached_property
-    def _by_table(self) -> OfTwo:
-        times = partial(multiply, self._geometric.whole)
+    def _by_table(self) -> PairProducts:
+        times = partial(multiply_by_table, self._geometric.packed)
 
         def sandwich(a: Array, b: Array, out: Array) -> None:
             half = empty(self.count)
             times(a, b, half)
             times(half, self.conjugate(a), out)
 
-        return OfTwo(times, sandwich)
+        return PairProducts(times, sandwich)
 
-    def _combine(self, table: Table, a: Array, b: Array) -> Array:
+    def _combine(self, table: ProductTable, a: Array, b: Array) -> Array:
         """Two single multivectors by the kernel; for many, the smaller operand is converted to its matrix."""
         left, right, partner, whole = table
         if a.ndim == b.ndim == 1:
             out = empty(self.count)
-            multiply(whole, a, b, out)
+            multiply_by_table(whole, a, b, out)
             return out
         if a.size <= b.size:
             matrix, vector = left * a.take(partner, axis=-1), b
@@ -195,34 +197,34 @@ class Algebra(Signature):
         return np.stack([k, partner[k, j], j], axis=-1), left[k, j]
 
     @cached_property
-    def _geometric(self) -> Table:
+    def _geometric(self) -> ProductTable:
         return self.table(lambda a, b: True)
 
     @cached_property
-    def _outer(self) -> Table:
+    def _outer(self) -> ProductTable:
         return self.table(set.isdisjoint)
 
     @cached_property
-    def _contraction(self) -> Table:
+    def _contraction(self) -> ProductTable:
         return self.table(set.issubset)
 
     @cached_property
-    def _rest(self) -> NDArray[np.intp]:
+    def _complement(self) -> NDArray[np.intp]:
         """Index of the complementary blade, with all other generators."""
-        return np.asarray(self.partner[-1])
+        return np.asarray(self.product_index[-1])
 
     @cached_property
     def _star_signs(self) -> Array:
-        pairs = zip(self.blades, self._rest, strict=True)
-        return np.array([float(self.factor(blade, self.blades[rest])) for blade, rest in pairs])
+        pairs = zip(self.blades, self._complement, strict=True)
+        return np.array([float(self.blade_factor(blade, self.blades[rest])) for blade, rest in pairs])
 
     @cached_property
     def _norm_signs(self) -> Array:
-        squares = [float(self.factor(blade, blade)) for blade in self.blades]
+        squares = [float(self.blade_factor(blade, blade)) for blade in self.blades]
         return self._reverse_signs * squares
 
     @cached_property
-    def _solid(self) -> NDArray[np.bool_]:
+    def _without_null(self) -> NDArray[np.bool_]:
         """Blades without null generators; the others are nilpotent and do not affect invertibility."""
         return np.array([all(self.squares[g] for g in blade) for blade in self.blades])
 

@@ -1,4 +1,4 @@
-"""Euler angles of every convention: twelve axis sequences, intrinsic (moving axes) or extrinsic (fixed axes)."""
+"""Euler angles of every convention: twelve axis sequences, each intrinsic (moving axes) or extrinsic (fixed axes)."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ SINGULAR = 1e-13
 
 
 @dataclass(frozen=True)
-class Angles:
+class EulerAngles:
     """Euler angles (..., 3), rad, and the distance of each set from the singularity of its convention (...), rad."""
 
     values: Array
-    margin: Array
+    singularity_margin: Array
 
     @property
     def singular(self) -> NDArray[np.bool_]:
         """Whether the matrix determines only the sum or difference of the first and last angle, shape (...)."""
-        return np.asarray(self.margin < SINGULAR)
+        return np.asarray(self.singularity_margin < SINGULAR)
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ def _triad(first: Array, second: Array) -> Array:
     return np.column_stack([first, second, np.cross(first, second)])
 
 
-def matrix(angles: ArrayLike, convention: str) -> Array:
+def euler_matrix(angles: ArrayLike, convention: str) -> Array:
     """Rotation matrix of Euler angles: intrinsic "ijk" R = R_i(φ₁) R_j(φ₂) R_k(φ₃), extrinsic R_k(φ₃) R_j(φ₂) R_i(φ₁).
 
     angles: (..., 3), rad, in the order of the convention's name; returns (..., 3, 3).
@@ -86,7 +86,7 @@ def _factors(angles: ArrayLike, convention: _Product) -> Array:
     return rotation.exponential(ordered[..., None] * convention.axes)
 
 
-def angles(R: Array, convention: str) -> Angles:
+def euler_angles(R: Array, convention: str) -> EulerAngles:
     """Euler angles of a rotation matrix, with the distance to the singularity of the convention.
 
     M = [n₁ n₂ n₁×n₂]ᵀ R [n₃ n₂ n₃×n₂] = R_x(φ₁) R_y(β) R_x(φ₃), β = φ₂ + a constant. It is singular for sin β = 0:
@@ -107,7 +107,7 @@ def angles(R: Array, convention: str) -> Angles:
     # the last angle is computed after undoing the first, as in rotation.roll_pitch_yaw_zyx
     row = np.cos(first)[..., None] * M[..., 1, :] + np.sin(first)[..., None] * M[..., 2, :]
     third = np.arctan2(-row[..., 2], row[..., 1])
-    return Angles(np.stack([first, second, third], axis=-1)[..., factors.order], margin)
+    return EulerAngles(np.stack([first, second, third], axis=-1)[..., factors.order], margin)
 
 
 def velocity_matrix(angles: ArrayLike, convention: str) -> Array:
@@ -123,10 +123,10 @@ def velocity_matrix(angles: ArrayLike, convention: str) -> Array:
     return np.stack(columns, axis=-1)[..., factors.order]
 
 
-def determinant(angles: ArrayLike, convention: str) -> Array:
+def velocity_determinant(angles: ArrayLike, convention: str) -> Array:
     """Determinant of E with ω = E φ̇, that is 1/det J_R: ±cos φ₂ for three different axes, else ±sin φ₂.
 
-    Its size is the sine of the margin of `Angles`, zero where the convention is singular.
+    Its size is the sine of the margin of `EulerAngles`, zero where the convention is singular.
     angles: (..., 3), rad; returns (...).
     Raises HelicoideError for an unknown convention. Source: Vargas 2013, eq. 2.26 (representation singularities).
     """
@@ -134,7 +134,7 @@ def determinant(angles: ArrayLike, convention: str) -> Array:
     return np.asarray(np.sum(first * np.cross(second, third), axis=-1))
 
 
-def jacobian(angles: ArrayLike, convention: str) -> Array:
+def euler_jacobian(angles: ArrayLike, convention: str) -> Array:
     """Representation Jacobian: φ̇ = J_R(φ) ω, J_R = E⁻¹ with E of `velocity_matrix` and det J_R = 1/`determinant`.
 
     angles: (..., 3), rad; ω in the base frame, rad/s; returns (..., 3, 3). If |det E| < SINGULAR, the rows of the first
@@ -147,7 +147,7 @@ def jacobian(angles: ArrayLike, convention: str) -> Array:
     return np.stack([np.cross(e2, e3) / defined, e2, np.cross(e1, e2) / defined], axis=-2)
 
 
-def orientation_error(angles_target: ArrayLike, angles: ArrayLike) -> Array:
+def euler_angle_error(angles_target: ArrayLike, angles: ArrayLike) -> Array:
     """Error of Euler angles: e = φ_d − φ, each reduced by multiples of 2π to [−π, π].
 
     angles_target, angles: (..., 3), rad, of one convention; returns (..., 3), rad. It is an error for Euler angle rates

@@ -42,7 +42,7 @@ def is_finite(X: Array) -> NDArray[np.bool_]:
     return np.asarray(np.any(rigid.null_part(X) != X, axis=-1))
 
 
-def foot(point: Array, X: Array) -> Array:
+def perpendicular_foot(point: Array, X: Array) -> Array:
     """Foot of the perpendicular from a point p on a line or plane X: (X ⌋ p) ∧ X, X ⌋ p being perpendicular to X.
 
     point: (..., 16); X: unit (..., 16); returns a point of weight one (..., 16).
@@ -76,7 +76,7 @@ def line_distance(line1: Array, line2: Array) -> Array:
     Source: Selig 2005, ch. 10.
     """
     sine = CL031.norm(CL031.grade(CL031.product(line1, line2), 2))
-    apart = np.asarray(point_line_distance(line2, foot(_ORIGIN, line1)))
+    apart = np.asarray(point_line_distance(line2, perpendicular_foot(_ORIGIN, line1)))
     twist = np.abs(CL031.regressive(line1, line2)[..., 0])
     return np.asarray(np.divide(twist, sine, out=apart, where=sine > rigid.COLLINEAR))
 
@@ -93,8 +93,8 @@ def common_normal(line1: Array, line2: Array) -> tuple[Array, Array, Array]:
     far = rigid.null_part(rigid.point(across))
     wall1, wall2 = join(line1, far), join(line2, far)
     skew = meet(wall1, wall2), meet(line1, wall2), meet(line2, wall1)
-    start = foot(_ORIGIN, line1)
-    end = foot(start, line2)
+    start = perpendicular_foot(_ORIGIN, line1)
+    end = perpendicular_foot(start, line2)
     parallel = _length(across) <= rigid.COLLINEAR
     normal, foot1, foot2 = (
         np.where(parallel, *pair) for pair in zip((join(start, end), start, end), skew, strict=True)
@@ -119,7 +119,7 @@ def line_plane_distance(line: Array, plane: Array) -> Array:
     l = ½ ⋆(πp − pπ), p the point of the line nearest to the origin. line: unit ℓ (..., 16); plane: unit π (..., 16);
     returns (...), m. Source: Cerbaro 2022, eq. 20.
     """
-    apart = rigid.point_plane_distance(plane, foot(_ORIGIN, line))
+    apart = rigid.point_plane_distance(plane, perpendicular_foot(_ORIGIN, line))
     return np.where(is_finite(meet(line, plane)), 0.0, apart)
 
 

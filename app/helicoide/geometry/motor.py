@@ -12,11 +12,11 @@ from helicoide.geometry.clifford import CL031, Array
 from helicoide.text import HelicoideError, Text
 
 # The axis of a rotation below this angle (rad) is lost in rounding: it counts as a translation.
-STRAIGHT = 1e-12
+SMALLEST_ROTATION = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Screw:
+class ScrewDisplacement:
     """A screw displacement (Chasles): rotation about an axis and translation along it; the fields broadcast.
 
     direction: unit (..., 3), in the right-hand sense of the rotation; point: of the axis, nearest to the origin
@@ -67,7 +67,7 @@ def log(M: Array) -> Array:
     return _motor(zero, stretch * x, zero, stretch * dual_x + advance * n)
 
 
-def normalized(M: Array) -> Array:
+def normalize_motor(M: Array) -> Array:
     """Normalised motor of an even multivector with rounding errors: M (1 − βI/2α)/√α, M M* = α + βI, I = e1e2e3e.
 
     M: (..., 16); returns (..., 16) with M M* = 1. Raises HelicoideError if M has odd blades or no rotation part.
@@ -108,23 +108,23 @@ def sclerp(M0: Array, M1: Array, s: ArrayLike) -> Array:
     return CL031.product(M0, exp(np.asarray(s, dtype=float)[..., None] * between))
 
 
-def screw_of(M: Array) -> Screw:
+def screw_from_motor(M: Array) -> ScrewDisplacement:
     """Screw of a motor (Chasles): log M = ½(α + εd)(n + ε r×n), so n = v/‖v‖, α = 2‖v‖, d = 2 n·u, r = v×u/‖v‖².
 
     M: unit motor (..., 16), M and −M give the same; returns fields of shape (..., 3) and (...). Rotations below
-    `STRAIGHT` count as translations. Source: Selig 2005, ch. 2 (Chasles); Cerbaro 2022, eq. 62.
+    `SMALLEST_ROTATION` count as translations. Source: Selig 2005, ch. 2 (Chasles); Cerbaro 2022, eq. 62.
     """
     v, u = rigid.direction_and_moment(log(M))
     half = _length(v)
-    turns = 2 * half > STRAIGHT
+    turns = 2 * half > SMALLEST_ROTATION
     direction = _along(np.where(turns, v, u))
     point = np.divide(np.cross(v, u), half**2, out=np.zeros_like(v), where=turns)
     angle = np.where(turns, np.minimum(2 * half, np.pi), 0.0)
-    return Screw(direction, point, angle[..., 0], 2 * _dot(direction, u)[..., 0])
+    return ScrewDisplacement(direction, point, angle[..., 0], 2 * _dot(direction, u)[..., 0])
 
 
-def motor_of(screw: Screw) -> Array:
-    """Motor of a screw, inverse of `screw_of`: (1 + ½ d n e) exp(αL/2), of shape (..., 16).
+def motor_from_screw(screw: ScrewDisplacement) -> Array:
+    """Motor of a screw, inverse of `screw_from_motor`: (1 + ½ d n e) exp(αL/2), of shape (..., 16).
 
     Source: Cerbaro 2022, eqs. 17, 96–98.
     """

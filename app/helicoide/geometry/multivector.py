@@ -9,7 +9,7 @@ from numpy import empty
 
 from helicoide.geometry import notation
 from helicoide.geometry.clifford import Algebra, Array
-from helicoide.geometry.products import Into
+from helicoide.geometry.products import WriteProduct
 from helicoide.text import HelicoideError, Text
 
 _new = object.__new__
@@ -52,7 +52,7 @@ class Multivector:
 
     def __getitem__(self, name: str) -> float:
         """Coefficient of a blade in either naming, as in m["e1e2"] or m["e12"]; m["e21"] is its negative."""
-        place, sign = self._algebra.read(name)
+        place, sign = self._algebra.parse_blade(name)
         return sign * float(self._own[place])
 
     def __add__(self, other: Multivector | float) -> Multivector:
@@ -81,12 +81,12 @@ class Multivector:
         if not isinstance(other, Multivector):
             return self._make(self._number(other) * self._own)
         if other._algebra is not algebra:
-            return self._into(algebra.product_of_own, other)
-        # `_into` written out, to save calls in the most used operation.
+            return self._combined(algebra.product_unchecked, other)
+        # `_combined` written out, to save calls in the most used operation.
         made = _new(Multivector)
         made._algebra = algebra
         made._own = out = empty(algebra.count)
-        algebra.product_of_own(self._own, other._own, out)
+        algebra.product_unchecked(self._own, other._own, out)
         return made
 
     def __rmul__(self, other: float) -> Multivector:
@@ -123,7 +123,7 @@ class Multivector:
 
     def __rshift__(self, other: Multivector | float) -> Multivector:
         """Sandwich M >> X = M X M* with the Clifford conjugate: X_a = M_a_b >> X_b."""
-        return self._into(self._algebra.sandwich_into, other)
+        return self._combined(self._algebra.sandwich_into, other)
 
     def __invert__(self) -> Multivector:
         """Reverse ~a."""
@@ -145,9 +145,9 @@ class Multivector:
         """Hodge star."""
         return self._make(self._algebra.hodge(self._own))
 
-    def undual(self) -> Multivector:
+    def inverse_dual(self) -> Multivector:
         """Inverse of the Hodge star."""
-        return self._make(self._algebra.unhodge(self._own))
+        return self._make(self._algebra.inverse_hodge(self._own))
 
     def norm(self) -> float:
         """Norm √|⟨a ã⟩₀|."""
@@ -159,7 +159,7 @@ class Multivector:
 
     def __str__(self) -> str:
         """Sum of the blades that are not zero after rounding, such as 0.866 + 0.5 e1e2."""
-        return notation.text(self._own, self._algebra)
+        return notation.multivector_text(self._own, self._algebra)
 
     def __repr__(self) -> str:
         """The sum, and the name of the algebra."""
@@ -171,7 +171,7 @@ class Multivector:
         made._own, made._algebra = values, self._algebra
         return made
 
-    def _into(self, of_two: Into, other: Multivector | float) -> Multivector:
+    def _combined(self, of_two: WriteProduct, other: Multivector | float) -> Multivector:
         """The multivector that a function of two operands writes."""
         made = _new(Multivector)
         made._algebra = self._algebra

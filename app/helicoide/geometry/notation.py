@@ -10,13 +10,13 @@ from latex2mathml.converter import convert
 
 from helicoide.geometry.clifford import Algebra, Array
 
-Naming = Literal["factors", "compact"]
+BladeNaming = Literal["factors", "compact"]
 """Names of blades: e1e2e as in the sources, or as in modern texts e12, with the null generator in front, e012."""
 
 DECIMALS = 3
 
 
-def text(values: Array, algebra: Algebra, naming: Naming = "factors") -> str:
+def multivector_text(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> str:
     """Sum of the blades that are not zero after rounding, such as 0.866 + 0.5 e1e2.
 
     values: (2ⁿ,). Compact names may change signs: −e1e is written e01, since moving e past e1 changes the sign.
@@ -24,23 +24,25 @@ def text(values: Array, algebra: Algebra, naming: Naming = "factors") -> str:
     return _sum(_terms(values, algebra, naming, " ", str))
 
 
-def latex(values: Array, algebra: Algebra, naming: Naming = "factors") -> str:
+def multivector_latex(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> str:
     r"""The same sum in LaTeX, such as 0.866 + 0.5\,e_{1}e_{2}. values: (2ⁿ,)."""
     return _sum(_terms(values, algebra, naming, r"\,", _indexed))
 
 
-def mathml(values: Array, algebra: Algebra, naming: Naming = "factors") -> str:
+def multivector_mathml(values: Array, algebra: Algebra, naming: BladeNaming = "factors") -> str:
     """The same sum as a MathML element. values: (2ⁿ,)."""
-    return convert(latex(values, algebra, naming))
+    return convert(multivector_latex(values, algebra, naming))
 
 
 def _indexed(name: str) -> str:
     return re.sub(r"e(\d+)", r"e_{\1}", name)
 
 
-def _terms(values: Array, algebra: Algebra, naming: Naming, times: str, written: Callable[[str], str]) -> Iterator[str]:
+def _terms(
+    values: Array, algebra: Algebra, naming: BladeNaming, times: str, written: Callable[[str], str]
+) -> Iterator[str]:
     for name in algebra.names if naming == "factors" else algebra.compact_names:
-        place, sign = algebra.read(name)
+        place, sign = algebra.parse_blade(name)
         coefficient = sign * round(float(values[place]), DECIMALS)
         number = f"{coefficient:.{DECIMALS}f}".rstrip("0").rstrip(".")
         if coefficient == 0:

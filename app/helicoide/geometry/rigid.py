@@ -131,7 +131,7 @@ def screw_motor(direction: ArrayLike, through: ArrayLike, angle: ArrayLike, pitc
     pitch: h (...), m/rad; returns (..., 16). Raises HelicoideError for a zero direction.
     The sign is that of the sources' lines; modern Cl(3,0,1) writes exp(−θL/2). Source: Cerbaro 2022, eqs. 17, 96–98.
     """
-    v = rotation.unit(direction)
+    v = rotation.unit_vector(direction)
     theta = np.asarray(angle, dtype=float)[..., None]
     turn = np.cos(theta / 2) * _SCALAR + np.sin(theta / 2) * line(v, through)
     return CL031.product(translator(np.asarray(pitch, dtype=float)[..., None] * theta * v), turn)
@@ -173,7 +173,7 @@ def canonical(M: Array) -> Array:
     If the scalar is zero, the first non-zero of e2e3, e3e1, e1e2 is positive. M: (..., 16).
     Source: Cerbaro 2022, eq. 98.
     """
-    return np.asarray(M * rotation.hemisphere(M @ _ROTOR.T))
+    return np.asarray(M * rotation.hemisphere_sign(M @ _ROTOR.T))
 
 
 def point_plane_distance(plane: Array, point: Array) -> Array:

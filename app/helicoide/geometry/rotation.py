@@ -40,7 +40,7 @@ def _length(v: Array) -> Array:
     return np.asarray(np.hypot.reduce(v, axis=-1, keepdims=True))
 
 
-def unit(v: ArrayLike) -> Array:
+def unit_vector(v: ArrayLike) -> Array:
     """Unit vectors v/‖v‖, shape (..., 3). Raises HelicoideError for a zero or infinite vector."""
     vector = np.asarray(v, dtype=float)
     length = _length(vector)
@@ -56,7 +56,7 @@ def unit(v: ArrayLike) -> Array:
     return np.asarray(vector / length)
 
 
-def hemisphere(q: Array) -> Array:
+def hemisphere_sign(q: Array) -> Array:
     """Sign ±1 that makes the first non-zero component of q positive, so that q and −q give the same quaternion.
 
     sgn(w), else sgn(x), sgn(y), sgn(z). q: (..., 4); returns ±1 of shape (..., 1).
@@ -72,7 +72,7 @@ def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Array:
     Source: Cerbaro 2022, eq. 88.
     """
     half = np.asarray(angle, dtype=float)[..., None] / 2
-    return np.asarray(np.cos(half) * np.eye(4)[0] + np.sin(half) * (unit(axis) @ _PURE))
+    return np.asarray(np.cos(half) * np.eye(4)[0] + np.sin(half) * (unit_vector(axis) @ _PURE))
 
 
 def skew(v: ArrayLike) -> Array:
@@ -116,15 +116,15 @@ def from_matrix(R: Array) -> Array:
     Source: Shepperd 1978.
     """
     if R.ndim == 2:
-        return np.array(_of_one(R.tolist()))
+        return np.array(_single_from_matrix(R.tolist()))
     outer = np.moveaxis(np.array(_four_q_q_transposed(np.moveaxis(R, (-2, -1), (0, 1)))), (0, 1), (-2, -1))
     largest = np.argmax(np.diagonal(outer, axis1=-2, axis2=-1), axis=-1)[..., None, None]
     row = np.take_along_axis(outer, largest, axis=-2)[..., 0, :]
     q = row / np.sqrt((row * row).sum(axis=-1, keepdims=True))
-    return np.asarray(q * hemisphere(q))
+    return np.asarray(q * hemisphere_sign(q))
 
 
-def _of_one(R: list[list[float]]) -> list[float]:
+def _single_from_matrix(R: list[list[float]]) -> list[float]:
     """The quaternion of one matrix, in Python floats, which are ten times as fast as arrays here."""
     outer = _four_q_q_transposed(R)
     row = outer[max(range(4), key=lambda i: outer[i][i])]
@@ -157,7 +157,7 @@ def rotation_vector(q: Array) -> Array:
 
     q: (..., 4), unit; returns (..., 3), rad. Exact at θ = 0 and π. Source: Cerbaro 2022, eq. 88, solved for θ n.
     """
-    q = q * hemisphere(q)
+    q = q * hemisphere_sign(q)
     length = _length(q[..., 1:])
     angle = 2 * np.arctan2(length, q[..., :1])
     return np.asarray(q[..., 1:] * np.divide(angle, length, out=np.full_like(angle, 2.0), where=length > 0))
@@ -176,9 +176,9 @@ def axis_angle(q: Array) -> tuple[Array, Array]:
 
     q: (..., 4), unit; returns (..., 3) and (...), rad. Source: Cerbaro 2022, eq. 88, solved for n and θ.
     """
-    q = q * hemisphere(q)
+    q = q * hemisphere_sign(q)
     length = _length(q[..., 1:])
-    axis = unit(np.where(length > 0, q[..., 1:], np.eye(3)[2]))
+    axis = unit_vector(np.where(length > 0, q[..., 1:], np.eye(3)[2]))
     return axis, np.asarray(2 * np.arctan2(length[..., 0], q[..., 0]))
 
 
@@ -216,7 +216,7 @@ def quaternion_error(q_target: Array, q: Array) -> Array:
     q_target, q: unit quaternions (..., 4) in one frame; returns (..., 3), in that (the base) frame.
     Source: Vargas 2013, eqs. 2.41–2.46; Cerbaro 2022, eqs. 91–92.
     """
-    return _short_vector_part(multiply(q_target, conjugate(q)))
+    return _shorter_vector_part(multiply(q_target, conjugate(q)))
 
 
 def quaternion_error_body(q_target: Array, q: Array) -> Array:
@@ -225,12 +225,12 @@ def quaternion_error_body(q_target: Array, q: Array) -> Array:
     It is Rᵀ times the error in the base frame. q_target, q: unit quaternions (..., 4) in one frame; returns (..., 3).
     Source: Coutinho 2015, eqs. 2.62–2.66, which uses the error in the base frame for a body velocity and so fails.
     """
-    return _short_vector_part(multiply(conjugate(q), q_target))
+    return _shorter_vector_part(multiply(conjugate(q), q_target))
 
 
-def _short_vector_part(q: Array) -> Array:
+def _shorter_vector_part(q: Array) -> Array:
     """sin(θ/2) n of a quaternion, with θ ≤ π."""
-    return np.asarray((q * hemisphere(q))[..., 1:])
+    return np.asarray((q * hemisphere_sign(q))[..., 1:])
 
 
 def roll_pitch_yaw_zyx(R: Array) -> Array:

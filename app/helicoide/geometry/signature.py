@@ -20,7 +20,7 @@ Blade = tuple[int, ...]
 MAX_GENERATORS = 6
 
 
-class Table(NamedTuple):
+class ProductTable(NamedTuple):
     """The structure constants of a product, arranged for the matrix of either operand.
 
     (a b)ₖ = Σⱼ left[k, j] a[partner[k, j]] b[j] = Σᵢ right[k, i] a[i] b[partner[k, i]].
@@ -28,10 +28,10 @@ class Table(NamedTuple):
 
     left: Array
     right: Array
-    partner: NDArray[np.intp]
+    partner_index: NDArray[np.intp]
 
-    whole: NDArray[np.intp]
-    """`left` and `partner` as one integer array (2, 2ⁿ, 2ⁿ): a kernel with fewer arguments is called faster."""
+    packed: NDArray[np.intp]
+    """`left` and `partner_index` as one integer array (2, 2ⁿ, 2ⁿ): a kernel with fewer arguments is called faster."""
 
 
 @dataclass(frozen=True)
@@ -92,11 +92,11 @@ class Signature:
     def compact_names(self) -> tuple[str, ...]:
         """The blades as modern texts write them, such as "e12"; a single null generator is 0 and comes first.
 
-        Moving it to the front changes the sign, so "e01" is −e1e: `read` gives the sign.
+        Moving it to the front changes the sign, so "e01" is −e1e: `parse_blade` gives the sign.
         """
         return tuple("e" + "".join(sorted(self._labels[g] for g in blade)) if blade else "1" for blade in self.blades)
 
-    def read(self, name: str) -> tuple[int, int]:
+    def parse_blade(self, name: str) -> tuple[int, int]:
         """Index and sign of a blade in either naming, generators in any order: "e31" gives the index of e1e3, and −1.
 
         Raises HelicoideError for a name that is not a blade of this algebra.
@@ -110,25 +110,25 @@ class Signature:
 
     def blade(self, name: str) -> Array:
         """The basis blade called `name`, as `read` understands it, shape (2ⁿ,)."""
-        place, sign = self.read(name)
+        place, sign = self.parse_blade(name)
         return np.asarray(np.eye(self.count)[place] * sign)
 
-    def factor(self, a: Blade, b: Blade) -> int:
+    def blade_factor(self, a: Blade, b: Blade) -> int:
         """Factor ±1 or 0 of the product of two blades: sign of the permutation times squares of shared generators."""
         return _parity(product(a, b)) * prod(self.squares[g] for g in set(a) & set(b))
 
     @cached_property
-    def partner(self) -> NDArray[np.intp]:
+    def product_index(self) -> NDArray[np.intp]:
         """Index, up to sign, of the product of blades i and j; also of the blade whose product with i is j."""
         sets = [frozenset(blade) for blade in self.blades]
         return np.array([[self._places[a ^ b] for b in sets] for a in sets])
 
-    def table(self, keeps: Callable[[set[int], set[int]], bool]) -> Table:
+    def table(self, keeps: Callable[[set[int], set[int]], bool]) -> ProductTable:
         """The table of the product that keeps the pairs of blades for which `keeps` is true and drops the others."""
-        factors = [[self.factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
+        factors = [[self.blade_factor(a, b) * keeps(set(a), set(b)) for b in self.blades] for a in self.blades]
         table, places = np.array(factors, dtype=float), np.arange(self.count)
-        left, right = table[self.partner, places], table[places, self.partner]
-        return Table(left, right, self.partner, np.array([left, self.partner], dtype=np.intp))
+        left, right = table[self.product_index, places], table[places, self.product_index]
+        return ProductTable(left, right, self.product_index, np.array([left, self.product_index], dtype=np.intp))
 
     @cached_property
     def _labels(self) -> tuple[str, ...]:

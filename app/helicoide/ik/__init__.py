@@ -85,7 +85,7 @@ class Problem:
     @cached_property
     def joint_units(self) -> Array:
         """What a rate without unit stands for in each joint, (n,): 1 rad, or ℓ where it slides."""
-        return frozen([self.length if joint.slides else 1.0 for joint in self.robot.variables])
+        return frozen([self.length if joint.is_prismatic else 1.0 for joint in self.robot.variables])
 
     @cached_property
     def plane_arrays(self) -> tuple[Array, Array, float]:
@@ -103,20 +103,20 @@ class Problem:
         return *self.robot.self_collision, *((i, j) for i in moving for j in behind)
 
     @cached_property
-    def weightless(self) -> Problem:
+    def without_acceleration_limits(self) -> Problem:
         """The same without limits of acceleration: where the arm comes to rest does not depend on them."""
         return replace(self, limits=Limits(self.limits.lower, self.limits.upper, self.limits.speed))
 
 
 @dataclass(frozen=True)
-class Held:
+class ActiveConstraint:
     """What holds a step back, and how hard: its multiplier, in the unit of the task's cost per m or rad."""
 
     multiplier: float = field(default=0.0, compare=False, kw_only=True)
 
 
 @dataclass(frozen=True)
-class Contact(Held):
+class Contact(ActiveConstraint):
     """A guarded point held at the critical distance by a plane; numbers as in the robot and its planes."""
 
     plane: int
@@ -124,7 +124,7 @@ class Contact(Held):
 
 
 @dataclass(frozen=True)
-class ObstacleContact(Held):
+class ObstacleContact(ActiveConstraint):
     """A body of the arm held by an obstacle; numbers as in `Robot.bodies` and the obstacles."""
 
     obstacle: int
@@ -132,7 +132,7 @@ class ObstacleContact(Held):
 
 
 @dataclass(frozen=True)
-class SelfContact(Held):
+class SelfContact(ActiveConstraint):
     """A body of the arm held by another; numbers as in `Robot.bodies`."""
 
     first: int
@@ -140,38 +140,38 @@ class SelfContact(Held):
 
 
 @dataclass(frozen=True)
-class AtLimit(Held):
+class AtLimit(ActiveConstraint):
     """A joint held by its position limit."""
 
     joint: int
 
 
 @dataclass(frozen=True)
-class AtSpeed(Held):
+class AtSpeed(ActiveConstraint):
     """A joint that cannot move faster."""
 
     joint: int
 
 
 @dataclass(frozen=True)
-class AtAcceleration(Held):
+class AtAcceleration(ActiveConstraint):
     """A joint that cannot become faster or slower sooner, or must slow down to stop before its limit."""
 
     joint: int
 
 
 @dataclass(frozen=True)
-class RcmHeld(Held):
+class AtEntryPoint(ActiveConstraint):
     """The instrument held by its entry point."""
 
 
-Reason = Contact | ObstacleContact | SelfContact | AtLimit | RcmHeld | AtSpeed | AtAcceleration
+Reason = Contact | ObstacleContact | SelfContact | AtLimit | AtEntryPoint | AtSpeed | AtAcceleration
 
 
 def reason_of(problem: Problem, row: int, multiplier: float = 0.0) -> Reason:
     """What a slot of `Work.held` stands for: 2 n limits, then those of `collision.clearances`."""
     n, k = len(problem.limits.lower), len(problem.planes.normals)
-    points, bodies = k * len(problem.robot.guarded_points), len(problem.robot.bodies)
+    points, bodies = k * len(problem.robot.monitored_points), len(problem.robot.bodies)
     joint, row = row % n, row - 2 * n
     if row < 0:
         return AtLimit(joint, multiplier=multiplier)
@@ -185,11 +185,11 @@ def reason_of(problem: Problem, row: int, multiplier: float = 0.0) -> Reason:
         return ObstacleContact(b - bodies, a, multiplier=multiplier)
     row -= len(problem.pairs)
     if row == 4 * n:
-        return RcmHeld(multiplier=multiplier)
+        return AtEntryPoint(multiplier=multiplier)
     return (AtSpeed if row < 2 * n else AtAcceleration)(row % n, multiplier=multiplier)
 
 
-_ORDER = (Contact, ObstacleContact, SelfContact, AtLimit, RcmHeld, AtSpeed, AtAcceleration)
+_ORDER = (Contact, ObstacleContact, SelfContact, AtLimit, AtEntryPoint, AtSpeed, AtAcceleration)
 
 
 def reasons(problem: Problem, q: Array, multipliers: Array, pull: float) -> tuple[Reason, ...]:

@@ -23,11 +23,11 @@ from typing import Any
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.confinement import Planes, Zones, distances
+from helicoide.confinement import Planes, Zones, signed_distances
 from helicoide.ik import Problem
-from helicoide.ik.clik import Aiming
+from helicoide.ik.clik import TaskFunction
 from helicoide.ik.converge import CAP_PER_POINT, INNER, Report, Run, Tolerance, converged
-from helicoide.kinematics.forward import carried_points, link_poses
+from helicoide.kinematics.forward import link_poses, points_in_world
 
 CAP = 60
 MARGIN = 1.1
@@ -93,10 +93,10 @@ def held_back(target: Array, former: Array, normal: Array) -> Array:
 
 def nearest(problem: Problem, q: Array) -> Array:
     """Distance of the nearest moving point of the arm to each plane, (k,), m. Source: Cerbaro 2022, eq. 20."""
-    robot, moving = problem.robot, problem.robot.guarded_joints > 0
+    robot, moving = problem.robot, problem.robot.monitored_links > 0
     poses = link_poses(robot.chain, q)
-    points = carried_points(poses, robot.guarded_points[moving], robot.guarded_joints[moving])
-    return np.asarray(distances(problem.planes.normals, frozen(problem.planes.offsets), points).min(axis=0))
+    points = points_in_world(poses, robot.monitored_points[moving], robot.monitored_links[moving])
+    return np.asarray(signed_distances(problem.planes.normals, frozen(problem.planes.offsets), points).min(axis=0))
 
 
 def given_way(target: Array, former: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule) -> Array:
@@ -138,7 +138,7 @@ class Track:
 def adapted(
     problem: Problem,
     run: Run,
-    aimed: Callable[[Array], Aiming],
+    aimed: Callable[[Array], TaskFunction],
     points: Array,
     q: Array,
     rule: Rule = NONE,

@@ -17,7 +17,7 @@ from helicoide.ik.method import OneOf, Quantity
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.text import Text, same
+from helicoide.text import Text, untranslated
 
 # Settings of the objectives that watch points.
 WATCHED = OneOf(
@@ -53,7 +53,7 @@ class ArmPoints:
         chain, corners = problem.robot.chain, self._corners(poses)
         axes = jacobian.joint_axes(poses, chain)
         moving = zip(corners, self.links, strict=True)
-        rows = np.array([jacobian.geometric(poses, chain, axes, c, i)[:3] for c, i in moving])
+        rows = np.array([jacobian.geometric_jacobian(poses, chain, axes, c, i)[:3] for c, i in moving])
         J = (self.weights @ rows.reshape(len(rows), -1)).reshape(-1, *rows.shape[1:])
         return self.weights @ corners / problem.length, J * problem.joint_units / problem.length
 
@@ -69,8 +69,8 @@ def tool(robot: Robot) -> ArmPoints:
 
 def guarded(robot: Robot) -> ArmPoints:
     """The guarded points of the robot."""
-    links = tuple(robot.guarded_joints.tolist())
-    return ArmPoints(robot.guarded_points, links, np.eye(len(links)))
+    links = tuple(robot.monitored_links.tolist())
+    return ArmPoints(robot.monitored_points, links, np.eye(len(links)))
 
 
 def _line(robot: Robot) -> ArmPoints:
@@ -79,7 +79,7 @@ def _line(robot: Robot) -> ArmPoints:
     for i, joint in enumerate(robot.joints):
         corners.append(robot.chain[i]["offset"])
         links.append(i)
-        if joint.slides:
+        if joint.is_prismatic:
             corners.append(np.zeros(3))
             links.append(i + 1)
     corners.append(robot.T_link_tool[:3, 3])
@@ -102,7 +102,7 @@ def along_links(robot: Robot, per_link: int) -> ArmPoints:
 
 def coordinate(axis: str) -> Quantity:
     """A setting that is a coordinate of a point in the base frame."""
-    return Quantity(same(axis), -1.5, 1.5, "mm", lengths=1)
+    return Quantity(untranslated(axis), -1.5, 1.5, "mm", lengths=1)
 
 
 @lru_cache(maxsize=64)

@@ -20,25 +20,25 @@ from helicoide.ik.method import Method, Solution, Task
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.manipulability import analyse_jacobian
 
 OrientationError = Literal["rotation vector", "quaternion"]
 STILL = frozen(np.zeros(6))
 
 
 @dataclass(frozen=True, eq=False)
-class Aim:
+class TaskError:
     """What is wished at one posture and instant, without lengths (see `method.Task`).
 
-    J (r, n); error: e (r,); ahead: velocity ẋ_d of what is aimed at, (r,), 1/s.
+    J (r, n); error: e (r,); feedforward: velocity ẋ_d of what is aimed at, (r,), 1/s.
     """
 
     J: Array
     error: Array
-    ahead: Array
+    feedforward: Array
 
 
-Aiming = Callable[[Array, float], Aim]
+TaskFunction = Callable[[Array, float], TaskError]
 
 
 def quaternion_error(R_target: Array, R_tool: Array) -> Array:
@@ -51,14 +51,14 @@ def quaternion_error(R_target: Array, R_tool: Array) -> Array:
     return np.asarray(vector * (sin(half) / (2 * half) if half > 0 else 0.5))
 
 
-def tool_aim(
+def tool_task_error(
     problem: Problem,
     poses: Array,
     T_world_target: Array,
     with_orientation: bool,
     ahead: Array = STILL,
     measure: OrientationError = "rotation vector",
-) -> Aim:
+) -> TaskError:
     """Bring the tool to a pose: rows position over ℓ, then orientation where it counts.
 
     Args: poses (m + 1, 4, 4) of `forward.link_poses`; T_world_target (4, 4), m; ahead: (v, ω) of the target, (6,),
@@ -66,7 +66,7 @@ def tool_aim(
     """
     chain, length = problem.robot.chain, problem.length
     T = poses[-1] @ problem.robot.T_link_tool
-    J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), T[:3, 3].copy(), len(chain))
+    J = jacobian.geometric_jacobian(poses, chain, jacobian.joint_axes(poses, chain), T[:3, 3].copy(), len(chain))
     J *= problem.joint_units
     J[:3] /= length
     rows = 6 if with_orientation else 3
@@ -77,20 +77,20 @@ def tool_aim(
         error[3:] = turned(T_world_target[:3, :3].copy(), T[:3, :3].copy())
     rate = ahead[:rows].copy()
     rate[:3] /= length
-    return Aim(J[:rows], error, rate)
+    return TaskError(J[:rows], error, rate)
 
 
-def to_pose(problem: Problem, T_world_target: Array, with_orientation: bool = True) -> Aiming:
+def to_pose(problem: Problem, T_world_target: Array, with_orientation: bool = True) -> TaskFunction:
     """Aim at a pose that stands still, (4, 4), m."""
-    return lambda q, t: tool_aim(problem, link_poses(problem.robot.chain, q), T_world_target, with_orientation)
+    return lambda q, t: tool_task_error(problem, link_poses(problem.robot.chain, q), T_world_target, with_orientation)
 
 
-def asked(aim: Aim, gains: Array | float, q: Array, dt: float) -> Task:
+def task_from(aim: TaskError, gains: Array | float, q: Array, dt: float) -> Task:
     """The task of an aim: ν = ẋ_d + Λ e. Args: gains: Λ, 1/s, one for all rows or (r,)."""
-    return Task(q, aim.J, aim.ahead + gains * aim.error, dt)
+    return Task(q, aim.J, aim.feedforward + gains * aim.error, dt)
 
 
-def answered(
+def solve_with_null_space(
     problem: Problem, method: Method, task: Task, memory: Any, options: Any, push: Array | None = None
 ) -> tuple[Solution, Any]:
     """The method's answer with a joint motion q̇₀ (n,) added that the task does not feel: q̇ + (I − J† J) q̇₀.
@@ -100,31 +100,31 @@ def answered(
     solution, memory = method.step(problem, task, memory, options)
     if push is None:
         return solution, memory
-    return replace(solution, rates=solution.rates + analysed(task.J).null_projector @ push), memory
+    return replace(solution, rates=solution.rates + analyse_jacobian(task.J).null_projector @ push), memory
 
 
 @dataclass(frozen=True, eq=False)
-class Moment:
+class LoopStep:
     """One step of a run: time, s; q (n,) before it; what was aimed at; what was answered; the memory after it."""
 
     t: float
     q: Array
-    aim: Aim
+    task_error: TaskError
     solution: Solution
     memory: Any
 
 
-def followed(
+def closed_loop(
     problem: Problem,
     method: Method,
     options: Any,
-    aiming: Aiming,
+    aiming: TaskFunction,
     gains: Array | float,
     q: Array,
     dt: float,
     push: Callable[[Array, float], Array] | None = None,
     memory: Any = None,
-) -> Iterator[Moment]:
+) -> Iterator[LoopStep]:
     """The closed loop from q (n,), without any guard, step after step and without end; explicit Euler in q.
 
     push: q̇₀ at q and t, (n,); memory: of the method, where it is not to begin with its own.
@@ -132,10 +132,10 @@ def followed(
     t = 0.0
     while True:
         aim = aiming(q, t)
-        task = asked(aim, gains, q, dt)
+        task = task_from(aim, gains, q, dt)
         if memory is None:
             memory = method.start(task, options)
-        solution, memory = answered(problem, method, task, memory, options, push and push(q, t))
-        yield Moment(t, q, aim, solution, memory)
+        solution, memory = solve_with_null_space(problem, method, task, memory, options, push and push(q, t))
+        yield LoopStep(t, q, aim, solution, memory)
         q = q + problem.joint_units * solution.rates * dt
         t += dt

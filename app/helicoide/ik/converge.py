@@ -18,7 +18,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import Aim, Aiming, Moment, followed
+from helicoide.ik.clik import LoopStep, TaskError, TaskFunction, closed_loop
 from helicoide.ik.method import Method
 from helicoide.text import Text
 
@@ -29,7 +29,7 @@ PAUSES, AT_REST = 5, 1e-9
 UNFELT = 1e-6
 
 # A closed loop that is still to be told what to aim at, where to start, and what it remembers: `by_method` makes one.
-Run = Callable[[Aiming, Array, Any], Iterator[Moment]]
+Run = Callable[[TaskFunction, Array, Any], Iterator[LoopStep]]
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Tolerance:
 INNER = Tolerance(position=0.010, orientation=inf)
 
 
-class Outcome(Enum):
+class Convergence(Enum):
     """How an iteration ended, in words."""
 
     CONVERGED = Text(
@@ -82,7 +82,7 @@ class Report:
 
     q: Array
     errors: Array
-    outcome: Outcome
+    outcome: Convergence
     memory: Any = None
 
     @property
@@ -93,7 +93,7 @@ class Report:
     @property
     def reached(self) -> bool:
         """Whether the error came within the tolerance."""
-        return self.outcome is Outcome.CONVERGED
+        return self.outcome is Convergence.CONVERGED
 
     @property
     def words(self) -> Text:
@@ -102,7 +102,7 @@ class Report:
         return self.outcome.value.format(n=self.iterations, mm=1000 * position, rad=orientation)
 
 
-def by_method(
+def loop_of(
     problem: Problem,
     method: Method,
     options: Any,
@@ -114,20 +114,20 @@ def by_method(
 
     dt, s: how long an iteration lasts, for q̇₀ and for methods that count time.
     """
-    return lambda aiming, q, memory: followed(problem, method, options, aiming, factor / dt, q, dt, push, memory)
+    return lambda aiming, q, memory: closed_loop(problem, method, options, aiming, factor / dt, q, dt, push, memory)
 
 
-def still(aiming: Aiming, t: float) -> Aiming:
+def frozen_reference(aiming: TaskFunction, t: float) -> TaskFunction:
     """The same aim as it is at one instant, s, without its velocity; objectives are added to it afterwards."""
 
-    def aim(q: Array, _: float) -> Aim:
+    def aim(q: Array, _: float) -> TaskError:
         now = aiming(q, t)
-        return replace(now, ahead=np.zeros(len(now.ahead)))
+        return replace(now, feedforward=np.zeros(len(now.feedforward)))
 
     return aim
 
 
-def missed(problem: Problem, aim: Aim) -> tuple[float, float]:
+def error_norms(problem: Problem, aim: TaskError) -> tuple[float, float]:
     """‖e_p‖, m, and ‖e_o‖, rad, of an aim whose first three rows are the position."""
     return problem.length * float(np.linalg.norm(aim.error[:3])), float(np.linalg.norm(aim.error[3:]))
 
@@ -135,7 +135,7 @@ def missed(problem: Problem, aim: Aim) -> tuple[float, float]:
 def converged(
     problem: Problem,
     run: Run,
-    aiming: Aiming,
+    aiming: TaskFunction,
     q: Array,
     tolerance: Tolerance = Tolerance(),
     cap: int = CAP,
@@ -147,28 +147,30 @@ def converged(
     aiming: at what stands still, see `still`; least: steps that are taken in any case.
     """
     errors: list[tuple[float, float]] = []
-    outcome, pauses, coming = Outcome.CAPPED, 0, memory
+    outcome, pauses, coming = Convergence.CAPPED, 0, memory
     for moment in islice(run(aiming, q, memory), cap + 1):
         pauses = pauses + 1 if errors and np.abs(moment.q - q).max() < AT_REST else 0
         q, memory, coming = moment.q, coming, moment.memory
-        errors.append(missed(problem, moment.aim))
+        errors.append(error_norms(problem, moment.task_error))
         if len(errors) > least and tolerance.holds(*errors[-1]):
-            outcome = Outcome.CONVERGED
+            outcome = Convergence.CONVERGED
             break
         if pauses == PAUSES:
-            outcome = _at_rest(moment.aim)
+            outcome = _at_rest(moment.task_error)
             break
     return Report(q, np.array(errors), outcome, memory)
 
 
-def _at_rest(aim: Aim) -> Outcome:
+def _at_rest(aim: TaskError) -> Convergence:
     """Why the arm stands still: because Jᵀ e = 0, or because of the method."""
     felt = np.linalg.norm(aim.J.T @ aim.error)
-    return Outcome.UNFELT if felt <= UNFELT * np.linalg.norm(aim.J) * np.linalg.norm(aim.error) else Outcome.HELD
+    return (
+        Convergence.UNFELT if felt <= UNFELT * np.linalg.norm(aim.J) * np.linalg.norm(aim.error) else Convergence.HELD
+    )
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class PathReport:
     """How a sampled path went: a report for each of its points."""
 
     reports: tuple[Report, ...]
@@ -179,15 +181,15 @@ class Path:
         return {i: float(report.errors[-1, 0]) for i, report in enumerate(self.reports) if not report.reached}
 
 
-def along(
+def converge_along(
     problem: Problem,
     run: Run,
-    aims: Iterable[Aiming],
+    aims: Iterable[TaskFunction],
     q: Array,
     tolerance: Tolerance = INNER,
     cap: int = CAP_PER_POINT,
     memory: Any = None,
-) -> Path:
+) -> PathReport:
     """One point of a path after another from q (n,), each step by step until the tool is within the tolerance.
 
     Every point gets a step at least. One that is not met after `cap` steps is left, and the next is tried from there.
@@ -198,4 +200,4 @@ def along(
         report = converged(problem, run, aiming, q, tolerance, cap, 1, memory)
         q, memory = report.q, report.memory
         reports.append(report)
-    return Path(tuple(reports))
+    return PathReport(tuple(reports))

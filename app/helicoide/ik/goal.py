@@ -28,15 +28,15 @@ class Goal:
     """Where a wish leads.
 
     q (n,), rad, and T_world_tool (4, 4), m, there; whether the tool comes to the nearest point that the planes leave to
-    it; what is missing between the tool and the wish: `short`, m, and `turned`, rad; and why, when something is.
+    it; what is missing between the tool and the wish: `position_error`, m, and `orientation_error`, rad; and why, when something is.
     """
 
     q: Array
     poses: Array
     T_world_tool: Array
     reached: bool
-    short: float
-    turned: float
+    position_error: float
+    orientation_error: float
     reasons: tuple[Reason, ...]
 
 
@@ -59,8 +59,8 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
         poses=poses,
         T_world_tool=T,
         reached=dist(allowed(packed(problem), wished), T[:3, 3]) < REACHED,
-        short=short,
-        turned=turned,
+        position_error=short,
+        orientation_error=turned,
         reasons=tuple(
             reason
             for reason in reasons(problem, q, multipliers, tick * pull)
@@ -76,7 +76,7 @@ def goal_at_pose(
 
     ticks: length in s and number of the steps that are looked ahead.
     """
-    arm = packed(problem.weightless, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
+    arm = packed(problem.without_acceleration_limits, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
     return _rest(problem, arm, q, T_world_target, (False, q, EVERY), ticks)
 
 
@@ -84,7 +84,7 @@ def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = 
     """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
     robot = problem.robot
     wished = tool_pose(problem, link_poses(robot.chain, q_target))
-    return _rest(problem, packed(problem.weightless), q, wished, (True, q_target, yielding), _AHEAD)
+    return _rest(problem, packed(problem.without_acceleration_limits), q, wished, (True, q_target, yielding), _AHEAD)
 
 
 def _rest(
@@ -118,8 +118,8 @@ def _better(goal: Goal, than: Goal, with_orientation: bool) -> bool:
     if goal.reached != than.reached:
         return goal.reached
     if not goal.reached:
-        return goal.short < than.short - NEARER
-    return with_orientation and goal.turned < than.turned - TURNED
+        return goal.position_error < than.position_error - NEARER
+    return with_orientation and goal.orientation_error < than.orientation_error - TURNED
 
 
 def another_posture(
@@ -128,10 +128,10 @@ def another_posture(
     """The goal of another posture that is better than the one found from q, if the guarded arm can move there."""
     best = found
     for start in _starts(problem, q):
-        if best.reached and (best.turned < TURNED or not with_orientation):
+        if best.reached and (best.orientation_error < TURNED or not with_orientation):
             break
         goal = goal_at_pose(problem, start, T_world_target, with_orientation, _COARSE)
-        if _better(goal, best, with_orientation) and goal_at_joints(problem, q, goal.q).short < REACHED:
+        if _better(goal, best, with_orientation) and goal_at_joints(problem, q, goal.q).position_error < REACHED:
             best = goal
     return None if best is found else goal_at_pose(problem, best.q, T_world_target, with_orientation)
 

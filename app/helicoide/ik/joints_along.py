@@ -52,7 +52,7 @@ def _brought(robot: Robot, q: Array, T_world_target: Array) -> Array | None:
     for _ in range(STEPS):
         poses = link_poses(chain, frozen(q))
         T = poses[-1] @ robot.T_link_tool
-        J = jacobian.geometric(poses, chain, jacobian.joint_axes(poses, chain), T[:3, 3].copy(), len(chain))
+        J = jacobian.geometric_jacobian(poses, chain, jacobian.joint_axes(poses, chain), T[:3, 3].copy(), len(chain))
         missed, turned = T_world_target[:3, 3] - T[:3, 3], rotation_vector(R_target, frozen(T[:3, :3]))
         to_point = _inverse(J[:3], FAINT * robot.reach)
         first = to_point @ missed

@@ -13,7 +13,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import Aiming, Moment, answered, asked
+from helicoide.ik.clik import LoopStep, TaskFunction, solve_with_null_space, task_from
 from helicoide.ik.method import Method
 from helicoide.ik.secondary import Chosen, Others, nobody, push
 
@@ -31,26 +31,26 @@ def clipped(q: Array, lower: Array, upper: Array, gains: Array, growth: float = 
 
 
 @dataclass(frozen=True, eq=False)
-class Memory:
+class LimitGainMemory:
     """What a run remembers: k₀ (n,), 1/s, and what its method does."""
 
     gains: Array
     method: Any = None
 
 
-def followed(
+def loop_with_limit_gains(
     problem: Problem,
     method: Method,
     options: Any,
-    aiming: Aiming,
+    aiming: TaskFunction,
     gains: Array | float,
     chosen: Chosen,
-    memory: Memory,
+    memory: LimitGainMemory,
     q: Array,
     dt: float,
     others: Others = nobody,
     growth: float = GROWTH,
-) -> Iterator[Moment]:
+) -> Iterator[LoopStep]:
     """`clik.followed` with the objectives in the null space and Algorithm 1 after each step: q̇₀ = −diag(k₀) ∂f/∂q.
 
     memory: what to begin with, and in each moment what there is after it; chosen and others as in `secondary.push`;
@@ -59,13 +59,13 @@ def followed(
     t, k0, of_method = 0.0, memory.gains, memory.method
     while True:
         aim = aiming(q, t)
-        task = asked(aim, gains, q, dt)
+        task = task_from(aim, gains, q, dt)
         if of_method is None:
             of_method = method.start(task, options)
         pushed = push(problem, chosen, k0, others)(q, t)
-        solution, of_method = answered(problem, method, task, of_method, options, pushed)
+        solution, of_method = solve_with_null_space(problem, method, task, of_method, options, pushed)
         moved = q + problem.joint_units * solution.rates * dt
         moved, k0 = clipped(moved, problem.limits.lower, problem.limits.upper, k0, growth)
-        yield Moment(t, q, aim, solution, Memory(k0, of_method))
+        yield LoopStep(t, q, aim, solution, LimitGainMemory(k0, of_method))
         q = moved
         t += dt

@@ -14,7 +14,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.filtered_inverse import Parts, Update, parts
-from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.manipulability import analyse_jacobian
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "com
     """
     right, left = parts(update)
     r, n = J.shape
-    axes = analysed(J)
+    axes = analyse_jacobian(J)
     p = axes.sigma.size
     rows, columns = np.zeros(n), np.zeros(r)
     rows[:p] = columns[:p] = axes.sigma

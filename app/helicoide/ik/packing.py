@@ -11,7 +11,7 @@ from helicoide.ik import Problem
 from helicoide.ik.guard.packed import packed_rows
 from helicoide.ik.guard.rows import DAMPER_GAIN
 from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
-from helicoide.kinematics import tool
+from helicoide.kinematics import tool_kernels
 
 
 @lru_cache(maxsize=64)
@@ -28,9 +28,9 @@ def packed(
     velocity dampers, 1/s; position_first: the orientation in what the position leaves free.
     """
     robot, entry, limits, planes = problem.robot, problem.entry, problem.limits, problem.planes
-    *joints, end = tool.packed(robot)
+    *joints, end = tool_kernels.arm_array(robot)
     points, pairs = _points(problem), _pairs(problem)
-    counts = len(joints), len(limits.lower), len(points), len(robot.guarded_points), len(planes.normals), len(pairs)
+    counts = len(joints), len(limits.lower), len(points), len(robot.monitored_points), len(planes.normals), len(pairs)
     numbers = problem.zones.critical, gain, robot.reach, damping, turn, position_first
     instrument = [*entry.shaft.ravel(), *entry.point] if entry is not None else []
     return packed_rows(
@@ -48,7 +48,7 @@ def packed(
 def _points(problem: Problem) -> Array:
     """The guarded points; where there are pairs the ends of all bodies behind them, an obstacle's on link 0: (p, 4)."""
     robot, obstacles = problem.robot, problem.obstacles
-    places, links = [*robot.guarded_points], [*robot.guarded_joints]
+    places, links = [*robot.monitored_points], [*robot.monitored_links]
     if problem.pairs:
         for body in robot.bodies:
             places.extend(body.ends)
@@ -60,12 +60,12 @@ def _points(problem: Problem) -> Array:
 
 def _pairs(problem: Problem) -> Array:
     """The four points of each pair, and how far apart the axes of its bodies stay, m: (b, 5)."""
-    first = len(problem.robot.guarded_points)
+    first = len(problem.robot.monitored_points)
     radii = [*(body.radius for body in problem.robot.bodies), *problem.obstacles.radii]
     rows = [
         (*(first + 2 * body + end for body in pair for end in (0, 1)), sum(radii[body] for body in pair))
         for pair in problem.pairs
     ]
     pairs = np.reshape(np.array(rows, dtype=np.float64), (-1, 5))
-    pairs[:, 4] += problem.zones.between
+    pairs[:, 4] += problem.zones.body_clearance
     return pairs

@@ -14,7 +14,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import Aim, Aiming
+from helicoide.ik.clik import TaskError, TaskFunction
 from helicoide.ik.objective import NOBODY, Cost, Objective, Posture, posture
 from helicoide.text import HelicoideError, Text
 
@@ -44,7 +44,7 @@ def push(
     return lambda q, t: -gains * total(problem, chosen, posture(problem, q, others(t))).gradient
 
 
-def augmented(problem: Problem, chosen: Chosen, aiming: Aiming, others: Others = nobody) -> Aiming:
+def augmented(problem: Problem, chosen: Chosen, aiming: TaskFunction, others: Others = nobody) -> TaskFunction:
     """The aim with one row more, which asks for ḟ = −f: J₊ = [J; ∂f/∂q], ν₊ = [ẋ_d + Λ e; −f].
 
     The gain on f is one whatever Λ is: −f stands with the velocities and the row has no error; priority is set by the
@@ -55,9 +55,11 @@ def augmented(problem: Problem, chosen: Chosen, aiming: Aiming, others: Others =
         if not objective.AUGMENTS:
             raise HelicoideError(_NOT_A_ROW.format(title=objective.TITLE))
 
-    def with_row(q: Array, t: float) -> Aim:
+    def with_row(q: Array, t: float) -> TaskError:
         aim, cost = aiming(q, t), total(problem, chosen, posture(problem, q, others(t)))
-        return Aim(np.vstack([aim.J, cost.gradient]), np.append(aim.error, 0.0), np.append(aim.ahead, -cost.value))
+        return TaskError(
+            np.vstack([aim.J, cost.gradient]), np.append(aim.error, 0.0), np.append(aim.feedforward, -cost.value)
+        )
 
     return with_row
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.guarded import arrive, tick
+from helicoide.ik.guard.guarded import guarded_tick, update_poses
 from helicoide.ik.guard.levels import tick_in_levels
-from helicoide.ik.guard.packed import CARRIER, ORIENTATION, POSITION_FIRST, SETTING, At, parts, stand
+from helicoide.ik.guard.packed import CARRIER, ORIENTATION, POSITION_FIRST, SETTING, At, array_parts, place_links
 from helicoide.ik.guard.rows import Indices, Task
-from helicoide.ik.guard.work import DAMPING, JACOBIAN, SHARE, Room, opened
+from helicoide.ik.guard.work import DAMPING, JACOBIAN, SHARE, StepBuffers, opened
 from helicoide.ik.task import pose_task
 from helicoide.kernels import kernel, kernel_into
 
@@ -27,21 +27,21 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
     point, (3,), m/s, `STILL` for none; dt, s; memory of `work.work_for`, with the joint rates of the step before, and
     then all that came of this one. Returns the share of the step that was taken. Shapes are not checked.
     """
-    at = parts(arm)
+    at = array_parts(arm)
     room = opened(memory, at)
-    arrive(arm, at, q, room)
+    update_poses(arm, at, q, room)
     table, law = room.table, room.task
     task = (table[JACOBIAN : JACOBIAN + 6], law[0], law[1], table[DAMPING])
     pose_task(arm, at, room.frames[0], room.spots[: at.m], T_world_target, ahead, dt, task)
     if arm[SETTING, CARRIER] > 0.0 or (arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0):
         step_in_levels(arm, at, q, task, dt, room)
     else:
-        tick(arm, at, q, task, dt, room)
+        guarded_tick(arm, at, q, task, dt, room)
     return float(memory[SHARE])
 
 
 @kernel
-def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, room: Room) -> None:
+def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, room: StepBuffers) -> None:
     """The tick of an arm with an instrument in an entry point, or whose orientation is a level of its own."""
     split = arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0
     begins = np.empty(1 if split else 0, dtype=np.int64)
@@ -53,9 +53,9 @@ def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, room: Ro
 @kernel
 def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float) -> Task:
     """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m²; arguments as there."""
-    at = parts(arm)
+    at = array_parts(arm)
     poses, axes = np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4))
-    stand(arm, at.m, q, poses, axes)
+    place_links(arm, at.m, q, poses, axes)
     task = (np.empty((6, at.n)), np.empty(6), np.empty(6), np.empty(at.n))
     pose_task(arm, at, poses, axes, T_world_target, ahead, dt, task)
     return task
@@ -70,12 +70,12 @@ def step_task(
     Args: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which another level begins, none where all
     rows are one level; the others, and what is returned, as in `step`.
     """
-    at = parts(arm)
+    at = array_parts(arm)
     room = opened(memory, at)
-    arrive(arm, at, q, room)
+    update_poses(arm, at, q, room)
     task = (J, v, weights, damping)
     if arm[SETTING, CARRIER] > 0.0 or begins.shape[0] > 0:
         tick_in_levels(arm, at, q, task, begins, dt, room)
     else:
-        tick(arm, at, q, task, dt, room)
+        guarded_tick(arm, at, q, task, dt, room)
     return float(memory[SHARE])

@@ -10,12 +10,12 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.packed import CRITICAL, FIRST, OFFSET, ORIENTATION, REACH, SETTING, TOOL, At, parts
+from helicoide.ik.guard.packed import CRITICAL, FIRST, OFFSET, ORIENTATION, REACH, SETTING, TOOL, At, array_parts
 from helicoide.ik.guard.packed import DAMPING as LEAST_DAMPING
 from helicoide.ik.guard.qp import SOLVED, project
-from helicoide.ik.guard.rows import Task, Vector, moved
+from helicoide.ik.guard.rows import Task, Vector, point_displacement
 from helicoide.kernels import kernel, kernel_into
-from helicoide.kinematics.tool import DRIVER, TURN, Row, ending, rows_of, turn_to
+from helicoide.kinematics.tool_kernels import ANGLE_RATIO, DRIVER, Row, rotation_to, tool_row, tool_rows
 
 GAIN = 12.5
 TOOL_SPEED = 0.6
@@ -33,7 +33,7 @@ def rotation_vector(R_to: Array, R_from: Array) -> Array:
     Args: rotations (3, 3), or poses, both in the world frame. Written out in `tool.turn_to`.
     """
     vector = np.empty(3)
-    vector[0], vector[1], vector[2] = turn_to(R_to, row_of(R_from, 0), row_of(R_from, 1), row_of(R_from, 2))
+    vector[0], vector[1], vector[2] = rotation_to(R_to, row_of(R_from, 0), row_of(R_from, 1), row_of(R_from, 2))
     return vector
 
 
@@ -77,8 +77,8 @@ def pose_task(
     What pulls into a plane is taken up by the plane; only the pull towards the point that the planes allow damps.
     """
     J, v, weights, damping = task
-    T, last = rows_of(arm[TOOL]), poses[at.m]
-    x, y, z = placed(last, 0, T), placed(last, 1, T), placed(last, 2, T)
+    T, last = tool_rows(arm[TOOL]), poses[at.m]
+    x, y, z = rotated_row(last, 0, T), rotated_row(last, 1, T), rotated_row(last, 2, T)
     jacobian_into(arm, at, poses, axes, x[3], y[3], z[3], J)
     reach, turning, share = arm[SETTING, REACH], arm[SETTING, ORIENTATION], 1.0 - np.exp(-GAIN * dt)
     fastest = TOOL_SPEED * reach * dt
@@ -89,7 +89,7 @@ def pose_task(
         ahead[2] * dt + share * (there[2] - z[3]),
         fastest,
     )
-    angle = turn_to(T_world_target, x, y, z) if turning > 0.0 else (0.0, 0.0, 0.0)
+    angle = rotation_to(T_world_target, x, y, z) if turning > 0.0 else (0.0, 0.0, 0.0)
     v[3], v[4], v[5] = shortened(share * angle[0], share * angle[1], share * angle[2], TOOL_TURN * dt)
     for s in range(3):
         weights[s], weights[3 + s] = 1.0, turning * reach
@@ -99,9 +99,9 @@ def pose_task(
 
 
 @kernel_into
-def placed(pose: Array, a: int, tool: tuple[Row, Row, Row]) -> Row:
+def rotated_row(pose: Array, a: int, tool: tuple[Row, Row, Row]) -> Row:
     """Row a of T_world_link T_link_tool."""
-    return ending((pose[a, 0], pose[a, 1], pose[a, 2], pose[a, 3]), tool)
+    return tool_row((pose[a, 0], pose[a, 1], pose[a, 2], pose[a, 3]), tool)
 
 
 @kernel_into
@@ -110,7 +110,11 @@ def jacobian_into(arm: Array, at: At, poses: Array, axes: Array, x: float, y: fl
     J[:] = 0.0
     for i in range(at.m):
         joint = FIRST + i
-        column, turns, v = int(arm[joint, DRIVER]), arm[joint, TURN], moved(arm, i, poses, axes, x, y, z)
+        column, turns, v = (
+            int(arm[joint, DRIVER]),
+            arm[joint, ANGLE_RATIO],
+            point_displacement(arm, i, poses, axes, x, y, z),
+        )
         for a in range(3):
             J[a, column] += v[a]
             J[3 + a, column] += turns * axes[i, a]
@@ -146,7 +150,7 @@ def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
 def allowed(arm: Array, point: Array) -> Array:
     """The same of a packed arm for a point (3,), m; returns (3,), m."""
     found = np.empty(3)
-    found[0], found[1], found[2] = allowed_point(arm, parts(arm), (point[0], point[1], point[2]))
+    found[0], found[1], found[2] = allowed_point(arm, array_parts(arm), (point[0], point[1], point[2]))
     return found
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
 from helicoide.arrays import frozen
-from helicoide.jobs.thinned import thinned
+from helicoide.jobs.throttle import throttled
 from helicoide.kinematics import workspace
 from helicoide.text import HelicoideError, Text
 
@@ -33,7 +33,7 @@ Backend = Literal["loky", "dask", "ray"]
 BACKENDS: tuple[Backend, ...] = get_args(Backend)
 
 
-def each(
+def parallel_map(
     work: Callable[[Any, int], Outcome], what: Any, count: int, workers: int, backend: Backend = "loky"
 ) -> Generator[Outcome]:
     """Yield work(what, 0), work(what, 1), … in this order, computed by `workers` processes.
@@ -95,25 +95,25 @@ def _package(name: str) -> Any:
 
 
 def workspace_map(
-    plan: workspace.Plan, workers: int = 1, backend: Backend = "loky", progress: Progress = lambda share: None
-) -> workspace.Map:
+    plan: workspace.MapPlan, workers: int = 1, backend: Backend = "loky", progress: Progress = lambda share: None
+) -> workspace.WorkspaceMap:
     """The map of a plan, from the cache or computed chunk by chunk; it does not depend on the number of workers."""
-    if (there := kept(plan)) is not None:
+    if (there := cached_map(plan)) is not None:
         progress(1.0)
         return there
-    workspace.counted(replace(plan, samples=1), 0)  # compiles the kernels once, and not in every process
-    with closing(each(workspace.counted, plan, plan.chunks, workers, backend)) as parts:
-        found = workspace.gathered(plan, parts, thinned(progress))
+    workspace.count_chunk(replace(plan, samples=1), 0)  # compiles the kernels once, and not in every process
+    with closing(parallel_map(workspace.count_chunk, plan, plan.chunks, workers, backend)) as parts:
+        found = workspace.collect_map(plan, parts, throttled(progress))
     with suppress(OSError):  # a map that cannot be stored is computed again next time
-        write(_file(plan), {"hits": found.hits, "values": found.values})
+        write_arrays(_file(plan), {"hits": found.hits, "values": found.values})
     return found
 
 
-def _file(plan: workspace.Plan) -> Path:
+def _file(plan: workspace.MapPlan) -> Path:
     return user_cache_path("helicoide") / "workspace" / f"{plan.key}.npz"
 
 
-def kept(plan: workspace.Plan) -> workspace.Map | None:
+def cached_map(plan: workspace.MapPlan) -> workspace.WorkspaceMap | None:
     """The map of a plan in the cache; None if there is none or its file is damaged."""
     try:
         with _file(plan).open("rb") as stream, np.load(stream, allow_pickle=False) as arrays:
@@ -123,10 +123,10 @@ def kept(plan: workspace.Plan) -> workspace.Map | None:
     count = (plan.cells.count,)
     if (hits.shape, values.shape, hits.dtype, values.dtype) != (count, count, np.int64, np.float64):
         return None
-    return workspace.Map(plan.kind, plan.samples, plan.cells, hits, frozen(values))
+    return workspace.WorkspaceMap(plan.kind, plan.samples, plan.cells, hits, frozen(values))
 
 
-def write(file: Path, arrays: Arrays) -> None:
+def write_arrays(file: Path, arrays: Arrays) -> None:
     """Write arrays to an .npz file atomically, by a temporary file that replaces it; creates the folder."""
     file.parent.mkdir(parents=True, exist_ok=True)
     handle, beside = tempfile.mkstemp(dir=file.parent, suffix=".part")

@@ -10,31 +10,31 @@ from typing import Any, TypeVar, cast
 import numba
 from numba.core import event, sigutils, types
 
-from helicoide.kernels import folder
-from helicoide.kernels.interpreted import Interpretable, as_python, by_machine_code
-from helicoide.kernels.kept import Kept, NotKept, only_kept, read
+from helicoide.kernels import cache_folder
+from helicoide.kernels.cache import KernelCache, NotCached, only_cached, read_sealed
+from helicoide.kernels.interpreted import Interpretable, run_compiled, run_interpreted
 
 __all__ = [
     "CACHE_FOLDER",
     "CACHE_NOTE",
     "KERNELS",
-    "Kept",
     "Kernel",
-    "NotKept",
-    "as_python",
-    "by_machine_code",
-    "counted",
-    "entry",
+    "KernelCache",
+    "NotCached",
+    "count_compiled",
     "is_cached",
     "kernel",
     "kernel_into",
-    "only_kept",
-    "plain",
+    "only_cached",
+    "python_function",
+    "run_compiled",
+    "run_interpreted",
+    "typed_entry",
 ]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
-CACHE_FOLDER, CACHE_NOTE = folder.choose()
+CACHE_FOLDER, CACHE_NOTE = cache_folder.choose_cache_folder()
 os.environ["NUMBA_CACHE_DIR"] = str(CACHE_FOLDER)
 
 KERNELS: dict[str, Kernel] = {}
@@ -50,17 +50,17 @@ class Kernel(Interpretable):
 
     def __init__(self, function: Callable[..., Any], makes_arrays: bool = True) -> None:
         super().__init__(function, targetoptions={"nopython": True, "error_model": "numpy", "_nrt": makes_arrays})
-        self._cache = Kept(CACHE_FOLDER, function)
-        self._met: set[tuple[Any, ...]] = set()
+        self._cache = KernelCache(CACHE_FOLDER, function)
+        self._linked_signatures: set[tuple[Any, ...]] = set()
 
     def compile(self, sig: Any) -> Any:
         """The machine code for these types of arguments: loaded from disk, or compiled and saved."""
         given, _ = sigutils.normalize_signature(sig)
         taken = tuple(map(_writable, given))
         code = super().compile(taken)
-        if given != taken and given not in self._met:
+        if given != taken and given not in self._linked_signatures:
             cast(Any, self)._insert([kind._code for kind in given], code, False)
-            self._met.add(given)
+            self._linked_signatures.add(given)
         return code
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
@@ -101,12 +101,12 @@ def _compiled(function: Function, makes_arrays: bool) -> Function:
     return cast(Function, compiled)
 
 
-def plain(compiled: Function) -> Function:
+def python_function(compiled: Function) -> Function:
     """The Python function of a kernel: slow, but available before compilation."""
     return cast(Function, getattr(compiled, "py_func", compiled))
 
 
-def entry(compiled: Function, *like: object) -> Function:
+def typed_entry(compiled: Function, *like: object) -> Function:
     """The compiled function of a kernel for arguments like these, without the 60 to 120 ns for checking their types.
 
     The caller must guarantee the types: other numbers, or arrays that are not contiguous, would be misread.
@@ -117,11 +117,11 @@ def entry(compiled: Function, *like: object) -> Function:
 def is_cached(name: str) -> bool:
     """Whether the cache folder holds undamaged machine code of this installation for a kernel of `KERNELS`."""
     files = KERNELS[name]._cache.files
-    return bool(files) and all(read(file) is not None for file in files)
+    return bool(files) and all(read_sealed(file) is not None for file in files)
 
 
 @contextmanager
-def counted(report: Callable[[int], None]) -> Iterator[None]:
+def count_compiled(report: Callable[[int], None]) -> Iterator[None]:
     """Call `report` with the number of kernels ready, on disk or compiled, each time it grows."""
     done = {one for name, one in KERNELS.items() if is_cached(name)}
 

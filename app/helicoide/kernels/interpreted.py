@@ -22,11 +22,11 @@ class Interpretable(CPUDispatcher):
     """
 
     @staticmethod
-    def interpret(plain: bool) -> None:
-        """Run every kernel as Python from now on, except within `by_machine_code`; or run compiled kernels again."""
-        if plain and not Interpretable.interpreted():
+    def interpret(enabled: bool) -> None:
+        """Run every kernel as Python from now on, except within `run_compiled`; or run compiled kernels again."""
+        if enabled and not Interpretable.interpreted():
             Interpretable.__call__ = _interpreted  # type: ignore[method-assign, assignment]
-        elif not plain and Interpretable.interpreted():
+        elif not enabled and Interpretable.interpreted():
             del Interpretable.__call__
 
     @staticmethod
@@ -40,7 +40,7 @@ def _interpreted(kernel: Any, *args: Any) -> Any:
 
 
 @contextmanager
-def by_machine_code() -> Iterator[None]:
+def run_compiled() -> Iterator[None]:
     """Within this context, in this thread, kernels run as machine code, whatever other threads do."""
     before = _by_machine_code.set(True)
     try:
@@ -50,7 +50,7 @@ def by_machine_code() -> Iterator[None]:
 
 
 @contextmanager
-def as_python() -> Iterator[None]:
+def run_interpreted() -> Iterator[None]:
     """Within this context kernels run as Python, for work that is shorter than loading their machine code."""
     before = Interpretable.interpreted()
     Interpretable.interpret(True)

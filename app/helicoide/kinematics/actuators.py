@@ -16,17 +16,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array, frozen
-from helicoide.text import HelicoideError, Text, joined
+from helicoide.text import HelicoideError, Text, join_texts
 
 UNIT = Text(en="pulses", pt_BR="pulsos")
 ACTUATORS = Text(en="actuators: {told}", pt_BR="atuadores: {told}")
-GEAR = Text(en="{label} {n} pulses", pt_BR="{label} {n} pulsos")
-SCREW = Text(en="{label} {n} pulses, screw {mm:.1f} mm long", pt_BR="{label} {n} pulsos, fuso com {mm:.1f} mm")
-HELD = Text(
+GEAR_READING = Text(en="{label} {n} pulses", pt_BR="{label} {n} pulsos")
+SCREW_READING = Text(en="{label} {n} pulses, screw {mm:.1f} mm long", pt_BR="{label} {n} pulsos, fuso com {mm:.1f} mm")
+ANGLE_OUT_OF_RANGE = Text(
     en="The ball screw of {label} allows {low:.4g}° to {high:.4g}°, not {given:.4g}°.",
     pt_BR="O fuso de esferas de {label} permite de {low:.4g}° a {high:.4g}°, não {given:.4g}°.",
 )
-COUNTED = Text(
+PULSES_OUT_OF_RANGE = Text(
     en="The ball screw of {label} closes its triangle from {low:.0f} to {high:.0f} {unit}, not at {given:.0f}.",
     pt_BR="O fuso de esferas de {label} fecha o triângulo de {low:.0f} a {high:.0f} {unit}, não em {given:.0f}.",
 )
@@ -114,7 +114,7 @@ class Actuators:
     drives: tuple[Gear | BallScrew, ...]
 
     @cached_property
-    def uncoupling(self) -> Array:
+    def inverse_coupling(self) -> Array:
         """C⁻¹, (n, n): joint angles q = C⁻¹ φ."""
         return frozen(np.linalg.inv(self.coupling))
 
@@ -131,7 +131,7 @@ class Actuators:
         """
         angles = self._values(q) @ self.coupling.T
         for label, drive, angle in self._each(angles):
-            _check(HELD, label, np.degrees(angle), np.degrees(drive.angles))
+            _check(ANGLE_OUT_OF_RANGE, label, np.degrees(angle), np.degrees(drive.angles))
         return np.stack([drive.pulses(angle) for _, drive, angle in self._each(angles)], axis=-1)
 
     def to_joints(self, pulses: ArrayLike) -> Array:
@@ -142,9 +142,9 @@ class Actuators:
         """
         values = self._values(pulses)
         for label, drive, counted in self._each(values):
-            _check(COUNTED, label, counted, drive.pulses(drive.angles))
+            _check(PULSES_OUT_OF_RANGE, label, counted, drive.pulses(drive.angles))
         angles = np.stack([drive.angle(counted) for _, drive, counted in self._each(values)], axis=-1)
-        return np.asarray(angles @ self.uncoupling.T)
+        return np.asarray(angles @ self.inverse_coupling.T)
 
     def lengths(self, q: ArrayLike) -> Array:
         """Lengths of the ball screws at joint angles, (..., n), m; NaN for gears. Args: q (..., n), rad."""
@@ -157,17 +157,19 @@ class Actuators:
             axis=-1,
         )
 
-    def words(self, q: ArrayLike) -> Text:
+    def description(self, q: ArrayLike) -> Text:
         """A sentence with the pulses and screw lengths at joint angles (n,), rad; or with the reason there are none."""
         try:
             counted = self.from_joints(q)
         except HelicoideError as error:
             return error.text
         told = [
-            (SCREW if length == length else GEAR).format(label=label, n=round(float(n)), mm=1000 * length)
+            (SCREW_READING if length == length else GEAR_READING).format(
+                label=label, n=round(float(n)), mm=1000 * length
+            )
             for label, n, length in zip(self.labels, counted, self.lengths(q), strict=True)
         ]
-        return ACTUATORS.format(told=joined(told))
+        return ACTUATORS.format(told=join_texts(told))
 
     def _each(self, values: Array) -> list[tuple[str, Gear | BallScrew, Array]]:
         return list(zip(self.labels, self.drives, np.moveaxis(values, -1, 0), strict=True))

@@ -57,30 +57,30 @@ def _about_x_and_y(a: float, alpha: float, beta: float) -> Array:
     return np.array([[cb, 0, sb, a], [s * sb, c, -s * cb, 0], [-c * sb, s, c * cb, 0], [0, 0, 0, 1]])
 
 
-def transform(convention: Convention, row: DhRow, joint: Joint, value: float) -> Array:
+def dh_transform(convention: Convention, row: DhRow, joint: Joint, value: float) -> Array:
     """Pose of a DH frame in the frame before it, for a joint value.
 
     A = Rz(θ) Tz(d) Tx(a) Rx(α) Ry(β) in the standard convention, Tx(a) Rx(α) Ry(β) Rz(θ) Tz(d) in the modified one.
     Args: value: rad, or m if the joint slides. Returns (4, 4), m.
     Source: Cerbaro 2022, eq. 57 (standard); Campos 1998, s.40 and Craig (modified); Hayati 1983 (β).
     """
-    theta, d = (row.theta, row.d + value) if joint.slides else (row.theta + value, row.d)
+    theta, d = (row.theta, row.d + value) if joint.is_prismatic else (row.theta + value, row.d)
     z, x = _about_z(theta, d), _about_x_and_y(row.a, row.alpha, row.beta)
     return z @ x if convention == "standard" else x @ z
 
 
-def poses(table: DhTable, joints: Sequence[Joint], values: Array) -> list[Array]:
+def dh_poses(table: DhTable, joints: Sequence[Joint], values: Array) -> list[Array]:
     """Poses of all DH frames in the base frame: T₀ A₁ … Aᵢ for i = 0 to m, each (4, 4), m.
 
     Args: values (m,): value of each joint, rad or m.
     """
     frames = [table.T_world_dh]
     for row, joint, value in zip(table.rows, joints, values, strict=True):
-        frames.append(frames[-1] @ transform(table.convention, row, joint, value))
+        frames.append(frames[-1] @ dh_transform(table.convention, row, joint, value))
     return frames
 
 
-def recovered(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
+def dh_from_screws(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
     """Standard DH rows computed from the screw axes of a chain.
 
     zᵢ₋₁ lies along axis i; xᵢ along the common normal of axes i and i + 1, from the first to the second. If the axes
@@ -90,7 +90,7 @@ def recovered(joints: Sequence[Joint], T_world_tool_0: Array) -> DhTable:
     Args: joints, base first; T_world_tool_0 (4, 4), m, at q = 0. Source: Denavit and Hartenberg 1955; Hayati 1983.
     """
     first = joints[0]
-    frame = _frame(_across(np.eye(3)[0], first.direction), first.direction, first.point)
+    frame = _frame(_perpendicular_unit(np.eye(3)[0], first.direction), first.direction, first.point)
     start, rows = frame, []
     for joint, after in zip(joints, [*joints[1:], first], strict=True):
         row, frame = (DhRow(0, 0, 0, 0), frame) if joint is joints[-1] else _row(frame, after)
@@ -104,11 +104,11 @@ def _frame(x: Array, z: Array, origin: Array) -> Array:
     return frame
 
 
-def _across(wished: Array, z: Array) -> Array:
+def _perpendicular_unit(preferred: Array, z: Array) -> Array:
     """The unit vector perpendicular to z that is nearest to a given vector, or to the y axis if that lies along z."""
-    x = wished - (wished @ z) * z
+    x = preferred - (preferred @ z) * z
     if np.linalg.norm(x) < 1e-3:
-        return _across(np.eye(3)[1], z)
+        return _perpendicular_unit(np.eye(3)[1], z)
     return np.asarray(x / np.linalg.norm(x))
 
 
@@ -139,7 +139,7 @@ def _nearly_parallel(frame: Array, after: Joint) -> tuple[DhRow, Array]:
     x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
     end = after.point + (origin - after.point) @ z / (after.direction @ z) * after.direction
     length = float(np.linalg.norm(end - origin))
-    normal = x if length < COINCIDENT else _across((end - origin) / length, z)
+    normal = x if length < COINCIDENT else _perpendicular_unit((end - origin) / length, z)
     leans, turns, along = after.direction @ np.column_stack([normal, np.cross(z, normal), z])
     row = DhRow(
         theta=_angle(x, normal, z),
@@ -148,7 +148,7 @@ def _nearly_parallel(frame: Array, after: Joint) -> tuple[DhRow, Array]:
         alpha=float(np.arctan2(-turns, along)),
         beta=float(np.arctan2(leans, np.hypot(turns, along))),
     )
-    return row, _frame(_across(normal, after.direction), after.direction, end)
+    return row, _frame(_perpendicular_unit(normal, after.direction), after.direction, end)
 
 
 def _common_normal(z: Array, origin: Array, normal: Array, sine: float, after: Joint) -> tuple[Array, Array, Array]:

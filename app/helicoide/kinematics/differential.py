@@ -31,10 +31,10 @@ def point_jacobian(robot: Robot, q: ArrayLike, point_link: ArrayLike, link: int)
     """
     poses = link_poses(robot.chain, robot.check_joints(q))
     point_world = poses[link, :3, :3] @ np.asarray(point_link, dtype=np.float64) + poses[link, :3, 3]
-    return jacobian.geometric(poses, robot.chain, jacobian.joint_axes(poses, robot.chain), point_world, link)
+    return jacobian.geometric_jacobian(poses, robot.chain, jacobian.joint_axes(poses, robot.chain), point_world, link)
 
 
-def geometric(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
+def frame_jacobian(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
     """Geometric Jacobian of a frame, by default the tool: V_world = [v; ω] = J q̇, v the velocity of its origin.
 
     Args: q (n,), rad or m. Returns J_world (6, n), rows vx vy vz ωx ωy ωz; its first three are the position part.
@@ -44,14 +44,14 @@ def geometric(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
     return point_jacobian(robot, q, carried.T_link_frame[:3, 3], carried.link)
 
 
-def body(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
+def body_jacobian(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Array:
     """Geometric Jacobian in the axes of the frame itself: J_body = diag(Rᵀ, Rᵀ) J_world.
 
     Args: q (n,), rad or m. Returns J_frame (6, n), rows vx vy vz ωx ωy ωz. Raises HelicoideError for a wrong q.
     Source: Coutinho 2015, eqs. 2.42–2.54, 3.12.
     """
     R_frame_world = frame_pose(robot, q, frame)[:3, :3].T
-    return turned(R_frame_world, geometric(robot, q, frame))
+    return rotated_twist(R_frame_world, frame_jacobian(robot, q, frame))
 
 
 def adjoint(T_a_b: Array) -> Array:
@@ -63,7 +63,7 @@ def adjoint(T_a_b: Array) -> Array:
     return np.block([[R, rotation.skew(p) @ R], [np.zeros((3, 3)), R]])
 
 
-def turned(R_a_b: Array, J: Array) -> Array:
+def rotated_twist(R_a_b: Array, J: Array) -> Array:
     """A Jacobian, or a twist, expressed in other axes: [v; ω]_a = diag(R_a_b, R_a_b) [v; ω]_b, at the same point.
 
     Args: R_a_b (3, 3); J (6, ...). Returns (6, ...). Source: Coutinho 2015, eq. 2.43 with p = 0.

@@ -14,7 +14,7 @@ from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.kernels import kernel
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Chain, Joint, spread
+from helicoide.kinematics.chain import Chain, Joint, joint_positions
 from helicoide.kinematics.robot import Robot
 
 
@@ -23,7 +23,7 @@ def dh_frames(robot: Robot, q: Array) -> list[Array]:
 
     Args: q (n,), rad or m. Source: Cerbaro 2022, eq. 59; Campos 1998, s.40 (modified rows).
     """
-    return dh.poses(robot.dh, robot.joints, spread(robot.chain, q))
+    return dh.dh_poses(robot.dh, robot.joints, joint_positions(robot.chain, q))
 
 
 def tool_by_dh(robot: Robot, q: Array) -> Array:
@@ -40,7 +40,7 @@ def screw_transform(joint: Joint, value: float) -> Array:
     Args: value: θ, rad, or x, m. Returns (4, 4), base frame. Source: Cerbaro 2022, eqs. 61–62 (signs corrected).
     """
     displacement = np.eye(4)
-    if joint.slides:
+    if joint.is_prismatic:
         displacement[:3, 3] = value * joint.direction
         return displacement
     x, y, z = joint.direction
@@ -57,7 +57,7 @@ def screw_displacements(robot: Robot, q: Array) -> list[Array]:
     Args: q (n,), rad or m. Source: Cerbaro 2022, App. D.
     """
     displacements = [np.eye(4)]
-    for joint, value in zip(robot.joints, spread(robot.chain, q), strict=True):
+    for joint, value in zip(robot.joints, joint_positions(robot.chain, q), strict=True):
         displacements.append(displacements[-1] @ screw_transform(joint, value))
     return displacements
 
@@ -75,7 +75,7 @@ def joint_motor(joint: Joint, value: float) -> Array:
 
     Args: value: θ, rad, or x, m. Returns (16,). Source: Cerbaro 2022, eqs. 96–99.
     """
-    if joint.slides:
+    if joint.is_prismatic:
         return rigid.translator(value * joint.direction)
     return rigid.screw_motor(joint.direction, joint.point, value)
 
@@ -86,7 +86,7 @@ def link_motors(robot: Robot, q: Array) -> list[Array]:
     Args: q (n,), rad or m. Source: Cerbaro 2022, §5.1 (order and product corrected).
     """
     motors = [CL031.blade("1")]
-    for joint, value in zip(robot.joints, spread(robot.chain, q), strict=True):
+    for joint, value in zip(robot.joints, joint_positions(robot.chain, q), strict=True):
         motors.append(CL031.product(motors[-1], joint_motor(joint, value)))
     return motors
 
@@ -104,12 +104,12 @@ def tool_by_dual_quaternions(robot: Robot, q: Array) -> Array:
     return rigid.pose_from_motor(tool_motor(robot, q))
 
 
-ROADS = {"dh": tool_by_dh, "screws": tool_by_screws, "dual_quaternions": tool_by_dual_quaternions}
+FORMULATIONS = {"dh": tool_by_dh, "screws": tool_by_screws, "dual_quaternions": tool_by_dual_quaternions}
 
 
-def disagreement(robot: Robot, q: Array) -> float:
+def formulation_difference(robot: Robot, q: Array) -> float:
     """Largest difference between entries of the tool poses of the three formulations (positions in m)."""
-    poses = np.array([road(robot, q) for road in ROADS.values()])
+    poses = np.array([road(robot, q) for road in FORMULATIONS.values()])
     return float(np.max(poses.max(axis=0) - poses.min(axis=0)))
 
 
@@ -150,7 +150,7 @@ def link_poses(chain: Chain, q: Array) -> Array:
     return poses
 
 
-def carried_points(poses: Array, points: Array, links: NDArray[np.int64]) -> Array:
+def points_in_world(poses: Array, points: Array, links: NDArray[np.int64]) -> Array:
     """World coordinates of points on links: p' = R p + T.
 
     Args: poses (m + 1, 4, 4) of `link_poses`; points (p, 3), m, each in the frame of its link; links (p,): number of

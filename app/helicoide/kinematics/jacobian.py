@@ -29,7 +29,7 @@ def joint_axes(poses: Array, chain: Chain) -> Array:
 
 
 @kernel
-def columns(chain: Chain) -> int:
+def variable_count(chain: Chain) -> int:
     """How many variables drive a chain: n."""
     n = 0
     for i in range(chain.shape[0]):
@@ -38,7 +38,7 @@ def columns(chain: Chain) -> int:
 
 
 @kernel
-def geometric(poses: Array, chain: Chain, axes: Array, point: Array, link: int) -> Array:
+def geometric_jacobian(poses: Array, chain: Chain, axes: Array, point: Array, link: int) -> Array:
     """Geometric Jacobian of a point on a link: column i is [sᵢ × (p − pᵢ); sᵢ], or [sᵢ; 0] where joint i slides.
 
     Columns of joints after the link are zero. The column of a mimic joint, times its ratio, is added to the column of
@@ -46,7 +46,7 @@ def geometric(poses: Array, chain: Chain, axes: Array, point: Array, link: int) 
     number of the link that carries it. Returns J_world (6, n), rows vx vy vz ωx ωy ωz.
     Source: Cerbaro 2022, eq. 67; Vargas 2013, 2.16–2.21.
     """
-    jacobian = np.zeros((6, columns(chain)))
+    jacobian = np.zeros((6, variable_count(chain)))
     for i in range(link):
         joint = chain[i]
         column, ratio = joint["driver"], joint["ratio"]

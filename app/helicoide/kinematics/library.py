@@ -10,8 +10,8 @@ from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 from helicoide import content
-from helicoide.kinematics.folder import from_folder
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.robot_folder import robot_from_folder
 from helicoide.text import HelicoideError, Text
 
 log = logging.getLogger("helicoide")
@@ -20,7 +20,7 @@ PACKAGES = ("example-robot-data", "rtb-data")
 
 
 @cache
-def packaged() -> Mapping[str, Path]:
+def packaged_urdfs() -> Mapping[str, Path]:
     """The URDF files of installed packages by name, such as "panda"; the first package wins."""
     found: dict[str, Path] = {}
     for file in (file for package in PACKAGES for file in _files(package)):
@@ -34,7 +34,7 @@ def _name_of(file: Path) -> str:
 
 def _from_package(name: str, tip: str | None, base: str | None) -> Robot:
     """The robot of the first usable file of that name; if none is usable, raises the error of the first."""
-    first = packaged()[name]
+    first = packaged_urdfs()[name]
     try:
         return _of_package(first, tip, base)
     except HelicoideError:
@@ -52,9 +52,9 @@ def _of_package(file: Path, tip: str | None, base: str | None) -> Robot:
 
 def _from_urdf(file: Path, tip: str | None, base: str | None) -> Robot:
     """A robot from a URDF. Imports the reader here, as it takes as long to import as all else that `fk` needs."""
-    from helicoide.kinematics.urdf_chain import from_urdf
+    from helicoide.kinematics.urdf_chain import robot_from_urdf
 
-    return from_urdf(file, tip, base)
+    return robot_from_urdf(file, tip, base)
 
 
 def _files(package: str) -> list[Path]:
@@ -66,23 +66,23 @@ def _files(package: str) -> list[Path]:
     return sorted(Path(str(file.locate())) for file in files if file.suffix == ".urdf")
 
 
-def names() -> list[str]:
+def robot_names() -> list[str]:
     """Names of all robots: those in folders, then those of packages."""
-    folders = content.found("robots")
-    return [*sorted(folders), *sorted(set(packaged()) - set(folders))]
+    folders = content.content_folders("robots")
+    return [*sorted(folders), *sorted(set(packaged_urdfs()) - set(folders))]
 
 
-_guests: dict[str, Robot] = {}
+_registered: dict[str, Robot] = {}
 
 
-def welcome(robot: Robot) -> None:
+def register_robot(robot: Robot) -> None:
     """Register a robot from a file, or one with changed parameters, under its name while the program runs."""
-    _guests[robot.name] = robot
+    _registered[robot.name] = robot
 
 
-def titles() -> dict[str, Text]:
+def robot_titles() -> dict[str, Text]:
     """Titles by name of the robots with a folder and of registered ones; the name is added to a title used twice."""
-    found = {**_titles_of_folders(), **{name: robot.title for name, robot in _guests.items()}}
+    found = {**_titles_of_folders(), **{name: robot.title for name, robot in _registered.items()}}
     shown = [title.en for title in found.values()]
     double = Text(en="{title} ({name})", pt_BR="{title} ({name})")
     return {
@@ -95,26 +95,26 @@ def titles() -> dict[str, Text]:
 def _titles_of_folders() -> Mapping[str, Text]:
     """The titles of the robots that have a folder; broken ones are left out, and the log says so."""
     found: dict[str, Text] = {}
-    for name, folder in sorted(content.found("robots").items()):
+    for name, folder in sorted(content.content_folders("robots").items()):
         try:
-            found[name] = from_folder(folder).title
+            found[name] = robot_from_folder(folder).title
         except HelicoideError as error:
             log.warning("%s", error)
     return found
 
 
-def load(robot: str, tip: str | None = None, settings: Sequence[str] = (), base: str | None = None) -> Robot:
+def load_robot(robot: str, tip: str | None = None, settings: Sequence[str] = (), base: str | None = None) -> Robot:
     """A robot by name or by the path of a URDF file.
 
     tip and base: the links of a URDF where the arm ends and begins; settings: parameters of a robot's file to change,
     mm, such as "l1=1500".
     Raises HelicoideError that lists the names there are, or says what is wrong in a file.
     """
-    if robot in _guests and tip is None and base is None and not settings:
-        return _guests[robot]
-    folders = content.found("robots")
+    if robot in _registered and tip is None and base is None and not settings:
+        return _registered[robot]
+    folders = content.content_folders("robots")
     is_file = robot.lower().endswith((".urdf", ".xml", ".xacro"))
-    if is_file or (robot not in folders and robot in packaged()):
+    if is_file or (robot not in folders and robot in packaged_urdfs()):
         _refuse(settings, robot, "--set")
         return _from_urdf(Path(robot), tip, base) if is_file else _from_package(robot, tip, base)
     if robot in folders:
@@ -129,7 +129,7 @@ def load(robot: str, tip: str | None = None, settings: Sequence[str] = (), base:
 @lru_cache(maxsize=32)
 def _from_folder(folder: Path, settings: tuple[str, ...], changed: int) -> Robot:
     """A robot from its folder, cached while its files do not change, with its cached properties."""
-    return from_folder(folder, dict(map(_setting, settings)))
+    return robot_from_folder(folder, dict(map(_setting, settings)))
 
 
 def _setting(words: str) -> tuple[str, float]:
@@ -162,7 +162,7 @@ def _unknown(robot: str) -> HelicoideError:
         Text(
             en="There is no robot named {robot!r}; there is: {names}. {more}",
             pt_BR="Não existe robô de nome {robot!r}; existe: {names}. {more}",
-        ).format(robot=robot, names=", ".join(names()), more=_more())
+        ).format(robot=robot, names=", ".join(robot_names()), more=_more())
     )
 
 

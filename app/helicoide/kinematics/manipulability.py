@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.kinematics.differential import geometric
+from helicoide.kinematics.differential import frame_jacobian
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_parts import Frame
 
 # A singular value below this fraction of the largest one counts as zero.
-RANK = 1e-10
+RANK_TOLERANCE = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,7 +26,7 @@ class Ellipsoid:
 
 
 @dataclass(frozen=True, eq=False)
-class Manipulability:
+class JacobianAnalysis:
     """Singular value decomposition J = U Σ Vᵀ = Σ σᵢ uᵢ vᵢᵀ of a Jacobian (m, n), and the quantities derived from it.
 
     All rows of J have one unit. U (m, m) and V (n, n) are orthogonal; sigma (min(m, n),) is in descending order.
@@ -49,10 +49,10 @@ class Manipulability:
     @property
     def rank(self) -> int:
         """How many singular values are larger than `RANK` times the largest."""
-        return int(np.sum(self.sigma > RANK * self.sigma[0]))
+        return int(np.sum(self.sigma > RANK_TOLERANCE * self.sigma[0]))
 
     @property
-    def condition(self) -> float:
+    def condition_number(self) -> float:
         """Condition number σ₁/σₚ, infinite where the rank is less than p. Source: Vargas 2013, §2."""
         return float(self.sigma[0] / self.sigma[-1]) if self.rank == self.sigma.size else np.inf
 
@@ -97,7 +97,7 @@ class Manipulability:
         return np.asarray(self.null_space @ self.null_space.T)
 
     @cached_property
-    def lost(self) -> Array:
+    def lost_velocities(self) -> Array:
         """Orthonormal basis of the velocities that no q̇ gives, yᵀ J = 0: columns of (m, m − rank).
 
         Forces along them need no joint torque. Source: Vargas 2013, §3.1, App. A.2.
@@ -105,16 +105,16 @@ class Manipulability:
         return self.U[:, self.rank :]
 
 
-def analysed(J: Array) -> Manipulability:
+def analyse_jacobian(J: Array) -> JacobianAnalysis:
     """Singular value decomposition J = U Σ Vᵀ of a Jacobian (m, n) whose rows have one unit.
 
     Source: Vargas 2013, eq. 3.1.
     """
     U, sigma, Vt = np.linalg.svd(J)
-    return Manipulability(J, U, sigma, Vt.T)
+    return JacobianAnalysis(J, U, sigma, Vt.T)
 
 
-def in_metres(J: Array, length: float) -> Array:
+def scaled_jacobian(J: Array, length: float) -> Array:
     """A Jacobian (6, n) scaled so that all its rows have one unit: [J_p; ℓ J_o].
 
     Args: length: characteristic length ℓ, m: rotation at 1 rad/s counts as much as translation at ℓ metres a second.
@@ -122,18 +122,18 @@ def in_metres(J: Array, length: float) -> Array:
     return np.vstack([J[:3], length * J[3:]])
 
 
-def of_position(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> Manipulability:
+def position_manipulability(robot: Robot, q: ArrayLike, frame: Frame | None = None) -> JacobianAnalysis:
     """Manipulability of the position of a frame, by default the tool: that of J_p (3, n), m/rad or 1.
 
     Args: q (n,), rad or m. Raises HelicoideError for a wrong q. Source: Yoshikawa 1985; Cerbaro 2022, eq. 11.
     """
-    return analysed(geometric(robot, q, frame)[:3])
+    return analyse_jacobian(frame_jacobian(robot, q, frame)[:3])
 
 
-def of_twist(robot: Robot, q: ArrayLike, length: float, frame: Frame | None = None) -> Manipulability:
+def twist_manipulability(robot: Robot, q: ArrayLike, length: float, frame: Frame | None = None) -> JacobianAnalysis:
     """Manipulability of position and orientation of a frame, by default the tool: that of [J_p; ℓ J_o] (6, n).
 
     Args: q (n,), rad or m; length: characteristic length ℓ, m. Raises HelicoideError for a wrong q.
     Source: Yoshikawa 1985; Vargas 2013, eqs. 3.1–3.5.
     """
-    return analysed(in_metres(geometric(robot, q, frame), length))
+    return analyse_jacobian(scaled_jacobian(frame_jacobian(robot, q, frame), length))

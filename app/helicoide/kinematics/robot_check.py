@@ -12,10 +12,10 @@ from helicoide.text import HelicoideError, Text
 
 # Shorter directions count as zero. Matrices that differ more from a rotation are refused; the tolerance allows for
 # entries written with a few digits.
-SHORTEST, TURNED = 1e-6, 1e-3
+LEAST_NORM, ROTATION_TOLERANCE = 1e-6, 1e-3
 
 
-def check(file: RobotFile) -> None:
+def check_robot_file(file: RobotFile) -> None:
     """Raise HelicoideError, with the reason alone, for an impossible robot."""
     names = [joint.name for joint in file.joints]
     if not names:
@@ -61,7 +61,7 @@ def _check_parts(file: RobotFile, names: Sequence[str]) -> None:
         )
     for place, matrix in _rotations(file):
         R = np.array(matrix)
-        if np.abs(R).max() > 2 or np.abs(R @ R.T - np.eye(3)).max() > TURNED or np.linalg.det(R) < 0:
+        if np.abs(R).max() > 2 or np.abs(R @ R.T - np.eye(3)).max() > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
             raise _error(
                 "{place} is no rotation: its rows must be perpendicular unit vectors of a right-handed frame",
                 "{place} não é uma rotação: as linhas devem ser vetores unitários, perpendiculares e em ordem direta",
@@ -101,13 +101,13 @@ def _check_poses(file: RobotFile, n: int) -> None:
 
 def _check_sizes(file: RobotFile) -> None:
     for plane in file.planes:
-        if math.hypot(*plane.normal) < SHORTEST:
+        if math.hypot(*plane.normal) < LEAST_NORM:
             raise _error("the normal of plane {name} is zero", "a normal do plano {name} é zero", name=plane.name)
         _positive(plane.size_mm, "size_mm of plane {name}", "size_mm do plano {name}", plane.name)
     _differ("plane", [plane.name for plane in file.planes])
     if file.gripper:
         _positive((file.gripper.opening_mm,), "opening_mm of gripper {name}", "opening_mm da garra {name}", "gripper")
-    if file.camera and math.dist(file.camera.position_mm, file.camera.look_at_mm) < SHORTEST:
+    if file.camera and math.dist(file.camera.position_mm, file.camera.look_at_mm) < LEAST_NORM:
         raise _error(
             "the camera stands where it looks at: position_mm and look_at_mm must differ",
             "a câmera está no ponto para onde olha: position_mm e look_at_mm devem diferir",
@@ -136,7 +136,7 @@ def _check_capsules(file: RobotFile) -> None:
 
 
 def _check_joint(joint: JointFile) -> None:
-    if math.hypot(*joint.screw.direction) < SHORTEST:
+    if math.hypot(*joint.screw.direction) < LEAST_NORM:
         raise _error("the axis of joint {name} is zero", "o eixo da junta {name} é zero", name=joint.name)
     limits, speed = limits_of(joint)
     if not limits[0] < limits[1] or not speed > 0:

@@ -15,8 +15,8 @@ from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.forward import dh_frames, screw_displacements, tool_by_dh, tool_by_screws
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.urdf_faults import urdf_faults
-from helicoide.kinematics.urdf_file import parsed
-from helicoide.text import LANGUAGES, Text, same
+from helicoide.kinematics.urdf_file import parse_urdf
+from helicoide.text import LANGUAGES, Text, untranslated
 
 AGREE = 1e-9
 POSTURES = 20
@@ -58,7 +58,7 @@ def faults(robot: Robot) -> tuple[Text, ...]:
     """
     if not robot.stated:
         return ()
-    reading = parsed(robot.urdf, robot.parameters).robot
+    reading = parse_urdf(robot.urdf, robot.parameters).robot
     urdf = yourdfpy.URDF(robot=reading, build_scene_graph=True, load_meshes=False)
     wrong = [*urdf_faults(robot, urdf)]
     return (*_dh(robot), *wrong, *_tools(robot, None if wrong else urdf), *_poses(robot))
@@ -116,7 +116,7 @@ def _poses(robot: Robot) -> Iterator[Text]:
         titles = [robot.pose_titles[name] for name in (one, other)]
         alike = any(titles[0][language].strip() == titles[1][language].strip() for language in LANGUAGES)
         if alike or np.abs(robot.poses[one] - robot.poses[other]).max() <= 1e-6:
-            yield ALIKE.format(one=same(one), other=same(other))
+            yield ALIKE.format(one=untranslated(one), other=untranslated(other))
     if (cond := _condition(robot)) >= WORST_CONDITION:
         yield SINGULAR.format(cond=cond, most=WORST_CONDITION)
 
@@ -131,5 +131,7 @@ def _condition(robot: Robot) -> float:
     tool = tool_by_screws(robot, q)[:3, 3]
     for joint, H in zip(robot.joints, screw_displacements(robot, q), strict=False):
         s, p = H[:3, :3] @ joint.direction, H[:3, :3] @ joint.point + H[:3, 3]
-        columns.append(np.append(s, np.zeros(3)) if joint.slides else np.append(np.cross(s, tool - p) / robot.reach, s))
+        columns.append(
+            np.append(s, np.zeros(3)) if joint.is_prismatic else np.append(np.cross(s, tool - p) / robot.reach, s)
+        )
     return float(np.linalg.cond(np.array(columns).T))

@@ -15,7 +15,7 @@ Assumed = Literal["lengths", "limits", "speeds"]
 IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
-class Title(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+class TitleFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A name in both languages."""
 
     en: str
@@ -27,14 +27,14 @@ class Title(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
         return Text(en=self.en, pt_BR=self.pt_BR)
 
 
-class Screw(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+class ScrewFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A joint's axis at q = 0, in the base frame."""
 
     direction: Triple
     point_mm: Triple
 
 
-class DhRow(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
+class DhRowFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A Denavit-Hartenberg row; the joint's variable is added to theta, or to d where the joint slides.
 
     In the standard convention a and α belong to the same joint; in the modified one, to the joint before.
@@ -50,10 +50,10 @@ class JointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A joint and the URDF link that it moves; limits in degrees, or mm if prismatic; acceleration if limited."""
 
     name: str
-    title: Title
+    title: TitleFile
     link: str
-    screw: Screw
-    dh: DhRow
+    screw: ScrewFile
+    dh: DhRowFile
     kind: Literal["revolute", "prismatic"] = "revolute"
     limits_deg: tuple[float, float] | None = None
     speed_deg_s: float | None = None
@@ -100,7 +100,7 @@ class PointFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A point that planes keep away from, at q = 0; `joint` is the last joint that moves it, "" for none."""
 
     name: str
-    title: Title
+    title: TitleFile
     joint: str
     point_mm: Triple
 
@@ -109,7 +109,7 @@ class CapsuleFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A body of the arm at q = 0: all points within the radius of a segment; `joint` as in `PointFile`."""
 
     name: str
-    title: Title
+    title: TitleFile
     joint: str
     from_mm: Triple
     to_mm: Triple
@@ -126,7 +126,7 @@ class CameraFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
 class PoseFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A named posture: degrees, or mm for prismatic joints."""
 
-    title: Title
+    title: TitleFile
     joints: tuple[float, ...]
 
 
@@ -134,7 +134,7 @@ class PlaneFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     """A confinement plane n·r = d with inward normal, and the pane that shows it; printed: as its source prints it."""
 
     name: str
-    title: Title
+    title: TitleFile
     normal: Triple
     offset_mm: float
     centre_mm: Triple
@@ -151,7 +151,7 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     drawn, under the base. self_collision: pairs of capsules, by name, that must not touch each other.
     """
 
-    title: Title
+    title: TitleFile
     source: str
     urdf: str
     tool: ToolFile

@@ -32,7 +32,7 @@ class Frame:
 
 
 @dataclass(frozen=True)
-class GuardedPoint:
+class MonitoredPoint:
     """A point of the arm that keeps its distance from planes."""
 
     name: str
@@ -52,17 +52,17 @@ class Capsule:
     links: tuple[int, int]
     radius: float
 
-    def at(self, poses: Array) -> Array:
+    def axis_at(self, poses: Array) -> Array:
         """End points of its axis, (2, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
         carriers = poses[list(self.links)]
         return np.asarray(np.einsum("eij,ej->ei", carriers[:, :3, :3], self.ends) + carriers[:, :3, 3])
 
 
 @dataclass(frozen=True, eq=False)
-class Pane:
+class PlanePane:
     """A confinement plane n·r = d (d in m, inward normal) of the robot's file, with the pane that shows it.
 
-    printed: the plane as its source prints it, "" if none does.
+    as_printed: the plane as its source prints it, "" if none does.
     """
 
     name: str
@@ -72,7 +72,7 @@ class Pane:
     centre: Array
     size: tuple[float, float]
     movable: bool
-    printed: str = ""
+    as_printed: str = ""
 
 
 @dataclass(frozen=True)

@@ -6,22 +6,22 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from helicoide.files import toml, written
+from helicoide.files import text_file, toml
 from helicoide.kinematics import robot_check
 from helicoide.kinematics.robot_file import RobotFile
 from helicoide.text import HelicoideError, Text
 
 MOST_BYTES = 1_000_000
 # Largest number allowed in the file, in mm, degrees or pulses; products of larger ones could overflow.
-MOST = 1e9
+MAX_NUMBER = 1e9
 
 
-def read(path: Path, parameters: Mapping[str, float] | None = None) -> RobotFile:
+def read_robot_file(path: Path, parameters: Mapping[str, float] | None = None) -> RobotFile:
     """Read a robot file, with some of its parameters (mm) changed; raises HelicoideError with place and reason."""
     try:
-        table = toml.table(written.text(path, MOST_BYTES), _number)
-        file = toml.struct(_with_parameters(table, parameters or {}), RobotFile)
-        robot_check.check(file)
+        table = toml.parse_toml(text_file.read_text(path, MOST_BYTES), _number)
+        file = toml.table_to_struct(_with_parameters(table, parameters or {}), RobotFile)
+        robot_check.check_robot_file(file)
     except HelicoideError as error:
         raise HelicoideError(
             Text(
@@ -33,8 +33,8 @@ def read(path: Path, parameters: Mapping[str, float] | None = None) -> RobotFile
 
 
 def _number(words: str) -> float:
-    if not abs(value := float(words)) <= MOST:
-        raise HelicoideError(NO_NUMBER.format(number=words[:20], most=MOST))
+    if not abs(value := float(words)) <= MAX_NUMBER:
+        raise HelicoideError(NO_NUMBER.format(number=words[:20], most=MAX_NUMBER))
     return value
 
 
@@ -48,8 +48,8 @@ def _with_parameters(table: dict[str, Any], changed: Mapping[str, float]) -> dic
             raise HelicoideError(NO_PARAMETER.format(name=name, known=", ".join(known) or NONE))
     known = {**known, **changed}
     for name, value in known.items():
-        if not 0 < value <= MOST:
-            raise HelicoideError(NO_LENGTH.format(name=name, value=f"{value:.6g}" if abs(value) < MOST else "?"))
+        if not 0 < value <= MAX_NUMBER:
+            raise HelicoideError(NO_LENGTH.format(name=name, value=f"{value:.6g}" if abs(value) < MAX_NUMBER else "?"))
     return {**_summed(table, known), "parameters": known}
 
 
@@ -60,8 +60,8 @@ def _summed(part: Any, known: Mapping[str, float]) -> Any:
             return {key: _summed(value, known) for key, value in part.items()}
         case list():
             return [_summed(value, known) for value in part]
-        case int() if abs(part) > MOST:
-            raise HelicoideError(NO_NUMBER.format(number=f"{part:#x}"[:20], most=MOST))
+        case int() if abs(part) > MAX_NUMBER:
+            raise HelicoideError(NO_NUMBER.format(number=f"{part:#x}"[:20], most=MAX_NUMBER))
         case str() if known and all(name.strip() in known for name in part.split("+")):
             return sum(known[name.strip()] for name in part.split("+"))
         case _:

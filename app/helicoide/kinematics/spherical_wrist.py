@@ -19,7 +19,7 @@ from helicoide.text import Text
 MEETING, PARALLEL = 1e-6, 1e-6
 
 
-class Kind(Enum):
+class SingularityKind(Enum):
     """The kinds of singularity of such an arm."""
 
     SHOULDER = Text(
@@ -38,13 +38,13 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True)
-class Factor:
+class DeterminantFactor:
     """A factor of det J: its kind, its signed value, and the largest absolute value that the arm's lengths allow.
 
     Units: shoulder m, elbow m², arm m³, wrist none.
     """
 
-    kind: Kind
+    kind: SingularityKind
     value: float
     largest: float
 
@@ -54,7 +54,7 @@ class Factor:
         return self.value / self.largest
 
     @property
-    def words(self) -> Text:
+    def description(self) -> Text:
         """The kind as a sentence, with the relative value in percent."""
         return Text(
             en="{kind} (factor at {part:.1f} % of its largest)", pt_BR="{kind} (fator a {part:.1f} % do máximo)"
@@ -64,14 +64,19 @@ class Factor:
 def spherical_wrist(robot: Robot) -> Frame | None:
     """The frame "wrist" if the last three of six revolute axes meet in its origin; None for other arms."""
     wrist, joints = robot.frames.get("wrist"), robot.joints
-    if wrist is None or len(joints) != 6 or wrist.link < 4 or any(joint.slides or joint.mimic for joint in joints):
+    if (
+        wrist is None
+        or len(joints) != 6
+        or wrist.link < 4
+        or any(joint.is_prismatic or joint.mimic for joint in joints)
+    ):
         return None
     ways = wrist.T_link_frame[:3, 3] + robot.points[wrist.link - 1] - robot.points[3:]
     apart = np.linalg.norm(np.cross(ways, robot.directions[3:]), axis=1)
     return wrist if np.all(apart < MEETING) else None
 
 
-def factors(robot: Robot, q: ArrayLike, wrist: Frame) -> tuple[Factor, ...]:
+def determinant_factors(robot: Robot, q: ArrayLike, wrist: Frame) -> tuple[DeterminantFactor, ...]:
     """Factors of the determinant at the wrist centre p: J_G = [J₁₁ 0; J₂₁ J₂₂], det J_G = det J₁₁ det J₂₂.
 
     −det J₂₂ = s₄·(s₆ × s₅) is the wrist's. If s₂ ∥ s₃, −det J₁₁ = [(s₁ × s₂)·(p − p₁)] [s₂·((p − p₂) × (p − p₃))],
@@ -86,27 +91,27 @@ def factors(robot: Robot, q: ArrayLike, wrist: Frame) -> tuple[Factor, ...]:
     return (*arm, _wrist(axes))
 
 
-def _shoulder_and_elbow(axes: Array, ways: Array) -> tuple[Factor, Factor]:
+def _shoulder_and_elbow(axes: Array, ways: Array) -> tuple[DeterminantFactor, DeterminantFactor]:
     """The two factors of −det J₁₁ for s₂ ∥ s₃, from the axes (6, 3) and the vectors p − pᵢ (3, 3), m."""
     side, across = np.cross(axes[0], axes[1]), axes[1]
     upper, fore = (float(np.linalg.norm(np.cross(across, link))) for link in (ways[1] - ways[2], ways[2]))
     offset, sine = abs(float(side @ (ways[0] - ways[1]))), float(np.linalg.norm(side))
     return (
-        Factor(Kind.SHOULDER, float(side @ ways[0]), offset + sine * (upper + fore)),
-        Factor(Kind.ELBOW, float(across @ np.cross(ways[1], ways[2])), upper * fore),
+        DeterminantFactor(SingularityKind.SHOULDER, float(side @ ways[0]), offset + sine * (upper + fore)),
+        DeterminantFactor(SingularityKind.ELBOW, float(across @ np.cross(ways[1], ways[2])), upper * fore),
     )
 
 
-def _arm(axes: Array, ways: Array) -> Factor:
+def _arm(axes: Array, ways: Array) -> DeterminantFactor:
     """−det J₁₁ as one factor; its bound is the product of the stretched lengths from the three joints to p."""
     columns = np.cross(axes[:3], ways)
     steps = np.linalg.norm([ways[0] - ways[1], ways[1] - ways[2], ways[2]], axis=1)
     longest = np.prod(np.cumsum(steps[::-1]))
-    return Factor(Kind.ARM, float(columns[0] @ np.cross(columns[2], columns[1])), float(longest))
+    return DeterminantFactor(SingularityKind.ARM, float(columns[0] @ np.cross(columns[2], columns[1])), float(longest))
 
 
-def _wrist(axes: Array) -> Factor:
+def _wrist(axes: Array) -> DeterminantFactor:
     """−det J₂₂ = s₄·(s₆ × s₅); its bound is the product of the sines between neighbouring axes."""
     s4, s5, s6 = axes[3:]
     sines = np.linalg.norm(np.cross(s4, s5)) * np.linalg.norm(np.cross(s5, s6))
-    return Factor(Kind.WRIST, float(s4 @ np.cross(s6, s5)), float(sines))
+    return DeterminantFactor(SingularityKind.WRIST, float(s4 @ np.cross(s6, s5)), float(sines))

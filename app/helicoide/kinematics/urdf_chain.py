@@ -13,23 +13,23 @@ import yourdfpy
 
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics import dh
-from helicoide.kinematics.chain import Joint, Mimic, Variable
-from helicoide.kinematics.readiness import ready
-from helicoide.kinematics.robot import Robot, guarded_centres, on_link
+from helicoide.kinematics.chain import Joint, JointVariable, Mimic
+from helicoide.kinematics.ready_posture import find_ready_posture
+from helicoide.kinematics.robot import Robot, default_monitored_points, in_link_frame
 from helicoide.kinematics.robot_parts import Frame
-from helicoide.kinematics.urdf_file import read, root_of
-from helicoide.kinematics.urdf_limits import SLIDE_SPEED, SPEED, range_of, speed_of
-from helicoide.kinematics.urdf_mend import MOVING
+from helicoide.kinematics.urdf_file import read_urdf, root_of
+from helicoide.kinematics.urdf_limits import SLIDE_SPEED, SPEED, joint_range, joint_speed
+from helicoide.kinematics.urdf_path import LEADER_OUTSIDE_CHAIN, joints_between, outside_leaders
+from helicoide.kinematics.urdf_repair import MOVING
 from helicoide.kinematics.urdf_tip import default_tip
-from helicoide.kinematics.urdf_way import BESIDE, between, leaders
-from helicoide.kinematics.urdf_xml import broken
-from helicoide.text import Text, same
+from helicoide.kinematics.urdf_xml import urdf_error
+from helicoide.text import Text, untranslated
 
-Moved = TypeVar("Moved", bound=Variable)
+AnyVariable = TypeVar("AnyVariable", bound=JointVariable)
 
 MOST_JOINTS = 30
 MEETING = 1e-6
-LARGE = 100.0
+LARGEST_REACH = 100.0
 CONTRADICTED = Text(
     en="the limits of {joint} leave {leader}, which it follows, no range; they are left out",
     pt_BR="os limites de {joint} não deixam curso algum a {leader}, que ela segue; ficam de fora",
@@ -44,69 +44,69 @@ NO_LIMITS = Text(
 )
 
 
-def from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Robot:
+def robot_from_urdf(path: Path, tip: str | None = None, base: str | None = None) -> Robot:
     """The chain from the root of a URDF, or another base, to a link, as a Robot; its base frame is that of the base.
 
     Without `tip` the chain ends where the moving joints branch or end. DH rows are recovered from the screws. What the
     file does not say is assumed: speeds that are missing or zero, ranges without bounds, and the posture `ready`.
     Raises HelicoideError when the file is broken or has no such link.
     """
-    reading = read(path)
+    reading = read_urdf(path)
     robot = reading.robot
     if tip is None:
         known = base in {link.name for link in robot.links}
-        link = default_tip(path, robot, base if base is not None and known else root_of(robot), reading.held)
+        link = default_tip(path, robot, base if base is not None and known else root_of(robot), reading.fixed_by_limits)
     else:
         link = tip
-    begun, way, said = between(path, robot, base, link)
-    followed = leaders(path, robot, way)
-    said += [BESIDE.format(leader=name, joints=", ".join(joints)) for name, joints in followed.items()]
+    begun, way, said = joints_between(path, robot, base, link)
+    followed = outside_leaders(path, robot, way)
+    said += [LEADER_OUTSIDE_CHAIN.format(leader=name, joints=", ".join(joints)) for name, joints in followed.items()]
     beside = [joint for name in followed for joint in robot.joints if joint.name == name]
     joints, led_by, T_world_tool_0 = _chain(path, way, beside, link)
     joints, led_by, contradicted = _within_limits_of_mimics(joints, led_by)
     variables = [*(joint for joint in joints if joint.mimic is None), *led_by]
-    guarded, guarded_points, guarded_joints = guarded_centres(joints, T_world_tool_0)
+    guarded, guarded_points, guarded_joints = default_monitored_points(joints, T_world_tool_0)
     found = Robot(
         name=path.stem,
-        title=same(robot.name or path.stem),
+        title=untranslated(robot.name or path.stem),
         source=f"{path.name}: {link}",
         urdf=path,
         joints=joints,
         tool_link=link,
         T_world_tool_0=T_world_tool_0,
-        dh=dh.recovered(joints, T_world_tool_0),
+        dh=dh.dh_from_screws(joints, T_world_tool_0),
         frames=MappingProxyType(_frames(joints, T_world_tool_0)),
-        guarded=guarded,
-        guarded_points=guarded_points,
-        guarded_joints=guarded_joints,
+        monitored=guarded,
+        monitored_points=guarded_points,
+        monitored_links=guarded_joints,
         poses=MappingProxyType({}),
         pose_titles=MappingProxyType({"ready": Text(en="ready", pt_BR="pronto")}),
         assumed=_assumed([*way, *beside], variables),
         base=begun,
         leaders=led_by,
-        remarks=(*reading.remarks, *said, *contradicted, *_boundless([*way, *beside], variables)),
+        remarks=(*reading.remarks, *said, *contradicted, *_unlimited([*way, *beside], variables)),
     )
-    if found.stretched > LARGE:
-        found = replace(found, remarks=(*found.remarks, IN_MILLIMETRES.format(reach=f"{found.stretched:.0f}")))
-    return replace(found, poses=MappingProxyType({"ready": ready(found)}))
+    if found.stretched_length > LARGEST_REACH:
+        found = replace(found, remarks=(*found.remarks, IN_MILLIMETRES.format(reach=f"{found.stretched_length:.0f}")))
+    return replace(found, poses=MappingProxyType({"ready": find_ready_posture(found)}))
 
 
-def _assumed(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> tuple[str, ...]:
+def _assumed(given: Sequence[yourdfpy.Joint], variables: Sequence[JointVariable]) -> tuple[str, ...]:
     """What the file does not give of the variables: limits, speeds."""
-    speeds = {joint.name: speed_of(joint) for joint in given}
+    speeds = {joint.name: joint_speed(joint) for joint in given}
     limits = any(variable.assumed for variable in variables)
     return (*["limits"] * limits, *["speeds"] * any(speeds[variable.name] is None for variable in variables))
 
 
-def _boundless(given: Sequence[yourdfpy.Joint], variables: Sequence[Variable]) -> list[Text]:
+def _unlimited(given: Sequence[yourdfpy.Joint], variables: Sequence[JointVariable]) -> list[Text]:
     """A remark on assumed ranges, except those of continuous joints."""
     continuous = {joint.name for joint in given if joint.type == "continuous"}
     assumed = [variable for variable in variables if variable.assumed and variable.name not in continuous]
     return [NO_LIMITS.format(ranges=", ".join(map(_range, assumed)))] if assumed else []
 
 
-def _range(variable: Variable) -> str:
-    scale, unit = (1.0, " m") if variable.slides else (180 / np.pi, "°")
+def _range(variable: JointVariable) -> str:
+    scale, unit = (1.0, " m") if variable.is_prismatic else (180 / np.pi, "°")
     return f"{variable.name} {scale * variable.lower:g}…{scale * variable.upper:g}{unit}"
 
 
@@ -115,8 +115,8 @@ def _frames(joints: tuple[Joint, ...], T_world_tool_0: Array) -> dict[str, Frame
     wrist[:3, 3] = _meeting_point(joints[-3:])
     return {
         "station": Frame("station", 0, frozen(np.eye(4))),
-        "wrist": Frame("wrist", len(joints), on_link(wrist, joints[-1].point)),
-        "tool": Frame("tool", len(joints), on_link(T_world_tool_0, joints[-1].point)),
+        "wrist": Frame("wrist", len(joints), in_link_frame(wrist, joints[-1].point)),
+        "tool": Frame("tool", len(joints), in_link_frame(T_world_tool_0, joints[-1].point)),
     }
 
 
@@ -126,16 +126,16 @@ def _meeting_point(joints: tuple[Joint, ...]) -> Array:
     sides = np.concatenate([P @ joint.point for P, joint in zip(across, joints, strict=True)])
     point, *_ = np.linalg.lstsq(np.vstack(across), sides)
     apart = np.abs(np.vstack(across) @ point - sides).max()
-    return point if apart < MEETING and not any(joint.slides for joint in joints) else joints[-1].point
+    return point if apart < MEETING and not any(joint.is_prismatic for joint in joints) else joints[-1].point
 
 
 def _chain(
     path: Path, way: Sequence[yourdfpy.Joint], beside: Sequence[yourdfpy.Joint], tip: str
-) -> tuple[tuple[Joint, ...], tuple[Variable, ...], Array]:
+) -> tuple[tuple[Joint, ...], tuple[JointVariable, ...], Array]:
     """The moving joints up to a link, the leaders outside the chain, and the pose of the link at zero, base frame."""
     free = [joint.name for joint in (*way, *beside) if joint.type in MOVING and joint.mimic is None]
     if not 0 < (count := len(free)) <= MOST_JOINTS:
-        raise broken(
+        raise urdf_error(
             path,
             Text(
                 en=f"the chain to {tip!r} has {count} moving joints; an arm has 1 to {MOST_JOINTS}",
@@ -152,16 +152,16 @@ def _chain(
     return tuple(joints), tuple(led_by), frozen(T)
 
 
-def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> Variable:
+def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> JointVariable:
     slides = joint.type == "prismatic"
-    lower, upper, assumed = range_of(path, joint, size)
-    return Variable(
+    lower, upper, assumed = joint_range(path, joint, size)
+    return JointVariable(
         name=joint.name,
-        title=same(joint.name),
+        title=untranslated(joint.name),
         kind="prismatic" if slides else "revolute",
         lower=lower,
         upper=upper,
-        speed=speed_of(joint) or (SLIDE_SPEED if slides else SPEED),
+        speed=joint_speed(joint) or (SLIDE_SPEED if slides else SPEED),
         assumed=assumed,
     )
 
@@ -169,7 +169,7 @@ def _variable(path: Path, joint: yourdfpy.Joint, size: float) -> Variable:
 def _joint(path: Path, joint: yourdfpy.Joint, T: Array, size: float, free: list[str]) -> Joint:
     direction = T[:3, :3] @ np.asarray(joint.axis, dtype=float)
     if not np.linalg.norm(direction) > 0:
-        raise broken(
+        raise urdf_error(
             path, Text(en=f"the axis of joint {joint.name!r} is zero", pt_BR=f"o eixo da junta {joint.name!r} é nulo")
         )
     mimic = joint.mimic
@@ -183,8 +183,8 @@ def _joint(path: Path, joint: yourdfpy.Joint, T: Array, size: float, free: list[
 
 
 def _within_limits_of_mimics(
-    joints: Sequence[Joint], led_by: Sequence[Variable]
-) -> tuple[tuple[Joint, ...], tuple[Variable, ...], list[Text]]:
+    joints: Sequence[Joint], led_by: Sequence[JointVariable]
+) -> tuple[tuple[Joint, ...], tuple[JointVariable, ...], list[Text]]:
     """The joints and leaders, with each variable's range narrowed to the limits of the joints that follow it.
 
     Limits of a follower that leave its leader no range are ignored with a remark: in some grippers their sign is wrong.
@@ -195,7 +195,7 @@ def _within_limits_of_mimics(
     contradicted = list[Text]()
     for joint, mimic in followers:
         name = variables[mimic.driver].name
-        ends = sorted((end - mimic.shift) / mimic.ratio for end in (joint.lower, joint.upper))
+        ends = sorted((end - mimic.offset) / mimic.multiplier for end in (joint.lower, joint.upper))
         lower, upper = max(ranges[name][0], ends[0]), min(ranges[name][1], ends[1])
         if lower < upper:
             ranges[name] = lower, upper
@@ -208,7 +208,7 @@ def _within_limits_of_mimics(
     )
 
 
-def _within(variable: Moved, lower: float, upper: float) -> Moved:
+def _within(variable: AnyVariable, lower: float, upper: float) -> AnyVariable:
     """A variable with a narrower range, which is no longer assumed if both ends come from joints that follow it."""
     assumed = variable.assumed and (lower == variable.lower or upper == variable.upper)
     return replace(variable, lower=lower, upper=upper, assumed=assumed)

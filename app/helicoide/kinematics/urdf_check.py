@@ -9,19 +9,19 @@ from xml.etree.ElementTree import Element
 
 import yourdfpy
 
-from helicoide.kinematics.urdf_numbers import MOST, numbers
-from helicoide.kinematics.urdf_xml import broken
+from helicoide.kinematics.urdf_numbers import MOST, parse_numbers
+from helicoide.kinematics.urdf_xml import urdf_error
 from helicoide.text import Text
 
-KINDS = {"link": Text(en="link", pt_BR="elo"), "joint": Text(en="joint", pt_BR="junta")}
+PART_TITLES = {"link": Text(en="link", pt_BR="elo"), "joint": Text(en="joint", pt_BR="junta")}
 # Xacro elements that change no link and no joint.
-HARMLESS = ("xacro:property", "xacro:arg")
+IGNORED_XACRO = ("xacro:property", "xacro:arg")
 UNRESOLVED = ("${", "$(")
 XACRO = Text(
     en="it is xacro ({what}); make a URDF of it with xacro", pt_BR="é xacro ({what}); gere um URDF com o xacro"
 )
 # Count and largest absolute value of the numbers of a joint.
-NEEDED = {
+REQUIRED_NUMBERS = {
     "origin": {"xyz": (3, MOST), "rpy": (3, MOST)},
     "axis": {"xyz": (3, MOST)},
     "limit": {"lower": (1, math.inf), "upper": (1, math.inf)},
@@ -32,21 +32,21 @@ NEEDED = {
 def check_parts(path: Path, root: Element) -> None:
     """Raise HelicoideError for a file that is no URDF, for missing or repeated names, and for invalid joints."""
     if root.tag != "robot":
-        raise broken(
+        raise urdf_error(
             path, Text(en=f"it starts with {root.tag!r}, not 'robot'", pt_BR=f"começa com {root.tag!r}, não 'robot'")
         )
     for element in root.iter():
-        if element.tag.startswith("xacro:") and element.tag not in HARMLESS:
-            raise broken(path, XACRO.format(what=f"<{element.tag}>"))
+        if element.tag.startswith("xacro:") and element.tag not in IGNORED_XACRO:
+            raise urdf_error(path, XACRO.format(what=f"<{element.tag}>"))
     if root.find("link") is None:
-        raise broken(path, Text(en="it has no links", pt_BR="não tem elos"))
+        raise urdf_error(path, Text(en="it has no links", pt_BR="não tem elos"))
     known = set[tuple[str, str]]()
-    for part in (part for part in root if part.tag in KINDS):
+    for part in (part for part in root if part.tag in PART_TITLES):
         which = (part.tag, part.get("name", ""))
         if _is_unresolved(which[1]):
-            raise broken(path, XACRO.format(what=which[1]))
+            raise urdf_error(path, XACRO.format(what=which[1]))
         if not which[1] or which in known:
-            raise broken(path, _of(part, "needs a name of its own", "precisa de um nome só seu"))
+            raise urdf_error(path, _of(part, "needs a name of its own", "precisa de um nome só seu"))
         known.add(which)
         if part.tag == "joint":
             _check_joint(path, part)
@@ -57,22 +57,22 @@ def _is_unresolved(words: str) -> bool:
 
 
 def _of(part: Element, en: str, pt_BR: str) -> Text:
-    kind, name = KINDS[part.tag], part.get("name", "")
+    kind, name = PART_TITLES[part.tag], part.get("name", "")
     return Text(en=f"{kind.en} {name!r} {en}", pt_BR=f"{kind.pt_BR} {name!r} {pt_BR}")
 
 
 def _check_joint(path: Path, joint: Element) -> None:
     for end in ("parent", "child"):
         if (element := joint.find(end)) is None or not element.get("link"):
-            raise broken(path, _of(joint, f"has no {end} link", f"não tem o elo {end}"))
+            raise urdf_error(path, _of(joint, f"has no {end} link", f"não tem o elo {end}"))
     fixed = joint.get("type", "").strip().lower() == "fixed"
-    for tag, attributes in NEEDED.items():
+    for tag, attributes in REQUIRED_NUMBERS.items():
         if (element := joint.find(tag)) is None or (fixed and tag != "origin"):
             continue
         for attribute, (count, most) in attributes.items():
             words = element.get(attribute)
-            if words is not None and not numbers(words, count, most):
-                raise broken(path, _wrong_number(joint, f'{tag} {attribute}="{words}"', count))
+            if words is not None and not parse_numbers(words, count, most):
+                raise urdf_error(path, _wrong_number(joint, f'{tag} {attribute}="{words}"', count))
 
 
 def _wrong_number(joint: Element, given: str, count: int) -> Text:
@@ -96,16 +96,16 @@ def check_tree(path: Path, robot: yourdfpy.Robot) -> None:
                     "joint {!r} names link {!r}, which is not there",
                     "a junta {!r} cita o elo {!r}, que não existe",
                 )
-                raise broken(path, Text(en=en.format(joint.name, name), pt_BR=pt_BR.format(joint.name, name)))
+                raise urdf_error(path, Text(en=en.format(joint.name, name), pt_BR=pt_BR.format(joint.name, name)))
         if joint.child in parents:
             two = f"{joint.child!r}: {parents[joint.child]!r}, {joint.parent!r}"
-            raise broken(path, Text(en=f"two parents of link {two}", pt_BR=f"dois pais do elo {two}"))
+            raise urdf_error(path, Text(en=f"two parents of link {two}", pt_BR=f"dois pais do elo {two}"))
         parents[joint.child] = joint.parent
     roots = [link.name for link in robot.links if link.name not in parents]
     _check_cycles(path, parents, set(roots))
     if len(roots) > 1:
         several = ", ".join(roots)
-        raise broken(path, Text(en=f"it has several roots: {several}", pt_BR=f"tem várias raízes: {several}"))
+        raise urdf_error(path, Text(en=f"it has several roots: {several}", pt_BR=f"tem várias raízes: {several}"))
 
 
 def _check_cycles(path: Path, parents: Mapping[str, str], sound: set[str]) -> None:
@@ -116,7 +116,7 @@ def _check_cycles(path: Path, parents: Mapping[str, str], sound: set[str]) -> No
             above = parents[way[-1]]
             if above in on_it:
                 circle = " → ".join([*way[way.index(above) :], above])
-                raise broken(
+                raise urdf_error(
                     path, Text(en=f"the links go in a circle: {circle}", pt_BR=f"os elos formam um ciclo: {circle}")
                 )
             way.append(above)

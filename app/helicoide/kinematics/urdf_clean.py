@@ -13,13 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.geometry import euler
-from helicoide.kinematics.urdf_numbers import MOST, numbers, written
-from helicoide.text import Text, same
+from helicoide.kinematics.urdf_numbers import MOST, format_numbers, parse_numbers
+from helicoide.text import Text, untranslated
 
 URDF = euler.EXTRINSIC + "xyz"
 SOLIDS = {"box": {"size": 3}, "cylinder": {"radius": 1, "length": 1}, "sphere": {"radius": 1}}
 ROUND = {"radius": 1, "length": 1}
-NOTHING = written([0.0])
+ZERO_NUMBER = format_numbers([0.0])
 NO_GEOMETRY = Text(en="no geometry", pt_BR="sem geometria")
 WRONG_PLACE = Text(en="its place is no finite numbers", pt_BR="a posição não são números finitos")
 WRONG_SIZE = Text(en="its {tag} has no size in finite numbers", pt_BR="o {tag} não tem tamanho em números finitos")
@@ -34,7 +34,7 @@ class NotDrawn(Exception):
         self.why = why
 
 
-def cleaned(root: Element, name: str) -> tuple[Element, list[tuple[str, Text]]]:
+def cleaned_urdf(root: Element, name: str) -> tuple[Element, list[tuple[str, Text]]]:
     """The robot with only these parts, and the links with omitted visuals, each with the reason.
 
     name: used if the robot has none. The joints must have been checked.
@@ -64,10 +64,10 @@ def _joint(part: Element) -> Element:
     if kind == "fixed":
         return joint
     if (axis := part.find("axis")) is not None:
-        SubElement(joint, "axis", xyz=written(_unit(np.array(numbers(axis.get("xyz", "1 0 0"), 3)))))
+        SubElement(joint, "axis", xyz=format_numbers(_unit(np.array(parse_numbers(axis.get("xyz", "1 0 0"), 3)))))
     if (limit := part.find("limit")) is not None:
-        given = {key: numbers(limit.get(key), 1, math.inf) for key in ("lower", "upper", "velocity")}
-        SubElement(joint, "limit", {key: written(value) for key, value in given.items() if value})
+        given = {key: parse_numbers(limit.get(key), 1, math.inf) for key in ("lower", "upper", "velocity")}
+        SubElement(joint, "limit", {key: format_numbers(value) for key, value in given.items() if value})
     if (mimic := part.find("mimic")) is not None:
         factors = {key: mimic.get(key, usual) for key, usual in (("multiplier", "1"), ("offset", "0"))}
         SubElement(joint, "mimic", {"joint": mimic.get("joint", ""), **factors})
@@ -86,10 +86,12 @@ def _unit(axis: NDArray[np.float64]) -> list[float]:
 def _placed(part: Element) -> Element:
     """The origin of a joint or a visual; zero if none is given."""
     given = part.find("origin")
-    found = {key: numbers("0 0 0" if given is None else given.get(key, "0 0 0"), 3, MOST) for key in ("xyz", "rpy")}
+    found = {
+        key: parse_numbers("0 0 0" if given is None else given.get(key, "0 0 0"), 3, MOST) for key in ("xyz", "rpy")
+    }
     if not all(found.values()):
         raise NotDrawn(WRONG_PLACE)
-    return Element("origin", {key: written(values) for key, values in found.items()})
+    return Element("origin", {key: format_numbers(values) for key, values in found.items()})
 
 
 def _visuals(visual: Element) -> Iterator[Element]:
@@ -104,10 +106,10 @@ def _visuals(visual: Element) -> Iterator[Element]:
         yield _visual(visual, origin, "mesh", _mesh(solid))
     elif solid.tag in SOLIDS:
         sizes = _sizes(solid, SOLIDS[solid.tag])
-        if NOTHING not in sizes.values():
+        if ZERO_NUMBER not in sizes.values():
             yield _visual(visual, origin, solid.tag, sizes)
     else:
-        raise NotDrawn(UNKNOWN.format(tag=same(str(solid.tag))))
+        raise NotDrawn(UNKNOWN.format(tag=untranslated(str(solid.tag))))
 
 
 def _visual(visual: Element, origin: Element, tag: str, sizes: dict[str, str]) -> Element:
@@ -122,21 +124,23 @@ def _visual(visual: Element, origin: Element, tag: str, sizes: dict[str, str]) -
 def _capsule(visual: Element, origin: Element, solid: Element) -> Iterator[Element]:
     """A capsule as three solids; its length is that of the cylinder, as in SDFormat and MuJoCo."""
     sizes = _sizes(solid, ROUND)
-    if sizes["radius"] == NOTHING:
+    if sizes["radius"] == ZERO_NUMBER:
         return
-    if sizes["length"] != NOTHING:
+    if sizes["length"] != ZERO_NUMBER:
         yield _visual(visual, origin, "cylinder", sizes)
-    xyz, rpy = (np.array(numbers(origin.get(key), 3)) for key in ("xyz", "rpy"))
-    up = euler.matrix(rpy, URDF)[:, 2] * float(sizes["length"]) / 2
+    xyz, rpy = (np.array(parse_numbers(origin.get(key), 3)) for key in ("xyz", "rpy"))
+    up = euler.euler_matrix(rpy, URDF)[:, 2] * float(sizes["length"]) / 2
     for end in (xyz + up, xyz - up):
-        yield _visual(visual, Element("origin", xyz=written(end.tolist())), "sphere", {"radius": sizes["radius"]})
+        yield _visual(
+            visual, Element("origin", xyz=format_numbers(end.tolist())), "sphere", {"radius": sizes["radius"]}
+        )
 
 
 def _sizes(solid: Element, wanted: dict[str, int]) -> dict[str, str]:
-    found = {key: numbers(solid.get(key), count, MOST) for key, count in wanted.items()}
+    found = {key: parse_numbers(solid.get(key), count, MOST) for key, count in wanted.items()}
     if not all(values and min(values) >= 0 for values in found.values()):
-        raise NotDrawn(WRONG_SIZE.format(tag=same(str(solid.tag))))
-    return {key: written(values) for key, values in found.items()}
+        raise NotDrawn(WRONG_SIZE.format(tag=untranslated(str(solid.tag))))
+    return {key: format_numbers(values) for key, values in found.items()}
 
 
 def _mesh(solid: Element) -> dict[str, str]:
@@ -145,10 +149,10 @@ def _mesh(solid: Element) -> dict[str, str]:
         raise NotDrawn(NO_GEOMETRY)
     if words is None:
         return {"filename": filename}
-    scale = numbers(words, 3, MOST) or 3 * numbers(words, 1, MOST)
+    scale = parse_numbers(words, 3, MOST) or 3 * parse_numbers(words, 1, MOST)
     if not scale or 0 in scale:
-        raise NotDrawn(WRONG_SIZE.format(tag=same("mesh")))
-    return {"filename": filename, "scale": written(scale)}
+        raise NotDrawn(WRONG_SIZE.format(tag=untranslated("mesh")))
+    return {"filename": filename, "scale": format_numbers(scale)}
 
 
 def _material(material: Element) -> Element | None:
@@ -156,6 +160,6 @@ def _material(material: Element) -> Element | None:
     kept = Element("material", {"name": material.get("name", "")} if material.get("name") else {})
     colour = material.find("color")
     words = "" if colour is None else colour.get("rgba", "")
-    if rgba := numbers(words, 4) or (numbers(words, 3) and [*numbers(words, 3), 1.0]):
-        SubElement(kept, "color", rgba=written([min(max(channel, 0.0), 1.0) for channel in rgba]))
+    if rgba := parse_numbers(words, 4) or (parse_numbers(words, 3) and [*parse_numbers(words, 3), 1.0]):
+        SubElement(kept, "color", rgba=format_numbers([min(max(channel, 0.0), 1.0) for channel in rgba]))
     return kept if len(kept) or kept.attrib else None

@@ -9,7 +9,7 @@ import yourdfpy
 
 from helicoide.kinematics.chain import Joint
 from helicoide.kinematics.robot import Robot
-from helicoide.text import Text, joined, same
+from helicoide.text import Text, join_texts, untranslated
 
 AGREE = 1e-9
 NO_JOINT = Text(
@@ -51,7 +51,7 @@ def urdf_faults(robot: Robot, urdf: yourdfpy.URDF) -> Iterator[Text]:
         if joint.name not in urdf.joint_map:
             yield NO_JOINT.format(name=joint.name, known=", ".join(moving) or "-")
         elif said := [*_joint(joint, urdf), *(_place(joint, urdf) if joint.link in links else ())]:
-            yield DIFFERS.format(name=joint.name, what=joined(said))
+            yield DIFFERS.format(name=joint.name, what=join_texts(said))
     if robot.gripper and robot.gripper.joint not in moving:
         yield NO_JOINT.format(name=robot.gripper.joint, known=", ".join(moving) or "-")
     named = {joint.name for joint in robot.joints} | ({robot.gripper.joint} if robot.gripper else set())
@@ -86,4 +86,4 @@ def _place(joint: Joint, urdf: yourdfpy.URDF) -> Iterator[Text]:
 def _listed(values: tuple[float | None, ...]) -> Text:
     """Numbers with the decimal sign of each language."""
     written = [f"{value:.6g}" if value is not None else "-" for value in values]
-    return joined([Text(en=number, pt_BR=number.replace(".", ",")) for number in written] or [same("-")])
+    return join_texts([Text(en=number, pt_BR=number.replace(".", ",")) for number in written] or [untranslated("-")])

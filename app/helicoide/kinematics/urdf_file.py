@@ -12,79 +12,83 @@ import numpy as np
 import yourdfpy
 
 from helicoide.kinematics.urdf_check import check_parts, check_tree
-from helicoide.kinematics.urdf_clean import cleaned
-from helicoide.kinematics.urdf_mend import MOVING, mend
-from helicoide.kinematics.urdf_mesh import mesh_file, without_meshes
-from helicoide.kinematics.urdf_xml import PLAIN, broken, tree
-from helicoide.text import Text, joined, same
+from helicoide.kinematics.urdf_clean import cleaned_urdf
+from helicoide.kinematics.urdf_mesh import mesh_file, remove_unreadable_meshes
+from helicoide.kinematics.urdf_repair import MOVING, repair_joints
+from helicoide.kinematics.urdf_xml import NO_PARAMETERS, parse_xml, urdf_error
+from helicoide.text import Text, join_texts, untranslated
 
-LOOSE = Text(
+UNCONNECTED_LINKS = Text(
     en="links that no joint holds are left out: {names}", pt_BR="elos que nenhuma junta segura ficam de fora: {names}"
 )
-HELD = Text(
+FIXED_BY_LIMITS = Text(
     en="joints whose lower limit is their upper one are fixed: {names}",
     pt_BR="juntas cujo limite inferior é igual ao superior ficam fixas: {names}",
 )
 NOT_UNDERSTOOD = Text(en="it cannot be understood as a URDF", pt_BR="não dá para entendê-lo como URDF")
-MOST_SAID = 3
+MAX_LISTED = 3
 NOT_DRAWN = Text(en="not drawn: {listed}{more}", pt_BR="não desenhado: {listed}{more}")
 NOT_DRAWN_OF = Text(en="of link {link}, {why}", pt_BR="do elo {link}, {why}")
 MORE = Text(en="; and {n} more", pt_BR="; e mais {n}")
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class UrdfReading:
     """The links and joints of a URDF, remarks on omitted parts, and links with undrawn visuals and the reasons.
 
-    held: the joints that are fixed because their lower and upper limits are equal.
+    fixed_by_limits: the joints that are fixed because their lower and upper limits are equal.
     """
 
     robot: yourdfpy.Robot
     remarks: tuple[Text, ...]
     not_drawn: tuple[tuple[str, Text], ...]
-    held: tuple[str, ...]
+    fixed_by_limits: tuple[str, ...]
 
 
-def read(path: Path, parameters: Mapping[str, float] = PLAIN) -> Reading:
+def read_urdf(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> UrdfReading:
     """Read a URDF, with ${name} replaced by parameters (m).
 
     Raises HelicoideError if it cannot be read, is not a tree, or has a number that is not finite.
     """
-    root = tree(path, parameters)
+    root = parse_xml(path, parameters)
     check_parts(path, root)
-    clean, undrawn = cleaned(root, path.stem)
+    clean, undrawn = cleaned_urdf(root, path.stem)
     clean_bytes = io.BytesIO(ElementTree.tostring(clean))
     try:
         robot = yourdfpy.URDF.load(clean_bytes, load_meshes=False, build_scene_graph=False).robot
     except Exception as error:  # yourdfpy and lxml may raise anything; common errors were checked before
-        raise broken(path, NOT_UNDERSTOOD) from error
+        raise urdf_error(path, NOT_UNDERSTOOD) from error
     loose = _without_loose_links(robot)
     check_tree(path, robot)
-    held = mend(robot)
-    remarks = [text.format(names=", ".join(names)) for text, names in ((LOOSE, loose), (HELD, held)) if names]
-    return Reading(robot, tuple(remarks), tuple(undrawn), tuple(held))
+    held = repair_joints(robot)
+    remarks = [
+        text.format(names=", ".join(names))
+        for text, names in ((UNCONNECTED_LINKS, loose), (FIXED_BY_LIMITS, held))
+        if names
+    ]
+    return UrdfReading(robot, tuple(remarks), tuple(undrawn), tuple(held))
 
 
-def parsed(path: Path, parameters: Mapping[str, float] = PLAIN, meshes: bool = False) -> yourdfpy.URDF:
-    """The URDF with ${name} replaced by parameters (m), with or without its meshes. Raises as `read`."""
-    robot = read(path, parameters).robot
+def parse_urdf(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS, meshes: bool = False) -> yourdfpy.URDF:
+    """The URDF with ${name} replaced by parameters (m), with or without its meshes. Raises as `read_urdf`."""
+    robot = read_urdf(path, parameters).robot
     if not meshes:
         return yourdfpy.URDF(robot, build_scene_graph=False, load_meshes=False)
     return with_meshes(path, robot)
 
 
-def not_drawn(path: Path, parameters: Mapping[str, float] = PLAIN) -> Text | None:
+def undrawn_remark(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> Text | None:
     """A sentence on links that cannot be drawn, with the reasons; None if all can be drawn. Reads the meshes.
 
     Raises as `read`.
     """
-    reading = read(path, parameters)
-    missing = [*reading.not_drawn, *without_meshes(path, reading.robot)]
+    reading = read_urdf(path, parameters)
+    missing = [*reading.not_drawn, *remove_unreadable_meshes(path, reading.robot)]
     if not missing:
         return None
-    said = [NOT_DRAWN_OF.format(link=link, why=why) for link, why in missing[:MOST_SAID]]
-    more = MORE.format(n=len(missing) - MOST_SAID) if len(missing) > MOST_SAID else same("")
-    return NOT_DRAWN.format(listed=joined(said), more=more)
+    said = [NOT_DRAWN_OF.format(link=link, why=why) for link, why in missing[:MAX_LISTED]]
+    more = MORE.format(n=len(missing) - MAX_LISTED) if len(missing) > MAX_LISTED else untranslated("")
+    return NOT_DRAWN.format(listed=join_texts(said), more=more)
 
 
 def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
@@ -96,7 +100,7 @@ def with_meshes(path: Path, robot: yourdfpy.Robot) -> yourdfpy.URDF:
     for joint in robot.joints:
         if joint.mimic is not None and joint.mimic.joint not in leaders:
             joint.mimic = None
-    without_meshes(path, robot)  # one unreadable mesh would make loading fail
+    remove_unreadable_meshes(path, robot)  # one unreadable mesh would make loading fail
     return yourdfpy.URDF(robot, build_scene_graph=True, load_meshes=True, filename_handler=mesh_file(path))
 
 

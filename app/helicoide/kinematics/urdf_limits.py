@@ -7,24 +7,24 @@ from pathlib import Path
 
 import yourdfpy
 
-from helicoide.kinematics.urdf_xml import broken
+from helicoide.kinematics.urdf_xml import urdf_error
 from helicoide.text import Text
 
 SPEED, SLIDE_SPEED = math.pi / 3, 0.25
-FASTEST = 1e3
+MAX_SPEED = 1e3
 # What a file means by no limit: turns, rad, and slides, m or as many times what the links give, whichever is more. And
 # the range that is taken instead, to both sides.
 BOUNDLESS_TURN, TURN = 1e3, 2 * math.pi
 BOUNDLESS_SLIDE, SLIDE = 100.0, 10.0
 
 
-def speed_of(joint: yourdfpy.Joint) -> float | None:
+def joint_speed(joint: yourdfpy.Joint) -> float | None:
     """Speed limit of a joint, rad/s or m/s; None if the file does not give it."""
     speed = joint.limit.velocity if joint.limit is not None else None
-    return float(speed) if speed and 0 < speed <= FASTEST else None
+    return float(speed) if speed and 0 < speed <= MAX_SPEED else None
 
 
-def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, float, bool]:
+def joint_range(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, float, bool]:
     """Lower and upper limit of a joint, rad or m, and whether one of them is assumed.
 
     What is left out beside one that is given is zero, as the format says. Raises HelicoideError for limits in falling
@@ -40,7 +40,7 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
         return -assumed, assumed, True
     lower, upper = limit.lower or 0.0, limit.upper or 0.0
     if lower > upper:
-        raise broken(path, wrong_limits(joint.name, lower, upper))
+        raise urdf_error(path, wrong_limits(joint.name, lower, upper))
     below, above = lower < -most, upper > most
     if joint.mimic is not None:
         return -math.inf if below else float(lower), math.inf if above else float(upper), False
@@ -51,7 +51,7 @@ def range_of(path: Path, joint: yourdfpy.Joint, size: float) -> tuple[float, flo
     elif below:
         lower = min(-assumed, upper - assumed)
     if not lower < upper:
-        raise broken(path, wrong_limits(joint.name, lower, upper))
+        raise urdf_error(path, wrong_limits(joint.name, lower, upper))
     return float(lower), float(upper), below or above
 
 

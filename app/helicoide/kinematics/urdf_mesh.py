@@ -30,15 +30,15 @@ def _mesh_file(folder: Path, fname: str) -> str:
     inside = name if package is None else f"{package[1] or ''}/{name[package.end() :]}".lstrip("/")
     if package is None:
         inside = inside.rpartition("://")[2]
-        return str(_alike(folder / inside) or folder / inside)
+        return str(_ignoring_case(folder / inside) or folder / inside)
     if ".." in inside.split("/"):
         return fname
     ways = (inside, inside.partition("/")[2].lstrip("/"))
     places = (above / way for above in (folder, *folder.parents) for way in ways if way)
-    return str(next((found for place in places if (found := _alike(place))), fname))
+    return str(next((found for place in places if (found := _ignoring_case(place))), fname))
 
 
-def _alike(place: Path) -> Path | None:
+def _ignoring_case(place: Path) -> Path | None:
     """The file of that name, with its suffix in either case; None if there is none."""
     try:
         names = (place, *(place.with_suffix(way(place.suffix)) for way in (str.lower, str.upper) if place.suffix))
@@ -47,7 +47,7 @@ def _alike(place: Path) -> Path | None:
         return None
 
 
-def without_meshes(path: Path, robot: yourdfpy.Robot) -> list[tuple[str, Text]]:
+def remove_unreadable_meshes(path: Path, robot: yourdfpy.Robot) -> list[tuple[str, Text]]:
     """Remove the meshes that cannot be drawn; returns their links and the reasons."""
     found = list[tuple[str, Text]]()
     for link in robot.links:
@@ -60,7 +60,7 @@ def without_meshes(path: Path, robot: yourdfpy.Robot) -> list[tuple[str, Text]]:
 
 
 def _why_not(file: Path) -> Text | None:
-    there = _alike(file)
+    there = _ignoring_case(file)
     return NO_MESH if there is None else _read(there, there.stat().st_mtime_ns)
 
 

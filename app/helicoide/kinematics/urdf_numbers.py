@@ -8,7 +8,7 @@ from collections.abc import Sequence
 MOST = 1e9
 
 
-def numbers(words: str | None, count: int, most: float = MOST) -> list[float]:
+def parse_numbers(words: str | None, count: int, most: float = MOST) -> list[float]:
     """The numbers in a text; empty unless there are `count` of absolute value at most `most`."""
     try:
         values = [float(word) for word in (words or "").replace(",", " ").split()]
@@ -17,6 +17,6 @@ def numbers(words: str | None, count: int, most: float = MOST) -> list[float]:
     return values if len(values) == count and all(abs(value) <= most for value in values) else []
 
 
-def written(values: Sequence[float]) -> str:
-    """The numbers as text, from which `numbers` reads them back exactly."""
+def format_numbers(values: Sequence[float]) -> str:
+    """The numbers as text, from which `parse_numbers` reads them back exactly."""
     return " ".join(repr(0.0 if value == 0 or math.isnan(value) else float(value)) for value in values)

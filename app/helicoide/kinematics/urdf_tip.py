@@ -10,28 +10,28 @@ from pathlib import Path
 import numpy as np
 import yourdfpy
 
-from helicoide.kinematics.urdf_xml import broken
+from helicoide.kinematics.urdf_xml import urdf_error
 from helicoide.text import Text
 
-Below = Mapping[str, list[yourdfpy.Joint]]
+ChildJoints = Mapping[str, list[yourdfpy.Joint]]
 
 RIGID = ("fixed", "planar", "floating")
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 # Words in the names of tool links; earlier rows take precedence.
-TOOLS = (
+TOOL_NAMES = (
     {"tool", "tcp", "ee", "hand", "flange"},
     {"eef", "effector", "endeffector", "eff"},
     {"gripper", "grasp", "grasping", "grip", "palm"},
     {"tip", "fingertip", "nozzle", "probe", "end"},
 )
 NOTHING_MOVES = Text(en="it has no moving joints beyond link {base}", pt_BR="não tem juntas móveis além do elo {base}")
-HELD = Text(
+NONE_MOVES = Text(
     en="it has no moving joints: lower and upper of {joints} are the same",
     pt_BR="não tem juntas móveis: lower e upper de {joints} são iguais",
 )
 
 
-def below(robot: yourdfpy.Robot) -> Below:
+def child_joints(robot: yourdfpy.Robot) -> ChildJoints:
     """The joints whose parent is each link."""
     found: dict[str, list[yourdfpy.Joint]] = {}
     for joint in robot.joints:
@@ -39,7 +39,7 @@ def below(robot: yourdfpy.Robot) -> Below:
     return found
 
 
-def moves(joint: yourdfpy.Joint) -> bool:
+def is_moving(joint: yourdfpy.Joint) -> bool:
     """Whether a joint counts as moving; a joint of unknown type does, so that it is reported."""
     return joint.type not in RIGID
 
@@ -50,27 +50,27 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
     held: joints that would move if their limits were not equal. Raises HelicoideError if the end is ambiguous or
     nothing moves.
     """
-    joints_below = below(robot)
+    joints_below = child_joints(robot)
     beyond = _moving_beyond(base, joints_below)
     if not beyond[base]:
-        raise broken(path, HELD.format(joints=", ".join(held)) if held else NOTHING_MOVES.format(base=base))
+        raise urdf_error(path, NONE_MOVES.format(joints=", ".join(held)) if held else NOTHING_MOVES.format(base=base))
 
     def count(joint: yourdfpy.Joint) -> int:
-        return moves(joint) + beyond[joint.child]
+        return is_moving(joint) + beyond[joint.child]
 
     link, above, held, free = base, base, base, 0
     while branches := [joint for joint in joints_below.get(link, []) if count(joint)]:
         best = max(branches, key=count)
-        if free and count(best) == 1 and _is_jaw(best, above, held, joints_below):
+        if free and count(best) == 1 and _is_gripper_joint(best, above, held, joints_below):
             break
         if sum(count(joint) == count(best) for joint in branches) > 1:
             break
-        free += moves(best) and best.mimic is None
+        free += is_moving(best) and best.mimic is None
         link = best.child
         above, held = (held, link) if best.type != "fixed" else (above, held)
     if not free:
         ends = ", ".join(link.name for link in robot.links if link.name not in joints_below)
-        raise broken(
+        raise urdf_error(
             path,
             Text(
                 en=f"choose the link where the arm ends with --tip; the ends are: {ends}",
@@ -80,7 +80,7 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
     return _tool_of(link, held, joints_below)
 
 
-def _is_jaw(joint: yourdfpy.Joint, above: str, held: str, joints_below: Below) -> bool:
+def _is_gripper_joint(joint: yourdfpy.Joint, above: str, held: str, joints_below: ChildJoints) -> bool:
     """Whether the last moving joint closes a gripper and so does not belong to the arm.
 
     It must slide or rotate by at most half a turn, and the tool must begin at the link that the joint before it moves:
@@ -93,32 +93,32 @@ def _is_jaw(joint: yourdfpy.Joint, above: str, held: str, joints_below: Below) -
 
 
 def _rank(links: Sequence[str]) -> int:
-    """Number of the first row of `TOOLS` that matches one of the links; the number of rows if none matches."""
+    """Number of the first row of `TOOL_NAMES` that matches one of the links; the number of rows if none matches."""
     words = set[str]().union(*map(_words, links))
-    return next((i for i, names in enumerate(TOOLS) if words & names), len(TOOLS))
+    return next((i for i, names in enumerate(TOOL_NAMES) if words & names), len(TOOL_NAMES))
 
 
-def _moving_beyond(root: str, joints_below: Below) -> dict[str, int]:
+def _moving_beyond(root: str, joints_below: ChildJoints) -> dict[str, int]:
     """Number of moving joints in the longest branch beyond each link."""
     order = [root]
     for link in order:
         order += [joint.child for joint in joints_below.get(link, [])]
     beyond: dict[str, int] = {}
     for link in reversed(order):
-        beyond[link] = max((moves(j) + beyond[j.child] for j in joints_below.get(link, [])), default=0)
+        beyond[link] = max((is_moving(j) + beyond[j.child] for j in joints_below.get(link, [])), default=0)
     return beyond
 
 
-def _tool_of(link: str, held: str, joints_below: Below) -> str:
+def _tool_of(link: str, held: str, joints_below: ChildJoints) -> str:
     """The link named as a tool that is fixed beyond a link, else one fixed to the last joint, else the link itself."""
-    for names in TOOLS:
+    for names in TOOL_NAMES:
         for start in (link, held):
             if named := [name for name in _fixed_to(start, joints_below) if _words(name) & names]:
                 return named[-1]
     return link
 
 
-def _fixed_to(start: str, joints_below: Below) -> list[str]:
+def _fixed_to(start: str, joints_below: ChildJoints) -> list[str]:
     """A link and all links beyond it that are fixed to it."""
     fixed, found = [start], list[str]()
     while fixed:

@@ -11,12 +11,12 @@ from types import MappingProxyType
 from xml.etree.ElementTree import Element, TreeBuilder
 from xml.parsers import expat
 
-from helicoide.files import written
+from helicoide.files import text_file
 from helicoide.text import HelicoideError, Text
 
-PLAIN: Mapping[str, float] = MappingProxyType({})
+NO_PARAMETERS: Mapping[str, float] = MappingProxyType({})
 MOST_BYTES = 64_000_000
-MARKS = (
+BYTE_ORDER_MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
     (codecs.BOM_UTF32_LE, "utf-32"),
     (codecs.BOM_UTF32_BE, "utf-32"),
@@ -29,7 +29,7 @@ DECLARED = re.compile(rb"<\?xml[^>]*?encoding\s*=\s*[\"']([\w.:-]+)[\"']")
 DECLARATION = re.compile(r"<\?xml\s[^>]*\?>")
 # Error messages by the error number of expat.
 EMPTY = Text(en="nothing is there", pt_BR="não há nada")
-WRONG = {
+XML_ERRORS = {
     3: EMPTY,
     5: Text(en="a tag is not finished", pt_BR="uma tag ficou inacabada"),
     7: Text(en="a tag is closed that is not the one opened last", pt_BR="fecha-se uma tag que não é a última aberta"),
@@ -43,7 +43,7 @@ TOO_BIG = Text(en="it has more than {mb:.0f} MB", pt_BR="tem mais de {mb:.0f} MB
 NO_TEXT = Text(en="it is not text in {encoding}, as it says", pt_BR="não é um texto em {encoding}, como ele diz")
 
 
-def broken(path: Path, reason: Text) -> HelicoideError:
+def urdf_error(path: Path, reason: Text) -> HelicoideError:
     """The error of a URDF that cannot be used."""
     return HelicoideError(
         Text(en="The URDF {path} cannot be used: {reason}", pt_BR="Não dá para usar o URDF {path}: {reason}").format(
@@ -52,7 +52,7 @@ def broken(path: Path, reason: Text) -> HelicoideError:
     )
 
 
-def tree(path: Path, parameters: Mapping[str, float] = PLAIN) -> Element:
+def parse_xml(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> Element:
     """The root of a URDF with ${name} replaced by parameters (m); tags and attributes keep their prefixes.
 
     Raises HelicoideError if the file cannot be read or is not XML. External entities are never loaded.
@@ -64,14 +64,14 @@ def tree(path: Path, parameters: Mapping[str, float] = PLAIN) -> Element:
     try:
         parser.Parse(text.encode(errors="replace"), True)
     except expat.ExpatError as error:
-        why = WRONG.get(error.code, NO_XML)
-        raise broken(path, AT.format(line=error.lineno, column=error.offset, why=why)) from error
+        why = XML_ERRORS.get(error.code, NO_XML)
+        raise urdf_error(path, AT.format(line=error.lineno, column=error.offset, why=why)) from error
     return builder.close()
 
 
-def root_link(path: Path, parameters: Mapping[str, float] = PLAIN) -> str:
-    """The root link of a URDF file, which is no joint's child. Raises HelicoideError as `tree`."""
-    root = tree(path, parameters)
+def root_link(path: Path, parameters: Mapping[str, float] = NO_PARAMETERS) -> str:
+    """The root link of a URDF file, which is no joint's child. Raises HelicoideError as `parse_xml`."""
+    root = parse_xml(path, parameters)
     children = {child.get("link") for child in root.findall("joint/child")}
     return next(name for link in root.findall("link") if (name := link.get("name", "")) not in children)
 
@@ -79,12 +79,12 @@ def root_link(path: Path, parameters: Mapping[str, float] = PLAIN) -> str:
 def _text(path: Path) -> str:
     """The text of a file, in the encoding of its byte order mark, else of its declaration, else UTF-8 or Latin-1."""
     try:
-        content = written.raw(path, MOST_BYTES)
+        content = text_file.read_bytes(path, MOST_BYTES)
     except HelicoideError as error:
-        raise broken(path, error.text) from error
+        raise urdf_error(path, error.text) from error
     if len(content) > MOST_BYTES:
-        raise broken(path, TOO_BIG.format(mb=MOST_BYTES / 1e6))
-    marked = next((encoding for mark, encoding in MARKS if content.startswith(mark)), None)
+        raise urdf_error(path, TOO_BIG.format(mb=MOST_BYTES / 1e6))
+    marked = next((encoding for mark, encoding in BYTE_ORDER_MARKS if content.startswith(mark)), None)
     declared = DECLARED.search(content[:1000])
     encoding = marked or (declared[1].decode() if declared else "utf-8")
     if marked is None and encoding.lower().startswith(("utf", "ucs")):
@@ -94,4 +94,4 @@ def _text(path: Path) -> str:
     except (UnicodeError, LookupError) as error:
         if encoding == "utf-8":
             return content.decode("latin-1")
-        raise broken(path, NO_TEXT.format(encoding=encoding)) from error
+        raise urdf_error(path, NO_TEXT.format(encoding=encoding)) from error

@@ -15,33 +15,33 @@ import numpy as np
 
 from helicoide.arrays import Array, frozen
 from helicoide.kernels import CACHE_FOLDER
-from helicoide.kinematics.cells import Cells, Counts, Mask
 from helicoide.kinematics.chain import Chain
+from helicoide.kinematics.grid import Counts, Mask, WorkspaceGrid
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.sweep import BANDS, HEADINGS, ROLLS, TURNS, Flags, swept
+from helicoide.kinematics.workspace_kernels import BANDS, HEADINGS, PLANAR_BINS, ROLLS, Flags, count_into_cells
 from helicoide.text import HelicoideError, Text
 
-Kind = Literal["reachable", "dexterous", "manipulability"]
-KINDS: tuple[Kind, ...] = get_args(Kind)
+MapKind = Literal["reachable", "dexterous", "manipulability"]
+MAP_KINDS: tuple[MapKind, ...] = get_args(MapKind)
 # Postures in a chunk; postures per cell, and per orientation bin; least and largest number of cells along an axis, for
 # d = 2 and 3.
 CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
 PARALLEL = 1e-9
 POINT = 1e-3  # half the edge of the only cell of an arm whose tool point is fixed, as a fraction of the reach
-STAYS = Text(
+FIXED_TOOL = Text(
     en="{name}: the tool stays at {position} m whatever the joints do; only its orientation changes",
     pt_BR="{name}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
 )
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class MapPlan:
     """The input of a map: arrays alone, so that any process can count a part."""
 
-    kind: Kind
+    kind: MapKind
     samples: int
     seed: int
-    cells: Cells
+    cells: WorkspaceGrid
     chain: Chain
     T_link_tool: Array
     lower: Array
@@ -53,9 +53,9 @@ class Plan:
         return -(-self.samples // CHUNK)
 
     @property
-    def sectors(self) -> int:
+    def orientation_bins(self) -> int:
         """Number of orientation bins."""
-        return TURNS if len(self.cells.shape) == 2 else BANDS * HEADINGS * ROLLS
+        return PLANAR_BINS if len(self.cells.shape) == 2 else BANDS * HEADINGS * ROLLS
 
     @property
     def key(self) -> str:
@@ -69,25 +69,28 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
-    """The result of one or more chunks: hits (count,), sectors (count, k), best (count,); the last two may be empty."""
+class MapPart:
+    """The result of one or more chunks: hits (count,), orientations (count, k), best (count,).
+
+    The last two may be empty.
+    """
 
     hits: Counts
-    sectors: Flags
+    orientations: Flags
     best: Array
 
 
 @dataclass(frozen=True, eq=False)
-class Map:
+class WorkspaceMap:
     """The finished map: hits (count,) and values (count,).
 
     values of a cell: 1 if it is reached; or the share of orientation bins with which it is reached; or the largest
     manipulability of position in it, m^d for revolute joints; 0 if no posture hits it.
     """
 
-    kind: Kind
+    kind: MapKind
     samples: int
-    cells: Cells
+    cells: WorkspaceGrid
     hits: Counts
     values: Array
 
@@ -102,42 +105,44 @@ class Map:
         return self.cells.measure(self.reached)
 
 
-def normal_of(robot: Robot) -> Array | None:
+def plane_normal(robot: Robot) -> Array | None:
     """Normal of the plane in which the tool point of a planar arm moves, (3,); None for other arms."""
-    turning = [joint.direction for joint in robot.joints if not joint.slides]
+    turning = [joint.direction for joint in robot.joints if not joint.is_prismatic]
     if not turning:
         return None
     z = turning[0]
     apart = max(float(np.linalg.norm(np.cross(z, direction))) for direction in turning)
-    along = max((abs(float(z @ joint.direction)) for joint in robot.joints if joint.slides), default=0.0)
+    along = max((abs(float(z @ joint.direction)) for joint in robot.joints if joint.is_prismatic), default=0.0)
     return z if max(apart, along) < PARALLEL else None
 
 
-def stays(robot: Robot, name: str | Text) -> Text:
+def fixed_tool_text(robot: Robot, name: str | Text) -> Text:
     """The sentence on an arm whose tool point is fixed, under the name of the map."""
-    return STAYS.format(name=name, position=", ".join(f"{x + 0.0:.3f}" for x in robot.T_world_tool_0[:3, 3].round(3)))
+    return FIXED_TOOL.format(
+        name=name, position=", ".join(f"{x + 0.0:.3f}" for x in robot.T_world_tool_0[:3, 3].round(3))
+    )
 
 
-def extent(robot: Robot) -> tuple[Array, float]:
+def reach_sphere(robot: Robot) -> tuple[Array, float]:
     """Centre (3,), m, and radius, m, of a sphere that contains every tool point: the stretched arm."""
     ways = np.diff([*robot.points, robot.T_world_tool_0[:3, 3]], axis=0)
     z = robot.directions[0]
     up = (ways[0] @ z) * z
     ways[0] -= up
-    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + robot.strokes.sum())
+    return robot.points[0] + up, float(np.linalg.norm(ways, axis=1).sum() + robot.slide_travel.sum())
 
 
-def planned(robot: Robot, kind: Kind, samples: int, seed: int = 0) -> Plan:
+def plan_map(robot: Robot, kind: MapKind, samples: int, seed: int = 0) -> MapPlan:
     """The plan of a map from `samples` random postures within the joint limits; their number sets the cell size.
 
     Raises HelicoideError for fewer than one posture or an unknown kind.
     """
-    if kind not in KINDS:
+    if kind not in MAP_KINDS:
         raise HelicoideError(
             Text(
                 en="There is no map of kind {kind!r}; there is: {known}.",
                 pt_BR="Não há mapa do tipo {kind!r}; há: {known}.",
-            ).format(kind=kind, known=", ".join(KINDS))
+            ).format(kind=kind, known=", ".join(MAP_KINDS))
         )
     if samples < 1:
         raise HelicoideError(
@@ -146,29 +151,29 @@ def planned(robot: Robot, kind: Kind, samples: int, seed: int = 0) -> Plan:
                 pt_BR="Um mapa requer ao menos uma postura, não {samples}.",
             ).format(samples=samples)
         )
-    return Plan(
+    return MapPlan(
         kind, samples, seed, _cells(robot, kind, samples), robot.chain, robot.T_link_tool, robot.lower, robot.upper
     )
 
 
-def _cells(robot: Robot, kind: Kind, samples: int) -> Cells:
-    normal = normal_of(robot)
+def _cells(robot: Robot, kind: MapKind, samples: int) -> WorkspaceGrid:
+    normal = plane_normal(robot)
     axes = np.eye(3) if normal is None else _across(normal)
     d = len(axes)
-    each = PER_CELL if kind != "dexterous" else PER_SECTOR * (TURNS if d == 2 else BANDS * HEADINGS * ROLLS)
+    each = PER_CELL if kind != "dexterous" else PER_SECTOR * (PLANAR_BINS if d == 2 else BANDS * HEADINGS * ROLLS)
     least, most = ACROSS[d]
     # an even number, so that the first axis, in the middle, runs between cells
     across = 2 * (min(max(int((samples / each) ** (1 / d)), least), most) // 2)
-    centre, reach = extent(robot)
-    if robot.turns_only:  # one cell around where the tool stays
+    centre, reach = reach_sphere(robot)
+    if robot.fixed_tool_point:  # one cell around where the tool stays
         half, across = POINT * robot.reach, 1
     else:
         half = reach * (1 + 1e-9)
-    if robot.turns_only:
+    if robot.fixed_tool_point:
         centre = robot.T_world_tool_0[:3, 3]
     elif normal is not None:
         centre = centre + ((robot.T_world_tool_0[:3, 3] - centre) @ normal) * normal
-    return Cells(frozen(centre - half * axes.sum(axis=0)), frozen(axes), 2 * half / across, (across,) * d)
+    return WorkspaceGrid(frozen(centre - half * axes.sum(axis=0)), frozen(axes), 2 * half / across, (across,) * d)
 
 
 def _across(normal: Array) -> Array:
@@ -179,52 +184,52 @@ def _across(normal: Array) -> Array:
     return np.array([x, np.cross(normal, x)])
 
 
-def counted(plan: Plan, chunk: int) -> Part:
+def count_chunk(plan: MapPlan, chunk: int) -> MapPart:
     """Count the random postures of a chunk of the plan, numbered from 0."""
-    part = nothing(plan)
+    part = empty_part(plan)
     size = min(CHUNK, plan.samples - chunk * CHUNK)
     postures = np.random.default_rng([plan.seed, chunk]).uniform(plan.lower, plan.upper, (size, len(plan.lower)))
     cells, shape = plan.cells, np.array(plan.cells.shape, dtype=np.int64)
-    swept(
+    count_into_cells(
         plan.chain, plan.T_link_tool, postures, cells.origin, cells.axes, cells.size, shape,
-        part.hits, part.sectors, part.best,
+        part.hits, part.orientations, part.best,
     )  # fmt: skip
     return part
 
 
-def nothing(plan: Plan) -> Part:
+def empty_part(plan: MapPlan) -> MapPart:
     """The result of no posture."""
     count = plan.cells.count
     turned, moved = (count if plan.kind == kind else 0 for kind in ("dexterous", "manipulability"))
-    return Part(np.zeros(count, np.int64), np.zeros((turned, plan.sectors), np.uint8), np.zeros(moved))
+    return MapPart(np.zeros(count, np.int64), np.zeros((turned, plan.orientation_bins), np.uint8), np.zeros(moved))
 
 
-def together(one: Part, other: Part) -> Part:
+def merge_parts(one: MapPart, other: MapPart) -> MapPart:
     """Two parts merged; the order does not matter."""
-    return Part(one.hits + other.hits, one.sectors | other.sectors, np.maximum(one.best, other.best))
+    return MapPart(one.hits + other.hits, one.orientations | other.orientations, np.maximum(one.best, other.best))
 
 
-def finished(plan: Plan, part: Part) -> Map:
+def map_from_part(plan: MapPlan, part: MapPart) -> WorkspaceMap:
     """The map from the merged parts."""
     match plan.kind:
         case "reachable":
             values = (part.hits > 0).astype(np.float64)
         case "dexterous":
-            values = part.sectors.mean(axis=1)
+            values = part.orientations.mean(axis=1)
         case "manipulability":
             values = part.best
-    return Map(plan.kind, plan.samples, plan.cells, part.hits, frozen(values))
+    return WorkspaceMap(plan.kind, plan.samples, plan.cells, part.hits, frozen(values))
 
 
-def parts(plan: Plan) -> Iterator[Part]:
+def count_chunks(plan: MapPlan) -> Iterator[MapPart]:
     """The parts of a plan, counted one after another."""
-    return (counted(plan, chunk) for chunk in range(plan.chunks))
+    return (count_chunk(plan, chunk) for chunk in range(plan.chunks))
 
 
-def gathered(plan: Plan, found: Iterator[Part], progress: Callable[[float], None]) -> Map:
+def collect_map(plan: MapPlan, found: Iterator[MapPart], progress: Callable[[float], None]) -> WorkspaceMap:
     """The map from its parts in any order; `progress` is called with the share that is done, 0 to 1."""
-    whole = nothing(plan)
+    whole = empty_part(plan)
     for done, part in enumerate(found, start=1):
-        whole = together(whole, part)
+        whole = merge_parts(whole, part)
         progress(done / plan.chunks)
-    return finished(plan, whole)
+    return map_from_part(plan, whole)

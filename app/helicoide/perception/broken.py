@@ -5,5 +5,5 @@ from __future__ import annotations
 from helicoide.text import HelicoideError
 
 
-class Broken(HelicoideError):
+class BrokenFile(HelicoideError):
     """What is wrong with a file, as part of a sentence."""

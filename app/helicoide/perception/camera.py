@@ -10,8 +10,8 @@ import numpy as np
 
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import pane_axes
-from helicoide.perception.cloud import Cloud, cloud_of
-from helicoide.perception.rays import to_capsule, to_pane
+from helicoide.perception.cloud import PointCloud, cloud_from_rows
+from helicoide.perception.rays import ray_to_capsule, ray_to_pane
 from helicoide.state import State
 from helicoide.text import HelicoideError, Text
 
@@ -19,7 +19,7 @@ from helicoide.text import HelicoideError, Text
 class DepthCamera(Protocol):
     """A camera that measures a point cloud from the arm, simulated or real."""
 
-    def cloud(self, state: State) -> Cloud:
+    def cloud(self, state: State) -> PointCloud:
         """The points seen in the posture of the state, base frame."""
 
 
@@ -46,13 +46,13 @@ class Camera:
         x, y = np.meshgrid(across, down)
         return np.stack([x.ravel(), y.ravel(), np.ones(x.size)], axis=1)
 
-    def in_reach(self, depths: Array) -> Array:
+    def valid_depths(self, depths: Array) -> Array:
         """The depths (k,), m; nan if too near, too far, or clipped."""
         seen = (depths >= self.nearest) & (depths <= min(self.farthest, self.clip))
         return np.where(seen, depths, np.nan)
 
 
-def on_hand(behind: float, above: float) -> Array:
+def hand_camera_pose(behind: float, above: float) -> Array:
     """T_tool_camera (4, 4), m, of a camera that looks along the tool, `behind` its origin and `above` its axis, m."""
     T = np.eye(4)
     T[:3, :3] = [[0, 0, 1], [-1, 0, 0], [0, -1, 0]]
@@ -62,7 +62,9 @@ def on_hand(behind: float, above: float) -> Array:
 
 # The field of view and the range are those of the D435, the clip that of Cerbaro 2022, §3.2. The source does not give
 # the position of the camera: a bracket behind the gripper, above the wrist, is assumed.
-D435 = Camera(on_hand(behind=0.200, above=0.070), (radians(87), radians(58)), nearest=0.3, farthest=3.0, clip=0.7)
+D435 = Camera(
+    hand_camera_pose(behind=0.200, above=0.070), (radians(87), radians(58)), nearest=0.3, farthest=3.0, clip=0.7
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,12 +93,12 @@ class SimulatedCamera:
                 )
             )
 
-    def cloud(self, state: State) -> Cloud:
+    def cloud(self, state: State) -> PointCloud:
         """The points seen in the posture of the state, base frame; pixels without a depth are counted as dropped."""
         T = state.T_world_tool @ self.camera.T_tool_camera
         rays = self.camera.directions(self.resolution) @ T[:3, :3].T
-        depths = self._measured(self.camera.in_reach(depths_of(state, T[:3, 3], rays)))
-        return cloud_of(T[:3, 3] + depths[:, None] * rays)
+        depths = self._measured(self.camera.valid_depths(ray_depths(state, T[:3, 3], rays)))
+        return cloud_from_rows(T[:3, 3] + depths[:, None] * rays)
 
     def _measured(self, depths: Array) -> Array:
         """Depths with noise and outliers."""
@@ -107,7 +109,7 @@ class SimulatedCamera:
         return np.where(wrong, anywhere, noisy)
 
 
-def depths_of(state: State, eye: Array, rays: Array) -> Array:
+def ray_depths(state: State, eye: Array, rays: Array) -> Array:
     """Distance to the first pane or obstacle along each ray, in lengths of the ray, (k,); inf if there is none.
 
     Args: eye (3,), m, world; rays (k, 3), world.
@@ -116,7 +118,7 @@ def depths_of(state: State, eye: Array, rays: Array) -> Array:
     panes = zip(planes.normals, planes.centres, planes.panes, strict=True)
     nearest = np.full(len(rays), np.inf)
     for normal, centre, pane in panes:
-        nearest = np.minimum(nearest, to_pane(eye, rays, centre, pane_axes(normal), pane.size))
+        nearest = np.minimum(nearest, ray_to_pane(eye, rays, centre, pane_axes(normal), pane.size))
     for ends, radius in zip(obstacles.ends, obstacles.radii, strict=True):
-        nearest = np.minimum(nearest, to_capsule(eye, rays, ends, float(radius)))
+        nearest = np.minimum(nearest, ray_to_capsule(eye, rays, ends, float(radius)))
     return nearest

@@ -15,7 +15,7 @@ FARTHEST = 1000.0
 
 
 @dataclass(frozen=True, eq=False)
-class Cloud:
+class PointCloud:
     """A point cloud: points (k, 3), m; dropped: number of points without coordinates, such as pixels without a depth.
 
     notes: sentences on how the points were read from a file, such as the assumed unit.
@@ -26,7 +26,7 @@ class Cloud:
     notes: tuple[Text, ...] = ()
 
     @property
-    def words(self) -> Text:
+    def description(self) -> Text:
         """A sentence with the number of points, their extent, and the number of dropped points."""
         size = np.ptp(self.points, axis=0) if len(self.points) else np.zeros(3)
         return Text(
@@ -35,11 +35,11 @@ class Cloud:
         ).format(k=len(self.points), x=size[0], y=size[1], z=size[2], dropped=self.dropped)
 
 
-def cloud_of(coordinates: Array, unit: Unit = "m", notes: tuple[Text, ...] = ()) -> Cloud:
+def cloud_from_rows(coordinates: Array, unit: Unit = "m", notes: tuple[Text, ...] = ()) -> PointCloud:
     """The cloud of rows x, y, z (k, 3); rows not finite, or farther than `FARTHEST`, are dropped and counted."""
     with np.errstate(invalid="ignore"):
         points = np.ascontiguousarray(coordinates, dtype=np.float64) * METRES[unit]
         kept = np.asarray((np.abs(points) <= FARTHEST).all(axis=1))
     points = points[kept]
     points.flags.writeable = False
-    return Cloud(points, int(len(kept) - len(points)), notes)
+    return PointCloud(points, int(len(kept) - len(points)), notes)

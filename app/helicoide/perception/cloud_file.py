@@ -8,56 +8,56 @@ import zlib
 from dataclasses import replace
 from pathlib import Path
 
-from helicoide.files import written
+from helicoide.files import text_file
 from helicoide.perception import formats
-from helicoide.perception.broken import Broken
-from helicoide.perception.cloud import FARTHEST, Cloud, cloud_of
+from helicoide.perception.broken import BrokenFile
+from helicoide.perception.cloud import FARTHEST, PointCloud, cloud_from_rows
 from helicoide.perception.formats import MOST_BYTES, MOST_POINTS
-from helicoide.perception.units import Unit, unit_of
-from helicoide.text import LANGUAGES, HelicoideError, Text, joined
+from helicoide.perception.units import Unit, detect_unit
+from helicoide.text import LANGUAGES, HelicoideError, Text, join_texts
 
 # Exceptions of the parsers for a damaged file.
 _OF_PARSERS = (ValueError, ArithmeticError, LookupError, RuntimeError, OSError, EOFError, MemoryError)
 _OF_ARCHIVES = (zlib.error, zipfile.BadZipFile, struct.error)
 
 
-def load(path: Path, unit: Unit | None = None) -> Cloud:
+def load_cloud(path: Path, unit: Unit | None = None) -> PointCloud:
     """The cloud in a file. Raises HelicoideError with what is wrong with the file and what is valid."""
     try:
-        data = written.raw(path, MOST_BYTES)
+        data = text_file.read_bytes(path, MOST_BYTES)
     except HelicoideError as error:
         raise _refusal(path.name, error.text) from error
-    return read(path.name, data, unit)
+    return read_cloud(path.name, data, unit)
 
 
-def read(name: str, data: bytes, unit: Unit | None = None) -> Cloud:
+def read_cloud(name: str, data: bytes, unit: Unit | None = None) -> PointCloud:
     """The cloud in the bytes of a file; the ending of its name determines the format.
 
     unit: unit of its numbers; None: the unit stated in the file, else one guessed from the numbers. Points without
     finite coordinates are dropped and counted. Raises HelicoideError with what is wrong and what is valid.
     """
     ending = Path(name).suffix.lower()
-    if ending not in formats.endings():
+    if ending not in formats.formats_by_ending():
         raise _refusal(name, _ENDING.format(ending=ending or "–"))
     if len(data) > MOST_BYTES:
         raise _refusal(name, _TOO_LONG)
     try:
-        raw = formats.endings()[ending].coordinates(data)
-    except Broken as broken:
+        raw = formats.formats_by_ending()[ending].coordinates(data)
+    except BrokenFile as broken:
         raise _refusal(name, broken.text) from broken
     except (*_OF_PARSERS, *_OF_ARCHIVES) as error:
         raise _refusal(name, _DAMAGED.format(ending=ending)) from error
     try:
-        taken, why = unit_of(raw.rows, unit, raw.unit)
-    except Broken as broken:  # the format is the right one
+        taken, why = detect_unit(raw.rows, unit, raw.unit)
+    except BrokenFile as broken:  # the format is the right one
         raise HelicoideError(_UNREAD.format(name=name, reason=broken.text)) from broken
-    cloud = cloud_of(raw.rows, taken)
+    cloud = cloud_from_rows(raw.rows, taken)
     if not len(cloud.points):
         raise _refusal(name, _NO_POINTS if not cloud.dropped else _ALL_HOLES.format(n=cloud.dropped))
     return replace(cloud, notes=(_extent(cloud, why), *raw.notes, *_left_out(cloud)))
 
 
-def _extent(cloud: Cloud, why: Text) -> Text:
+def _extent(cloud: PointCloud, why: Text) -> Text:
     """A sentence with the unit and the range of the coordinates."""
     lower, upper = cloud.points.min(axis=0), cloud.points.max(axis=0)
     ends = {f"{axis}{k}": end[i] for k, end in enumerate((lower, upper)) for i, axis in enumerate("xyz")}
@@ -67,7 +67,7 @@ def _extent(cloud: Cloud, why: Text) -> Text:
     ).format(why=why, **ends)
 
 
-def _left_out(cloud: Cloud) -> tuple[Text, ...]:
+def _left_out(cloud: PointCloud) -> tuple[Text, ...]:
     if not cloud.dropped:
         return ()
     return (
@@ -93,6 +93,8 @@ _ALL_HOLES = Text(
 
 
 def _refusal(name: str, reason: Text) -> HelicoideError:
-    titles = {language: ", ".join(module.TITLE[language] for module in formats.found()) for language in LANGUAGES}
+    titles = {
+        language: ", ".join(module.TITLE[language] for module in formats.cloud_formats()) for language in LANGUAGES
+    }
     valid = _VALID.format(valid=Text(**titles), points=MOST_POINTS / 1e6, bytes=MOST_BYTES / 1e6)
-    return HelicoideError(joined([_UNREAD.format(name=name, reason=reason), valid], by=""))
+    return HelicoideError(join_texts([_UNREAD.format(name=name, reason=reason), valid], by=""))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.text import Text
 
 AXES = ("x", "y", "z")
@@ -34,7 +34,7 @@ class Column:
 
 def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
     """The columns x, y, z, (k, 3), of bytes stored row by row."""
-    places = [place(columns, axis) for axis in AXES]
+    places = [column_index(columns, axis) for axis in AXES]
     begins = np.cumsum([0, *(column.size for column in columns)])
     row = np.dtype(
         {
@@ -44,7 +44,7 @@ def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
             "itemsize": int(begins[-1]),
         }
     )
-    check_rows(len(data) // row.itemsize, points)
+    check_row_count(len(data) // row.itemsize, points)
     rows = np.frombuffer(data, row, points)
     return np.column_stack([rows[axis].astype(np.float64) for axis in AXES])
 
@@ -52,8 +52,8 @@ def from_bytes(columns: Sequence[Column], points: int, data: bytes) -> Array:
 def from_fields(columns: Sequence[Column], points: int, data: bytes) -> Array:
     """The columns x, y, z, (k, 3), of bytes stored column by column."""
     begins = np.cumsum([0, *(column.size * points for column in columns)])
-    check_rows(len(data) * points // max(int(begins[-1]), 1), points)
-    numbers = [_field(columns[i], points, data, int(begins[i])) for i in (place(columns, axis) for axis in AXES)]
+    check_row_count(len(data) * points // max(int(begins[-1]), 1), points)
+    numbers = [_field(columns[i], points, data, int(begins[i])) for i in (column_index(columns, axis) for axis in AXES)]
     return np.column_stack(numbers)
 
 
@@ -61,23 +61,23 @@ def _field(column: Column, points: int, data: bytes, begin: int) -> Array:
     return np.frombuffer(data, column.type, points * column.count, begin)[:: column.count].astype(np.float64)
 
 
-def check_rows(there: int, promised: int) -> None:
-    """Raise Broken if a file has fewer rows than its header states."""
+def check_row_count(there: int, promised: int) -> None:
+    """Raise BrokenFile if a file has fewer rows than its header states."""
     if there < promised:
-        raise Broken(
+        raise BrokenFile(
             Text(
                 en="it ends after {there} of {promised} points", pt_BR="termina após {there} de {promised} pontos"
             ).format(there=there, promised=promised)
         )
 
 
-def place(columns: Sequence[Column], axis: str) -> int:
-    """The index of the column named `axis`; raises Broken if there is none."""
+def column_index(columns: Sequence[Column], axis: str) -> int:
+    """The index of the column named `axis`; raises BrokenFile if there is none."""
     names = [column.name for column in columns]
     if axis not in names and axis.upper() in names:
         return names.index(axis.upper())
     if axis not in names:
-        raise Broken(
+        raise BrokenFile(
             Text(
                 en="its points have no column {axis}, only {names}",
                 pt_BR="seus pontos não têm coluna {axis}, só {names}",

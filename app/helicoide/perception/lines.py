@@ -8,28 +8,28 @@ from itertools import chain, islice
 
 import numpy as np
 
-from helicoide.perception.columns import AXES, Column, check_rows, place
-from helicoide.perception.formats import Raw
-from helicoide.perception.text.cells import Cells, with_decimals
-from helicoide.perception.text.table import table
+from helicoide.perception.columns import AXES, Column, check_row_count, column_index
+from helicoide.perception.formats import RawPoints
+from helicoide.perception.text.splitting import LineSplitter, with_decimals
+from helicoide.perception.text.table import read_rows
 
 SAMPLE = 200
 
 
-def from_text(columns: Sequence[Column], points: int, data: bytes, above: bytes, skipped: int = 0) -> Raw:
+def from_text(columns: Sequence[Column], points: int, data: bytes, above: bytes, skipped: int = 0) -> RawPoints:
     """The columns x, y, z, (k, 3), of lines of text, after a header and `skipped` lines."""
     begins = np.cumsum([0, *(column.count for column in columns)])
-    places = [int(begins[place(columns, axis)]) for axis in AXES]
+    places = [int(begins[column_index(columns, axis)]) for axis in AXES]
     lines = islice(io.TextIOWrapper(io.BytesIO(data), encoding="latin-1"), skipped, None)
     first = list(islice(lines, SAMPLE))
-    cells = with_decimals(Cells(), first)
+    cells = with_decimals(LineSplitter(), first)
     source: Iterator[str] = chain(first, lines)
-    if any(column.length for column in columns[: max(place(columns, axis) for axis in AXES)]):
+    if any(column.length for column in columns[: max(column_index(columns, axis) for axis in AXES)]):
         source = _without_lists(source, columns)
     begin = len(above.splitlines()) + skipped + 1
-    rows, notes, count = table(source, places, cells, begin, points)
-    check_rows(count, points)
-    return Raw(rows, notes)
+    rows, notes, count = read_rows(source, places, cells, begin, points)
+    check_row_count(count, points)
+    return RawPoints(rows, notes)
 
 
 def _without_lists(lines: Iterable[str], columns: Sequence[Column]) -> Iterator[str]:

@@ -9,25 +9,25 @@ from numpy.typing import NDArray
 
 from helicoide.arrays import Array
 from helicoide.kernels import kernel
-from helicoide.perception.columns import AXES, Column, check_rows, place
+from helicoide.perception.columns import AXES, Column, check_row_count, column_index
 
 Whole = NDArray[np.int64]
 
 
 def from_lists(columns: Sequence[Column], points: int, data: bytes) -> Array:
     """The columns x, y, z, (k, 3), of bytes stored row by row, with rows of different lengths."""
-    places = [place(columns, axis) for axis in AXES]
-    check_rows(len(data) // sum(np.dtype(column.length or column.type).itemsize for column in columns), points)
+    places = [column_index(columns, axis) for axis in AXES]
+    check_row_count(len(data) // sum(np.dtype(column.length or column.type).itemsize for column in columns), points)
     begins = np.zeros((points, 3), dtype=np.int64)
-    _, there = walked(columns, points, data, 0, begins, places)
-    check_rows(there, points)
+    _, there = walk_rows(columns, points, data, 0, begins, places)
+    check_row_count(there, points)
     overlapping = (
         np.ndarray(len(data) - columns[place].size + 1, columns[place].type, data, strides=(1,)) for place in places
     )
     return np.column_stack([numbers[begins[:, k]].astype(np.float64) for k, numbers in enumerate(overlapping)])
 
 
-def walked(
+def walk_rows(
     columns: Sequence[Column],
     points: int,
     data: bytes,
@@ -41,12 +41,14 @@ def walked(
     big = any(column.length.startswith(">") for column in columns)
     wished = np.array([*places, -1, -1, -1][:3], dtype=np.int64)
     there = np.zeros((0, 3), dtype=np.int64) if begins is None else begins
-    ended = walk(np.frombuffer(data, np.uint8), (begin, min(points, len(data)), big), sizes, lengths, wished, there)
+    ended = walk_rows_kernel(
+        np.frombuffer(data, np.uint8), (begin, min(points, len(data)), big), sizes, lengths, wished, there
+    )
     return int(ended[0]), int(ended[1])
 
 
 @kernel
-def walk(
+def walk_rows_kernel(
     data: NDArray[np.uint8],
     way: tuple[int, int, bool],
     sizes: Whole,

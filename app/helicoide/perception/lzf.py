@@ -11,22 +11,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helicoide.kernels import kernel
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.text import Text
 
 Bytes = NDArray[np.uint8]
 
 
-def unpacked(packed: bytes, size: int) -> bytes:
-    """The unpacked bytes; raises Broken unless there are exactly `size`."""
+def unpack_lzf(packed: bytes, size: int) -> bytes:
+    """The unpacked bytes; raises BrokenFile unless there are exactly `size`."""
     out = np.empty(size, dtype=np.uint8)
-    if unpack(np.frombuffer(packed, dtype=np.uint8), out) != size:
-        raise Broken(Text(en="its compressed points are damaged", pt_BR="os pontos comprimidos estão danificados"))
+    if unpack_kernel(np.frombuffer(packed, dtype=np.uint8), out) != size:
+        raise BrokenFile(Text(en="its compressed points are damaged", pt_BR="os pontos comprimidos estão danificados"))
     return out.tobytes()
 
 
 @kernel
-def unpack(packed: Bytes, out: Bytes) -> int:
+def unpack_kernel(packed: Bytes, out: Bytes) -> int:
     """Unpack into out; returns the number of bytes written, or −1 for damaged data."""
     i, o = 0, 0
     while i < packed.shape[0]:

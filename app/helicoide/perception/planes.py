@@ -21,27 +21,27 @@ FEWEST, LEAST_SHARE = 50, 0.05
 # Number of planes through three random points; the chance to miss a wall with a tenth of the points is below 10⁻⁸.
 DRAWS = 20_000
 # Each plane is scored on this many points of the cloud; the best one is then fitted to all points near it.
-JUDGES = 8000
+SCORED_POINTS = 8000
 # Scoring checks after this many points whether a plane is already worse than the best.
 BLOCK = 500
 REFITS = 30
 # The area of a plane is counted in occupied cubes of this size, m; a plane with WIDER times as many is preferred.
-CELL, WIDER = 0.02, 1.5
+CELL, WIDER_RATIO = 0.02, 1.5
 THINNED = 100_000
 # Points whose smaller spread along the plane is less than this multiple of the spread across it lie on a line.
 NARROW = 3.0
 
 
 @dataclass(frozen=True, eq=False)
-class Found:
+class FoundPlane:
     """A plane fitted to a cloud of k points.
 
-    on_it (k,): whether each point lies within the given distance; share: fraction of such points; rms: of their
+    on_plane (k,): whether each point lies within the given distance; share: fraction of such points; rms: of their
     distances, m; angle: between the normal and the given direction, rad; centre: of these points, (3,), m.
     """
 
     plane: Plane
-    on_it: NDArray[np.bool_]
+    on_plane: NDArray[np.bool_]
     share: float
     rms: float
     angle: float
@@ -53,14 +53,14 @@ class Found:
         return rigid.plane(self.plane.normal, self.plane.offset)
 
 
-def find(
+def find_plane(
     points: Array,
     towards: ArrayLike,
     inside: ArrayLike,
     distance: float = DISTANCE,
     angle: float = ANGLE,
     seed: int = 0,
-) -> Found | Text:
+) -> FoundPlane | Text:
     """The plane with the most points near it whose inward normal is within `angle` of `towards`; else the reason.
 
     A plane that covers a larger area is preferred, as a small object may have more points than a wall.
@@ -83,29 +83,31 @@ def find(
     points = np.ascontiguousarray(points, dtype=np.float64)  # kernels are compiled for one order
     rng, cone = np.random.default_rng(seed), np.append(n0, np.cos(angle))
     triples, order = points[rng.integers(len(points), size=(DRAWS, 3))], rng.permutation(len(points))
-    dense = best_draw(triples, points[order[:JUDGES]], cone, point, distance)
-    thin = thinned(points[order[:THINNED]])
-    wide = best_draw(thin[rng.integers(len(thin), size=(DRAWS, 3))], thin[:JUDGES], cone, point, distance)
+    dense = best_plane(triples, points[order[:SCORED_POINTS]], cone, point, distance)
+    thin = thin_cloud(points[order[:THINNED]])
+    wide = best_plane(thin[rng.integers(len(thin), size=(DRAWS, 3))], thin[:SCORED_POINTS], cone, point, distance)
 
-    def answered(drawn: Array) -> Found | Text:
+    def answered(drawn: Array) -> FoundPlane | Text:
         if not drawn.any():
-            return _none(angle)
+            return _no_plane(angle)
         fit, on_it = _fitted(points, drawn, point, distance)
-        return _judged(points, fit, on_it, n0, angle, _share(thin, fit, distance))
+        return _accepted(points, fit, on_it, n0, angle, _share(thin, fit, distance))
 
     def is_wider(other: Plane) -> bool:
         if not wide.any():
             return False
-        return _share(thin, _fitted(thin, wide, point, distance)[0], distance) > WIDER * _share(thin, other, distance)
+        return _share(thin, _fitted(thin, wide, point, distance)[0], distance) > WIDER_RATIO * _share(
+            thin, other, distance
+        )
 
     first = answered(dense)  # the fit to all points takes longest; the wide plane is fitted only if it is needed
-    if isinstance(first, Found) and not is_wider(first.plane):
+    if isinstance(first, FoundPlane) and not is_wider(first.plane):
         return first
     second = answered(wide)
-    return second if isinstance(second, Found) else first
+    return second if isinstance(second, FoundPlane) else first
 
 
-def thinned(points: Array) -> Array:
+def thin_cloud(points: Array) -> Array:
     """One point from each cube of edge `CELL`, so that an object counts by its size and not by its point density."""
     cubes = np.floor(points / CELL).astype(np.int64)
     cubes -= cubes.min(axis=0)
@@ -133,11 +135,11 @@ def _check(towards: Array, inside: Array, distance: float, angle: float) -> None
 
 
 @kernel
-def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distance: float) -> Array:
+def best_plane(triples: Array, scored: Array, cone: Array, inside: Array, distance: float) -> Array:
     """The plane through a triple of points with the least Σ min(l², t²), (n_x, n_y, n_z, d); zero if none is valid.
 
     n = ∓(p2 − p1)×(p3 − p1)/‖·‖, l = n·r − d. Collinear triples and planes outside the cone of normals are skipped.
-    Args: triples (k, 3, 3), m; judges (m, 3), m: points of the score; cone (4,): axis and least cosine of the normal;
+    Args: triples (k, 3, 3), m; scored (m, 3), m: points of the score; cone (4,): axis and least cosine of the normal;
     inside (3,), m; distance: t, m. Source: Cerbaro 2022, eqs. 20, 25–26; the score: Torr & Zisserman 2000.
     """
     best, found = np.inf, np.zeros(4)
@@ -158,9 +160,9 @@ def best_draw(triples: Array, judges: Array, cone: Array, inside: Array, distanc
         if nx * cone[0] + ny * cone[1] + nz * cone[2] < cone[3]:
             continue
         total = 0.0
-        for start in range(0, judges.shape[0], BLOCK):
-            for j in range(start, min(start + BLOCK, judges.shape[0])):
-                offset = nx * judges[j, 0] + ny * judges[j, 1] + nz * judges[j, 2] - d
+        for start in range(0, scored.shape[0], BLOCK):
+            for j in range(start, min(start + BLOCK, scored.shape[0])):
+                offset = nx * scored[j, 0] + ny * scored[j, 1] + nz * scored[j, 2] - d
                 total += min(offset * offset, square)
             if total >= best:
                 break
@@ -228,9 +230,9 @@ def _least_squares(sums: Array, origin: Array, inside: Array) -> _Fit:
     return _Fit(normal, float(normal @ centre), centre, float(across), float(along))
 
 
-def _judged(
+def _accepted(
     points: Array, fit: _Fit, on_it: NDArray[np.bool_], towards: Array, angle: float, covered: float
-) -> Found | Text:
+) -> FoundPlane | Text:
     """The fitted plane, or the reason to reject it; covered: its share of all cubes with points."""
     if fit.along <= NARROW * fit.across or fit.along < 1e-9:
         return Text(
@@ -239,7 +241,7 @@ def _judged(
         )
     turned = float(np.arctan2(np.linalg.norm(np.cross(fit.normal, towards)), fit.normal @ towards))
     if turned > angle:
-        return _none(angle)
+        return _no_plane(angle)
     share = float(on_it.mean())
     if max(share, covered) < LEAST_SHARE or on_it.sum() < FEWEST:
         return Text(
@@ -248,10 +250,10 @@ def _judged(
         ).format(n=int(on_it.sum()), k=len(points), least=100 * LEAST_SHARE, fewest=FEWEST)
     on_it.flags.writeable = False
     plane = Plane(frozen(fit.normal), fit.offset)
-    return Found(plane, on_it, share, fit.across, turned, frozen(fit.centre))
+    return FoundPlane(plane, on_it, share, fit.across, turned, frozen(fit.centre))
 
 
-def _none(angle: float) -> Text:
+def _no_plane(angle: float) -> Text:
     return Text(
         en="No plane: none through the points is within {angle:.0f}° of the direction asked for.",
         pt_BR="Nenhum plano: nenhum que passe pelos pontos está a menos de {angle:.0f}° da direção pedida.",

@@ -8,14 +8,14 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.confinement import Planes
-from helicoide.perception.camera import depths_of
+from helicoide.perception.camera import ray_depths
 from helicoide.state import State
 
 # A measured point is chosen if its angle to the ray is less than this, rad.
 NEAR = 0.01
 
 
-def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
+def point_under_ray(state: State, eye: Array, ray: Array) -> Array | None:
     """The point under a ray, (3,), m; None if it meets nothing or is not finite.
 
     Measured points of the clouds come first, then the nearest pane or obstacle, then the floor. Panes are transparent
@@ -33,7 +33,7 @@ def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
     faced = [k for k, normal in enumerate(planes.normals) if normal @ along < 0]
     faces = Planes(planes.normals[faced], planes.centres[faced], tuple(planes.panes[k] for k in faced))
     scene = replace(state, problem=replace(state.problem, planes=faces))
-    depth = float(depths_of(scene, eye, along[None])[0])
+    depth = float(ray_depths(scene, eye, along[None])[0])
     with np.errstate(divide="ignore"):
         to_floor = (state.robot.floor - eye[2]) / along[2]
     far = min(depth, to_floor if to_floor > 0 else np.inf)
@@ -42,7 +42,7 @@ def pointed_at(state: State, eye: Array, ray: Array) -> Array | None:
 
 def _measured(state: State, eye: Array, along: Array) -> Array | None:
     """Of the cloud points close to the ray, the one nearest to the eye."""
-    points = np.concatenate([np.empty((0, 3)), *(seen.points for seen in state.seen.values())])
+    points = np.concatenate([np.empty((0, 3)), *(seen.points for seen in state.clouds.values())])
     ways = points - eye
     depths = ways @ along
     aside = np.linalg.norm(ways - depths[:, None] * along, axis=1)

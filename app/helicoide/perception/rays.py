@@ -7,7 +7,7 @@ import numpy as np
 from helicoide.arrays import Array
 
 
-def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: tuple[float, float]) -> Array:
+def ray_to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: tuple[float, float]) -> Array:
     """Intersection with a rectangle about a centre: t = n·(c − e)/n·v if e + t v is inside; from either side.
 
     Args: eye, centre (3,), m; rays (k, 3); R_world_pane (3, 3), z its normal; size: full lengths along x and y, m.
@@ -21,7 +21,7 @@ def to_pane(eye: Array, rays: Array, centre: Array, R_world_pane: Array, size: t
     return np.where(hit, t, np.inf)
 
 
-def to_capsule(eye: Array, rays: Array, ends: Array, radius: float) -> Array:
+def ray_to_capsule(eye: Array, rays: Array, ends: Array, radius: float) -> Array:
     """Intersection with the capsule of a radius, m, about the segment between two ends (2, 3), m: least t > 0.
 
     A capsule is convex, so a line is inside it from its first to its last intersection with cylinder and spheres.

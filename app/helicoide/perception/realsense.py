@@ -13,7 +13,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.perception.camera import D435, Camera
-from helicoide.perception.cloud import Cloud, cloud_of
+from helicoide.perception.cloud import PointCloud, cloud_from_rows
 from helicoide.state import State
 from helicoide.text import HelicoideError, Text
 
@@ -50,7 +50,7 @@ class RealSense:
     def __init__(self, package: Any, pipeline: Any, camera: Camera) -> None:
         self._package, self._pipeline, self._camera = package, pipeline, camera
 
-    def cloud(self, state: State) -> Cloud:
+    def cloud(self, state: State) -> PointCloud:
         """The points of the next picture, base frame; pixels without a depth in reach are counted as dropped.
 
         Raises HelicoideError when no picture comes, as from a camera that was pulled out.
@@ -59,8 +59,8 @@ class RealSense:
         self.points_in_view()  # discard one picture, which may date from before the arm came to rest
         seen = self.points_in_view()
         points = T[:3, 3] + seen @ T[:3, :3].T
-        points[np.isnan(self._camera.in_reach(seen[:, 2]))] = np.nan
-        return cloud_of(points)
+        points[np.isnan(self._camera.valid_depths(seen[:, 2]))] = np.nan
+        return cloud_from_rows(points)
 
     def points_in_view(self) -> Array:
         """The points of the next picture, camera frame, (k, 3), m; zero where there is no depth."""

@@ -7,7 +7,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.text import Text
 
 Unit = Literal["m", "cm", "mm", "inch", "ft"]
@@ -24,7 +24,7 @@ TITLES: dict[Unit, Text] = {
 # ambiguous.
 WIDEST_M, NARROWEST_MM = 10.0, 400.0
 # Largest distance of a cloud from the base of the arm, m.
-ROOM = 20.0
+FARTHEST_CLOUD = 20.0
 ENOUGH = 200_000
 SAYS = Text(en="In {unit}, as the file says", pt_BR="Em {unit}, como diz o arquivo")
 CHOSEN = Text(en="In {unit}, as chosen", pt_BR="Em {unit}, como foi escolhido")
@@ -34,8 +34,8 @@ LOOKS = Text(
 )
 
 
-def unit_of(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, Text]:
-    """The unit of rows (k, 3), and the reason; raises Broken if it is ambiguous, or the points are too far away."""
+def detect_unit(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, Text]:
+    """The unit of rows (k, 3), and the reason; raises BrokenFile if it is ambiguous, or the points are too far away."""
     unit, why = (chosen, CHOSEN) if chosen else (said, SAYS) if said else (None, LOOKS)
     some = _finite(rows)
     if unit is None:
@@ -55,12 +55,12 @@ def _looks(rows: Array) -> Unit:
     if not len(rows):
         return "m"
     sizes = np.percentile(rows, 95, axis=0) - np.percentile(rows, 5, axis=0)
-    if sizes.max() < WIDEST_M or _nearest(rows) * METRES["mm"] > ROOM:
+    if sizes.max() < WIDEST_M or _nearest(rows) * METRES["mm"] > FARTHEST_CLOUD:
         return "m"
     if sizes.max() >= NARROWEST_MM:
         return "mm"
     fields = dict(zip("xyz", sizes, strict=True))
-    raise Broken(
+    raise BrokenFile(
         Text(
             en="its numbers spread over {x:.0f} × {y:.0f} × {z:.0f}, and whether these are centimetres, inches, "
             "feet, millimetres or metres it does not say; choose the unit, then give the file again",
@@ -76,10 +76,10 @@ def _nearest(rows: Array) -> float:
 
 
 def _check_near(rows: Array, unit: Unit) -> None:
-    if not len(rows) or _nearest(rows) * METRES[unit] <= ROOM:
+    if not len(rows) or _nearest(rows) * METRES[unit] <= FARTHEST_CLOUD:
         return
     middle = dict(zip("xyz", np.median(rows, axis=0), strict=True))
-    raise Broken(
+    raise BrokenFile(
         Text(
             en="its points lie far from the arm's base, around ({x:.1f}, {y:.1f}, {z:.1f}) in {unit}, as the "
             "coordinates of a map do; valid are coordinates from the base, with points within {room:.0f} m of it: "
@@ -87,5 +87,5 @@ def _check_near(rows: Array, unit: Unit) -> None:
             pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}; {y:.1f}; {z:.1f}) em {unit}, como "
             "coordenadas de um mapa; valem coordenadas a partir da base, com pontos a até {room:.0f} m dela: subtraia "
             "antes a origem ou escolha outra unidade",
-        ).format(unit=TITLES[unit], room=ROOM, **middle)
+        ).format(unit=TITLES[unit], room=FARTHEST_CLOUD, **middle)
     )

@@ -30,4 +30,4 @@ def nearest(state: State) -> Contact:
 
 def zones(state: State) -> tuple[Zone, ...]:
     """The zone of each plane: that of the guarded point nearest to it."""
-    return tuple(state.problem.zones.of(float(least)) for least in plane_distances(state).min(axis=0))
+    return tuple(state.problem.zones.zone_of(float(least)) for least in plane_distances(state).min(axis=0))

@@ -8,18 +8,18 @@ from functools import lru_cache
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.command import Along, ToJoints, ToPose
+from helicoide.command import FollowPath, MoveToJoints, MoveToPose
 from helicoide.ik import Reason, reasons
-from helicoide.ik.drive import task_of
+from helicoide.ik.controller import closed_loop_task
 from helicoide.ik.goal import tool_pose
 from helicoide.ik.methods import filtered, filtered_normal, named
 from helicoide.ik.modal import Diagnosis
-from helicoide.ik.rcm.at_work import passage_of
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.passage import refusal
+from helicoide.ik.rcm.tip_task import passage_of
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.manipulability import Manipulability, analysed
+from helicoide.kinematics.manipulability import JacobianAnalysis, analyse_jacobian
 from helicoide.kinematics.singularity import singularity
 from helicoide.state import State
 from helicoide.text import Text
@@ -40,9 +40,9 @@ class Instrument:
 def target(state: State) -> Array | None:
     """The pose that the tool is driven to, T_world_target (4, 4), m; None when no pose is asked for."""
     match state.request.command:
-        case ToPose(T):
+        case MoveToPose(T):
             return T
-        case Along(path, s):
+        case FollowPath(path, s):
             return frozen(path.pose(s))
         case _:
             return None
@@ -51,23 +51,23 @@ def target(state: State) -> Array | None:
 def target_pose(state: State) -> Array:
     """The pose that is asked for, T_world_target (4, 4), m: that of the tool where nothing else is."""
     match state.request.command:
-        case ToPose(T):
+        case MoveToPose(T):
             return T
-        case Along(path, s):
+        case FollowPath(path, s):
             return frozen(path.pose(s))
-        case ToJoints(q):
+        case MoveToJoints(q):
             return tool_pose(state.problem, link_poses(state.robot.chain, q))
         case _:
             return state.T_world_tool
 
 
-def mobility(state: State) -> Manipulability:
+def mobility(state: State) -> JacobianAnalysis:
     """What the rows of the task let the arm do where it stands, lengths in terms of the characteristic length."""
-    T, drive = state.T_world_tool, state.request.drive
-    task = task_of(
+    T, drive = state.T_world_tool, state.request.controller
+    task = closed_loop_task(
         state.problem, state.arm.q, state.arm.poses, T, state.request.with_orientation, _STILL, drive.gains, 0.0
     )
-    return analysed(task.J)
+    return analyse_jacobian(task.J)
 
 
 @lru_cache(maxsize=4)
@@ -80,9 +80,9 @@ def instruments(state: State) -> tuple[Instrument, ...]:
     return (
         *_errors(state),
         Instrument(
-            Text(en="joint rates", pt_BR="velocidades de junta"), r"\|\dot q\|", _length(state.arm.speeds), "rad/s"
+            Text(en="joint rates", pt_BR="velocidades de junta"), r"\|\dot q\|", _length(state.arm.velocities), "rad/s"
         ),
-        Instrument(Text(en="condition number", pt_BR="número de condição"), r"\kappa", here.condition),
+        Instrument(Text(en="condition number", pt_BR="número de condição"), r"\kappa", here.condition_number),
         Instrument(Text(en="manipulability", pt_BR="manipulabilidade"), "w", here.w),
         Instrument(Text(en="joints left free", pt_BR="juntas livres"), r"n - r", _free(here)),
         Instrument(Text(en="least singular value", pt_BR="menor valor singular"), r"\sigma_{\min}", _least(here)),
@@ -94,12 +94,12 @@ def instruments(state: State) -> tuple[Instrument, ...]:
 @lru_cache(maxsize=4)
 def near_singular(state: State) -> Text | None:
     """What is singular where the arm stands, or nearly so, in words; None where nothing is."""
-    return singularity(state.robot, state.arm.q).told()
+    return singularity(state.robot, state.arm.q).warning()
 
 
 def modes(state: State) -> Diagnosis | None:
     """The modal diagnosis of the filtered inverse that drives the arm; None where another method does."""
-    drive = state.request.drive
+    drive = state.request.controller
     if not isinstance(drive.memory, filtered.Memory):
         return None
     options = drive.options(drive.method)
@@ -110,20 +110,20 @@ def modes(state: State) -> Diagnosis | None:
 
 def held_by(state: State) -> tuple[Reason, ...]:
     """What held the last guarded step back, the hardest first."""
-    if state.arm.held is None or state.arm.held.pull == 0.0:
+    if state.arm.active_set is None or state.arm.active_set.pull == 0.0:
         return ()
-    return reasons(state.problem, state.arm.q, state.arm.held.multipliers, state.arm.held.pull)
+    return reasons(state.problem, state.arm.q, state.arm.active_set.multipliers, state.arm.active_set.pull)
 
 
 def _length(values: Array) -> float:
     return float(np.linalg.norm(values))
 
 
-def _free(here: Manipulability) -> float:
+def _free(here: JacobianAnalysis) -> float:
     return float(here.V.shape[0] - here.rank)
 
 
-def _least(here: Manipulability) -> float:
+def _least(here: JacobianAnalysis) -> float:
     return float(here.sigma[-1])
 
 
@@ -176,7 +176,7 @@ def _mm(way: Array) -> float:
 
 def _figures(state: State) -> tuple[Instrument, ...]:
     """The figures of the method's last answer, in the order of its file."""
-    solution, method = state.request.drive.solution, named(state.request.drive.method)
+    solution, method = state.request.controller.solution, named(state.request.controller.method)
     if solution is None:
         return ()
     return tuple(

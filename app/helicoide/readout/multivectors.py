@@ -12,7 +12,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.robot_parts import Pane
+from helicoide.kinematics.robot_parts import PlanePane
 from helicoide.state import State
 from helicoide.text import Text
 
@@ -42,7 +42,7 @@ def chosen(state: State, key: str | None) -> Reading | None:
 
 
 @lru_cache(maxsize=128)  # a class of thirty, each with an arm and planes of their own
-def _readings(robot: Robot, panes: tuple[Pane, ...]) -> tuple[Reading, ...]:
+def _readings(robot: Robot, panes: tuple[PlanePane, ...]) -> tuple[Reading, ...]:
     return _tool(), *_lines(robot), *_planes(panes), *_points(robot)
 
 
@@ -62,7 +62,7 @@ def _lines(robot: Robot) -> Iterator[Reading]:
         yield Reading(f"joint {i}", said, rf"\ell_{i + 1}", partial(line, i))
 
 
-def _planes(panes: tuple[Pane, ...]) -> Iterator[Reading]:
+def _planes(panes: tuple[PlanePane, ...]) -> Iterator[Reading]:
     title = Text(en="plane {name} ({pane})", pt_BR="plano {name} ({pane})")
 
     def plane(k: int, state: State) -> Array:
@@ -79,7 +79,7 @@ def _points(robot: Robot) -> Iterator[Reading]:
     def point(j: int, state: State) -> Array:
         return rigid.point(state.guarded_points[j])
 
-    for j, guarded in enumerate(robot.guarded):
+    for j, guarded in enumerate(robot.monitored):
         yield Reading(f"point {j}", title.format(point=guarded.title), rf"p_{j + 1}", partial(point, j))
 
 

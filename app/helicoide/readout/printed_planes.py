@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.robot_parts import Pane
+from helicoide.kinematics.robot_parts import PlanePane
 from helicoide.text import Text
 
 LINE = Text(
@@ -20,13 +20,13 @@ WHY_PRINTED_DIFFERS = Text(
 
 def printed_planes(robot: Robot) -> tuple[Text, ...]:
     """A line for each plane of its file that a source prints: ours, in m, and the source's, with its label, in mm."""
-    return tuple(_line(pane) for pane in robot.panes if pane.printed)
+    return tuple(_line(pane) for pane in robot.panes if pane.as_printed)
 
 
-def _line(pane: Pane) -> Text:
+def _line(pane: PlanePane) -> Text:
     numbers = [f"{value:.4f}" for value in (*pane.normal, pane.offset)]
     ours, local = numbers, [number.replace(".", ",") for number in numbers]
     normal = Text(en=", ".join(ours[:3]), pt_BR="; ".join(local[:3]))
-    printed = Text(en=pane.printed, pt_BR=pane.printed.replace(".", ","))
+    printed = Text(en=pane.as_printed, pt_BR=pane.as_printed.replace(".", ","))
     offset = Text(en=ours[3], pt_BR=local[3])
     return LINE.format(name=pane.name, title=pane.title, normal=normal, offset=offset, printed=printed)

@@ -8,20 +8,20 @@ from typing import Literal
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.command import Along, GetReady, Hold, Park, Replay, ToPose
+from helicoide.command import FollowPath, GetReady, HoldPosition, MoveToPose, Park, Replay
 from helicoide.ik import (
     AtAcceleration,
+    AtEntryPoint,
     AtLimit,
     AtSpeed,
     Contact,
     ObstacleContact,
     Problem,
-    RcmHeld,
     Reason,
     SelfContact,
     methods,
 )
-from helicoide.ik.drive import GUARDED
+from helicoide.ik.controller import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.ik.postures.choice import barrier
 from helicoide.readout.distances import distances_of
@@ -51,7 +51,7 @@ def status(state: State) -> Status:
     """The state in words: a refusal first, then what holds the arm, then what it does."""
     if state.notice is not None:
         return Status(state.notice, "warn")
-    if state.request.command == Hold(stopped=True) and state.arm.parked:
+    if state.request.command == HoldPosition(stopped=True) and state.arm.parked:
         return Status(
             Text(
                 en="Stopped, with the planes off: only Ready or Park move the arm.",
@@ -59,7 +59,7 @@ def status(state: State) -> Status:
             ),
             "stopped",
         )
-    if state.request.command == Hold(stopped=True):
+    if state.request.command == HoldPosition(stopped=True):
         return Status(
             Text(
                 en="Stopped. Nothing moves until the next press.",
@@ -71,9 +71,9 @@ def status(state: State) -> Status:
         return Status(_replaying(state, state.request.command), "ok")
     if state.arm.parked or isinstance(state.request.command, Park | GetReady):
         return _parking(state)
-    if isinstance(state.request.command, ToPose | Along) and state.request.drive.method != GUARDED:
+    if isinstance(state.request.command, MoveToPose | FollowPath) and state.request.controller.method != GUARDED:
         return _by_method(state)
-    if state.request.goal is not None and not isinstance(state.request.command, Hold):
+    if state.request.goal is not None and not isinstance(state.request.command, HoldPosition):
         return _towards(state, state.request.goal)
     return Status(Text(en="Ready: drag the target or a slider.", pt_BR="Pronto: arraste o alvo ou um controle."), "ok")
 
@@ -92,7 +92,7 @@ def _replaying(state: State, command: Replay) -> Text:
 
 
 def _parking(state: State) -> Status:
-    if isinstance(state.request.command, Hold):
+    if isinstance(state.request.command, HoldPosition):
         return Status(
             Text(
                 en="Parked: planes are off. Ready brings the arm back.",
@@ -100,10 +100,10 @@ def _parking(state: State) -> Status:
             ),
             "warn",
         )
-    if not state.arm.parked and state.request.goal is not None and state.request.goal.short > SHORT:
+    if not state.arm.parked and state.request.goal is not None and state.request.goal.position_error > SHORT:
         return Status(_held_back(state, state.request.goal), "blocked")
     if isinstance(state.request.command, Park):
-        if not state.arm.parked and not state.arm.moving and state.request.rested > 1.0:
+        if not state.arm.parked and not state.arm.moving and state.request.unchanged > 1.0:
             return Status(
                 Text(
                     en="Cannot park: a plane is too near to the ready pose. Move it first.",
@@ -125,11 +125,11 @@ def _towards(state: State, goal: Goal) -> Status:
             ),
             "ok",
         )
-    if goal.short > SHORT:
+    if goal.position_error > SHORT:
         return Status(_held_back(state, goal), "blocked")
-    if state.request.with_orientation and goal.turned > TURNED:
+    if state.request.with_orientation and goal.orientation_error > TURNED:
         return Status(_misaligned(state, goal), "warn")
-    if isinstance(state.request.command, Along) and state.request.command.playing:
+    if isinstance(state.request.command, FollowPath) and state.request.command.playing:
         return Status(FOLLOWING.format(path=state.request.command.title), "ok")
     if state.arm.moving:
         return Status(MOVING, "ok")
@@ -138,10 +138,10 @@ def _towards(state: State, goal: Goal) -> Status:
 
 def _by_method(state: State) -> Status:
     """On the way by a method of the sources: whether it applies, and where it comes to rest."""
-    if state.request.drive.refusal is not None:
-        return Status(state.request.drive.refusal, "blocked")
+    if state.request.controller.refusal is not None:
+        return Status(state.request.controller.refusal, "blocked")
     way, turn = errors(state)
-    if isinstance(state.request.command, Along) and state.request.command.playing and way < ARRIVED:
+    if isinstance(state.request.command, FollowPath) and state.request.command.playing and way < ARRIVED:
         return Status(FOLLOWING.format(path=state.request.command.title), "ok")
     if state.arm.moving:
         return Status(MOVING, "ok")
@@ -160,7 +160,7 @@ def _by_method(state: State) -> Status:
 
 def _rests(state: State, way: float) -> Text:
     """Where a method has come to rest, with what the guard held it back by, if anything."""
-    method = methods.named(state.request.drive.method).TITLE
+    method = methods.named(state.request.controller.method).TITLE
     held = holding(state)
     if not held:
         return Text(
@@ -176,10 +176,10 @@ def _rests(state: State, way: float) -> Text:
 def _held_back(state: State, goal: Goal) -> Text:
     """Why the wish is not met: the plane and the point it holds, the joint at its limit, or the reach."""
     reason = goal.reasons[0] if goal.reasons else None
-    short = f"{1000 * goal.short:.0f}"
+    short = f"{1000 * goal.position_error:.0f}"
     match reason:
         case Contact(plane, point):
-            pane, guarded = state.problem.planes.panes[plane], state.robot.guarded[point]
+            pane, guarded = state.problem.planes.panes[plane], state.robot.monitored[point]
             return Text(
                 en="Blocked by plane {name} ({pane}): {point} at {mm:.0f} mm; {short} mm short.",
                 pt_BR="Bloqueado pelo plano {name} ({pane}): {point} a {mm:.0f} mm; faltam {short} mm.",
@@ -200,7 +200,7 @@ def _held_back(state: State, goal: Goal) -> Text:
                 en="Blocked: {what} are as near as they may be; {short} mm short.",
                 pt_BR="Bloqueado: {what} estão tão perto quanto podem; faltam {short} mm.",
             ).format(what=_named(state.problem, reason), short=short)
-        case RcmHeld():
+        case AtEntryPoint():
             return Text(
                 en="Held by the entry point of the instrument; {short} mm short.",
                 pt_BR="Retido pelo ponto de entrada do instrumento; faltam {short} mm.",
@@ -231,7 +231,7 @@ def _misaligned(state: State, goal: Goal) -> Text:
     return Text(
         en="Position held, orientation {turned:.0f}° off: {why}.",
         pt_BR="Posição mantida, orientação a {turned:.0f}°: {why}.",
-    ).format(turned=np.degrees(goal.turned), why=why)
+    ).format(turned=np.degrees(goal.orientation_error), why=why)
 
 
 def holding(state: State) -> list[Text]:
@@ -251,7 +251,7 @@ def _named(problem: Problem, reason: Reason) -> Text:
     match reason:
         case Contact(plane, point):
             return Text(en="plane {a}: {b}", pt_BR="plano {a}: {b}").format(
-                a=problem.planes.panes[plane].name, b=problem.robot.guarded[point].title
+                a=problem.planes.panes[plane].name, b=problem.robot.monitored[point].title
             )
         case SelfContact(first, second):
             return Text(en="{a} and {b}", pt_BR="{a} e {b}").format(a=bodies[first], b=bodies[second])
@@ -263,5 +263,5 @@ def _named(problem: Problem, reason: Reason) -> Text:
             return Text(en="speed of joint {n}", pt_BR="velocidade da junta {n}").format(n=joint + 1)
         case AtAcceleration(joint):
             return Text(en="acceleration of joint {n}", pt_BR="aceleração da junta {n}").format(n=joint + 1)
-        case RcmHeld():
+        case AtEntryPoint():
             return Text(en="the entry point", pt_BR="o ponto de entrada")

@@ -9,12 +9,12 @@ from dataclasses import replace
 from typing import Any
 
 from helicoide import gate
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_faults import faults, remarks_and_faults
 from helicoide.session.preparing import rehearse
 from helicoide.session.workcell import FAILED, Workcell
-from helicoide.state import State, Update, initial
+from helicoide.state import State, Update, initial_state
 from helicoide.studies.study import Motion
 from helicoide.text import HelicoideError, Text
 from helicoide.view import shapes
@@ -93,8 +93,8 @@ class Arms:
 
 def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
     """The robot, with all that is needed to draw and to drive it."""
-    robot = load(robot_name, None, lengths)
-    shapes.load(robot)
+    robot = load_robot(robot_name, None, lengths)
+    shapes.load_shapes(robot)
     remarks_and_faults(robot)  # its panel shows them, and does not wait for files
     for fault in faults(robot):
         log.warning("%s: %s", robot.name, fault.en)
@@ -104,7 +104,7 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
 
 def begun(robot: Robot) -> State:
     """A robot at `ready`; where something is wrong in its files, its notice says so."""
-    state, wrong = initial(robot), faults(robot)
+    state, wrong = initial_state(robot), faults(robot)
     if not wrong:
         return state
     return replace(state, notice=WRONG_FILES.format(robot=robot.title, fault=wrong[0]))

@@ -7,20 +7,20 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
-from helicoide.command import Hold
+from helicoide.command import HoldPosition
 from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms, begun
 from helicoide.session.display import Display
-from helicoide.session.mapping import Mapping
-from helicoide.session.postures import postures
-from helicoide.session.replaying import along_fastest, through
+from helicoide.session.mapping import MapJob
+from helicoide.session.postures import list_postures
+from helicoide.session.replaying import along_fastest, replay_through
 from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
 from helicoide.session.workcell import Workcell
-from helicoide.state import State, commanded
+from helicoide.state import State, with_command
 from helicoide.text import HelicoideError, Text
 from helicoide.view import rows
-from helicoide.view.rows import Wish
+from helicoide.view.rows import PageRequest
 from helicoide.view.window import Window
 
 MOST_OWN, MAPS = 64, 2  # arms of somebody's own; maps that are counted at once
@@ -44,7 +44,7 @@ class Bay:
         self.workcell = workcell
         self.arms = Arms(workcell)
         self.survey = Surveying(now, workcell.tell)
-        self.mapping = Mapping(now, workcell.tell, maps)
+        self.mapping = MapJob(now, workcell.tell, maps)
         self.display: Display | None = None
         self._put_up = put_up
 
@@ -66,7 +66,7 @@ class Bay:
                 self.display.close()
                 self.display = None
 
-    def do(self, wish: Wish) -> None:
+    def do(self, wish: PageRequest) -> None:
         """Do what is wished of the arm and its scene."""
         match wish:
             case rows.ForArm(update):
@@ -82,9 +82,9 @@ class Bay:
             case rows.CountMap(kind):
                 self.mapping.begin(kind)
             case rows.ListPostures():
-                self.arms.find(postures)
+                self.arms.find(list_postures)
             case rows.PlayTaught():
-                self.arms.work_out(through)
+                self.arms.work_out(replay_through)
             case rows.PlayFastest():
                 self.arms.work_out(along_fastest)
 
@@ -129,8 +129,8 @@ class Bays:
         if place.own is None:
             if len(self.all) > MOST_OWN:
                 raise HelicoideError(FULL.format(n=MOST_OWN))
-            copy = commanded(self.shared.workcell.state, Hold())
-            place.own = self._add(replace(copy, request=replace(copy.request, grasp=None, goal=None))).workcell
+            copy = with_command(self.shared.workcell.state, HoldPosition())
+            place.own = self._add(replace(copy, request=replace(copy.request, drag=None, goal=None))).workcell
 
     def keep(self, places: Iterable[Place]) -> None:
         """Forget those of places that are no more."""

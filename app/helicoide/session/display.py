@@ -13,7 +13,7 @@ from helicoide.session.workcell import Workcell
 from helicoide.state import State
 from helicoide.view import shapes
 from helicoide.view.audience import Audience, Server
-from helicoide.view.channel import Control, Notice
+from helicoide.view.channel import ControlChannel, Notice
 from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.window import CLEARED, Window
@@ -36,7 +36,7 @@ class Display:
     def __init__(
         self,
         server: Server,
-        control: Control,
+        control: ControlChannel,
         workcell: Workcell,
         view: Callable[[Window], View],
         arrived: Callable[[Display], None],
@@ -87,7 +87,7 @@ class Display:
                 self.windows.append(window)
                 view = self.view(window)
                 if view.state.robot is self._drawn[0]:  # else it is put up with the others
-                    window.stage(view, shapes.load(view.state.robot))
+                    window.stage(view, shapes.load_shapes(view.state.robot))
                     window.draw(view)
                     if window.robot is not view.state.robot:  # this arm has come since it was furnished
                         await window.fill(view)
@@ -141,7 +141,7 @@ class Display:
                     window.client.flush()
                 await asyncio.sleep(CLEARED)
                 self.arrived(self)
-            drawn = await asyncio.to_thread(shapes.load, robot)
+            drawn = await asyncio.to_thread(shapes.load_shapes, robot)
             with self.audience.atomic():
                 self._scene = Scene(self.audience.scene, robot, drawn)
                 self._scene.update(View(state, NOBODY))

@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from time import monotonic
 
 from helicoide import content, gate
-from helicoide.jobs.apart import Apart
+from helicoide.jobs.process import ProcessJob
 from helicoide.kinematics.robot import Robot
 from helicoide.session.bay import Bays
 from helicoide.session.clock import Clock
@@ -23,12 +23,12 @@ from helicoide.session.visitor import Visitor
 from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
-from helicoide.view.channel import PATH, Control, Hello, Line, Notice, introduce
+from helicoide.view.channel import PATH, ControlChannel, Hello, Notice, WindowChannel, introduce
 from helicoide.view.link import HelicoideFence, HelicoideMadeAt, heard_from
-from helicoide.view.rows import View, Wish
-from helicoide.view.scene import lit
+from helicoide.view.rows import PageRequest, View
+from helicoide.view.scene import light_scene
 from helicoide.view.serve import serve
-from helicoide.view.window import Client, Window, made_ready
+from helicoide.view.window import Client, Window, preload
 
 UNTIDY = 10  # times that garbage stays where it is while an arm moves
 # s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
@@ -50,8 +50,8 @@ class Lab:
         self.language = language
         self.seats = Seats(lesson_name, projector)
         self.visitors: dict[int, Visitor] = {}
-        self.lines: dict[int, Line] = {}
-        self.control = Control(self._stopped, self._released, self._turned)
+        self.lines: dict[int, WindowChannel] = {}
+        self.control = ControlChannel(self._stopped, self._released, self._turned)
         self.ready = False
         self.clock = Clock(lambda: self.bays.workcells, self._changed)
         self.searcher = ThreadPoolExecutor(1, "helicoide search")
@@ -60,7 +60,7 @@ class Lab:
         self.bays = Bays(robot, self.clock.wake, self.searcher, self._put_up)
         self.shared = self.bays.shared
         self.said = compiling(0)
-        self._compilation = Apart(compiled)
+        self._compilation = ProcessJob(compiled)
         self._signalled = False
         self._judged = 0.0
         self._untidy = 0
@@ -84,11 +84,11 @@ class Lab:
         self.server.stop()
 
     def _begin(self) -> None:
-        lit(self.server)
+        light_scene(self.server)
         heard_from(self.server, self._heard)
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
-        self._furniture = self.loop.run_in_executor(None, made_ready, self.shared.workcell.state.robot)
+        self._furniture = self.loop.run_in_executor(None, preload, self.shared.workcell.state.robot)
         self._starting = self.loop.create_task(self._start())
         self._tidy()
 
@@ -172,7 +172,7 @@ class Lab:
         line.tell(seat=place.seat.token)
         await self._furnish(client, line, place)
 
-    async def _furnish(self, client: Client, line: Line, place: Place) -> None:
+    async def _furnish(self, client: Client, line: WindowChannel, place: Place) -> None:
         bay = self.bays.of(place)
         window = Window(client, line.link, View(bay.workcell.state, place.seat, place.desk, self.ready), self.act)
         visitor = self.visitors[client.client_id] = Visitor(window, place, bay)
@@ -207,7 +207,7 @@ class Lab:
             visitor.window.restore()
             visitor.write()
 
-    def act(self, window: Window, wish: Wish) -> None:
+    def act(self, window: Window, wish: PageRequest) -> None:
         """Do what a person wishes, if it counts; what their page shows of it is put right in any case."""
         visitor = self.visitors.get(window.client.client_id)
         if visitor is None:
@@ -221,7 +221,7 @@ class Lab:
         elif window.link.late:
             window.tell_late()
 
-    def _act(self, visitor: Visitor, wish: Wish) -> None:
+    def _act(self, visitor: Visitor, wish: PageRequest) -> None:
         match wish:
             case rows.ForSeat(update):
                 visitor.reseat(update)
@@ -238,15 +238,14 @@ class Lab:
     def _stopped(self, key: str | None, closing: bool = False) -> None:
         """Stop the workcell of that window, else the shared one, and every one that a real arm follows.
 
-        A press that closes something on the page stops nothing where all of them rest. Of the windows in front of them
-        nothing counts that was made before their pages know of it.
+        Of the windows in front of them nothing counts that was made before their pages know of it.
+        closing: whether the same key closes something on the page.
         """
         visitor = self._with(key)
         mine = self.shared if visitor is None else visitor.bay
         stopped = {bay.workcell for bay in self.bays if bay is mine or bay.workcell.connected}
-        if not (closing and all(workcell.resting for workcell in stopped)):
-            for workcell in stopped:
-                workcell.stop()
+        for workcell in stopped:
+            workcell.stop(closing)
         for number, line in self.lines.items():
             visitor = self.visitors.get(number)
             if visitor is None or visitor.bay.workcell in stopped:

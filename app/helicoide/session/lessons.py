@@ -15,7 +15,7 @@ log = logging.getLogger("helicoide")
 
 def is_about(seat: Seat, robots: Collection[str]) -> bool:
     """Whether a seat is in no lesson, or in one about one of these robots."""
-    return seat.lesson is None or lesson.load(seat.lesson).robot in robots
+    return seat.lesson is None or lesson.load_lesson(seat.lesson).robot in robots
 
 
 def seated_at(robots: Collection[str], seat: Seat) -> Seat:
@@ -24,7 +24,7 @@ def seated_at(robots: Collection[str], seat: Seat) -> Seat:
     robots: the one that stands there, and the one that is on its way.
     """
     seat = replace(seat, done=frozenset()) if is_about(seat, robots) else lesson.entered(seat, None)
-    return replace(seat, selected=None, picked=None)
+    return replace(seat, selected=None, picked_points=None)
 
 
 def judged(seat: Seat, state: State) -> Seat:
@@ -32,7 +32,7 @@ def judged(seat: Seat, state: State) -> Seat:
     if seat.lesson is None:
         return seat
     try:
-        return lesson.progressed(lesson.load(seat.lesson), state, seat)
+        return lesson.progressed(lesson.load_lesson(seat.lesson), state, seat)
     except Exception:
         log.exception("the goal of lesson %s failed", seat.lesson)
         return lesson.entered(seat, None)

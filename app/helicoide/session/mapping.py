@@ -8,14 +8,14 @@ from collections.abc import Callable
 
 from helicoide import gate
 from helicoide.jobs import chunks
-from helicoide.jobs.apart import Apart, Failed, Report, followed
+from helicoide.jobs.process import JobFailed, ProcessJob, Report, follow_job
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Kind, Map, Plan, normal_of, planned
+from helicoide.kinematics.workspace import MapKind, MapPlan, WorkspaceMap, plan_map, plane_normal
 from helicoide.state import State, Update
 from helicoide.text import Text
 
 # Postures of a map, of an arm in a plane and of one in space: a few seconds up to some twenty of one processor.
-SAMPLES: dict[Kind, dict[int, int]] = {
+SAMPLES: dict[MapKind, dict[int, int]] = {
     "reachable": {2: 1_450_000, 3: 10_600_000},
     "dexterous": {2: 12_600_000, 3: 13_700_000},
     "manipulability": {2: 1_450_000, 3: 7_100_000},
@@ -27,17 +27,17 @@ FAILED = Text(
 log = logging.getLogger("helicoide")
 
 
-def plan_of(robot: Robot, kind: Kind) -> Plan:
+def plan_of(robot: Robot, kind: MapKind) -> MapPlan:
     """The map of an arm that is fine enough to look at."""
-    return planned(robot, kind, SAMPLES[kind][3 if normal_of(robot) is None else 2])
+    return plan_map(robot, kind, SAMPLES[kind][3 if plane_normal(robot) is None else 2])
 
 
-def counted(report: Report, plan: Plan) -> Map:
+def counted(report: Report, plan: MapPlan) -> WorkspaceMap:
     """Count a map, or read the one that is kept; it is kept on disk."""
     return chunks.workspace_map(plan, progress=report)
 
 
-class Mapping:
+class MapJob:
     """What counts maps; `state` tells what is wanted, `post` hands on a wish. Only on the event loop.
 
     turns: how many maps of the lab may be counted at once; others wait until it is their turn.
@@ -47,10 +47,10 @@ class Mapping:
         self, state: Callable[[], State], post: Callable[[Update], None], turns: asyncio.Semaphore | None = None
     ) -> None:
         self.state, self.post, self.turns = state, post, turns or asyncio.Semaphore(1)
-        self._job: Apart | None = None
+        self._job: ProcessJob | None = None
         self._task: asyncio.Task[None] | None = None
 
-    def begin(self, kind: Kind) -> None:
+    def begin(self, kind: MapKind) -> None:
         """Count a map of the arm that stands there; what is counted so far is ended."""
         state = self.state()
         if self._task is not None:
@@ -64,17 +64,17 @@ class Mapping:
         if self._job is not None:
             self._job.stop()
 
-    async def _map(self, robot: Robot, kind: Kind) -> None:
+    async def _map(self, robot: Robot, kind: MapKind) -> None:
         """Post the map of an arm, at once where it is kept, or say why there is none."""
         plan = plan_of(robot, kind)
         try:
-            found = await asyncio.to_thread(chunks.kept, plan)
+            found = await asyncio.to_thread(chunks.cached_map, plan)
             if found is None:
                 async with self.turns:
                     found = await self._counted(robot, plan)
             if found is None and self._is_counting(robot):
                 log.error("the process that counts the map of %s was ended from outside", robot.name)
-        except Failed as failure:
+        except JobFailed as failure:
             log.error("the map of %s failed:\n%s", robot.name, failure)
             found = None
         except Exception:
@@ -82,15 +82,15 @@ class Mapping:
             found = None
         self.post(gate.fail_map(robot, FAILED) if found is None else gate.show_map(robot, found))
 
-    async def _counted(self, robot: Robot, plan: Plan) -> Map | None:
+    async def _counted(self, robot: Robot, plan: MapPlan) -> WorkspaceMap | None:
         """Count in another process, which ends as soon as nobody wants the map any more."""
-        self._job = job = Apart(counted, plan)
+        self._job = job = ProcessJob(counted, plan)
 
         def tell(share: float) -> None:
             if self._job is job:
                 self.post(gate.tell_map(robot, share))
 
-        listening = asyncio.create_task(followed(job, tell))
+        listening = asyncio.create_task(follow_job(job, tell))
         begun = False
         while not listening.done():
             await asyncio.wait([listening], timeout=LOOK)
@@ -103,10 +103,10 @@ class Mapping:
 
     def _is_counting(self, robot: Robot) -> bool:
         state = self.state()
-        return state.robot is robot and state.workspace.counting is not None
+        return state.robot is robot and state.workspace.progress is not None
 
 
-def _frozen(found: Map) -> Map:
+def _frozen(found: WorkspaceMap) -> WorkspaceMap:
     """The map with its arrays read-only again, which they were before they came from another process."""
     for array in (found.hits, found.values):
         array.flags.writeable = False

@@ -15,8 +15,8 @@ import numpy as np
 
 from helicoide import gate, kernels
 from helicoide.advance import advance
-from helicoide.command import ToJoints, ToPose
-from helicoide.confinement.planes import distances
+from helicoide.command import MoveToJoints, MoveToPose
+from helicoide.confinement.planes import signed_distances
 from helicoide.foresight import foreseen, search
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
@@ -30,18 +30,18 @@ from helicoide.ik.postures.packed import WIDTH
 from helicoide.ik.postures.solve import solve
 from helicoide.ik.postures.subspace import project
 from helicoide.ik.step import STILL, task_at
-from helicoide.jobs.apart import Apart, Failed, Killed
-from helicoide.kinematics import tool, workspace
-from helicoide.kinematics.library import load
+from helicoide.jobs.process import JobFailed, JobKilled, ProcessJob
+from helicoide.kinematics import tool_kernels, workspace
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.singularity import usual_rank
+from helicoide.kinematics.singularity import generic_rank
 from helicoide.perception.columns import Column
-from helicoide.perception.lists import walked
-from helicoide.perception.lzf import unpacked
-from helicoide.perception.planes import find
-from helicoide.session.postures import postures
+from helicoide.perception.lists import walk_rows
+from helicoide.perception.lzf import unpack_lzf
+from helicoide.perception.planes import find_plane
+from helicoide.session.postures import list_postures
 from helicoide.session.workcell import TICK
-from helicoide.state import State, commanded, initial
+from helicoide.state import State, initial_state, with_command
 from helicoide.text import Text
 
 COMPILING = Text(
@@ -69,19 +69,19 @@ Meanwhile = Callable[[bool], None]
 
 def exercise(robot_name: str = "movemaster") -> None:
     """Call what calls the kernels of the lab, so that each is compiled or loaded, for whatever robot."""
-    state = initial(load(robot_name))
+    state = initial_state(load_robot(robot_name))
     _drive(state)
     _look(state)
 
 
 def _drive(state: State) -> None:
     """What is asked while the arm moves."""
-    asked = commanded(state, ToPose(state.T_world_tool))
+    asked = with_command(state, MoveToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = search(asked)(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
-    foreseen(advance(commanded(asked, ToJoints(state.arm.q)), TICK))
+    foreseen(advance(with_command(asked, MoveToJoints(state.arm.q)), TICK))
     task_at(packed(state.problem), state.arm.q.copy(), state.T_world_tool, STILL, TICK)
 
 
@@ -90,24 +90,24 @@ def _look(state: State) -> None:
     robot, T, q = state.robot, state.T_world_tool, state.arm.q
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
     CL031.outer(rigid.point(T[:3, 3]), rigid.point(T[:3, 3]))
-    distances(*state.problem.plane_arrays[:2], state.guarded_points)
+    signed_distances(*state.problem.plane_arrays[:2], state.guarded_points)
     numeric.posture(robot, T, q)
     left(robot, q, T)
     nearest(robot, T, q, with_orientation=True)
-    postures(state)(state)
-    tool.tool_pose(tool.packed(robot), q)
-    tool.tool_jacobian(tool.packed(robot), q)
+    list_postures(state)(state)
+    tool_kernels.tool_pose(tool_kernels.arm_array(robot), q)
+    tool_kernels.tool_jacobian(tool_kernels.arm_array(robot), q)
     _list_postures()
-    find(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
-    unpacked(bytes(2), 1)
-    walked([Column("", "<u1")], 1, bytes(1), 0)
-    workspace.counted(workspace.planned(robot, "reachable", 1), 0)
+    find_plane(np.indices((10, 10, 1)).reshape(3, -1).T / 100, [0, 0, 1], [0, 0, 1])
+    unpack_lzf(bytes(2), 1)
+    walk_rows([Column("", "<u1")], 1, bytes(1), 0)
+    workspace.count_chunk(workspace.plan_map(robot, "reachable", 1), 0)
 
 
 def _list_postures() -> None:
     """Closed forms of other arms than the one that drives."""
     for name in ("puma560", "zebra_zero"):
-        robot = load(name)
+        robot = load_robot(name)
         solve(robot, robot.T_world_tool_0, robot.poses["ready"], every=True)
     arm = np.ones((parallel_arm.POLISHER, WIDTH))
     parallel_postures.joint_values(np.concatenate([arm, polisher(robot)]), robot.T_world_tool_0, robot.poses["ready"])
@@ -121,18 +121,18 @@ def compiled(report: Callable[[int], None]) -> None:
 
     def told(done: int) -> None:
         report(done)
-        if kernels.Kept.refusal is not None:
-            raise kernels.NotKept
+        if kernels.KernelCache.refusal is not None:
+            raise kernels.NotCached
 
-    with suppress(kernels.NotKept), kernels.counted(told):
+    with suppress(kernels.NotCached), kernels.count_compiled(told):
         exercise()
 
 
 def rehearse(robot: Robot) -> None:
     """Run what only some arms need, such as the search for the nearest pose of one with five joints, and keep ranks."""
-    state = initial(robot)
+    state = initial_state(robot)
     project(robot, state.T_world_tool, state.arm.q)
-    usual_rank(robot)
+    generic_rank(robot)
 
 
 def compiling(done: int, words: Text = COMPILING) -> Text:
@@ -140,7 +140,7 @@ def compiling(done: int, words: Text = COMPILING) -> Text:
     return words.format(done=done, total=len(kernels.KERNELS), folder=kernels.CACHE_FOLDER)
 
 
-async def prepare(robot: Robot, compilation: Apart, say: Say, meanwhile: Meanwhile) -> None:
+async def prepare(robot: Robot, compilation: ProcessJob, say: Say, meanwhile: Meanwhile) -> None:
     """Load the kernels in a thread; where one is not on disk, have them compiled first, and say how far that is.
 
     `meanwhile` is told that the arms may live by kernels that run as Python, and when they may no longer.
@@ -156,7 +156,7 @@ async def prepare(robot: Robot, compilation: Apart, say: Say, meanwhile: Meanwhi
     await asyncio.to_thread(_prepare, robot, compilation, tell, live)
 
 
-def _prepare(robot: Robot, compilation: Apart, say: Say, live: Meanwhile) -> None:
+def _prepare(robot: Robot, compilation: ProcessJob, say: Say, live: Meanwhile) -> None:
     live(True)
     if not _loaded():
         _compile_apart(compilation, say)
@@ -172,24 +172,24 @@ def _prepare(robot: Robot, compilation: Apart, say: Say, live: Meanwhile) -> Non
 def _loaded() -> bool:
     """Load every kernel; false as soon as one is not on disk, or damaged there."""
     try:
-        with kernels.by_machine_code(), kernels.only_kept():
+        with kernels.by_machine_code(), kernels.only_cached():
             exercise()
-    except kernels.NotKept:
+    except kernels.NotCached:
         return False
     return True
 
 
-def _compile_apart(compilation: Apart, say: Say) -> None:
+def _compile_apart(compilation: ProcessJob, say: Say) -> None:
     """Have the kernels compiled in another process; where that is killed, once more."""
     for words in (AGAIN, HERE):
         try:
-            for done in compilation.progress():
+            for done in compilation.reports():
                 say(compiling(done))
             return
-        except Killed as killed:
+        except JobKilled as killed:
             log.warning("while kernels were compiled, %s", killed)
             say(compiling(0, words))
-        except Failed as failure:
+        except JobFailed as failure:
             log.warning("the kernels cannot be compiled apart:\n%s", failure)
             return
 
@@ -198,9 +198,9 @@ def _compile_here(say: Say) -> None:
     """Compile what was not compiled apart, or could not be kept."""
 
     def told(done: int) -> None:
-        say(compiling(done, HERE if kernels.Kept.refusal is None else NOT_KEPT))
+        say(compiling(done, HERE if kernels.KernelCache.refusal is None else NOT_KEPT))
 
-    with kernels.by_machine_code(), kernels.counted(told):
+    with kernels.by_machine_code(), kernels.count_compiled(told):
         exercise()
-    if kernels.Kept.refusal is not None:
-        log.warning("the kernels cannot be kept: %s", kernels.Kept.refusal)
+    if kernels.KernelCache.refusal is not None:
+        log.warning("the kernels cannot be kept: %s", kernels.KernelCache.refusal)

@@ -9,17 +9,17 @@ import numpy as np
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.command import Along
+from helicoide.command import FollowPath
 from helicoide.foresight import lived
-from helicoide.ik.drive import Drive
+from helicoide.ik.controller import Controller
 from helicoide.ik.joints_along import joints_along
 from helicoide.kinematics.robot import Robot
-from helicoide.state import State, Update, commanded
+from helicoide.state import State, Update, with_command
 from helicoide.text import HelicoideError, Text
-from helicoide.trajectory.fastest import fastest
-from helicoide.trajectory.program import grips, legs, whole
-from helicoide.trajectory.spline import Spline
-from helicoide.trajectory.waypoints import WAYS
+from helicoide.trajectory.program import gripper_commands, program_legs, program_path
+from helicoide.trajectory.spline import JointSpline
+from helicoide.trajectory.time_optimal import time_optimal_timing
+from helicoide.trajectory.waypoints import MOVE_TYPES
 
 # Of an arm whose file gives no acceleration: full speed in a quarter of a second.
 GENTLE = 4.0
@@ -38,22 +38,24 @@ FASTEST = Text(
 SLOWLY, STEP, COMING, KNOT = 30.0, 0.02, 500, 10
 
 
-def through(state: State) -> Update:
+def replay_through(state: State) -> Update:
     """The wish to go through the waypoints from where the arm is, or to say why that is not possible."""
     robot = state.robot
     if not state.taught.waypoints:
         return gate.say(NONE)
     try:
         ways = list(
-            legs(state.taught, state.arm.q, partial(joints_along, robot), state.taught.shape, _acceleration(robot))
+            program_legs(
+                state.taught, state.arm.q, partial(joints_along, robot), state.taught.shape, _acceleration(robot)
+            )
         )
     except HelicoideError as refusal:
         return gate.say(refusal.text)
     blocked = next((leg.waypoint for leg in ways if leg.blocked), None)
     if blocked is not None:
-        return gate.say(BLOCKED.format(name=blocked.name, way=WAYS[blocked.way]))
-    path = whole(ways)
-    return gate.say(NONE) if path is None else gate.replay(path, TITLE, tuple(grips(ways)))
+        return gate.say(BLOCKED.format(name=blocked.name, way=MOVE_TYPES[blocked.move_type]))
+    path = program_path(ways)
+    return gate.say(NONE) if path is None else gate.replay(path, TITLE, tuple(gripper_commands(ways)))
 
 
 def along_fastest(state: State) -> Update:
@@ -65,10 +67,10 @@ def along_fastest(state: State) -> Update:
     if state.arm.parked:  # there it would not move, and never come to the end
         return gate.say(gate.PARKED)
     rows, beside = _followed(state)
-    shape = "trapezoid" if state.request.course.shape == "constant speed" else state.request.course.shape
-    along = Spline(np.linspace(0.0, SLOWLY, len(rows)), rows)
+    shape = "trapezoid" if state.request.path_choice.shape == "constant speed" else state.request.path_choice.shape
+    along = JointSpline(np.linspace(0.0, SLOWLY, len(rows)), rows)
     try:
-        path = fastest(along, shape, state.robot.speed, _acceleration(state.robot))
+        path = time_optimal_timing(along, shape, state.robot.speed, _acceleration(state.robot))
     except HelicoideError as refusal:
         return gate.say(refusal.text)
     return gate.replay(path, FASTEST.format(mm=1000 * beside))
@@ -79,15 +81,16 @@ def _followed(state: State) -> tuple[Array, float]:
 
     The arm first comes to rest where the path begins, or as near to that as it can.
     """
-    path = gate.path_of(state.robot, replace(state.request.course, shape="constant speed", duration=SLOWLY))
-    state = commanded(
-        replace(state, request=replace(state.request, drive=Drive()), compared=None), Along(path, 0.0, playing=False)
+    path = gate.path_of(state.robot, replace(state.request.path_choice, shape="constant speed", duration=SLOWLY))
+    state = with_command(
+        replace(state, request=replace(state.request, controller=Controller()), compared=None),
+        FollowPath(path, 0.0, playing=False),
     )
     for _ in range(COMING):
         state = lived(state, STEP)
-    state = replace(state, request=replace(state.request, command=Along(path, 0.0, playing=True, arrived=True)))
+    state = replace(state, request=replace(state.request, command=FollowPath(path, 0.0, playing=True, arrived=True)))
     rows, beside = [state.arm.q], 0.0
-    while isinstance(state.request.command, Along) and state.request.command.playing:
+    while isinstance(state.request.command, FollowPath) and state.request.command.playing:
         s = state.request.command.s
         state = lived(state, STEP)
         if state.request.path_s < s:  # a closed path begins again

@@ -8,9 +8,9 @@ from time import monotonic
 
 from helicoide.seat import Seat
 from helicoide.session.workcell import Workcell
-from helicoide.studies.desk import EMPTY, Desk
+from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
 from helicoide.text import Language
-from helicoide.view.window import seated
+from helicoide.view.window import new_seat
 
 # s: how long a seat is kept, and how long an arm of one's own goes on living, without a window
 KEPT, LIVES_ON = 86_400.0, 600.0
@@ -24,7 +24,7 @@ class Place:
     """
 
     seat: Seat
-    desk: Desk = EMPTY
+    desk: StudyPanelState = NO_STUDY
     own: Workcell | None = None
     at_own: bool = False
     windows: int = 0
@@ -43,7 +43,7 @@ class Seats:
         place = self.places.get(token or "")
         if place is None:
             token = secrets.token_urlsafe(12)
-            place = self.places[token] = Place(seated(token, language, self.lesson, self.projector))
+            place = self.places[token] = Place(new_seat(token, language, self.lesson, self.projector))
         place.windows += 1
         return place
 

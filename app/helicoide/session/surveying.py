@@ -11,11 +11,19 @@ from typing import Any
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.command import ToJoints
+from helicoide.command import MoveToJoints
 from helicoide.perception import cloud_file, realsense
 from helicoide.perception.camera import DepthCamera, SimulatedCamera
-from helicoide.perception.cloud import Cloud
-from helicoide.perception.tour import NOISE, OUTLIERS, READINGS, Reading, found_in, readings, seen_by
+from helicoide.perception.cloud import PointCloud
+from helicoide.perception.enclosure_reading import (
+    NOISE,
+    OUTLIERS,
+    PLANE_READINGS,
+    PlaneReading,
+    available_readings,
+    camera_cloud,
+    plane_in_cloud,
+)
 from helicoide.perception.units import Unit
 from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
@@ -40,7 +48,7 @@ class Surveying:
 
         real: with the RealSense that is plugged in, and not the simulated camera.
         """
-        if not readings(self.state().robot):
+        if not available_readings(self.state().robot):
             self.post(gate.say(NOTHING_TO_READ))
         elif real:
             self._begin(partial(self._with, realsense.connected()))
@@ -50,7 +58,7 @@ class Surveying:
 
     def read(self, name: str, content: bytes, plane: str, unit: Unit | None = None) -> None:
         """Look for a plane, by its name, in the cloud of a file; unit: what its numbers count, None where it tells."""
-        reading = next(one for one in READINGS if one.name == plane)
+        reading = next(one for one in PLANE_READINGS if one.name == plane)
         self._begin(partial(self._from_file, name, content, reading, unit))
 
     def _begin(self, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
@@ -78,12 +86,12 @@ class Surveying:
     async def _tour(self, camera: DepthCamera) -> None:
         state = self.state()
         self.post(gate.clear_planes())
-        for seed, reading in enumerate(readings(state.robot)):
+        for seed, reading in enumerate(available_readings(state.robot)):
             await self._done(gate.while_asked(state, gate.go_to(reading.pose)))
             if not await self._arrived(reading.pose):
                 return
             state = self.state()
-            cloud = await asyncio.to_thread(seen_by, camera, state)
+            cloud = await asyncio.to_thread(camera_cloud, camera, state)
             await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
             if self.state().request.command is not state.request.command:  # the arm was asked something else
                 return
@@ -104,22 +112,22 @@ class Surveying:
     async def _arrived(self, pose: str) -> bool:
         """Wait until the arm is at a posture; false as soon as it was sent elsewhere, or can come no nearer."""
         command = self.state().request.command
-        while self.state().request.command is command and isinstance(command, ToJoints):
+        while self.state().request.command is command and isinstance(command, MoveToJoints):
             state = self.state()
             if abs(state.arm.q - state.robot.poses[pose]).max() < STILL:
                 return True
-            if state.request.rested > 1.0 and not state.arm.moving:
+            if state.request.unchanged > 1.0 and not state.arm.moving:
                 return False
             await asyncio.sleep(LOOK)
         return False
 
-    async def _from_file(self, name: str, content: bytes, reading: Reading, unit: Unit | None) -> None:
-        cloud = await asyncio.to_thread(cloud_file.read, name, content, unit)
+    async def _from_file(self, name: str, content: bytes, reading: PlaneReading, unit: Unit | None) -> None:
+        cloud = await asyncio.to_thread(cloud_file.read_cloud, name, content, unit)
         await self._find(cloud, reading, self.state().T_world_tool[:3, 3], 0)
 
-    async def _find(self, cloud: Cloud, reading: Reading, inside: Array, seed: int) -> None:
-        seen, pane = await asyncio.to_thread(found_in, cloud, reading, inside, seed)
-        self.post(gate.see(reading.name, seen, pane))
+    async def _find(self, cloud: PointCloud, reading: PlaneReading, inside: Array, seed: int) -> None:
+        seen, pane = await asyncio.to_thread(plane_in_cloud, cloud, reading, inside, seed)
+        self.post(gate.show_cloud(reading.name, seen, pane))
 
 
 async def _let_go(opening: asyncio.Task[DepthCamera], opened: AbstractContextManager[DepthCamera]) -> None:

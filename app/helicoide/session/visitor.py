@@ -11,7 +11,7 @@ from helicoide.seat import SeatUpdate
 from helicoide.session import lessons
 from helicoide.session.bay import Bay, Bays
 from helicoide.session.seats import Place
-from helicoide.state import Grasp
+from helicoide.state import Drag
 from helicoide.view.rows import View
 from helicoide.view.window import CLEARED, Window
 
@@ -79,9 +79,9 @@ class Visitor:
         self.write()
 
     @property
-    def grasp(self) -> Grasp | None:
+    def grasp(self) -> Drag | None:
         """What the window holds with the pointer."""
-        grasp = self.bay.workcell.state.request.grasp
+        grasp = self.bay.workcell.state.request.drag
         return grasp if grasp is not None and grasp.seat == str(self.window.client.client_id) else None
 
     def reseat(self, update: SeatUpdate) -> None:
@@ -89,7 +89,7 @@ class Visitor:
         before, bay = self.place.seat, self.bay
         seat = self.place.seat = update(before)
         if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
-            chosen = lesson.load(seat.lesson)
+            chosen = lesson.load_lesson(seat.lesson)
             if chosen.robot != bay.workcell.state.robot.name:
                 bay.arms.change(chosen.robot)
             else:
@@ -101,7 +101,7 @@ class Visitor:
         """The arm of the workcell is another one: a lesson about it begins, another is left."""
         robot = self.bay.workcell.state.robot.name
         seat = self.place.seat = lessons.seated_at((robot, self.bay.arms.wanted), self.place.seat)
-        if seat.lesson and (chosen := lesson.load(seat.lesson)).robot == robot:
+        if seat.lesson and (chosen := lesson.load_lesson(seat.lesson)).robot == robot:
             self.bay.workcell.ask(chosen.steps[seat.step].setup)
 
     def judge(self) -> None:

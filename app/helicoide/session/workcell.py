@@ -11,7 +11,7 @@ from threading import Lock
 
 from helicoide import gate
 from helicoide.advance import advance
-from helicoide.command import Along
+from helicoide.command import FollowPath
 from helicoide.foresight import foreseen, leads_elsewhere, rests, search, wants_search
 from helicoide.state import State, Update
 from helicoide.text import Text
@@ -53,11 +53,14 @@ class Workcell:
         """What came of a piece of work: a stop leaves it in the inbox."""
         self._post(update, asked=False)
 
-    def stop(self) -> None:
-        """Nothing that was asked before is done any more; from the next tick on nothing moves."""
+    def stop(self, closing: bool = False) -> None:
+        """Nothing that was asked before is done any more; from the next tick on nothing moves.
+
+        closing: whether the same key closes something on the page.
+        """
         with self._lock:
             told = [entry for entry in self._inbox if not entry[1]]
-            self._inbox = deque([(gate.stop(), False), *told])
+            self._inbox = deque([(gate.stop(closing), False), *told])
         self._rise()
 
     def pause(self, paused: bool) -> None:
@@ -96,7 +99,7 @@ class Workcell:
 
     def foresee(self) -> None:
         """Work out where the command leads, where that may have changed; of a path that plays, only words tell."""
-        plays = isinstance(self.state.request.command, Along) and self.state.request.command.playing
+        plays = isinstance(self.state.request.command, FollowPath) and self.state.request.command.playing
         if self.ticks - self._foreseen_at < (UNSEEN if plays else SEEN):
             return
         if leads_elsewhere(self._foreseen, self.state):

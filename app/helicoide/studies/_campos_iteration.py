@@ -10,16 +10,16 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem, methods
 from helicoide.ik.clik import to_pose
-from helicoide.ik.converge import Report, by_method, converged
+from helicoide.ik.converge import Report, converged, loop_of
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import EXACT
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import posed
-from helicoide.studies.study import Chart, Line, Motion, Row
-from helicoide.text import Text, same
+from helicoide.studies._campos_rows import posture_motion
+from helicoide.studies.study import Chart, ChartLine, Motion, Row
+from helicoide.text import Text, untranslated
 
-NAMES = {"puma560": same("PUMA"), "movemaster": same("Movemaster")}
+NAMES = {"puma560": untranslated("PUMA"), "movemaster": untranslated("Movemaster")}
 # The joint values, rad, whose pose is the goal.
 EXAMPLE = {"puma560": (0.3, -0.5, 0.7, 0.4, 0.9, -1.1), "movemaster": (0.3, 1.8, -2.0, -1.0, 0.9)}
 CAP, PERIOD = 300, 0.1
@@ -32,7 +32,7 @@ def converged_from_starts(robot: Robot, count: int) -> list[Start]:
     problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
     aiming = to_pose(problem, tool_at(robot, np.array(EXAMPLE[robot.name])), True)
     method = methods.named("damped")
-    loop = by_method(problem, method, method.Options(), 0.5, dt=PERIOD)
+    loop = loop_of(problem, method, method.Options(), 0.5, dt=PERIOD)
     starts = np.random.default_rng(24).uniform(-2.5, 2.5, (count, len(robot.variables)))
     return [(q, converged(problem, loop, aiming, q, EXACT, CAP)) for q in starts]
 
@@ -58,9 +58,9 @@ def iteration_charts(robot: Robot, starts: list[Start], answer: Answer) -> Itera
     yield Chart(
         ERRORS.format(arm=NAMES[robot.name]),
         Text(en="iterations", pt_BR="iterações"),
-        same("m"),
+        untranslated("m"),
         tuple(
-            Line(START.format(n=n), np.arange(0.0, len(report.errors)), report.errors[:, 0] + 1e-17)
+            ChartLine(START.format(n=n), np.arange(0.0, len(report.errors)), report.errors[:, 0] + 1e-17)
             for n, report in enumerate(met, start=1)
         ),
         log=True,
@@ -72,14 +72,14 @@ def iteration_charts(robot: Robot, starts: list[Start], answer: Answer) -> Itera
         WHICH.format(arm=NAMES[robot.name]),
         Text(en="posture", pt_BR="postura"),
         Text(en="share of starts", pt_BR="fração das partidas"),
-        (Line(methods.named("damped").TITLE, numbers, shares),),
+        (ChartLine(methods.named("damped").TITLE, numbers, shares),),
     )
 
 
 def iteration_motion(robot: Robot, starts: list[Start]) -> Motion:
     """The first starts that reach the goal, each followed by the posture it reaches."""
     postures = [frozen(q) for start, report in starts[:8] if report.reached for q in (start, report.q)]
-    return posed(robot.name, postures, title=ENDS.format(arm=NAMES[robot.name]))
+    return posture_motion(robot.name, postures, title=ENDS.format(arm=NAMES[robot.name]))
 
 
 LED = Text(en="{arm}, iteration: share of starts that lead there", pt_BR="{arm}, iteração: fração que chega ao alvo")

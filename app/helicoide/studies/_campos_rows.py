@@ -9,18 +9,28 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.method import Quantity
-from helicoide.studies.study import THE_RUN, Chart, Line, Motion, Reading, Relation, Result, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies.study import (
+    SINGLE_RUN,
+    Chart,
+    ChartLine,
+    Interpretation,
+    Motion,
+    Relation,
+    Result,
+    Row,
+    Statement,
+)
+from helicoide.text import Text, untranslated
 
 LENGTH_1 = Quantity(Text(en="length of the first link", pt_BR="comprimento do primeiro elo"), 0.2, 2.0, "m")
 LENGTH_2 = Quantity(Text(en="length of the second link", pt_BR="comprimento do segundo elo"), 0.2, 2.0, "m")
 POSES = Quantity(Text(en="random poses", pt_BR="poses aleatórias"), 100, 100_000, decades=True)
 # What was chosen where the slides leave it open: Campos 5 and Campos 7 of the page of the sources.
-PUMA_LENGTHS = Reading(
+PUMA_LENGTHS = Interpretation(
     Text(en="lengths of the PUMA as published", pt_BR="comprimentos publicados do PUMA"),
     Text(en="the same counts with three other sets", pt_BR="as mesmas contagens com três outros conjuntos"),
 )
-NEAR_POSE = Reading(
+NEAR_POSE = Interpretation(
     Text(
         en="near: the position first, then the least rotation",
         pt_BR="perto: primeiro a posição, depois a menor rotação",
@@ -30,30 +40,34 @@ NEAR_POSE = Reading(
         pt_BR="se o ponto também pudesse mover-se, a direção poderia ser mantida",
     ),
 )
-JOINT, DEGREES = Text(en="joint", pt_BR="junta"), same("θ, °")
+JOINT, DEGREES = Text(en="joint", pt_BR="junta"), untranslated("θ, °")
 
 
-def said(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
+def slide_statement(
+    en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0
+) -> Statement:
     """A sentence of the slides, as a condition on a number."""
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
-def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
+def campos_result(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
     """The result of a study; counts become floats."""
-    return Result(tuple(replace(row, ours=float(row.ours)) for row in rows), tuple(charts), tuple(motions))
+    return Result(tuple(replace(row, computed=float(row.computed)) for row in rows), tuple(charts), tuple(motions))
 
 
-def posed(robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = (), title: Text = THE_RUN) -> Motion:
+def posture_motion(
+    robot: str, postures: Sequence[Array], parameters: tuple[str, ...] = (), title: Text = SINGLE_RUN
+) -> Motion:
     """A motion through postures (n,), rad or m, two seconds each."""
     return Motion(robot, np.arange(0.0, 2.0 * len(postures), 2.0), np.array(postures), parameters, title)
 
 
-def by_joint(title: Text, postures: Sequence[tuple[Text, Array]]) -> Chart:
+def posture_chart(title: Text, postures: Sequence[tuple[Text, Array]]) -> Chart:
     """Postures (n,), rad, as curves over the joints."""
-    lines = (Line(name, np.arange(1.0, len(q) + 1), np.degrees(q)) for name, q in postures)
+    lines = (ChartLine(name, np.arange(1.0, len(q) + 1), np.degrees(q)) for name, q in postures)
     return Chart(title, JOINT, DEGREES, tuple(lines))
 
 
-def millimetres(**lengths: float) -> tuple[str, ...]:
+def length_settings(**lengths: float) -> tuple[str, ...]:
     """Lengths, m, as parameters of a robot file, mm."""
     return tuple(f"{name}={1000 * length:g}" for name, length in lengths.items())

@@ -13,10 +13,10 @@ from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.passage import through
 from helicoide.ik.rcm.residuals import depth, lateral_distance
-from helicoide.kinematics.library import load
-from helicoide.kinematics.manipulability import analysed
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._coutinho_runs import DEPTH, STRIDE, Run, problem_of
+from helicoide.studies._coutinho_runs import DEPTH, STRIDE, Run, problem_without_planes
 from helicoide.studies.study import Progress
 
 ROBOT = "dia10_rod"
@@ -29,7 +29,7 @@ LIMITS = frozen([3.13, 1.90, 2.95, 2.36, 3.13, 1.90, 3.13])
 @cache
 def rod_arm() -> Robot:
     """The source's arm without its torso, with a straight rod for a tool."""
-    return load(ROBOT)
+    return load_robot(ROBOT)
 
 
 @cache
@@ -39,7 +39,7 @@ def scene() -> tuple[Array, Array, Array]:
     return T, T[:3, 3] - DEPTH * T[:3, 1], T[:3, 1]
 
 
-def circle(t: float) -> rod.TipWish:
+def tip_reference(t: float) -> rod.TipWish:
     """p_d = p₀ + 0.03 [(cos ωt − 1) e₁ + sin ωt e₂], e₁ = unit(d × z), e₂ = d × e₁. Args: t, s."""
     T, entry, d = scene()
     e1 = np.cross(d, [0.0, 0.0, 1.0])
@@ -50,29 +50,31 @@ def circle(t: float) -> rod.TipWish:
     return rod.TipWish(target, ahead, entry, np.zeros(2))
 
 
-def _figures(moment: clik.Moment) -> dict[str, float]:
+def _figures(moment: clik.LoopStep) -> dict[str, float]:
     T, (_, entry, _) = tool_at(rod_arm(), moment.q), scene()
     return {
         "t": moment.t,
-        "tip_mm": 1e3 * float(np.linalg.norm(moment.aim.error[:3])),
+        "tip_mm": 1e3 * float(np.linalg.norm(moment.task_error.error[:3])),
         "lateral_mm": 1e3 * lateral_distance(T[:3, 1], T[:3, 3], entry),
         "depth": depth(T[:3, 1], T[:3, 3], entry),
         "rate": float(np.abs(moment.solution.rates).max()),
         "of_limits": float((np.abs(moment.q) / LIMITS).max()),
-        "smallest_sigma": float(analysed(moment.aim.J).sigma[-1]),
+        "smallest_sigma": float(analyse_jacobian(moment.task_error.J).sigma[-1]),
         "closure": float(np.abs(moment.q - START).max()),
     }
 
 
-def turn(entry_gain: float, dt: float, seconds: float = PERIOD, progress: Progress = lambda share: None) -> Run:
+def run_circle_once(
+    entry_gain: float, dt: float, seconds: float = PERIOD, progress: Progress = lambda share: None
+) -> Run:
     """A run of one turn with Kp = 5 and z₀ = −0.2 (q − q₀): columns of its steps, and q at times t_w, s."""
-    problem, passage = problem_of(rod_arm()), through(rod_arm(), 7)
+    problem, passage = problem_without_planes(rod_arm()), through(rod_arm(), 7)
     method = methods.named("pseudoinverse")
-    moments = clik.followed(
+    moments = clik.closed_loop(
         problem,
         method,
         method.Options(),
-        rod.to_points(problem, passage, circle),
+        rod.to_points(problem, passage, tip_reference),
         rod.gains(passage, 5.0, entry_gain),
         START,
         dt,

@@ -13,7 +13,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.method import OneOf, Quantity
 from helicoide.ik.postures.branch import tool_at
-from helicoide.ik.rcm.follow import Inverse, Wish, followed
+from helicoide.ik.rcm.follow import ConfiguredMethod, RcmReference, rcm_loop
 from helicoide.ik.rcm.passage import through
 from helicoide.studies._coutinho_rows import FEEDBACK
 from helicoide.studies._coutinho_runs import (
@@ -22,14 +22,14 @@ from helicoide.studies._coutinho_runs import (
     LINK,
     START,
     Run,
-    control,
     dia10,
     entry_on,
-    first_memory,
-    measured,
-    problem_of,
+    initial_memory,
+    problem_without_planes,
+    run_columns,
+    source_control,
 )
-from helicoide.studies.study import Progress, Reading
+from helicoide.studies.study import Interpretation, Progress
 from helicoide.text import Text
 
 INVERSE = Text(en="inverse of J^r", pt_BR="inversa de J^r")
@@ -44,7 +44,7 @@ ENTRY_SPEED, ENTRY_RATE = 0.01, 8 * 2 * pi / 7000 / 0.009
 # Kp and Ko, 1/s: of table 4.2 and of table 4.3.
 GAINS = {"simulations": (5.0, 10.0), "experiments": (270.0, 1500.0)}
 # By which the experiments run; the simulations, which start without an error, come out by either.
-AS_SEEN = Reading(
+BODY_FRAME_ERROR = Interpretation(
     Text(en="the error of orientation as the body sees it", pt_BR="o erro de orientação como o corpo o vê"),
     Text(
         en="by the printed Q_d ⊗ Q⁻¹ with Ko = 1500 the loop is unstable",
@@ -55,7 +55,7 @@ AS_SEEN = Reading(
 Hand = Callable[[float], tuple[Array, float]]
 
 
-def steering(size: float, aside: float, turn: float, period: float = PERIOD) -> Hand:
+def steering_hand(size: float, aside: float, turn: float, period: float = PERIOD) -> Hand:
     """Where a hand holds the tool by time: d (3,), m, in its axes at the start, and its turn about its x, rad.
 
     It leads in and back, sideways and round, with a tremor. Args: size: half the way in, m; aside, m; turn, rad;
@@ -71,13 +71,13 @@ def steering(size: float, aside: float, turn: float, period: float = PERIOD) -> 
     return at
 
 
-def dragging(velocity: Array) -> Hand:
+def dragging_hand(velocity: Array) -> Hand:
     """A hand that moves with a constant velocity (3,), m/s."""
     return lambda t: (velocity * t, 0.0)
 
 
 @dataclass(frozen=True, eq=False)
-class Device:
+class HapticDevice:
     """What the controller is told of a hand that starts at the pose T_0 (4, 4), m: the newest sample, and differences.
 
     ẋ_d = (p_k − p_{k−1}) / T_s, and ω_d = log(R_k R_{k−1}ᵀ) / T_s. entry_speed: how fast the entry point swings along x
@@ -96,25 +96,27 @@ class Device:
         T[:3, 3] = self.T_world_start[:3, 3] + R @ d
         return T
 
-    def wished(self, t: float) -> Wish:
+    def reference(self, t: float) -> RcmReference:
         """The reference at time t, s."""
         number = int(np.floor(t / SAMPLE + 1e-6))
         now, before = self.pose(number), self.pose(number - 1)
         turn = rotation.logarithm(now[:3, :3] @ before[:3, :3].T)
         ahead = np.concatenate([now[:3, 3] - before[:3, 3], turn]) / SAMPLE
-        return Wish(now, ahead, np.array([self.entry_speed * sin(ENTRY_RATE * t), 0.0]))
+        return RcmReference(now, ahead, np.array([self.entry_speed * sin(ENTRY_RATE * t), 0.0]))
 
 
-def led(hand: Hand, entry_speed: float, of_tool: Inverse, feedback: float, seconds: float, progress: Progress) -> Run:
+def run_led(
+    hand: Hand, entry_speed: float, of_tool: ConfiguredMethod, feedback: float, seconds: float, progress: Progress
+) -> Run:
     """What the steps of so many seconds measured, by the gains of the experiments; w: w_r at each, by its formula."""
     robot = dia10()
-    problem, passage = problem_of(robot), through(robot, LINK)
-    entry, device = entry_on(robot, START, DEPTH), Device(hand, tool_at(robot, START), entry_speed)
+    problem, passage = problem_without_planes(robot), through(robot, LINK)
+    entry, device = entry_on(robot, START, DEPTH), HapticDevice(hand, tool_at(robot, START), entry_speed)
     position, orientation = GAINS["experiments"]
-    gained = control(feedback, of_tool, position=position, orientation=orientation)
-    memory = first_memory(problem, passage, gained, START, entry)
-    steps = followed(problem, passage, gained, device.wished, START, entry, STEP, memory)
-    got = measured(steps, round(seconds / STEP) + 1, STEP, progress)
+    gained = source_control(feedback, of_tool, position=position, orientation=orientation)
+    memory = initial_memory(problem, passage, gained, START, entry)
+    steps = rcm_loop(problem, passage, gained, device.reference, START, entry, STEP, memory)
+    got = run_columns(steps, round(seconds / STEP) + 1, STEP, progress)
     return {**got, "w": (got["inside"] / got["outside"]) ** 2 * np.abs(np.sin(got["q7"]))}
 
 

@@ -11,8 +11,8 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.method import OneOf, Quantity
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies.study import Chart, Figure, Fitted, Line, Motion, Reading, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies.study import Chart, ChartLine, Figure, Fitted, Interpretation, Motion, Row, Statement
+from helicoide.text import Text, untranslated
 
 POINTS, POSES = 500, 300  # of a curve, of a motion
 # What words ask of numbers: the error of a tip that follows its path, and one that is low, mm; a velocity that is about
@@ -20,10 +20,10 @@ POINTS, POSES = 500, 300  # of a curve, of a motion
 FOLLOWED, LOW = 0.3, 1.0
 NULL, SMALL, MISSED = 0.1, 1.0, 0.1
 
-STEPS = {"2": same("2 ms"), "20": same("20 ms")}
+STEPS = {"2": untranslated("2 ms"), "20": untranslated("20 ms")}
 STEP = Text(en="sample time", pt_BR="período de amostragem")
 FEEDBACK = Text(en="drift feedback Kr", pt_BR="realimentação da deriva Kr")
-ARM = Reading(
+ARM = Interpretation(
     Text(en="axes, zero posture and speeds of our arm", pt_BR="eixos, postura zero e velocidades do nosso braço"),
     Text(
         en="counted from another zero the joints have other numbers, and the tool moves alike",
@@ -31,13 +31,13 @@ ARM = Reading(
     ),
 )
 # Joints at the start that hold all that is printed of S1 to S4; found by tests/studies/fits/coutinho.py.
-STARTED = (
+FITTED_START = (
     ARM,
-    Fitted(same("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
-    Fitted(same("θ₄(0)"), -1.65, -2.0625, -1.4025, "rad"),
-    Fitted(same("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
-    Fitted(same("θ₇(0)"), -0.225, -0.28125, -0.2025, "rad"),
-    Fitted(same("θ₈(0)"), 1.57, 1.4915, 1.6485, "rad"),
+    Fitted(untranslated("θ₂(0)"), -0.25, -0.3125, -0.1875, "rad"),
+    Fitted(untranslated("θ₄(0)"), -1.65, -2.0625, -1.4025, "rad"),
+    Fitted(untranslated("θ₆(0)"), 1.1, 1.045, 1.375, "rad"),
+    Fitted(untranslated("θ₇(0)"), -0.225, -0.28125, -0.2025, "rad"),
+    Fitted(untranslated("θ₈(0)"), 1.57, 1.4915, 1.6485, "rad"),
 )
 # The sample time of the simulations, which is not printed: that of S1 and S2, and of S4, by the same search.
 SAMPLED = Fitted(STEP, 20.0, 2.0, 200.0, "ms")
@@ -52,9 +52,9 @@ class Options:
     feedback: Annotated[float, Quantity(FEEDBACK, 0.0, 20.0, "1/s")] = 5.0
 
 
-OF = same("{what}, {which}")
+OF = untranslated("{what}, {which}")
 BY_STEP = Text(en="{what} at {step:g} ms", pt_BR="{what} a {step:g} ms")
-NO_FEEDBACK = same("Kr = 0")
+NO_FEEDBACK = untranslated("Kr = 0")
 SLIP = Text(en="largest forbidden velocity at the entry point", pt_BR="maior velocidade proibida no ponto de entrada")
 LEAVES = Text(
     en="how fast the shaft leaves its entry point, over steps of {step:g} ms",
@@ -103,10 +103,10 @@ MEASURES: Mapping[str, Measure] = {
 
 def with_feedback(gain: float) -> Text:
     """The name of a run by its gain Kr, 1/s."""
-    return same("Kr = {gain:g}").format(gain=gain)
+    return untranslated("Kr = {gain:g}").format(gain=gain)
 
 
-def rows_of(
+def measure_rows(
     run: Run,
     which: Text,
     dt: float,
@@ -127,11 +127,11 @@ def rows_of(
     return found
 
 
-def stays(
+def leaving_rate_row(
     run: Run,
     dt: float,
     said: Statement | None = None,
-    fitted: tuple[Fitted | Reading, ...] = (),
+    fitted: tuple[Fitted | Interpretation, ...] = (),
     which: Text | None = None,
 ) -> Row:
     """How fast the shaft leaves its entry point, compared with the statement of the source.
@@ -158,7 +158,7 @@ class Curve:
 
 
 CURVES: Mapping[str, Curve] = {
-    "tip": Curve(Text(en="Error of the tip", pt_BR="Erro da ponta"), same("|e_p|, mm"), {"tip_mm": ""}),
+    "tip": Curve(Text(en="Error of the tip", pt_BR="Erro da ponta"), untranslated("|e_p|, mm"), {"tip_mm": ""}),
     "entry": Curve(
         Text(en="Velocity of the shaft at the entry point", pt_BR="Velocidade da haste no ponto de entrada"),
         VELOCITY,
@@ -171,33 +171,35 @@ CURVES: Mapping[str, Curve] = {
     ),
     "lateral": Curve(
         Text(en="Distance of the shaft from the entry point", pt_BR="Distância da haste ao ponto de entrada"),
-        same("|e_r|, mm"),
+        untranslated("|e_r|, mm"),
         {"lateral_mm": ""},
         log=True,
     ),
     "rate": Curve(
-        Text(en="Largest joint velocity", pt_BR="Maior velocidade de junta"), same("max |θ̇|, rad/s"), {"rate": ""}
+        Text(en="Largest joint velocity", pt_BR="Maior velocidade de junta"),
+        untranslated("max |θ̇|, rad/s"),
+        {"rate": ""},
     ),
     "outside": Curve(
         Text(en="From joint 6 to the entry point", pt_BR="Da junta 6 ao ponto de entrada"),
-        same("l_a, m"),
+        untranslated("l_a, m"),
         {"outside": ""},
     ),
     "q7": Curve(
         Text(en="θ₇, the bend beyond the entry point", pt_BR="θ₇, a flexão além do ponto de entrada"),
-        same("θ₇, rad"),
+        untranslated("θ₇, rad"),
         {"q7": ""},
     ),
     "w": Curve(
         Text(en="Manipulability of arm and wrist", pt_BR="Manipulabilidade do braço e do punho"),
-        same("w"),
+        untranslated("w"),
         {"w_r": "w_r", "w_i": "w_i"},
         log=True,
     ),
 }
 
 
-def charts_of(runs: Mapping[Text, Run], figures: Mapping[str, str], log: tuple[str, ...] = ()) -> tuple[Chart, ...]:
+def run_charts(runs: Mapping[Text, Run], figures: Mapping[str, str], log: tuple[str, ...] = ()) -> tuple[Chart, ...]:
     """The curves of several runs over time, in common charts.
 
     figures: the names of the curves, in their order, with the figure of the source beside which each of `DRAWN` stands;
@@ -217,9 +219,9 @@ def charts_of(runs: Mapping[Text, Run], figures: Mapping[str, str], log: tuple[s
     )
 
 
-def _lines(runs: Mapping[Text, Run], curve: Curve) -> tuple[Line, ...]:
+def _lines(runs: Mapping[Text, Run], curve: Curve) -> tuple[ChartLine, ...]:
     return tuple(
-        Line(OF.format(what=label, which=which) if label else which, *thinned(_times(run, column), run[column]))
+        ChartLine(OF.format(what=label, which=which) if label else which, *peaks(_times(run, column), run[column]))
         for which, run in runs.items()
         for column, label in curve.columns.items()
     )
@@ -229,14 +231,14 @@ def _times(run: Run, column: str) -> Array:
     return run["t"] if len(run[column]) == len(run["t"]) else run["t_w"]
 
 
-def thinned(x: Array, y: Array) -> tuple[Array, Array]:
+def peaks(x: Array, y: Array) -> tuple[Array, Array]:
     """At most `POINTS` points of a curve: the largest |y| of each section, so that peaks remain."""
     stretches = np.array_split(np.arange(len(x)), min(POINTS, len(x)))
     kept = [stretch[np.argmax(np.abs(y[stretch]))] for stretch in stretches]
     return x[kept], y[kept]
 
 
-def motions_of(runs: Mapping[Text, Run], robot: str = ROBOT) -> tuple[Motion, ...]:
+def run_motions(runs: Mapping[Text, Run], robot: str = ROBOT) -> tuple[Motion, ...]:
     """The motion of the arm in each run."""
     return tuple(_motion(which, run, robot) for which, run in runs.items())
 

@@ -16,11 +16,11 @@ from helicoide.ik import Limits, Problem
 from helicoide.ik.methods.filtered import Memory
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
-from helicoide.ik.rcm.follow import PSEUDOINVERSE, Control, Inverse, Moment, followed, inverse
+from helicoide.ik.rcm.follow import PSEUDOINVERSE, ConfiguredMethod, RcmControl, RcmStep, configured_method, rcm_loop
 from helicoide.ik.rcm.passage import Passage, through
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.studies.study import Progress
 from helicoide.text import Text
@@ -33,11 +33,11 @@ START = frozen([0.793942, -0.25, -1.25775, -1.65, 0.621815, 1.1, -0.225, 1.57])
 E1_START, E1_DEPTH = frozen([*START[:6], 0.142, -2.58]), 0.087
 STRIDE = 0.5  # of the figures that are taken less often, s
 
-DLS = inverse("damped", damping=0.05)
-FILTERED = inverse("filtered_modified", gain=5.0)
+DLS = configured_method("damped", damping=0.05)
+FILTERED = configured_method("filtered_modified", gain=5.0)
 # κ = 0.05 (1 − w/0.1)² of eq. 3.44, squared in eq. 3.43
-VARIABLE = inverse("damped_by_manipulability", damping=0.05**2, threshold=0.1, exponent="4")
-INVERSES: Mapping[str, tuple[Text, Inverse]] = {
+VARIABLE = configured_method("damped_by_manipulability", damping=0.05**2, threshold=0.1, exponent="4")
+INVERSES: Mapping[str, tuple[Text, ConfiguredMethod]] = {
     "plain": (Text(en="plain inverse", pt_BR="inversa simples"), PSEUDOINVERSE),
     "damped": (Text(en="damped, κ = 0.05", pt_BR="amortecida, κ = 0,05"), DLS),
     "variable": (Text(en="variably damped", pt_BR="com amortecimento variável"), VARIABLE),
@@ -47,7 +47,7 @@ INVERSES: Mapping[str, tuple[Text, Inverse]] = {
 Run = Mapping[str, Array]
 
 
-def problem_of(robot: Robot, scale: float = 1.0) -> Problem:
+def problem_without_planes(robot: Robot, scale: float = 1.0) -> Problem:
     """An arm without planes; ℓ = 1 m leaves the source's metres as they are."""
     return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes), scale=scale)
 
@@ -55,7 +55,7 @@ def problem_of(robot: Robot, scale: float = 1.0) -> Problem:
 @cache
 def dia10() -> Robot:
     """The source's arm: the torso and the right arm of the Motoman DIA10."""
-    return load(ROBOT)
+    return load_robot(ROBOT)
 
 
 @cache
@@ -84,23 +84,23 @@ def angle_deg(error: Array) -> float:
     return float(np.degrees(2 * np.arcsin(np.linalg.norm(error[3:]))))
 
 
-def control(
+def source_control(
     entry: float = 0.0,
-    of_tool: Inverse = PSEUDOINVERSE,
-    of_arm: Inverse = PSEUDOINVERSE,
+    of_tool: ConfiguredMethod = PSEUDOINVERSE,
+    of_arm: ConfiguredMethod = PSEUDOINVERSE,
     position: float = 5.0,
     orientation: float = 10.0,
-) -> Control:
+) -> RcmControl:
     """The source's basis and gains, with drift feedback Kr = entry, 1/s."""
-    return Control(of_tool, of_arm, position, orientation, entry, "source")
+    return RcmControl(of_tool, of_arm, position, orientation, entry, "source")
 
 
-def crossings(values: Array) -> int:
+def sign_changes(values: Array) -> int:
     """The number of sign changes of a curve (k,)."""
     return int(np.count_nonzero(np.diff(np.sign(values))))
 
 
-def _figures(moment: Moment) -> dict[str, float]:
+def _figures(moment: RcmStep) -> dict[str, float]:
     at, place = moment.at, moment.at.place
     V = at.J_arm @ moment.rates[: at.J_arm.shape[1]]
     return {
@@ -120,7 +120,7 @@ def _figures(moment: Moment) -> dict[str, float]:
     }
 
 
-def measured(moments: Iterator[Moment], steps: int, dt: float, progress: Progress) -> Run:
+def run_columns(moments: Iterator[RcmStep], steps: int, dt: float, progress: Progress) -> Run:
     """The figures of so many steps, a column each; q (k, n), w_r and w_i every half second, at the times t_w, s.
 
     v_x, v_z: velocity of the shaft's point at the entry across the shaft, mm/s; nu: that which the tool is asked, mm/s;
@@ -149,18 +149,18 @@ class Insertion(NamedTuple):
 INSERTION = Insertion()
 
 
-def moments(name: str, control: Control, dt: float, insertion: Insertion = INSERTION) -> Iterator[Moment]:
+def path_steps(name: str, control: RcmControl, dt: float, insertion: Insertion = INSERTION) -> Iterator[RcmStep]:
     """The steps of a run along a path of the source. dt: sample time, s."""
     start, depth = insertion
     robot, path = dia10(), PATHS[name]
-    problem, passage = problem_of(robot), through(robot, LINK, path.across)
+    problem, passage = problem_without_planes(robot), through(robot, LINK, path.across)
     entry = entry_on(robot, start, depth)
-    memory = first_memory(problem, passage, control, start, entry)
-    return followed(problem, passage, control, path.wished(tool_at(robot, start)), start, entry, dt, memory)
+    memory = initial_memory(problem, passage, control, start, entry)
+    return rcm_loop(problem, passage, control, path.wished(tool_at(robot, start)), start, entry, dt, memory)
 
 
-def first_memory(
-    problem: Problem, passage: Passage, control: Control, start: Array, entry: Array
+def initial_memory(
+    problem: Problem, passage: Passage, control: RcmControl, start: Array, entry: Array
 ) -> tuple[Memory | None, None]:
     """The initial memory of the two inverses: Θ = J^r† for a filtered one. Args: start (n,), rad; entry (3,), m."""
     if control.of_tool.method.REMEMBERS is None:
@@ -169,9 +169,9 @@ def first_memory(
     return Memory(np.asarray(np.linalg.pinv(J), dtype=np.float64)), None
 
 
-def run(
+def run_path(
     name: str,
-    control: Control,
+    control: RcmControl,
     dt: float,
     insertion: Insertion = INSERTION,
     seconds: float | None = None,
@@ -179,4 +179,4 @@ def run(
 ) -> Run:
     """The columns of `measured` for a run along a path of the source, of `seconds` or to its end; dt: s."""
     steps = round((seconds or PATHS[name].duration) / dt) + 1
-    return measured(moments(name, control, dt, insertion), steps, dt, progress)
+    return run_columns(path_steps(name, control, dt, insertion), steps, dt, progress)

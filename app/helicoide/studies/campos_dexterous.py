@@ -12,9 +12,9 @@ from helicoide.arrays import Array
 from helicoide.ik.families.elbow import Annulus
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures.workspace import dexterous
-from helicoide.studies._campos_rows import finished, millimetres, posed, said
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
-from helicoide.text import Text, same
+from helicoide.studies._campos_rows import campos_result, length_settings, posture_motion, slide_statement
+from helicoide.studies.study import Chart, ChartLine, Progress, Result, Row
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="With every orientation", pt_BR="Com qualquer orientação")
 SOURCE = "Campos 1998, s.6–10, s.53"
@@ -43,14 +43,14 @@ class Options:
     l3: Annotated[float, HAND] = 0.2
 
 
-def share(r: float, l3: float, turns: int) -> float:
+def orientation_share(r: float, l3: float, turns: int) -> float:
     """The fraction of orientations in which the tool reaches a point at the distance r, m, from trials."""
     links = Annulus(L1, L2)
     phis = 2 * np.pi * (np.arange(turns) + 0.5) / turns
     return float(np.mean([bool(links.elbows(hypot(r - l3 * np.cos(phi), l3 * np.sin(phi)))) for phi in phis]))
 
 
-def share_of_two(r: float, l1: float, l2: float, turns: int) -> float:
+def two_link_share(r: float, l1: float, l2: float, turns: int) -> float:
     """The same of two links: those orientations of the second with which it begins where the first one ends."""
     phi = 2 * np.pi * np.arange(turns) / turns
     return float(np.mean(np.abs(np.hypot(r - l2 * np.cos(phi), l2 * np.sin(phi)) - l1) < THERE))
@@ -65,21 +65,28 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Row(UNEQUAL, len(whole[0]), "", NO_SPACE),
         Row(EQUAL, len(whole[1]), "", ONE_POINT),
         Row(FARTHEST, max(whole[1], default=np.nan), "m", AT_ORIGIN),
-        *(Row(SHARE.format(r=r), share(r, l3, turns)) for r in DISTANCES),
+        *(Row(SHARE.format(r=r), orientation_share(r, l3, turns)) for r in DISTANCES),
     ]
     for inner, outer in dexterous(np.array([L1, L2, l3]))[-1:]:
         rows += [Row(INNER, _edge(inner, l3, +1), "m"), Row(OUTER, _edge(outer, l3, -1), "m")]
     progress(0.6)
     r = np.linspace(0, L1 + L2 + l3, 100)
-    shares = np.array([share(x, l3, 360) for x in r])
+    shares = np.array([orientation_share(x, l3, 360) for x in r])
     progress(1.0)
-    chart = Chart(SHARES_TITLE, same("r, m"), ORIENTATIONS, (Line(same("l₃ = {l3:g} m").format(l3=l3), r, shares),))
-    return finished(rows, [chart], [posed(ROBOT, turning(l3), millimetres(l1=L1, l2=L2, l3=l3))])
+    chart = Chart(
+        SHARES_TITLE,
+        untranslated("r, m"),
+        ORIENTATIONS,
+        (ChartLine(untranslated("l₃ = {l3:g} m").format(l3=l3), r, shares),),
+    )
+    return campos_result(
+        rows, [chart], [posture_motion(ROBOT, hand_rotation(l3), length_settings(l1=L1, l2=L2, l3=l3))]
+    )
 
 
 def dexterous_points(l1: float, l2: float) -> list[float]:
     """The distances of a fine row, m, at which two links are with each of 360 orientations."""
-    return [float(r) for r in np.arange(0, l1 + l2 + STEP, STEP) if share_of_two(r, l1, l2, 360) == 1]
+    return [float(r) for r in np.arange(0, l1 + l2 + STEP, STEP) if two_link_share(r, l1, l2, 360) == 1]
 
 
 def _edge(near: float, l3: float, inwards: int) -> float:
@@ -87,11 +94,11 @@ def _edge(near: float, l3: float, inwards: int) -> float:
     out, into = near * (1 - 0.05 * inwards), near * (1 + 0.05 * inwards)
     for _ in range(20):
         middle = 0.5 * (out + into)
-        out, into = (out, middle) if share(middle, l3, 720) == 1 else (middle, into)
+        out, into = (out, middle) if orientation_share(middle, l3, 720) == 1 else (middle, into)
     return into
 
 
-def turning(l3: float) -> list[Array]:
+def hand_rotation(l3: float) -> list[Array]:
     """Postures, rad, with the tool at 1 m and the hand at all angles, with one sign of the elbow."""
     links, postures = Annulus(L1, L2), []
     for phi in np.linspace(0, 2 * np.pi, 25):
@@ -102,9 +109,9 @@ def turning(l3: float) -> list[Array]:
     return postures
 
 
-NO_SPACE = said("L₁ ≠ L₂: no dexterous space", "L₁ ≠ L₂: não há espaço destro", "s.10", 0)
-ONE_POINT = said("L₁ = L₂: a single point", "L₁ = L₂: um único ponto", "s.8", 1)
-AT_ORIGIN = said("the origin", "a origem", "s.8", 0)
+NO_SPACE = slide_statement("L₁ ≠ L₂: no dexterous space", "L₁ ≠ L₂: não há espaço destro", "s.10", 0)
+ONE_POINT = slide_statement("L₁ = L₂: a single point", "L₁ = L₂: um único ponto", "s.8", 1)
+AT_ORIGIN = slide_statement("the origin", "a origem", "s.8", 0)
 UNEQUAL = Text(en="dexterous points of two unequal links", pt_BR="pontos destros de dois elos desiguais")
 EQUAL = Text(en="dexterous points of two equal links", pt_BR="pontos destros de dois elos iguais")
 FARTHEST = Text(en="distance of that point from the first axis", pt_BR="distância desse ponto ao primeiro eixo")

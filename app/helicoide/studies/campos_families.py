@@ -15,7 +15,7 @@ from helicoide.ik.postures import numeric
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.measure import left
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_iteration import (
     EXAMPLE,
@@ -25,9 +25,9 @@ from helicoide.studies._campos_iteration import (
     iteration_motion,
     iteration_rows,
 )
-from helicoide.studies._campos_rows import PUMA_LENGTHS, by_joint, finished, posed, said
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement, printed
-from helicoide.text import Text, same
+from helicoide.studies._campos_rows import PUMA_LENGTHS, campos_result, posture_chart, posture_motion, slide_statement
+from helicoide.studies.study import Chart, ChartLine, Motion, Progress, Result, Row, Statement, printed_statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="The families of methods, side by side", pt_BR="As famílias de métodos, lado a lado")
 SOURCE = "Campos 1998, s.20, s.23–24, s.37; Paden 1986; Murray, Li, Sastry 1994"
@@ -64,7 +64,7 @@ BEYOND = (
 )
 STEPS: dict[str, dict[Text, dict[str, tuple[Text, str]]]] = {
     "puma560": {
-        INVERSE: {"K": (same("a₃ c₃ − d₄ s₃"), "m"), "u": FROM_AXIS_1},
+        INVERSE: {"K": (untranslated("a₃ c₃ − d₄ s₃"), "m"), "u": FROM_AXIS_1},
         SCREWS: {"δ": FAR},
         DUAL: {"k": BEYOND},
         GEOMETRY: {
@@ -110,13 +110,13 @@ class Options:
 class Tally:
     """The results of a family of methods.
 
-    postures: their number; residuals: the worst of each goal, m or rad; apart: the largest distance, rad, between a
+    postures: their number; residuals: the worst of each goal, m or rad; distance: the largest distance, rad, between a
     posture of this family or of the inverse transforms and the nearest posture of the other.
     """
 
     postures: int
     residuals: Array
-    apart: float
+    distance: float
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
@@ -126,8 +126,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """
     count, rows, charts, motions = FEW if short else int(options.goals), list[Row](), list[Chart](), list[Motion]()
     for part, name in enumerate(FORMS):
-        robot = load(name)
-        tallies = tallied(robot, count, _part(progress, part))
+        robot = load_robot(name)
+        tallies = family_tallies(robot, count, _part(progress, part))
         steps = {family: _of(robot, family, np.array(EXAMPLE[name])) for family in FORMS[name]}
         starts = converged_from_starts(robot, FEW_STARTS if short else STARTS)
         progress((part + 1) / len(FORMS))
@@ -136,15 +136,18 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             rows += iteration_rows(robot, starts, steps[INVERSE])
         charts += [*_charts(robot, tallies, steps[INVERSE]), *iteration_charts(robot, starts, steps[INVERSE])]
         postures = [branch.q for branch in steps[INVERSE].branches]
-        motions += [posed(name, postures, title=POSTURES.format(arm=NAMES[name])), iteration_motion(robot, starts)]
-    return finished(rows, charts, motions)
+        motions += [
+            posture_motion(name, postures, title=POSTURES.format(arm=NAMES[name])),
+            iteration_motion(robot, starts),
+        ]
+    return campos_result(rows, charts, motions)
 
 
 def _part(progress: Progress, part: int) -> Progress:
     return lambda share: progress((part + 0.8 * share) / len(FORMS))
 
 
-def tallied(robot: Robot, count: int, progress: Progress) -> dict[Text, Tally]:
+def family_tallies(robot: Robot, count: int, progress: Progress) -> dict[Text, Tally]:
     """The results of each family for the poses of random postures."""
     postures, apart = dict[Text, int](), dict[Text, float]()
     residuals = dict[Text, list[float]]()
@@ -184,14 +187,14 @@ def _rows(robot: Robot, tallies: dict[Text, Tally], count: int) -> Iterator[Row]
     """Rows: postures for each goal, residuals, and differences between the families."""
     if robot.name == "puma560":
         counts = [tally.postures / count for tally in tallies.values()]
-        yield Row(FEWEST, min(counts), "", printed("8", "s.20"), (PUMA_LENGTHS,))
-        yield Row(MOST_FOUND, max(counts), "", printed("8", "s.20"), (PUMA_LENGTHS,))
+        yield Row(FEWEST, min(counts), "", printed_statement("8", "s.20"), (PUMA_LENGTHS,))
+        yield Row(MOST_FOUND, max(counts), "", printed_statement("8", "s.20"), (PUMA_LENGTHS,))
     for family, tally in tallies.items():
         named = {"arm": NAMES[robot.name], "family": family}
         yield Row(COUNT.format(**named), tally.postures / count)
         yield Row(RESIDUAL.format(**named), float(tally.residuals.max()))
         if family is not INVERSE:
-            yield Row(APART.format(**named), tally.apart, "rad", ALIKE.get(family))
+            yield Row(APART.format(**named), tally.distance, "rad", ALIKE.get(family))
 
 
 def _steps(robot: Robot, steps: dict[Text, Answer]) -> Iterator[Row]:
@@ -203,13 +206,13 @@ def _steps(robot: Robot, steps: dict[Text, Answer]) -> Iterator[Row]:
 
 
 def _charts(robot: Robot, tallies: dict[Text, Tally], answer: Answer) -> Iterator[Chart]:
-    yield by_joint(POSTURES.format(arm=NAMES[robot.name]), [(branch.name, branch.q) for branch in answer.branches])
+    yield posture_chart(POSTURES.format(arm=NAMES[robot.name]), [(branch.name, branch.q) for branch in answer.branches])
     yield Chart(
         RESIDUALS.format(arm=NAMES[robot.name]),
         Text(en="share of goals", pt_BR="fração dos alvos"),
-        same("m, rad"),
+        untranslated("m, rad"),
         tuple(
-            Line(
+            ChartLine(
                 family, np.arange(1, len(tally.residuals) + 1) / len(tally.residuals), np.sort(tally.residuals) + 1e-17
             )
             for family, tally in tallies.items()
@@ -219,7 +222,7 @@ def _charts(robot: Robot, tallies: dict[Text, Tally], answer: Answer) -> Iterato
 
 
 ALIKE: dict[Text, Statement] = {
-    GEOMETRY: said(
+    GEOMETRY: slide_statement(
         "algebraic and geometric differ in approach only",
         "algébrica e geométrica: diferem só na abordagem",
         "s.24",

@@ -13,11 +13,18 @@ from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.actuators import Actuators
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import NEAR_POSE, POSES, by_joint, finished, posed, said
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row
-from helicoide.text import HelicoideError, Text, same
+from helicoide.studies._campos_rows import (
+    NEAR_POSE,
+    POSES,
+    campos_result,
+    posture_chart,
+    posture_motion,
+    slide_statement,
+)
+from helicoide.studies.study import Chart, ChartLine, Motion, Progress, Result, Row
+from helicoide.text import HelicoideError, Text, untranslated
 
 TITLE = Text(en="Four postures of the L-3", pt_BR="Quatro posturas do L-3")
 SOURCE = "Campos 1998, s.36, s.55 (Craig)"
@@ -45,20 +52,20 @@ class Options:
 def goal() -> Array:
     """p = (0.5, 0.2, 0.3) m, R = Rz(20°) Ry(110°) Rx(15°): (4, 4)."""
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = euler.matrix(np.radians([20, 110, 15]), "zyx"), (0.5, 0.2, 0.3)
+    T[:3, :3], T[:3, 3] = euler.euler_matrix(np.radians([20, 110, 15]), "zyx"), (0.5, 0.2, 0.3)
     return T
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """A goal that is turned, random poses of the subspace, and the screws on a way; short: 300 poses."""
-    robot, now = load(ROBOT), np.zeros(5)
+    robot, now = load_robot(ROBOT), np.zeros(5)
     actuators = cast(Actuators, robot.actuators)
     turn = motoman_l3.pointed(robot, goal(), now)
     branches = closed.solve(motoman_l3, robot, goal(), now).branches
-    missed, lost, counts = there_and_back(robot, FEW if short else int(options.poses), progress)
-    way = lifted(robot, actuators)
+    missed, lost, counts = round_trip(robot, FEW if short else int(options.poses), progress)
+    way = actuator_motion(robot, actuators)
     rows = [
-        Row(TURNED, np.degrees(least_turn(turn.M, goal()[:3, :3]) - abs(turn.angle)), "°", NEAREST, (NEAR_POSE,)),
+        Row(TURNED, np.degrees(least_rotation(turn.M, goal()[:3, :3]) - abs(turn.angle)), "°", NEAREST, (NEAR_POSE,)),
         Row(ANGLE, np.degrees(abs(turn.angle)), "°"),
         Row(LEAST, min(counts)),
         Row(MOST, max(counts)),
@@ -66,12 +73,12 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Row(LOST, lost, "rad"),
     ]
     rows += [Row(HELD, sum(_allowed(actuators, branch.q) for branch in branches)), *_screws(actuators, branches[0].q)]
-    charts = [by_joint(TITLE, [(branch.name, branch.q) for branch in branches]), *_lengths(actuators, way)]
-    motions = [posed(ROBOT, [branch.q for branch in branches], title=TITLE), way]
-    return finished(rows, charts, motions)
+    charts = [posture_chart(TITLE, [(branch.name, branch.q) for branch in branches]), *_lengths(actuators, way)]
+    motions = [posture_motion(ROBOT, [branch.q for branch in branches], title=TITLE), way]
+    return campos_result(rows, charts, motions)
 
 
-def least_turn(M: Array, R: Array) -> float:
+def least_rotation(M: Array, R: Array) -> float:
     """The least angle, rad, from R (3, 3) to any frame whose Z is at a right angle to M (3,), by trying directions.
 
     With Z and R given, the trace is largest over the frames that are turned about Z in closed form.
@@ -83,7 +90,7 @@ def least_turn(M: Array, R: Array) -> float:
     return float(np.arccos(np.clip(0.5 * (trace.max() - 1), -1, 1)))
 
 
-def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float, float, set[int]]:
+def round_trip(robot: Robot, count: int, progress: Progress) -> tuple[float, float, set[int]]:
     """For random postures: worst residual, m or rad, distance to the generating posture, rad, and solution counts."""
     missed, lost, counts = 0.0, 0.0, set[int]()
     for done, q in enumerate(np.random.default_rng(20).uniform(-np.pi, np.pi, (count, 5)), start=1):
@@ -95,7 +102,7 @@ def there_and_back(robot: Robot, count: int, progress: Progress) -> tuple[float,
     return missed, lost, counts
 
 
-def lifted(robot: Robot, actuators: Actuators) -> Motion:
+def actuator_motion(robot: Robot, actuators: Actuators) -> Motion:
     """The motion when actuator 2 alone moves back and forth from the posture ready."""
     times = np.linspace(0, 5, SAMPLES)
     pulses = np.tile(actuators.from_joints(robot.poses["ready"]), (SAMPLES, 1))
@@ -119,19 +126,19 @@ def _screws(actuators: Actuators, q: Array) -> list[Row]:
 def _lengths(actuators: Actuators, way: Motion) -> list[Chart]:
     lengths = 1000 * actuators.lengths(way.q)
     lines = [
-        Line(same(label), way.times, lengths[:, i])
+        ChartLine(untranslated(label), way.times, lengths[:, i])
         for i, label in enumerate(actuators.labels)
         if np.isfinite(lengths[:, i]).all()
     ]
     angles = [
-        Line(same(name), way.times, np.degrees(values))
+        ChartLine(untranslated(name), way.times, np.degrees(values))
         for name, values in (("θ₂", way.q[:, 1]), ("θ₃", way.q[:, 2]), ("θ₂ + θ₃", way.q[:, 1] + way.q[:, 2]))
     ]
     time = Text(en="time, s", pt_BR="tempo, s")
-    return [Chart(SCREWS, time, same("mm"), tuple(lines)), Chart(ALONE, time, same("°"), tuple(angles))]
+    return [Chart(SCREWS, time, untranslated("mm"), tuple(lines)), Chart(ALONE, time, untranslated("°"), tuple(angles))]
 
 
-NEAREST = said("as near as possible", "o mais próximo possível", "s.36", 0, "≥", 1e-6)
+NEAREST = slide_statement("as near as possible", "o mais próximo possível", "s.36", 0, "≥", 1e-6)
 TURNED = Text(
     en="how much farther the goal would be turned by the best of 3600 other directions in the plane",
     pt_BR="quanto mais o alvo giraria com a melhor de outras 3600 direções no plano",

@@ -16,10 +16,17 @@ from helicoide.ik.postures import choice, numeric
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import planar, upright
-from helicoide.studies._campos_rows import POSES, by_joint, finished, millimetres, posed, said
-from helicoide.studies.study import Chart, Line, Progress, Reading, Result, Row, printed
-from helicoide.text import Text, same
+from helicoide.studies._campos_arms import planar_pose, planar_with_lengths
+from helicoide.studies._campos_rows import (
+    POSES,
+    campos_result,
+    length_settings,
+    posture_chart,
+    posture_motion,
+    slide_statement,
+)
+from helicoide.studies.study import Chart, ChartLine, Interpretation, Progress, Result, Row, printed_statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Three links, two postures", pt_BR="Três elos, duas posturas")
 SOURCE = "Campos 1998, s.15–18, s.24, s.38–54"
@@ -34,7 +41,7 @@ ABOUT = Text(
 ROBOT = "planar3r"
 
 L1, L2, L3 = 1.0, 0.7, 0.2
-LENGTHS = millimetres(l1=L1, l2=L2, l3=L3)
+LENGTHS = length_settings(l1=L1, l2=L2, l3=L3)
 # (x, y, φ) of the third axis, m and rad: one goal whose steps are drawn; and one to choose for from where the arm is.
 GOAL, CHOICE = (1.0, 0.8, 0.5), (-0.7, -1.1, -1.4)
 NOW = frozen([0.5, 0.2, -1.0])
@@ -49,22 +56,22 @@ class Options:
     poses: Annotated[float, POSES] = 20_000
 
 
-def of_third_axis(x: float, y: float, phi: float) -> Array:
+def third_axis_pose(x: float, y: float, phi: float) -> Array:
     """The tool pose (4, 4), m, with the third axis at (x, y), m, and the hand at the angle φ, rad."""
-    return upright(x + L3 * np.cos(phi), y + L3 * np.sin(phi), phi)
+    return planar_pose(x + L3 * np.cos(phi), y + L3 * np.sin(phi), phi)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Algebra and geometry, the choice of a posture, and random postures; short: 500 of them."""
-    robot = planar(ROBOT, L1, L2, L3)
-    branches = closed.solve(planar3r, robot, of_third_axis(*GOAL), np.zeros(3)).branches
-    missed, apart, lost, counts = both_roads(robot, FEW if short else int(options.poses), progress)
-    near, weighed, around = chosen(robot)
-    less, others = weighing(robot)
+    robot = planar_with_lengths(ROBOT, L1, L2, L3)
+    branches = closed.solve(planar3r, robot, third_axis_pose(*GOAL), np.zeros(3)).branches
+    missed, apart, lost, counts = compare_solutions(robot, FEW if short else int(options.poses), progress)
+    near, weighed, around = rankings(robot)
+    less, others = weight_effect(robot)
     rows = [
-        Row(LEAST, min(counts), "", printed("2", "s.15")),
-        Row(MOST, max(counts), "", printed("2", "s.15")),
-        Row(ROADS, apart, "rad", SIGN_RULE),
+        Row(LEAST, min(counts), "", printed_statement("2", "s.15")),
+        Row(MOST, max(counts), "", printed_statement("2", "s.15")),
+        Row(ALGEBRA_VS_GEOMETRY, apart, "rad", SIGN_RULE),
         Row(BY_COSINE, disagreements(robot), "", COSINE),
         Row(LESS, less, "rad", SMALL_LINKS, (NEAR, WEIGHTS, LINKS)),
         Row(PLACE, [row.branch.name for row in around].index(near[0].branch.name) + 1, "", RULED_OUT, (POSTED,)),
@@ -78,27 +85,31 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Row(LOST, lost, "rad"),
     ]
     named = [(branch.name, branch.q) for branch in branches]
-    charts = [by_joint(TITLE, named), _drawn(robot, TITLE_PLANE, named), _drawn(robot, TITLE_CHOICE, _choice(near))]
-    motions = [
-        posed(ROBOT, [q for _, q in named], LENGTHS, TITLE),
-        posed(ROBOT, [NOW, near[0].q, NOW, weighed[0].q], LENGTHS, TITLE_CHOICE),
+    charts = [
+        posture_chart(TITLE, named),
+        _drawn(robot, TITLE_PLANE, named),
+        _drawn(robot, TITLE_CHOICE, _choice(near)),
     ]
-    return finished(rows, charts, motions)
+    motions = [
+        posture_motion(ROBOT, [q for _, q in named], LENGTHS, TITLE),
+        posture_motion(ROBOT, [NOW, near[0].q, NOW, weighed[0].q], LENGTHS, TITLE_CHOICE),
+    ]
+    return campos_result(rows, charts, motions)
 
 
 Ranking = tuple[choice.Ranked, ...]
 
 
-def chosen(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
+def rankings(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
     """Postures ranked with equal weights, with decreasing weights, and with an obstacle at the elbow of the nearest."""
-    branches = closed.solve(planar3r, robot, of_third_axis(*CHOICE), NOW).branches
+    branches = closed.solve(planar3r, robot, third_axis_pose(*CHOICE), NOW).branches
     near = choice.ranked(robot, branches, NOW, ALIKE)
     post = Obstacles().with_sphere(link_poses(robot.chain, near[0].branch.q)[2][:3, 3], POST)
     around = choice.ranked(robot, branches, NOW, ALIKE, choice.touching(robot, post))
     return near, choice.ranked(robot, branches, NOW, FALLING), around
 
 
-def weighing(robot: Robot) -> tuple[float, float]:
+def weight_effect(robot: Robot) -> tuple[float, float]:
     """The reduction of the rotation of joint 1, rad, by decreasing weights, as a mean of random choices.
 
     Second, the share of choices in which another posture is chosen. With equal weights two postures often cost the
@@ -113,7 +124,7 @@ def weighing(robot: Robot) -> tuple[float, float]:
     return float((alike - falling).mean()), float((alike != falling).mean())
 
 
-def both_roads(robot: Robot, count: int, progress: Progress) -> tuple[float, float, float, set[int]]:
+def compare_solutions(robot: Robot, count: int, progress: Progress) -> tuple[float, float, float, set[int]]:
     """For random postures: worst residual, difference of algebra and geometry, rad, generating posture, counts.
 
     Geometry: θ₁ = β + ψ where θ₂ < 0, and β − ψ where θ₂ > 0. Source: Campos 1998, s.54.
@@ -135,7 +146,7 @@ def disagreements(robot: Robot) -> int:
     """The number of random poses for which the test by c₂ and independent searches disagree."""
     links, count = elbow.Annulus(L1, L2), 0
     for x, y, phi in np.random.default_rng(44).uniform([-2, -2, -np.pi], [2, 2, np.pi], (TRIED, 3)):
-        goal = np.ascontiguousarray(of_third_axis(x, y, phi))
+        goal = np.ascontiguousarray(third_axis_pose(x, y, phi))
         found, _ = numeric.gathered(robot, goal, np.zeros(3), True, 4)
         count += (abs(elbow.cosine_of_elbow(x, y, links)) <= 1) != (len(found) > 0)
     return count
@@ -150,11 +161,11 @@ def _drawn(robot: Robot, title: Text, postures: list[tuple[Text, Array]]) -> Cha
     lines = []
     for name, q in postures:
         points = [*link_poses(robot.chain, q)[1:, :2, 3], tool_at(robot, q)[:2, 3]]
-        lines.append(Line(name, *np.array(points).T))
-    return Chart(title, same("x, m"), same("y, m"), tuple(lines))
+        lines.append(ChartLine(name, *np.array(points).T))
+    return Chart(title, untranslated("x, m"), untranslated("y, m"), tuple(lines))
 
 
-SIGN_RULE = said(
+SIGN_RULE = slide_statement(
     "algebraic = geometric; θ₁ = β + ψ for θ₂ < 0, β − ψ for θ₂ > 0",
     "algébrica = geométrica; θ₁ = β + ψ para θ₂ < 0, β − ψ para θ₂ > 0",
     "s.24, s.54",
@@ -162,31 +173,33 @@ SIGN_RULE = said(
     "=",
     1e-9,
 )
-COSINE = said("−1 ≤ c₂ ≤ 1, else out of reach", "−1 ≤ c₂ ≤ 1, senão fora de alcance", "s.44", 0)
-SMALL_LINKS = said(
+COSINE = slide_statement("−1 ≤ c₂ ≤ 1, else out of reach", "−1 ≤ c₂ ≤ 1, senão fora de alcance", "s.44", 0)
+SMALL_LINKS = slide_statement(
     "weights: the small links move rather than the large",
     "pesos: movem-se os elos pequenos em vez dos grandes",
     "s.17",
     0,
     ">",
 )
-RULED_OUT = said("an obstacle may rule out the nearest", "um obstáculo pode excluir a mais próxima", "s.17", 1, ">")
-NEAR = Reading(
+RULED_OUT = slide_statement(
+    "an obstacle may rule out the nearest", "um obstáculo pode excluir a mais próxima", "s.17", 1, ">"
+)
+NEAR = Interpretation(
     Text(en="near: the least Σ wᵢ |Δθᵢ|", pt_BR="perto: a menor Σ wᵢ |Δθᵢ|"),
     Text(en="with squares 0.088 rad less", pt_BR="com quadrados, 0,088 rad a menos"),
 )
-WEIGHTS = Reading(
+WEIGHTS = Interpretation(
     Text(en="weights 3, 2, 1", pt_BR="pesos 3, 2, 1"),
     Text(
         en="with 6, 2, 1 0.183 rad less, with 2, 1.5, 1 0.042",
         pt_BR="com 6; 2; 1, 0,183 rad a menos; com 2; 1,5; 1, 0,042",
     ),
 )
-POSTED = Reading(
+POSTED = Interpretation(
     Text(en="a post of 50 mm at its elbow", pt_BR="um poste de 50 mm no cotovelo dela"),
     Text(en="one that it does not touch leaves the nearest", pt_BR="um que ela não toca deixa a mais próxima"),
 )
-LINKS = Reading(
+LINKS = Interpretation(
     Text(en="links of 1, 0.7 and 0.2 m", pt_BR="elos de 1; 0,7 e 0,2 m"),
     Text(en="with 0.5, 1 and 0.3 m 0.115 rad less", pt_BR="com 0,5; 1 e 0,3 m, 0,115 rad a menos"),
 )
@@ -195,7 +208,9 @@ NEARER, FARTHER = Text(en="nearer", pt_BR="mais próxima"), Text(en="farther", p
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")
 MOST = Text(en="largest number of postures of random poses", pt_BR="maior número de posturas de poses aleatórias")
 MISSED = Text(en="worst miss of any posture", pt_BR="maior erro de qualquer postura")
-ROADS = Text(en="largest difference of algebra and geometry", pt_BR="maior diferença entre álgebra e geometria")
+ALGEBRA_VS_GEOMETRY = Text(
+    en="largest difference of algebra and geometry", pt_BR="maior diferença entre álgebra e geometria"
+)
 LOST = Text(en="worst distance of the generating posture", pt_BR="maior distância da postura geradora")
 BY_COSINE = Text(
     en="random poses for which c₂ and searches say different things",

@@ -14,12 +14,12 @@ from helicoide.ik.closed import motoman_l3
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures import subspace
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import planar, upright
-from helicoide.studies._campos_rows import NEAR_POSE, finished, posed, said
-from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Reading, Result, Row
-from helicoide.text import Text, same
+from helicoide.studies._campos_arms import planar_pose, planar_with_lengths
+from helicoide.studies._campos_rows import NEAR_POSE, campos_result, posture_motion, slide_statement
+from helicoide.studies.study import BY_CONSTRUCTION, Chart, ChartLine, Interpretation, Progress, Result, Row
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Goals that an arm cannot take", pt_BR="Alvos que o braço não pode assumir")
 SOURCE = "Campos 1998, s.13, s.27–36"
@@ -49,8 +49,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     goals = [
         _goal(draw) for draw in np.random.default_rng(36).uniform(-1, 1, (FEW if short else int(options.goals), 6))
     ]
-    robot, polar, flat = load(ROBOT), load("polar_rp"), planar("planar3r", 1.0, 0.7, 0.2)
-    off, angles, nearer = turned(robot, goals)
+    robot, polar, flat = load_robot(ROBOT), load_robot("polar_rp"), planar_with_lengths("planar3r", 1.0, 0.7, 0.2)
+    off, angles, nearer = projection_angles(robot, goals)
     progress(0.4)
     ahead, down, across = polar_frame(polar, goals)
     progress(0.6)
@@ -58,48 +58,71 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     progress(0.8)
     rows = [
         *(
-            Row(TAKEN.format(robot=arm.title), taken(arm, goals), "", said(*FEWER, "s.13, s.27", 0))
+            Row(
+                TAKEN.format(robot=arm.title),
+                goals_in_subspace(arm, goals),
+                "",
+                slide_statement(*FEWER, "s.13, s.27", 0),
+            )
             for arm in (robot, polar, flat)
         ),
         Row(
             NEARER,
             nearer,
             "rad",
-            said("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9),
+            slide_statement("as near as possible", "o mais próximo possível", "s.36", 0, "≤", 1e-9),
             (NEAR_POSE,),
         ),
-        Row(OUTSIDE, sum(not branches for branches in found), "", said(*STILL_OUT, "s.36", 0, ">"), (DRAWN,)),
-        Row(AHEAD, ahead, "rad", said("Ẑ₂ along (x, y, 0)", "Ẑ₂ ao longo de (x, y, 0)", "s.32–33", 0, "=", 1e-9)),
-        Row(DOWN, down, "rad", said("Ŷ₂ always straight down", "Ŷ₂ sempre para baixo", "s.32–33", 0, "=", 1e-9)),
-        Row(ACROSS, across, "", said("X̂₂ = Ŷ₂ × Ẑ₂", "X̂₂ = Ŷ₂ × Ẑ₂", "s.33", 0, "=", 1e-9), given=CONSTRUCTED),
+        Row(
+            OUTSIDE, sum(not branches for branches in found), "", slide_statement(*STILL_OUT, "s.36", 0, ">"), (DRAWN,)
+        ),
+        Row(
+            AHEAD,
+            ahead,
+            "rad",
+            slide_statement("Ẑ₂ along (x, y, 0)", "Ẑ₂ ao longo de (x, y, 0)", "s.32–33", 0, "=", 1e-9),
+        ),
+        Row(
+            DOWN,
+            down,
+            "rad",
+            slide_statement("Ŷ₂ always straight down", "Ŷ₂ sempre para baixo", "s.32–33", 0, "=", 1e-9),
+        ),
+        Row(
+            ACROSS,
+            across,
+            "",
+            slide_statement("X̂₂ = Ŷ₂ × Ẑ₂", "X̂₂ = Ŷ₂ × Ẑ₂", "s.33", 0, "=", 1e-9),
+            given=BY_CONSTRUCTION,
+        ),
         Row(
             FLAT,
             _flat(flat),
             "",
-            said("cφ, −sφ; sφ, cφ; x, y; z = 0", "cφ, −sφ; sφ, cφ; x, y; z = 0", "s.29", 0, "=", 1e-9),
+            slide_statement("cφ, −sφ; sφ, cφ; x, y; z = 0", "cφ, −sφ; sφ, cφ; x, y; z = 0", "s.29", 0, "=", 1e-9),
         ),
         Row(BY_ANGLE, off),
     ]
     progress(1.0)
     shown = [branches[0].q for branches in found[:SHOWN] if branches]
-    return finished(rows, _charts(angles), [posed(ROBOT, shown)])
+    return campos_result(rows, _charts(angles), [posture_motion(ROBOT, shown)])
 
 
 def _goal(draw: Array) -> Array:
     """A random pose (4, 4), m, from six numbers in [−1, 1], within 0.6 m each way."""
     T = np.eye(4)
-    T[:3, :3] = euler.matrix(np.pi * draw[3:] * [1, 0.49, 1], "zyx")
+    T[:3, :3] = euler.euler_matrix(np.pi * draw[3:] * [1, 0.49, 1], "zyx")
     T[:3, 3] = 0.6 * draw[:3]
     return T
 
 
-def taken(robot: Robot, goals: list[Array]) -> int:
+def goals_in_subspace(robot: Robot, goals: list[Array]) -> int:
     """The number of goals that lie in the subspace of the arm without projection."""
     now = np.zeros(len(robot.variables))
     return sum(subspace.project(robot, T, now).words is None for T in goals)
 
 
-def turned(robot: Robot, goals: list[Array]) -> tuple[float, Array, float]:
+def projection_angles(robot: Robot, goals: list[Array]) -> tuple[float, Array, float]:
     """How far sin |θ| is from |M·Ẑ|, the angles, rad, and by how much another pose of the subspace comes nearer.
 
     The others: the projected pose turned about the arm's normal, and about its own pointing axis, by small angles.
@@ -142,19 +165,19 @@ def _flat(robot: Robot) -> float:
     worst = 0.0
     for q in np.random.default_rng(29).uniform(-np.pi, np.pi, (FEW, 3)):
         T = tool_at(robot, frozen(q))
-        worst = max(worst, float(np.abs(T - upright(T[0, 3], T[1, 3], float(q.sum()))).max()))
+        worst = max(worst, float(np.abs(T - planar_pose(T[0, 3], T[1, 3], float(q.sum()))).max()))
     return worst
 
 
 def _charts(angles: Array) -> list[Chart]:
     share = np.arange(1, len(angles) + 1) / len(angles)
-    line = Line(same("asin |M·Ẑ|"), share, np.degrees(np.sort(angles)))
-    return [Chart(HOW_FAR, Text(en="share of goals", pt_BR="fração dos alvos"), same("|θ|, °"), (line,))]
+    line = ChartLine(untranslated("asin |M·Ẑ|"), share, np.degrees(np.sort(angles)))
+    return [Chart(HOW_FAR, Text(en="share of goals", pt_BR="fração dos alvos"), untranslated("|θ|, °"), (line,))]
 
 
 FEWER = ("fewer than six joints: no general poses", "menos de seis juntas: não alcança poses quaisquer")
 STILL_OUT = ("it may still be outside the workspace", "ainda pode ficar fora do espaço de trabalho")
-DRAWN = Reading(
+DRAWN = Interpretation(
     Text(
         en="links of the L-3 of 400 and 500 mm, goals within 0.6 m along each axis",
         pt_BR="elos do L-3 de 400 e 500 mm, alvos até 0,6 m ao longo de cada eixo",

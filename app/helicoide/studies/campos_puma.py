@@ -14,10 +14,17 @@ from helicoide.ik.families import puma_arm
 from helicoide.ik.families.frames import rows_of
 from helicoide.ik.postures import numeric, solvability
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_rows import POSES, PUMA_LENGTHS, by_joint, finished, posed, said
-from helicoide.studies.study import Progress, Result, Row, printed
+from helicoide.studies._campos_rows import (
+    POSES,
+    PUMA_LENGTHS,
+    campos_result,
+    posture_chart,
+    posture_motion,
+    slide_statement,
+)
+from helicoide.studies.study import Progress, Result, Row, printed_statement
 from helicoide.text import Text
 
 TITLE = Text(en="Eight postures of the PUMA", pt_BR="Oito posturas do PUMA")
@@ -45,7 +52,7 @@ class Options:
     poses: Annotated[float, POSES] = 20_000
 
 
-def there_and_back(
+def puma_round_trip(
     arm: Robot, count: int, seed: int, progress: Progress = lambda share: None
 ) -> tuple[float, float, int, int]:
     """The worst miss of any posture (m, and 1 for rotations), the worst distance of the generating one, rad.
@@ -67,14 +74,14 @@ def there_and_back(
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """One pose, the flip, searches, and random poses; short: 1,000 of them."""
-    arm = load(ROBOT)
+    arm = load_robot(ROBOT)
     branches = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), np.zeros(6)).branches
-    missed, apart, least, most = there_and_back(arm, FEW if short else int(options.poses), 560, progress)
+    missed, apart, least, most = puma_round_trip(arm, FEW if short else int(options.poses), 560, progress)
     meeting = solvability.meeting_axes(arm)
     rows = [
-        Row(SHOULDERS, _distinct([branch.q[:3] for branch in branches]), "", printed("4", "s.19"), CHOSEN),
-        Row(LEAST, least, "", printed("8", "s.20"), CHOSEN),
-        Row(MOST, most, "", printed("8", "s.20"), CHOSEN),
+        Row(SHOULDERS, _distinct([branch.q[:3] for branch in branches]), "", printed_statement("4", "s.19"), CHOSEN),
+        Row(LEAST, least, "", printed_statement("8", "s.20"), CHOSEN),
+        Row(MOST, most, "", printed_statement("8", "s.20"), CHOSEN),
         Row(FLIP, _moved_by_flip(arm), "", FLIPPED),
         Row(UNKNOWN, _unknown_to_the_form(arm), "", ALL, CHOSEN),
         Row(MEETING, 0 if meeting is None else meeting[0][0] + 1, "", AXES),
@@ -82,8 +89,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         Row(APART, apart, "rad"),
     ]
     progress(1.0)
-    charts = [by_joint(CHART, [(branch.name, branch.q) for branch in branches])]
-    return finished(rows, charts, [posed(ROBOT, [branch.q for branch in branches], title=CHART)])
+    charts = [posture_chart(CHART, [(branch.name, branch.q) for branch in branches])]
+    return campos_result(rows, charts, [posture_motion(ROBOT, [branch.q for branch in branches], title=CHART)])
 
 
 def _distinct(arms: list[Array]) -> int:
@@ -116,16 +123,16 @@ def _unknown_to_the_form(arm: Robot) -> int:
     return unknown
 
 
-FLIPPED = said(
+FLIPPED = slide_statement(
     "θ₄' = θ₄ + 180°, θ₅' = −θ₅, θ₆' = θ₆ + 180°", "θ₄' = θ₄ + 180°, θ₅' = −θ₅, θ₆' = θ₆ + 180°", "s.20", 0, "=", 1e-9
 )
-ALL = said(
+ALL = slide_statement(
     "solvable: an algorithm finds all sets of joint values",
     "solúvel: um algoritmo encontra todos os conjuntos de variáveis de junta",
     "s.23",
     0,
 )
-AXES = said("axes 4, 5 and 6 meet at a point", "os eixos 4, 5 e 6 se cruzam num ponto", "s.26", 4)
+AXES = slide_statement("axes 4, 5 and 6 meet at a point", "os eixos 4, 5 e 6 se cruzam num ponto", "s.26", 4)
 SHOULDERS = Text(en="postures of the arm, without the wrist", pt_BR="posturas do braço, sem o punho")
 FLIP = Text(en="how far a flip of the wrist moves the tool", pt_BR="quanto virar o punho move o efetuador")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")

@@ -15,10 +15,10 @@ from helicoide.ik.method import Quantity
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, some_pose, spherical
-from helicoide.studies._campos_rows import finished
-from helicoide.studies.study import Chart, Line, Progress, Result, Row, printed
-from helicoide.text import Text, same
+from helicoide.studies._campos_arms import LENGTHS, arm_from_dh, puma_with_lengths, random_pose, random_spherical_arm
+from helicoide.studies._campos_rows import campos_result
+from helicoide.studies.study import Chart, ChartLine, Progress, Result, Row, printed_statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Zero link lengths and the count of postures", pt_BR="Elos de comprimento zero e o número de posturas")
 SOURCE = "Campos 1998, s.22 (Craig); Primrose 1986"
@@ -61,16 +61,16 @@ def with_zeros(zeros: tuple[int, ...], draw: np.random.Generator) -> Robot:
     a[[0, *zeros]] = 0
     alpha = draw.choice([-RIGHT, RIGHT], 6) if draw.random() < 0.5 else draw.uniform(0.3, 2.8, 6)
     rows = [(float(x), float(y), float(z)) for x, y, z in zip(alpha, a, d, strict=True)]
-    return of_rows(rows, some_pose(draw), some_pose(draw))
+    return arm_from_dh(rows, random_pose(draw), random_pose(draw))
 
 
-def known(zeros: tuple[int, ...]) -> Robot:
+def known_arm(zeros: tuple[int, ...]) -> Robot:
     """The arm of `KNOWN`, in the row with these link lengths zero."""
     a = [length or SHORT * (i > 0 and i not in zeros) for i, (length, _) in enumerate(KNOWN)]
-    return of_rows([(RIGHT * (i > 0), a[i], d) for i, (_, d) in enumerate(KNOWN)], np.eye(4), np.eye(4))
+    return arm_from_dh([(RIGHT * (i > 0), a[i], d) for i, (_, d) in enumerate(KNOWN)], np.eye(4), np.eye(4))
 
 
-def counted(robot: Robot, q: Array) -> int:
+def count_postures(robot: Robot, q: Array) -> int:
     """The number of postures that random searches find for the pose of a posture (6,), rad: a lower bound."""
     goal = np.ascontiguousarray(tool_at(robot, q))
     return len(numeric.gathered(robot, goal, np.zeros(6), True, ENDLESS)[0])
@@ -81,24 +81,24 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     arms = FEW if short else int(options.arms)
     draw, found = np.random.default_rng(22), dict[tuple[int, ...], list[int]]()
     for part, (zeros, _) in enumerate(ROWS):
-        found[zeros] = [counted(known(zeros), POSTURE)]
+        found[zeros] = [count_postures(known_arm(zeros), POSTURE)]
         for done in range(arms):
-            found[zeros].append(counted(with_zeros(zeros, draw), draw.uniform(-pi, pi, 6)))
+            found[zeros].append(count_postures(with_zeros(zeros, draw), draw.uniform(-pi, pi, 6)))
             progress((part + (done + 1) / arms) / (len(ROWS) + 1))
     wrists = _spherical(arms, draw, lambda share: progress((len(ROWS) + share) / (len(ROWS) + 1)))
-    puma_0 = counted(puma(*LENGTHS[2]), np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
+    puma_0 = count_postures(puma_with_lengths(*LENGTHS[2]), np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
     rows = [
         *(
             Row(
                 MOST.format(zeros=_named(zeros)),
                 max(found[zeros]),
                 "",
-                printed(f"≤ {bound}", "s.22, Craig"),
+                printed_statement(f"≤ {bound}", "s.22, Craig"),
                 erratum=WRONG.get(zeros, ""),
             )
             for zeros, bound in ROWS
         ),
-        Row(PUMA, puma_0, "", printed("≤ 4", "s.22, Craig"), erratum="campos-1"),
+        Row(PUMA, puma_0, "", printed_statement("≤ 4", "s.22, Craig"), erratum="campos-1"),
         *(
             Row(RANDOM.format(zeros=_named(zeros), bound=bound), float(np.mean(np.array(found[zeros][1:]) > bound)))
             for zeros, bound in ROWS[:2]
@@ -111,16 +111,16 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         TITLE,
         Text(en="postures", pt_BR="posturas"),
         Text(en="share of random arms", pt_BR="fração dos braços aleatórios"),
-        tuple(Line(name, values, np.array([np.mean(np.array(n) == v) for v in values])) for name, n in lines),
+        tuple(ChartLine(name, values, np.array([np.mean(np.array(n) == v) for v in values])) for name, n in lines),
     )
-    return finished(rows, (chart,))
+    return campos_result(rows, (chart,))
 
 
 def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list[int]:
     """How many postures random arms with a spherical wrist have for a pose of theirs, by Pieper's solution."""
     counts: list[int] = []
     for done in range(arms):
-        robot = spherical(draw, FAMILIES[done % len(FAMILIES)], right_wrist=False)
+        robot = random_spherical_arm(draw, FAMILIES[done % len(FAMILIES)], right_wrist=False)
         counts.append(len(closed.solve(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches))
         progress((done + 1) / arms)
     return counts
@@ -129,7 +129,7 @@ def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list
 def _named(zeros: tuple[int, ...]) -> Text:
     if not zeros:
         return Text(en="no aᵢ = 0", pt_BR="nenhum aᵢ = 0")
-    return same(" = ".join([*(f"a{number}" for number in zeros), "0"]))
+    return untranslated(" = ".join([*(f"a{number}" for number in zeros), "0"]))
 
 
 MOST = Text(en="most postures of one pose, {zeros}", pt_BR="mais posturas de uma pose, {zeros}")

@@ -13,13 +13,20 @@ from helicoide.ik.closed import planar2r
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.workspace import reachable
 from helicoide.kinematics import workspace
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Map
-from helicoide.studies._campos_arms import limited, planar, upright
-from helicoide.studies._campos_rows import LENGTH_1, LENGTH_2, finished, millimetres, posed, said
-from helicoide.studies.study import Chart, Line, Progress, Result, Row, printed
-from helicoide.text import Text, same
+from helicoide.kinematics.workspace import WorkspaceMap
+from helicoide.studies._campos_arms import planar_pose, planar_with_lengths, with_joint_limits
+from helicoide.studies._campos_rows import (
+    LENGTH_1,
+    LENGTH_2,
+    campos_result,
+    length_settings,
+    posture_motion,
+    slide_statement,
+)
+from helicoide.studies.study import Chart, ChartLine, Progress, Result, Row, printed_statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Workspaces in a plane", pt_BR="Espaços de trabalho no plano")
 SOURCE = "Campos 1998, s.6–13, s.31–34, s.53"
@@ -50,77 +57,79 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Areas by random postures, and counts at the edges; short: fewer postures."""
     l1, l2 = options.l1, options.l2
-    robot, polar, equal = planar(ROBOT, l1, l2), load("polar_rp"), planar(ROBOT, l1, l1)
-    half = limited(robot, [0.0, 0.0], [2 * np.pi, np.pi])
+    robot, polar, equal = planar_with_lengths(ROBOT, l1, l2), load_robot("polar_rp"), planar_with_lengths(ROBOT, l1, l1)
+    half = with_joint_limits(robot, [0.0, 0.0], [2 * np.pi, np.pi])
     samples, near = (FEW, COARSE) if short else (SAMPLES, CLOSE)
     whole, one_sided, ring = (_map(arm, samples, done, progress) for done, arm in enumerate((robot, half, polar)))
     inner, outer = reachable(np.array([l1, l2]))
-    r, r_longer, r_equal = (distances(arm) for arm in (robot, with_tool(robot, LONGER), equal))
+    r, r_longer, r_equal = (tool_radii(arm) for arm in (robot, with_longer_tool(robot, LONGER), equal))
     area = np.pi * (outer**2 - inner**2)
     rows = [
         *_counts(robot, half, inner, outer),
-        Row(SAME_SET, one_sided.measure / whole.measure, "", said(*SAME_WORDS, "s.12", 1, "=", near)),
-        Row(NEAREST, r.min(), "m", said("r ≥ |L₁ − L₂|", "r ≥ |L₁ − L₂|", "s.10", inner, "≥", 1e-12)),
-        Row(FARTHEST, r.max(), "m", said("r ≤ L₁ + L₂", "r ≤ L₁ + L₂", "s.10, s.53", outer, "≤", 1e-12)),
-        Row(DISC, r_equal.max() / l1, "L₁", said(*DISC_WORDS, "s.8", 2, "=", 1e-3)),
-        Row(NO_HOLE, _count(equal, BESIDE), "", said(*DISC_WORDS, "s.8", 0, ">")),
-        Row(TOOL, r_longer.max() - r.max(), "m", said(*TOOL_WORDS, "s.13", 0, ">")),
+        Row(SAME_SET, one_sided.measure / whole.measure, "", slide_statement(*SAME_WORDS, "s.12", 1, "=", near)),
+        Row(NEAREST, r.min(), "m", slide_statement("r ≥ |L₁ − L₂|", "r ≥ |L₁ − L₂|", "s.10", inner, "≥", 1e-12)),
+        Row(FARTHEST, r.max(), "m", slide_statement("r ≤ L₁ + L₂", "r ≤ L₁ + L₂", "s.10, s.53", outer, "≤", 1e-12)),
+        Row(DISC, r_equal.max() / l1, "L₁", slide_statement(*DISC_WORDS, "s.8", 2, "=", 1e-3)),
+        Row(NO_HOLE, _count(equal, BESIDE), "", slide_statement(*DISC_WORDS, "s.8", 0, ">")),
+        Row(TOOL, r_longer.max() - r.max(), "m", slide_statement(*TOOL_WORDS, "s.13", 0, ">")),
         Row(AREA.format(which=TWO), whole.measure, "m²"),
         Row(BY_FORMULA.format(which=TWO), area, "m²"),
         Row(AREA.format(which=POLAR), ring.measure, "m²"),
         Row(BY_FORMULA.format(which=POLAR), np.pi * (polar.upper[1] ** 2 - polar.lower[1] ** 2), "m²"),
     ]
     charts = [_edges(inner, outer), _radial(whole)]
-    motion = posed(ROBOT, [np.zeros(2), np.array([0.0, np.pi])], millimetres(l1=l1, l2=l2), STRETCHED)
-    return finished(rows, charts, [motion])
+    motion = posture_motion(ROBOT, [np.zeros(2), np.array([0.0, np.pi])], length_settings(l1=l1, l2=l2), STRETCHED)
+    return campos_result(rows, charts, [motion])
 
 
-def distances(robot: Robot) -> Array:
+def tool_radii(robot: Robot) -> Array:
     """The distance of the tool from the first axis, (k,), m, in random postures and the four straight ones."""
     q = np.random.default_rng(6).uniform(-np.pi, np.pi, (TRIED, 2))
     q[:2, 1] = 0, np.pi
     return np.array([np.hypot(*tool_at(robot, row)[:2, 3]) for row in q])
 
 
-def with_tool(robot: Robot, longer: float) -> Robot:
+def with_longer_tool(robot: Robot, longer: float) -> Robot:
     """The arm with a tool that is longer by a length, m."""
     T = robot.T_world_tool_0.copy()
     T[0, 3] += longer
     return replace(robot, T_world_tool_0=frozen(T))
 
 
-def _map(robot: Robot, samples: int, done: int, progress: Progress) -> Map:
-    plan = workspace.planned(robot, "reachable", samples)
-    return workspace.gathered(plan, workspace.parts(plan), lambda share: progress((done + share) / 3))
+def _map(robot: Robot, samples: int, done: int, progress: Progress) -> WorkspaceMap:
+    plan = workspace.plan_map(robot, "reachable", samples)
+    return workspace.collect_map(plan, workspace.count_chunks(plan), lambda share: progress((done + share) / 3))
 
 
 def _count(arm: Robot, r: float) -> int:
     """The number of postures within the limits for a point at the distance r, m."""
-    return sum(branch.within for branch in closed.solve(planar2r, arm, upright(r, 0.0), np.zeros(2)).branches)
+    return sum(branch.within for branch in closed.solve(planar2r, arm, planar_pose(r, 0.0), np.zeros(2)).branches)
 
 
 def _counts(robot: Robot, half: Robot, inner: float, outer: float) -> list[Row]:
     """The number of postures for points near the edges, on them and between."""
     middle = 0.5 * (inner + outer)
-    annulus = said("|L₁ − L₂| ≤ r ≤ L₁ + L₂", "|L₁ − L₂| ≤ r ≤ L₁ + L₂", "s.10", 0)
+    annulus = slide_statement("|L₁ − L₂| ≤ r ≤ L₁ + L₂", "|L₁ − L₂| ≤ r ≤ L₁ + L₂", "s.10", 0)
     return [
-        Row(INSIDE, _count(robot, middle), "", printed("2", "s.10")),
-        Row(OUTER, _count(robot, outer), "", printed("1", "s.10")),
-        Row(INNER, _count(robot, inner), "", printed("1", "s.10")),
+        Row(INSIDE, _count(robot, middle), "", printed_statement("2", "s.10")),
+        Row(OUTER, _count(robot, outer), "", printed_statement("1", "s.10")),
+        Row(INNER, _count(robot, inner), "", printed_statement("1", "s.10")),
         Row(OUTSIDE, _count(robot, outer + ASIDE), "", annulus),
         *([Row(HOLE, _count(robot, inner - ASIDE), "", annulus)] if inner > ASIDE else []),
-        Row(ONE_SIDE, _count(half, middle), "", printed("1", "s.12")),
+        Row(ONE_SIDE, _count(half, middle), "", printed_statement("1", "s.12")),
     ]
 
 
 def _edges(inner: float, outer: float) -> Chart:
     """The two circles, m."""
     turn = np.linspace(0, 2 * np.pi, 121)
-    lines = tuple(Line(name, r * np.cos(turn), r * np.sin(turn)) for name, r in ((EDGE_OUT, outer), (EDGE_IN, inner)))
-    return Chart(EDGES, same("x, m"), same("y, m"), lines)
+    lines = tuple(
+        ChartLine(name, r * np.cos(turn), r * np.sin(turn)) for name, r in ((EDGE_OUT, outer), (EDGE_IN, inner))
+    )
+    return Chart(EDGES, untranslated("x, m"), untranslated("y, m"), lines)
 
 
-def _radial(found: Map) -> Chart:
+def _radial(found: WorkspaceMap) -> Chart:
     """How many postures there are for each area, by the distance from the first axis."""
     r = np.hypot(*found.cells.centres[:, :2].T)
     edges = np.linspace(0, r[found.reached].max(), 60)
@@ -128,10 +137,10 @@ def _radial(found: Map) -> Chart:
     hits = np.histogram(r, edges, weights=found.hits)[0]
     return Chart(
         Text(en="Random postures by distance", pt_BR="Posturas aleatórias por distância"),
-        same("r, m"),
+        untranslated("r, m"),
         Text(en="share of postures per m²", pt_BR="fração das posturas por m²"),
         (
-            Line(
+            ChartLine(
                 TWO, 0.5 * (edges[1:] + edges[:-1]), hits / np.maximum(inside, 1) / found.samples / found.cells.size**2
             ),
         ),

@@ -6,31 +6,31 @@ from dataclasses import dataclass
 from math import log
 from typing import Annotated
 
-from helicoide.ik.limit_gains import GROWTH, Memory
+from helicoide.ik.limit_gains import GROWTH, LimitGainMemory
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.confined import margins
+from helicoide.studies.cerbaro_runs import setups
+from helicoide.studies.cerbaro_runs.confined import limit_margins
 from helicoide.studies.cerbaro_runs.runs import (
     FARTHER,
     NEAREST,
-    Run,
+    LoopRun,
     error_chart,
     joint_charts,
+    loop_motion,
     mean_cost,
-    motion,
-    part,
+    share_of_runs,
 )
 from helicoide.studies.cerbaro_runs.tracking import (
     DT,
     TURN,
     LimitGain,
-    free_ellipse,
-    in_degrees,
+    gain_in_degrees,
+    run_free_ellipse,
     start_inside,
     start_of_ellipse,
-    unfed,
+    zero_feedforward,
 )
-from helicoide.studies.study import CONSTRUCTED, Progress, Result, Row, Statement
+from helicoide.studies.study import BY_CONSTRUCTION, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Algorithm 1: gains that grow", pt_BR="Algoritmo 1: ganhos que crescem")
@@ -99,19 +99,19 @@ class Options:
 
 
 @dataclass(frozen=True, eq=False)
-class Runs:
+class GainRuns:
     """Runs with one gain, growing gains, and clips alone, from the printed start; two in degrees, from inside."""
 
-    one: Run
-    grown: Run
-    clipped: Run
-    one_in_degrees: Run
-    grown_in_degrees: Run
+    one: LoopRun
+    grown: LoopRun
+    clipped: LoopRun
+    one_in_degrees: LoopRun
+    grown_in_degrees: LoopRun
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The turn in steps of 1 ms without ẋ_d, as the errors of the source have it; short: its first 4 s."""
-    runs = made(options, SHORT if short else TURN, progress)
+    runs = gain_runs(options, SHORT if short else TURN, progress)
     named = (
         (Text(en="one gain", pt_BR="um só ganho"), runs.one),
         (Text(en="Algorithm 1", pt_BR="Algoritmo 1"), runs.grown),
@@ -119,16 +119,16 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         (Text(en="one gain, k₀ in degrees", pt_BR="um só ganho, k₀ em graus"), runs.one_in_degrees),
         (Text(en="Algorithm 1, k₀ in degrees", pt_BR="Algoritmo 1, k₀ em graus"), runs.grown_in_degrees),
     )
-    charts = (*joint_charts("fig. 38", arms.movemaster(), (2, 3, 4), *named), error_chart("fig. 38", *named))
-    found = rows(runs, short)
-    motions = tuple(motion(ROBOT, title, one) for title, one in named)
+    charts = (*joint_charts("fig. 38", setups.movemaster(), (2, 3, 4), *named), error_chart("fig. 38", *named))
+    found = algorithm_1_rows(runs, short)
+    motions = tuple(loop_motion(ROBOT, title, one) for title, one in named)
     return Result(found, charts, motions)
 
 
-def made(options: Options, seconds: float, progress: Progress) -> Runs:
+def gain_runs(options: Options, seconds: float, progress: Progress) -> GainRuns:
     """The five runs."""
     printed, inside = start_of_ellipse(), start_inside(options.inside)
-    in_radians, in_deg = options.gain, in_degrees(options.gain, len(inside))
+    in_radians, in_deg = options.gain, gain_in_degrees(options.gain, len(inside))
     asked = (
         (printed, LimitGain(in_radians)),
         (printed, LimitGain(in_radians, GROWTH)),
@@ -136,34 +136,37 @@ def made(options: Options, seconds: float, progress: Progress) -> Runs:
         (inside, LimitGain(in_deg)),
         (inside, LimitGain(in_deg, GROWTH)),
     )
-    return Runs(
-        *(free_ellipse(q, gain, DT, part(progress, i, len(asked)), seconds, unfed) for i, (q, gain) in enumerate(asked))
+    return GainRuns(
+        *(
+            run_free_ellipse(q, gain, DT, share_of_runs(progress, i, len(asked)), seconds, zero_feedforward)
+            for i, (q, gain) in enumerate(asked)
+        )
     )
 
 
-def growth_of_j3(run: Run) -> float:
+def growth_of_j3(run: LoopRun) -> float:
     """The final gain of J3 over its initial value, which J1 keeps as it is never at its limit."""
     memory = run.last.memory
-    assert isinstance(memory, Memory)
+    assert isinstance(memory, LimitGainMemory)
     return float(memory.gains[2] / memory.gains[0])
 
 
-def room(run: Run, *joints: int) -> float:
+def margin_after_start(run: LoopRun, *joints: int) -> float:
     """The least margin of joints, the first is 0, to their limits after the first step, degrees."""
-    return float(margins(arms.movemaster(), run.since(DT).q)[[*joints]].min())
+    return float(limit_margins(setups.movemaster(), run.since(DT).q)[[*joints]].min())
 
 
-def settled_room(run: Run) -> float:
+def margin_after_clips(run: LoopRun) -> float:
     """The least margin of any joint to its limits once the first clips are over, degrees."""
-    return float(margins(arms.movemaster(), run.since(SETTLED).q).min())
+    return float(limit_margins(setups.movemaster(), run.since(SETTLED).q).min())
 
 
-def worse(grown: Run, one: Run) -> float:
+def error_ratio(grown: LoopRun, one: LoopRun) -> float:
     """The largest position error by Algorithm 1 as a share of that by one gain."""
-    return float(grown.error.max() / one.error.max())
+    return float(grown.position_error.max() / one.position_error.max())
 
 
-def rows(runs: Runs, short: bool) -> tuple[Row, ...]:
+def algorithm_1_rows(runs: GainRuns, short: bool) -> tuple[Row, ...]:
     """What the source says of fig. 38, then the other unit; a quick run does not cover the whole turn."""
     staying = Text(
         en="Algorithm 1: least margin of J2 to J4 to their limits",
@@ -186,28 +189,32 @@ def rows(runs: Runs, short: bool) -> tuple[Row, ...]:
     )
     thrown = Text(en="position error after the first clip", pt_BR="erro de posição após a primeira saturação")
     stated = [
-        Row(staying, room(runs.grown, *BENT), "°", KEPT, given=CONSTRUCTED),
-        Row(share, worse(runs.grown, runs.one), "", UNCHANGED, why=OUTSIDE),
+        Row(staying, margin_after_start(runs.grown, *BENT), "°", KEPT, given=BY_CONSTRUCTION),
+        Row(share, error_ratio(runs.grown, runs.one), "", UNCHANGED, why=OUTSIDE),
     ]
     if not short:
-        one_gain, movemaster = settled_room(runs.one), arms.movemaster()
+        one_gain, movemaster = margin_after_clips(runs.one), setups.movemaster()
         less = mean_cost(movemaster, runs.grown.q) / mean_cost(movemaster, runs.one.q)
         stated += [
-            Row(farther, settled_room(runs.grown) - one_gain, "°", FARTHER, (NEAREST,)),
-            Row(steady, settled_room(runs.clipped) - one_gain, "°"),
+            Row(farther, margin_after_clips(runs.grown) - one_gain, "°", FARTHER, (NEAREST,)),
+            Row(steady, margin_after_clips(runs.clipped) - one_gain, "°"),
             Row(mean, less),
         ]
     one, grown, growth = runs.one_in_degrees, runs.grown_in_degrees, growth_of_j3(runs.grown_in_degrees)
     apart = Text(en="k₀ in degrees, start inside: {what}", pt_BR="k₀ em graus, partida dentro: {what}")
     other = (
-        (Text(en="one gain: least margin of J3", pt_BR="um só ganho: menor folga de J3"), room(one, 2), "°"),
-        (staying, room(grown, *BENT), "°"),
-        (share, worse(grown.since(SETTLED), one.since(SETTLED)), ""),
+        (
+            Text(en="one gain: least margin of J3", pt_BR="um só ganho: menor folga de J3"),
+            margin_after_start(one, 2),
+            "°",
+        ),
+        (staying, margin_after_start(grown, *BENT), "°"),
+        (share, error_ratio(grown.since(SETTLED), one.since(SETTLED)), ""),
         (Text(en="clips of J3", pt_BR="saturações de J3"), log(growth) / log(GROWTH), ""),
         (Text(en="gain of J3 at the end, over k₀", pt_BR="ganho de J3 no fim, sobre k₀"), growth, ""),
     )
     return (
         *stated,
-        Row(thrown, float(runs.grown.error.max()), "mm"),
+        Row(thrown, float(runs.grown.position_error.max()), "mm"),
         *(Row(apart.format(what=what), ours, unit) for what, ours, unit in other),
     )

@@ -6,12 +6,12 @@ from helicoide.studies.cerbaro_runs import chapter6
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import CIRCLE
 from helicoide.studies.study import Progress, Result
-from helicoide.text import Text, joined
+from helicoide.text import Text, join_texts
 
 TITLE = Text(en="Confined: the circle", pt_BR="Confinado: o círculo")
 SOURCE = "Cerbaro 2022, §6.1–6.2.4, eqs. 31, 35–37, figs. 59–64"
 ROBOT = "movemaster"
-ABOUT = joined(
+ABOUT = join_texts(
     (
         Text(
             en="A level circle brings the arm near its base, where the tool folds back and the wrist comes to 31 mm "
@@ -23,7 +23,7 @@ ABOUT = joined(
             "do círculo está fora do alcance. Com o Algoritmo 1, a junta que mais se aproxima do seu limite fica "
             "13° mais longe dele; quase tudo isso, 12,6°, vem só da saturação.",
         ),
-        chapter6.CASES_TOLD,
+        chapter6.ABOUT_CASES,
     ),
     " ",
 )
@@ -31,7 +31,7 @@ ABOUT = joined(
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three cases by the source's rules, read in several ways, and the constrained QP step for comparison."""
-    return chapter6.study(CIRCLE, (59, 64), options, short, progress)
+    return chapter6.confined_study(CIRCLE, (59, 64), options, short, progress)
 
 
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]

@@ -6,12 +6,12 @@ from helicoide.studies.cerbaro_runs import chapter6
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE
 from helicoide.studies.study import Progress, Result
-from helicoide.text import Text, joined
+from helicoide.text import Text, join_texts
 
 TITLE = Text(en="Confined: the ellipse", pt_BR="Confinado: a elipse")
 SOURCE = "Cerbaro 2022, §6.1–6.2.2, eqs. 31, 33, 36, 37, figs. 47–52"
 ROBOT = "movemaster"
-ABOUT = joined(
+ABOUT = join_texts(
     (
         Text(
             en="The tool is to run round an ellipse that leads past walls, ceiling and bench of a foam enclosure. The "
@@ -19,7 +19,7 @@ ABOUT = joined(
             pt_BR="O efetuador deve percorrer uma elipse que passa perto de paredes, teto e bancada de um recinto de "
             "espuma. O alvo cede onde uma junta se aproxima do teto, ou o efetuador de uma parede ou da bancada.",
         ),
-        chapter6.CASES_TOLD,
+        chapter6.ABOUT_CASES,
     ),
     " ",
 )
@@ -27,7 +27,7 @@ ABOUT = joined(
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three cases by the source's rules, read in several ways, and the constrained QP step for comparison."""
-    return chapter6.study(ELLIPSE, (47, 52), options, short, progress)
+    return chapter6.confined_study(ELLIPSE, (47, 52), options, short, progress)
 
 
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]

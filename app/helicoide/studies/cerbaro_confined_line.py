@@ -6,12 +6,12 @@ from helicoide.studies.cerbaro_runs import chapter6
 from helicoide.studies.cerbaro_runs.chapter6_runs import Options
 from helicoide.studies.cerbaro_runs.confined import LINE
 from helicoide.studies.study import Progress, Result
-from helicoide.text import Text, joined
+from helicoide.text import Text, join_texts
 
 TITLE = Text(en="Confined: the line", pt_BR="Confinado: a reta")
 SOURCE = "Cerbaro 2022, §6.1–6.2.3, eqs. 31, 34 (500 → 50 mm), 36, 37, figs. 53–58"
 ROBOT = "movemaster"
-ABOUT = joined(
+ABOUT = join_texts(
     (
         Text(
             en="The tool is to run along a straight line, from its middle to both ends, which lie nearer to the side "
@@ -21,7 +21,7 @@ ABOUT = joined(
             "críticos das paredes laterais. Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho "
             "além do limite; com ela livre, o cotovelo sobe, e o alvo tem de ceder.",
         ),
-        chapter6.CASES_TOLD,
+        chapter6.ABOUT_CASES,
     ),
     " ",
 )
@@ -29,7 +29,7 @@ ABOUT = joined(
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three cases by the source's rules, read in several ways, and the constrained QP step for comparison."""
-    return chapter6.study(LINE, (53, 58), options, short, progress)
+    return chapter6.confined_study(LINE, (53, 58), options, short, progress)
 
 
 __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]

@@ -11,13 +11,13 @@ from helicoide.arrays import Array, frozen
 from helicoide.geometry import rigid
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
-from helicoide.kinematics.robot_parts import Pane
-from helicoide.perception.camera import D435, Camera, SimulatedCamera, on_hand
-from helicoide.perception.planes import ANGLE, Found, find
-from helicoide.perception.tour import OUTLIERS, READINGS, Reading
-from helicoide.state import State, initial
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.robot_parts import PlanePane
+from helicoide.perception.camera import D435, Camera, SimulatedCamera, hand_camera_pose
+from helicoide.perception.enclosure_reading import OUTLIERS, PLANE_READINGS, PlaneReading
+from helicoide.perception.planes import ANGLE, FoundPlane, find_plane
+from helicoide.state import State, initial_state
+from helicoide.studies.study import Chart, ChartLine, Motion, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="Measuring the enclosure", pt_BR="A medição do recinto")
@@ -36,7 +36,7 @@ ABOUT = Text(
     "da outra câmera da fonte, a T265, que mede o próprio movimento (odometria).",
 )
 # The camera where the source has the T265, which tells how far it moved: 37.5 mm behind the tool, 62.5 mm above it.
-ON_BRACKET = replace(D435, T_tool_camera=on_hand(behind=0.0375, above=0.0625))
+ON_BRACKET = replace(D435, T_tool_camera=hand_camera_pose(behind=0.0375, above=0.0625))
 CLOUDS, CLOUDS_SHORT, TRIPLES = 15, 3, 2000
 # Angles to the reference normal, °, within which planes are sought; the chart of them shows how far 10° holds.
 TRIED = (2, 3, 4, 5, 6, 8, 10, 15, 20, 25)
@@ -63,7 +63,7 @@ class Options:
 
 
 @dataclass(frozen=True, eq=False)
-class Read:
+class CloudReadings:
     """Measurements of a wall: tilts, °, of fits (k,) and of triples of points; shares of points on the fits, %."""
 
     tilts: Array
@@ -74,7 +74,7 @@ class Read:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Clouds with as many seeds, from either place of the camera; short: fewer of them."""
     clouds = CLOUDS_SHORT if short else CLOUDS
-    jobs = [(camera, reading) for camera in (D435, ON_BRACKET) for reading in READINGS]
+    jobs = [(camera, reading) for camera in (D435, ON_BRACKET) for reading in PLANE_READINGS]
     read = []
     for i, (camera, reading) in enumerate(jobs):
         read.append(_read(camera, reading, options.noise / 1000, clouds))
@@ -82,29 +82,31 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     found = _found(options.noise / 1000)
     progress(1.0)
     here, bracket = read[:3], read[3:]
-    rows = (example(), *_search(found), *_ours(here, bracket))
+    rows = (eq_25_row(), *_search(found), *_ours(here, bracket))
     charts = (_tilts(here), _by_angle(found), _places(here, bracket))
     return Result(rows, charts, (_tour(),))
 
 
-def at(pose: str) -> State:
+def posed_state(pose: str) -> State:
     """The arm in a named posture, with the printed planes around it."""
-    state = initial(load(ROBOT))
+    state = initial_state(load_robot(ROBOT))
     q = state.robot.poses[pose]
     return replace(state, arm=replace(state.arm, q=q, poses=frozen(link_poses(state.robot.chain, q))))
 
 
-def pane(reading: Reading) -> Pane:
+def wall_of(reading: PlaneReading) -> PlanePane:
     """The wall of the scene that a reading measures."""
-    return next(pane for pane in load(ROBOT).panes if pane.name == reading.name)
+    return next(pane for pane in load_robot(ROBOT).panes if pane.name == reading.name)
 
 
-def searched(camera: Camera, reading: Reading, noise: float, angle: float, seed: int) -> tuple[Array, Found | None]:
+def detected_plane(
+    camera: Camera, reading: PlaneReading, noise: float, angle: float, seed: int
+) -> tuple[Array, FoundPlane | None]:
     """A cloud of the wall, (k, 3), m, and the plane within an angle, rad, of the reference normal. noise: σ, m."""
-    state = at(reading.pose)
+    state = posed_state(reading.pose)
     points = SimulatedCamera(camera, noise=noise, outliers=OUTLIERS, seed=seed).cloud(state).points
-    found = find(points, reading.towards, state.T_world_tool[:3, 3], angle=angle, seed=seed)
-    return points, found if isinstance(found, Found) else None
+    found = find_plane(points, reading.normal, state.T_world_tool[:3, 3], angle=angle, seed=seed)
+    return points, found if isinstance(found, FoundPlane) else None
 
 
 def tilt(normal: Array, other: Array) -> Array:
@@ -112,35 +114,35 @@ def tilt(normal: Array, other: Array) -> Array:
     return np.asarray(np.degrees(np.arccos(np.minimum(1.0, np.abs(normal @ other)))))
 
 
-def through_three(points: Array, seed: int) -> Array:
+def three_point_normals(points: Array, seed: int) -> Array:
     """Normals of planes through three random points of a cloud, (n, 3), eqs. 25–26; those on a line are drawn again."""
     triples = points[np.random.default_rng(seed).integers(len(points), size=(TRIPLES, 3))]
     planes = rigid.plane_through(*np.moveaxis(rigid.point(triples), 1, 0))
     return np.asarray(rigid.normal_and_offset(planes[planes.any(axis=1)])[0])
 
 
-def _read(camera: Camera, reading: Reading, noise: float, clouds: int) -> Read:
-    wall, tilts, shares, of_three = pane(reading).normal, [], [], []
+def _read(camera: Camera, reading: PlaneReading, noise: float, clouds: int) -> CloudReadings:
+    wall, tilts, shares, of_three = wall_of(reading).normal, [], [], []
     for seed in range(clouds):
-        points, found = searched(camera, reading, noise, ANGLE, seed)
+        points, found = detected_plane(camera, reading, noise, ANGLE, seed)
         if found is not None:
             tilts.append(float(tilt(found.plane.normal, wall)))
             shares.append(100 * found.share)
-            of_three.append(tilt(through_three(points[found.on_it], seed), wall))
-    return Read(np.array(tilts), np.array(shares), np.concatenate(of_three))
+            of_three.append(tilt(three_point_normals(points[found.on_plane], seed), wall))
+    return CloudReadings(np.array(tilts), np.array(shares), np.concatenate(of_three))
 
 
 def _found(noise: float) -> Array:
     """The number of the three planes found within each search angle, (a,)."""
     return np.array(
         [
-            sum(searched(D435, reading, noise, angle, 0)[1] is not None for reading in READINGS)
+            sum(detected_plane(D435, reading, noise, angle, 0)[1] is not None for reading in PLANE_READINGS)
             for angle in np.radians(TRIED)
         ]
     )
 
 
-def example() -> Row:
+def eq_25_row() -> Row:
     """Eqs. 25 and 26 on the example of the source."""
     normal, offset = rigid.normal_and_offset(rigid.plane_through(*rigid.point(POINTS)))
     quantity = Text(
@@ -163,14 +165,14 @@ def _search(found: Array) -> list[Row]:
     counts = dict(zip(TRIED, found, strict=True))
     return [
         *(
-            Row(printed_tilt.format(wall=reading.title), float(tilt(pane(reading).normal, reading.towards)), "°")
-            for reading in READINGS
+            Row(printed_tilt.format(wall=reading.title), float(tilt(wall_of(reading).normal, reading.normal)), "°")
+            for reading in PLANE_READINGS
         ),
         *(Row(within.format(angle=angle), int(counts[angle])) for angle in (4, 10)),
     ]
 
 
-def _ours(here: list[Read], bracket: list[Read]) -> list[Row]:
+def _ours(here: list[CloudReadings], bracket: list[CloudReadings]) -> list[Row]:
     kinds = (
         (Text(en="fit to all points, median tilt", pt_BR="ajuste a todos os pontos, inclinação mediana"), 50, "tilts"),
         (Text(en="three random points, median tilt", pt_BR="três pontos ao acaso, inclinação mediana"), 50, "of_three"),
@@ -179,10 +181,10 @@ def _ours(here: list[Read], bracket: list[Read]) -> list[Row]:
     rows = [
         Row(OF_WALL.format(wall=reading.title, what=what), float(np.percentile(getattr(read, which), share)), "°")
         for what, share, which in kinds
-        for reading, read in zip(READINGS, here, strict=True)
+        for reading, read in zip(PLANE_READINGS, here, strict=True)
     ]
     for read, place in ((here, BEHIND), (bracket, AT_T265)):
-        left = READINGS[1].title
+        left = PLANE_READINGS[1].title
         share = Text(en="points on it, {place}", pt_BR="pontos nela, {place}").format(place=place)
         turned = Text(en="median tilt, {place}", pt_BR="inclinação mediana, {place}").format(place=place)
         rows.append(Row(OF_WALL.format(wall=left, what=share), float(np.median(read[1].shares)), "%"))
@@ -197,16 +199,16 @@ SHARE_OF_DRAWS = Text(en="share of the draws (%)", pt_BR="fração dos sorteios 
 TILTED = Text(en="tilt from the wall (°)", pt_BR="inclinação em relação à parede (°)")
 
 
-def _spread(title: Text, tilts: Array) -> Line:
+def _spread(title: Text, tilts: Array) -> ChartLine:
     """Tilts in order, over the share that lies below each."""
     shares = np.linspace(1, 99, 99)
-    return Line(title, shares, np.asarray(np.percentile(tilts, shares)))
+    return ChartLine(title, shares, np.asarray(np.percentile(tilts, shares)))
 
 
-def _tilts(here: list[Read]) -> Chart:
+def _tilts(here: list[CloudReadings]) -> Chart:
     three = Text(en="{wall}, three points", pt_BR="{wall}, três pontos")
     fit = Text(en="{wall}, fit to all", pt_BR="{wall}, ajuste a todos")
-    named = list(zip(READINGS, here, strict=True))
+    named = list(zip(PLANE_READINGS, here, strict=True))
     lines = [_spread(three.format(wall=reading.title), read.of_three) for reading, read in named]
     lines += [_spread(fit.format(wall=reading.title), read.tilts) for reading, read in named]
     title = Text(en="How far measured planes tilt", pt_BR="Quanto se inclinam os planos medidos")
@@ -214,13 +216,13 @@ def _tilts(here: list[Read]) -> Chart:
 
 
 def _by_angle(found: Array) -> Chart:
-    line = Line(Text(en="planes found", pt_BR="planos achados"), np.array(TRIED, dtype=float), found.astype(float))
+    line = ChartLine(Text(en="planes found", pt_BR="planos achados"), np.array(TRIED, dtype=float), found.astype(float))
     title = Text(en="Planes found, of three", pt_BR="Planos achados, de três")
     across = Text(en="largest angle to the reference normal (°)", pt_BR="maior ângulo com a normal de referência (°)")
     return Chart(title, across, Text(en="planes", pt_BR="planos"), (line,))
 
 
-def _places(here: list[Read], bracket: list[Read]) -> Chart:
+def _places(here: list[CloudReadings], bracket: list[CloudReadings]) -> Chart:
     lines = (_spread(BEHIND, here[1].tilts), _spread(AT_T265, bracket[1].tilts))
     title = Text(en="The left wall from two places of the camera", pt_BR="A parede esquerda de dois lugares da câmera")
     return Chart(title, SHARE_OF_DRAWS, TILTED, lines)
@@ -228,8 +230,8 @@ def _places(here: list[Read], bracket: list[Read]) -> Chart:
 
 def _tour() -> Motion:
     """From one reading posture to the next, three seconds each."""
-    poses = load(ROBOT).poses
-    stops = np.array([poses[name] for name in ("ready", *(reading.pose for reading in READINGS), "ready")])
+    poses = load_robot(ROBOT).poses
+    stops = np.array([poses[name] for name in ("ready", *(reading.pose for reading in PLANE_READINGS), "ready")])
     times = np.linspace(0.0, 3.0 * (len(stops) - 1), 121)
     q = np.stack([np.interp(times, 3.0 * np.arange(len(stops)), joint) for joint in stops.T], axis=1)
     title = Text(en="the three readings", pt_BR="as três leituras")

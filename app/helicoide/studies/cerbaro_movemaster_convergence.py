@@ -8,10 +8,16 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.convergence import INFERRED, OTHER_FACTOR, STEP_FACTOR, Coming, result
-from helicoide.studies.study import Progress, Reading, Result, Statement
-from helicoide.text import Text, same
+from helicoide.studies.cerbaro_runs import setups
+from helicoide.studies.cerbaro_runs.convergence import (
+    INFERRED,
+    OTHER_FACTOR,
+    STEP_FACTOR,
+    ConvergenceCase,
+    convergence_result,
+)
+from helicoide.studies.study import Interpretation, Progress, Result, Statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Convergence of the Movemaster", pt_BR="Convergência do Movemaster")
 SOURCE = "Cerbaro 2022, §4.4.4, dem. 1, fig. 34"
@@ -30,7 +36,7 @@ ABOUT = Text(
 TARGET, PITCH = (0.44, 0.0, 0.2), -np.pi / 3
 # Found by tests/studies/fits/cerbaro_convergence.py.
 FACTOR = 0.3
-OPEN = Reading(
+OPEN = Interpretation(
     INFERRED.format(factor=FACTOR, count=17, least=0.288, most=0.302),
     OTHER_FACTOR.format(count=8, factor=0.56, other="ORCA"),
 )
@@ -46,7 +52,9 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Damped steps to 1 mm and 0.01 rad; a quick run is the whole."""
-    movemaster = arms.movemaster()
-    aiming = arms.with_pitch_and_roll(movemaster, arms.standing(*TARGET), PITCH)
-    coming = Coming(movemaster, aiming, Statement(same("17"), "§4.4.4, fig. 34", 17), OPEN, (0.5, 0.56, 1.0), "fig. 34")
-    return result(coming, options.factor, options.damping)
+    movemaster = setups.movemaster()
+    aiming = setups.pitch_and_roll_task(movemaster, setups.fixed_point(*TARGET), PITCH)
+    coming = ConvergenceCase(
+        movemaster, aiming, Statement(untranslated("17"), "§4.4.4, fig. 34", 17), OPEN, (0.5, 0.56, 1.0), "fig. 34"
+    )
+    return convergence_result(coming, options.factor, options.damping)

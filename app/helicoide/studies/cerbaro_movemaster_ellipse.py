@@ -9,17 +9,25 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs import setups
 from helicoide.studies.cerbaro_runs.runs import (
-    Run,
+    LoopRun,
     error_chart,
     joint_chart,
-    motion,
-    part,
-    turned_chart,
-    way_chart,
+    loop_motion,
+    orientation_error_chart,
+    share_of_runs,
+    tool_path_chart,
 )
-from helicoide.studies.cerbaro_runs.tracking import DT, ELLIPSE, TURN, ellipse, eq_32, round_once, unfed
+from helicoide.studies.cerbaro_runs.tracking import (
+    DT,
+    ELLIPSE,
+    TURN,
+    closed_path_points,
+    eq_32,
+    run_ellipse,
+    zero_feedforward,
+)
 from helicoide.studies.study import Chart, Progress, Result, Row, Statement
 from helicoide.text import Text
 
@@ -64,21 +72,29 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Three turns of 60 000 steps of 1 ms; short: the first 5 s of each."""
-    fed, seconds = ((EXACT, ELLIPSE.velocity), (NONE, unfed), (PRINTED, eq_32)), SHORT if short else TURN
+    fed, seconds = ((EXACT, ELLIPSE.velocity), (NONE, zero_feedforward), (PRINTED, eq_32)), SHORT if short else TURN
     named = tuple(
-        (title, ellipse(DT, options.place * DT, options.turn * DT, part(progress, i, len(fed)), seconds, velocity))
+        (
+            title,
+            run_ellipse(
+                DT, options.place * DT, options.turn * DT, share_of_runs(progress, i, len(fed)), seconds, velocity
+            ),
+        )
         for i, (title, velocity) in enumerate(fed)
     )
     start = tuple((title, one.until(SETTLED)) for title, one in named)
     charts = (
-        *(way_chart("fig. 35", arms.movemaster(), axes, round_once(ELLIPSE), named[1]) for axes in ("xy", "xz")),
+        *(
+            tool_path_chart("fig. 35", setups.movemaster(), axes, closed_path_points(ELLIPSE), named[1])
+            for axes in ("xy", "xz")
+        ),
         error_chart("fig. 36", *named),
-        turned_chart("fig. 36", *named),
+        orientation_error_chart("fig. 36", *named),
         _first(error_chart("fig. 36", *start)),
         joint_chart("fig. 35", named[0][1], (1, 2, 3, 4, 5)),
     )
-    found = rows([one for _, one in named], short)
-    motions = tuple(motion(ROBOT, title, one) for title, one in named)
+    found = ellipse_rows([one for _, one in named], short)
+    motions = tuple(loop_motion(ROBOT, title, one) for title, one in named)
     return Result(found, charts, motions)
 
 
@@ -92,7 +108,7 @@ def _first(chart: Chart) -> Chart:
     return replace(chart, title=title.format(t=SETTLED))
 
 
-def rows(runs: Sequence[Run], short: bool) -> tuple[Row, ...]:
+def ellipse_rows(runs: Sequence[LoopRun], short: bool) -> tuple[Row, ...]:
     """The orders that are stated for fig. 36, errors of three loops, and where J3 goes."""
     exact, none, printed = runs
     place = Text(
@@ -103,16 +119,16 @@ def rows(runs: Sequence[Run], short: bool) -> tuple[Row, ...]:
     small, smaller = _of_order("10⁻³", 1e-3), _of_order("10⁻⁵", 1e-5)
     named = ((exact, EXACT, small), (none, NONE, None), (printed, PRINTED, None))
     settled = [
-        Row(place.format(t=SETTLED, which=which), float(one.since(SETTLED).error.max()), "mm", said, why=FED)
+        Row(place.format(t=SETTLED, which=which), float(one.since(SETTLED).position_error.max()), "mm", said, why=FED)
         for one, which, said in named
     ]
     found = [
         *settled,
-        Row(turn.format(which=EXACT), float(exact.turned.max()), "rad", smaller, why=DAMPED),
-        Row(begins.format(which=NONE), float(none.error.max()), "mm"),
+        Row(turn.format(which=EXACT), float(exact.orientation_error.max()), "rad", smaller, why=DAMPED),
+        Row(begins.format(which=NONE), float(none.position_error.max()), "mm"),
         Row(Text(en="J3, least", pt_BR="J3, mínimo"), exact.degrees(3)[0], "°"),
     ]
     if not short:
-        fast = float(np.degrees(exact.fastest.max()))
+        fast = float(np.degrees(exact.largest_velocity.max()))
         found.append(Row(Text(en="fastest joint", pt_BR="junta mais rápida"), fast, "°/s"))
     return tuple(found)

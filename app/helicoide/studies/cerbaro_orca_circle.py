@@ -8,21 +8,31 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs import arms
+from helicoide.studies.cerbaro_runs import setups
 from helicoide.studies.cerbaro_runs.runs import (
     TIME,
-    Run,
+    LoopRun,
     error_chart,
-    few,
     joint_chart,
-    motion,
-    part,
-    turned_chart,
-    way_chart,
+    loop_motion,
+    orientation_error_chart,
+    share_of_runs,
+    subsampled_loop,
+    tool_path_chart,
 )
-from helicoide.studies.cerbaro_runs.tracking import CIRCLE, DT, DT_SHORT, circle, round_once
-from helicoide.studies.study import CONSTRUCTED, Chart, Figure, Line, Progress, Result, Row, Statement, printed
-from helicoide.text import Text, same
+from helicoide.studies.cerbaro_runs.tracking import CIRCLE, DT, DT_SHORT, closed_path_points, run_circle
+from helicoide.studies.study import (
+    BY_CONSTRUCTION,
+    Chart,
+    ChartLine,
+    Figure,
+    Progress,
+    Result,
+    Row,
+    Statement,
+    printed_statement,
+)
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="The ORCA round a circle", pt_BR="O ORCA num círculo")
 SOURCE = "Cerbaro 2022, §4.4.3, dem. 2, figs. 31, 32"
@@ -53,52 +63,61 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """60 000 steps of 1 ms, closed and open; in a quick run a tenth of them."""
     dt = DT_SHORT if short else DT
-    closed = circle(dt, options.place * DT, options.turn * DT, part(progress, 0, 2))
-    still_open = circle(dt, 0.0, 0.0, part(progress, 1, 2))
+    closed = run_circle(dt, options.place * DT, options.turn * DT, share_of_runs(progress, 0, 2))
+    still_open = run_circle(dt, 0.0, 0.0, share_of_runs(progress, 1, 2))
     named = ((Text(en="closed loop", pt_BR="malha fechada"), closed), (Text(en="K = 0", pt_BR="K = 0"), still_open))
     charts = (
-        way_chart("fig. 31", arms.orca(), "xy", round_once(CIRCLE), *named),
+        tool_path_chart("fig. 31", setups.orca(), "xy", closed_path_points(CIRCLE), *named),
         components_chart(closed),
         error_chart("fig. 32", *named),
-        turned_chart("fig. 32", *named),
+        orientation_error_chart("fig. 32", *named),
         joint_chart("fig. 31", closed, (1, 2, 3)),
     )
-    found = rows(closed, still_open, short)
-    motions = tuple(motion(ROBOT, title, one) for title, one in named)
+    found = circle_rows(closed, still_open, short)
+    motions = tuple(loop_motion(ROBOT, title, one) for title, one in named)
     return Result(found, charts, motions)
 
 
-def components_chart(run: Run) -> Chart:
+def components_chart(run: LoopRun) -> Chart:
     """Both components of the position error, mm."""
-    names, up = (same("eₓ"), same("e_y")), Text(en="error (mm)", pt_BR="erro (mm)")
-    lines = tuple(Line(name, few(run.t[1:]), few(run.errors[1:, i])) for i, name in enumerate(names))
+    names, up = (untranslated("eₓ"), untranslated("e_y")), Text(en="error (mm)", pt_BR="erro (mm)")
+    lines = tuple(
+        ChartLine(name, subsampled_loop(run.t[1:]), subsampled_loop(run.errors[1:, i])) for i, name in enumerate(names)
+    )
     title = Text(en="Components of the position error", pt_BR="Componentes do erro de posição")
     return Chart(title, TIME, up, lines, "fig. 32")
 
 
-def rows(closed: Run, still_open: Run, short: bool) -> tuple[Row, ...]:
+def circle_rows(closed: LoopRun, still_open: LoopRun, short: bool) -> tuple[Row, ...]:
     """What the source says of fig. 32; the size of the errors for steps of 1 ms only."""
     signs = np.sign(closed.errors[1:, :2])
     changes = int((np.diff(signs, axis=0) != 0).sum())
     heading = Text(en="largest error of φ", pt_BR="maior erro de φ")
     found = [
-        Row(heading, float(np.abs(closed.q.sum(axis=1)).max()), "rad", printed("< 1 × 10⁻¹⁰", "§4.4.3, fig. 32")),
+        Row(
+            heading,
+            float(np.abs(closed.q.sum(axis=1)).max()),
+            "rad",
+            printed_statement("< 1 × 10⁻¹⁰", "§4.4.3, fig. 32"),
+        ),
         Row(
             Text(en="changes of sign of eₓ and e_y in a turn", pt_BR="trocas de sinal de eₓ e e_y numa volta"),
             changes,
             "",
             OSCILLATES,
-            given=CONSTRUCTED,
+            given=BY_CONSTRUCTION,
         ),
     ]
     if not short:
         largest = Text(en="largest position error", pt_BR="maior erro de posição")
         drift = Text(en="drift of the open loop after a turn", pt_BR="deriva da malha aberta após uma volta")
         found += [
-            Row(largest, float(closed.error.max()), "mm", Figure("fig. 32")),
-            Row(drift, float(still_open.error[-1]), "mm"),
+            Row(largest, float(closed.position_error.max()), "mm", Figure("fig. 32")),
+            Row(drift, float(still_open.position_error[-1]), "mm"),
         ]
     return (
         *found,
-        Row(Text(en="fastest joint", pt_BR="junta mais rápida"), float(np.degrees(closed.fastest.max())), "°/s"),
+        Row(
+            Text(en="fastest joint", pt_BR="junta mais rápida"), float(np.degrees(closed.largest_velocity.max())), "°/s"
+        ),
     )

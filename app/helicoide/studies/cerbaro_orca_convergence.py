@@ -6,10 +6,16 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.convergence import INFERRED, OTHER_FACTOR, STEP_FACTOR, Coming, result
-from helicoide.studies.study import Progress, Reading, Result, Statement
-from helicoide.text import Text, same
+from helicoide.studies.cerbaro_runs import setups
+from helicoide.studies.cerbaro_runs.convergence import (
+    INFERRED,
+    OTHER_FACTOR,
+    STEP_FACTOR,
+    ConvergenceCase,
+    convergence_result,
+)
+from helicoide.studies.study import Interpretation, Progress, Result, Statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Convergence of the ORCA", pt_BR="Convergência do ORCA")
 SOURCE = "Cerbaro 2022, §4.4.3, dem. 1, fig. 30"
@@ -24,7 +30,7 @@ ABOUT = Text(
 TARGET = (0.26, 0.18)
 # Found by tests/studies/fits/cerbaro_convergence.py.
 FACTOR = 0.56
-OPEN = Reading(
+OPEN = Interpretation(
     INFERRED.format(factor=FACTOR, count=7, least=0.532, most=0.59),
     OTHER_FACTOR.format(count=15, factor=0.3, other="Movemaster"),
 )
@@ -39,7 +45,9 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Newton's steps (λ = 0) to 1 mm and 0.01 rad; a quick run is the whole."""
-    orca = arms.orca()
-    aiming = arms.with_heading(orca, arms.standing(*TARGET))
-    coming = Coming(orca, aiming, Statement(same("7"), "§4.4.3, fig. 30", 7), OPEN, (0.3, 0.5, 1.0), "fig. 30")
-    return result(coming, options.factor, 0.0)
+    orca = setups.orca()
+    aiming = setups.heading_task(orca, setups.fixed_point(*TARGET))
+    coming = ConvergenceCase(
+        orca, aiming, Statement(untranslated("7"), "§4.4.3, fig. 30", 7), OPEN, (0.3, 0.5, 1.0), "fig. 30"
+    )
+    return convergence_result(coming, options.factor, 0.0)

@@ -8,19 +8,19 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import Quantity
-from helicoide.studies.cerbaro_runs import arms
-from helicoide.studies.cerbaro_runs.confined import margins
+from helicoide.studies.cerbaro_runs import setups
+from helicoide.studies.cerbaro_runs.confined import limit_margins
 from helicoide.studies.cerbaro_runs.runs import (
-    Run,
+    LoopRun,
     error_chart,
     joint_charts,
+    loop_motion,
     mean_cost,
-    motion,
-    part,
     pitch,
     pitch_chart,
+    share_of_runs,
 )
-from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, free_circle, in_degrees
+from helicoide.studies.cerbaro_runs.tracking import DT, DT_SHORT, gain_in_degrees, run_free_circle
 from helicoide.studies.study import Figure, Progress, Result, Row, Statement
 from helicoide.text import Text
 
@@ -60,20 +60,20 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """60 000 steps of 1 ms with k₀ and without; in a quick run a tenth of them."""
     dt = DT_SHORT if short else DT
-    gains = (0.0, options.gain, in_degrees(options.gain, 3))
-    plain, pushed, in_deg = (free_circle(k0, dt, part(progress, i, 3)) for i, k0 in enumerate(gains))
+    gains = (0.0, options.gain, gain_in_degrees(options.gain, 3))
+    plain, pushed, in_deg = (run_free_circle(k0, dt, share_of_runs(progress, i, 3)) for i, k0 in enumerate(gains))
     named = ((Text(en="k₀ = 0", pt_BR="k₀ = 0"), plain), (Text(en="with k₀", pt_BR="com k₀"), pushed))
     charts = (
-        *joint_charts("fig. 33", arms.orca(), (1, 2, 3), *named),
+        *joint_charts("fig. 33", setups.orca(), (1, 2, 3), *named),
         pitch_chart("fig. 33d", "φ", *named),
         error_chart("", *named),
     )
     found = _rows(plain, pushed, in_deg, short)
-    motions = tuple(motion(ROBOT, title, one) for title, one in named)
+    motions = tuple(loop_motion(ROBOT, title, one) for title, one in named)
     return Result(found, charts, motions)
 
 
-def _rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
+def _rows(plain: LoopRun, pushed: LoopRun, in_deg: LoopRun, short: bool) -> tuple[Row, ...]:
     farther = Text(
         en="least margin of a joint to its limits with k₀, less that without",
         pt_BR="menor folga de uma junta até os limites com k₀, menos a sem k₀",
@@ -85,9 +85,9 @@ def _rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
     )
     turned = Text(en="range of φ, left free, {which}", pt_BR="variação de φ, deixado livre, {which}")
     off = Text(en="largest position error, {which}", pt_BR="maior erro de posição, {which}")
-    named, orca = (("k₀ = 0", plain), ("k₀", pushed)), arms.orca()
+    named, orca = (("k₀ = 0", plain), ("k₀", pushed)), setups.orca()
     least, most = (mean_cost(orca, run.q) / mean_cost(orca, plain.q) for run in (pushed, in_deg))
-    more = float(margins(orca, pushed.q).min() - margins(orca, plain.q).min())
+    more = float(limit_margins(orca, pushed.q).min() - limit_margins(orca, plain.q).min())
     found = [
         Row(farther, more, "°", FARTHER, given=LIMITS),
         Row(better, least),
@@ -98,5 +98,5 @@ def _rows(plain: Run, pushed: Run, in_deg: Run, short: bool) -> tuple[Row, ...]:
         ),
     ]
     if not short:
-        found += [Row(off.format(which=which), float(one.error.max()), "mm") for which, one in named]
+        found += [Row(off.format(which=which), float(one.position_error.max()), "mm") for which, one in named]
     return tuple(found)

@@ -10,9 +10,9 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import OneOf
-from helicoide.ik.rcm.follow import PSEUDOINVERSE, Inverse, inverse
+from helicoide.ik.rcm.follow import PSEUDOINVERSE, ConfiguredMethod, configured_method
 from helicoide.ik.rcm.paths import SAMPLE
-from helicoide.studies._coutinho_hand import AS_SEEN, ENTRY_SPEED, GAINS, STEP
+from helicoide.studies._coutinho_hand import BODY_FRAME_ERROR, ENTRY_SPEED, GAINS, STEP
 from helicoide.studies._coutinho_rows import (
     ARM,
     BY_STEP,
@@ -21,16 +21,35 @@ from helicoide.studies._coutinho_rows import (
     OF,
     SHARE,
     TIMES,
-    charts_of,
-    motions_of,
-    rows_of,
-    stays,
+    leaving_rate_row,
+    measure_rows,
+    run_charts,
+    run_motions,
 )
-from helicoide.studies._coutinho_runs import E1_DEPTH, E1_START, FILTERED, ROBOT, Insertion, Run, control, crossings
-from helicoide.studies._coutinho_runs import run as run_along
-from helicoide.studies._coutinho_simulation import part
-from helicoide.studies.study import CONSTRUCTED, PUT_IN, Fitted, Progress, Reading, Result, Row, Statement, printed
-from helicoide.text import Text, same
+from helicoide.studies._coutinho_runs import (
+    E1_DEPTH,
+    E1_START,
+    FILTERED,
+    ROBOT,
+    Insertion,
+    Run,
+    sign_changes,
+    source_control,
+)
+from helicoide.studies._coutinho_runs import run_path as run_along
+from helicoide.studies._coutinho_simulation import share_of_progress
+from helicoide.studies.study import (
+    BY_CONSTRUCTION,
+    INPUT_VALUE,
+    Fitted,
+    Interpretation,
+    Progress,
+    Result,
+    Row,
+    Statement,
+    printed_statement,
+)
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="E1: three methods compared", pt_BR="E1: comparação de três métodos")
 SOURCE = "Coutinho 2015, §4.2.1, figs. 4.27–4.30, tab. 4.3"
@@ -54,15 +73,15 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 # A quick run passes through the singularity once.
 SECONDS = 4.0
-INVERSES: Mapping[str, tuple[Text, Inverse]] = {
+INVERSES: Mapping[str, tuple[Text, ConfiguredMethod]] = {
     "plain": (Text(en="plain inverse", pt_BR="inversa simples"), PSEUDOINVERSE),
-    "damped": (Text(en="damped, κ = 0.01", pt_BR="amortecida, κ = 0,01"), inverse("damped", damping=0.01)),
+    "damped": (Text(en="damped, κ = 0.01", pt_BR="amortecida, κ = 0,01"), configured_method("damped", damping=0.01)),
     "filtered": (Text(en="filtered inverse, Γ = 5", pt_BR="inversa filtrada, Γ = 5"), FILTERED),
 }
 GAIN = Text(en="gains", pt_BR="ganhos")
-CHOICES = {name: same(f"Kp = {Kp:g}, Ko = {Ko:g}") for name, (Kp, Ko) in GAINS.items()}
+CHOICES = {name: untranslated(f"Kp = {Kp:g}, Ko = {Ko:g}") for name, (Kp, Ko) in GAINS.items()}
 SAMPLES = 5000
-CHOSEN = Reading(
+CHOSEN = Interpretation(
     Text(en="a rare start", pt_BR="um início raro"),
     Text(
         en="from 1549 of 1551 random starts not all of it comes out",
@@ -72,11 +91,11 @@ CHOSEN = Reading(
 # By tests/studies/fits/coutinho_e1.py.
 STARTED = (
     ARM,
-    Fitted(same("l_a(0)"), E1_DEPTH, 0.074, 0.0957, "m"),
-    Fitted(same("θ₇(0)"), 0.142, 0.1349, 0.1491, "rad"),
-    Fitted(same("θ₈(0)"), -2.58, -2.838, -2.322, "rad"),
+    Fitted(untranslated("l_a(0)"), E1_DEPTH, 0.074, 0.0957, "m"),
+    Fitted(untranslated("θ₇(0)"), 0.142, 0.1349, 0.1491, "rad"),
+    Fitted(untranslated("θ₈(0)"), -2.58, -2.838, -2.322, "rad"),
     CHOSEN,
-    AS_SEEN,
+    BODY_FRAME_ERROR,
 )
 CONTAINED = Text(
     en="from our start θ₇ stays within the range, −0.02 to 0.57 rad, and does not run through it",
@@ -87,11 +106,11 @@ LAGS = Text(
     pt_BR="não reproduzido a partir do nosso início, em que, com Γ = 5, Θ se atrasa em relação à inversa",
 )
 TWO = Text(en="two points of singularity", pt_BR="dois pontos de singularidade")
-WITHIN = same("θ₇ ∈ [−π/36, π/4]")
+WITHIN = untranslated("θ₇ ∈ [−π/36, π/4]")
 NOT_VIABLE = Text(en="not viable near the singularity", pt_BR="inviável perto da singularidade")
 GOOD = Text(en="good results", pt_BR="bons resultados")
 BETTER = Text(en="the filtered inverse slightly better", pt_BR="a inversa filtrada um pouco melhor")
-FOLLOWED = Statement(same("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤")
+FOLLOWED = Statement(untranslated("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤")
 HALF_A_DEGREE = pi / 360
 FASTEST = BY_STEP.format(what=SHARE, step=1e3 * STEP)
 LASTED = Text(
@@ -128,8 +147,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     Kp, Ko = GAINS[options.gains]
     runs: dict[str, Run] = {}
     for done, (name, (_, of_tool)) in enumerate(INVERSES.items()):
-        gained = control(of_tool=of_tool, position=Kp, orientation=Ko)
-        told = part(progress, done, len(INVERSES))
+        gained = source_control(of_tool=of_tool, position=Kp, orientation=Ko)
+        told = share_of_progress(progress, done, len(INVERSES))
         runs[name] = run_along("E1", gained, STEP, Insertion(E1_START, E1_DEPTH), SECONDS if short else None, told)
     titled = {INVERSES[name][0]: got for name, got in runs.items()}
     rows = (
@@ -140,23 +159,23 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     return Result(
         rows=rows,
-        charts=charts_of(titled, dict.fromkeys(CHARTS, FIGURES), ("tip", "rate")),
-        motions=motions_of(titled),
+        charts=run_charts(titled, dict.fromkeys(CHARTS, FIGURES), ("tip", "rate")),
+        motions=run_motions(titled),
     )
 
 
 def _put_in(got: Run) -> list[Row]:
     """How fast the entry point moves, and how long it takes."""
     return [
-        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed("1", "§4.2.1"), given=PUT_IN),
-        Row(LASTED, SAMPLES * SAMPLE, "s", printed("≈ 45", "§4.2.1"), given=PUT_IN),
+        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed_statement("1", "§4.2.1"), given=INPUT_VALUE),
+        Row(LASTED, SAMPLES * SAMPLE, "s", printed_statement("≈ 45", "§4.2.1"), given=INPUT_VALUE),
     ]
 
 
 def _measured(name: str, got: Run, short: bool) -> list[Row]:
     """What nobody printed; the ends of the way of θ₇ only where the whole of it was run."""
     names = MEASURED if short or name == "plain" else (*MEASURED, "q7_min", "q7_max")
-    return rows_of(got, INVERSES[name][0], STEP, FIGURES, names, MEASURED)
+    return measure_rows(got, INVERSES[name][0], STEP, FIGURES, names, MEASURED)
 
 
 def _crossed(runs: Mapping[str, Run]) -> list[Row]:
@@ -165,7 +184,7 @@ def _crossed(runs: Mapping[str, Run]) -> list[Row]:
     for name in ("damped", "filtered"):
         got, which = runs[name], INVERSES[name][0]
         rows += [
-            Row(_of(TIMES, which), crossings(got["q7"]), "", Statement(TWO, "§4.2.1", 2.0), STARTED),
+            Row(_of(TIMES, which), sign_changes(got["q7"]), "", Statement(TWO, "§4.2.1", 2.0), STARTED),
             Row(_of(FASTEST, which), float(got["of_speed"].max()), "", Statement(GOOD, "§4.2.1", 1.0, "≤"), STARTED),
         ]
     bounded = (runs["damped"], runs["filtered"])
@@ -187,8 +206,8 @@ def _followed(runs: Mapping[str, Run]) -> list[Row]:
     slip = max(float(got["slip_mm_s"].max()) for got in runs.values())
     return [
         Row(_of(FASTEST, INVERSES["plain"][0]), fastest, "", raced, STARTED),
-        Row(_of(AT_ONCE, OF_ALL), slip, "mm/s", FOLLOWED, given=CONSTRUCTED),
-        *(stays(got, STEP, which=INVERSES[name][0]) for name, got in runs.items()),
+        Row(_of(AT_ONCE, OF_ALL), slip, "mm/s", FOLLOWED, given=BY_CONSTRUCTION),
+        *(leaving_rate_row(got, STEP, which=INVERSES[name][0]) for name, got in runs.items()),
     ]
 
 

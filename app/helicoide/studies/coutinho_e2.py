@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from helicoide.studies._coutinho_hand import AS_SEEN, PERIOD, STEP, Options, led, steering
-from helicoide.studies._coutinho_rows import ARM, NULL, TIMES, charts_of, motions_of, rows_of, stays
-from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, crossings
-from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement
+from helicoide.studies._coutinho_hand import BODY_FRAME_ERROR, PERIOD, STEP, Options, run_led, steering_hand
+from helicoide.studies._coutinho_rows import ARM, NULL, TIMES, leaving_rate_row, measure_rows, run_charts, run_motions
+from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run, sign_changes
+from helicoide.studies.study import INPUT_VALUE, Fitted, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="E2: a hand leads the tool", pt_BR="E2: a mão conduz a ponta")
@@ -41,19 +41,19 @@ CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w")
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The hand's motion at 2 ms; short: its first 6 s."""
     title, of_tool = INVERSES[options.inverse]
-    hand = steering(1e-3 * SIZE.value, 1e-3 * ASIDE.value, 0.0)
-    got = led(hand, 0.0, of_tool, options.feedback, SHORT if short else PERIOD, progress)
-    rows = (*stated(got), *rows_of(got, title, STEP, FIGURES))
+    hand = steering_hand(1e-3 * SIZE.value, 1e-3 * ASIDE.value, 0.0)
+    got = run_led(hand, 0.0, of_tool, options.feedback, SHORT if short else PERIOD, progress)
+    rows = (*e2_rows(got), *measure_rows(got, title, STEP, FIGURES))
     return Result(
         rows=rows,
-        charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
-        motions=motions_of({title: got}),
+        charts=run_charts({title: got}, dict.fromkeys(CHARTS, FIGURES)),
+        motions=run_motions({title: got}),
     )
 
 
-def stated(got: Run) -> list[Row]:
+def e2_rows(got: Run) -> list[Row]:
     """What the source says of E2."""
     return [
-        stays(got, STEP, Statement(STILL, "§4.2.2", NULL, "≤"), (ARM, SIZE, ASIDE, LASTS, AS_SEEN)),
-        Row(TIMES, crossings(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), given=PUT_IN),
+        leaving_rate_row(got, STEP, Statement(STILL, "§4.2.2", NULL, "≤"), (ARM, SIZE, ASIDE, LASTS, BODY_FRAME_ERROR)),
+        Row(TIMES, sign_changes(got["q7"]), "", Statement(NONE_MET, "§4.2.2", 0.0), given=INPUT_VALUE),
     ]

@@ -7,22 +7,32 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.studies._coutinho_hand import (
-    AS_SEEN,
+    BODY_FRAME_ERROR,
     ENTRY_SPEED,
     PERIOD,
     SAMPLE,
     STEP,
-    Device,
+    HapticDevice,
     Options,
-    dragging,
-    led,
-    steering,
+    dragging_hand,
+    run_led,
+    steering_hand,
 )
-from helicoide.studies._coutinho_rows import ARM, ENTRY, LOW, MISSED, SHARE, charts_of, motions_of, rows_of, stays
+from helicoide.studies._coutinho_rows import (
+    ARM,
+    ENTRY,
+    LOW,
+    MISSED,
+    SHARE,
+    leaving_rate_row,
+    measure_rows,
+    run_charts,
+    run_motions,
+)
 from helicoide.studies._coutinho_runs import INVERSES, ROBOT, Run
 from helicoide.studies.coutinho_e2 import LASTS
-from helicoide.studies.study import PUT_IN, Fitted, Progress, Result, Row, Statement, printed
-from helicoide.text import Text, same
+from helicoide.studies.study import INPUT_VALUE, Fitted, Progress, Result, Row, Statement, printed_statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="E3: a hand near a singularity", pt_BR="E3: a mão perto de uma singularidade")
 SOURCE = "Coutinho 2015, §4.2, §4.2.3, figs. 4.38–4.43, tab. 4.3"
@@ -45,7 +55,7 @@ SIZE = Fitted(
 )
 TURN = Fitted(Text(en="its turn", pt_BR="o giro dela"), 0.26, 0.234, 0.286, "rad")
 HAND = (SIZE, TURN, LASTS)
-LED = (ARM, *HAND, AS_SEEN)
+LED = (ARM, *HAND, BODY_FRAME_ERROR)
 BOUND = Fitted(Text(en="bound of w_r", pt_BR="limiar de w_r"), NEAR, 0.03, 0.3)
 TWO = Text(en="two points near the singularity", pt_BR="dois pontos próximos da singularidade")
 LARGER = Text(en="errors larger near the singular points", pt_BR="erros maiores perto dos pontos singulares")
@@ -59,18 +69,27 @@ CHARTS = ("tip", "entry", "command", "outside", "rate", "q7", "w", "lateral")
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The hand's motion at 2 ms; short: its first 16 s, in which the wrist has come through the singularity once."""
     title, of_tool = INVERSES[options.inverse]
-    hand = steering(1e-3 * SIZE.value, 0.0, TURN.value)
-    got = led(hand, ENTRY_SPEED, of_tool, options.feedback, SHORT if short else PERIOD, progress)
-    counted = () if short else (Row(TIMES, approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), given=PUT_IN),)
-    rows = (*counted, *stated(got), Row(STEADY, _unsteady(), "m/s"), *rows_of(got, title, STEP, FIGURES, MEASURED))
+    hand = steering_hand(1e-3 * SIZE.value, 0.0, TURN.value)
+    got = run_led(hand, ENTRY_SPEED, of_tool, options.feedback, SHORT if short else PERIOD, progress)
+    counted = (
+        ()
+        if short
+        else (Row(TIMES, singular_approaches(got["w"]), "", Statement(TWO, "§4.2.3", 2.0), given=INPUT_VALUE),)
+    )
+    rows = (
+        *counted,
+        *e3_rows(got),
+        Row(STEADY, _unsteady(), "m/s"),
+        *measure_rows(got, title, STEP, FIGURES, MEASURED),
+    )
     return Result(
         rows=rows,
-        charts=charts_of({title: got}, dict.fromkeys(CHARTS, FIGURES)),
-        motions=motions_of({title: got}),
+        charts=run_charts({title: got}, dict.fromkeys(CHARTS, FIGURES)),
+        motions=run_motions({title: got}),
     )
 
 
-def approaches(w: Array) -> int:
+def singular_approaches(w: Array) -> int:
     """The number of times that w_r (k,) approaches the singularity after being far from it."""
     times, is_near = 0, False
     for value in w:
@@ -81,16 +100,18 @@ def approaches(w: Array) -> int:
     return times
 
 
-def stated(got: Run) -> list[Row]:
+def e3_rows(got: Run) -> list[Row]:
     """What the source says of E3, but for the number of its singular points."""
     near = got["w"] < NEAR
     error_near, error_far = got["tip_mm"][near].max(initial=0.0), got["tip_mm"][~near].max(initial=0.0)
     return [
         Row(RATIO, float(error_near / error_far), "", Statement(LARGER, "§4.2.3", 1.0, ">"), (*LED, BOUND)),
         Row(SHARE, float(got["of_speed"].max()), "", Statement(CALM, "§4.2.3", 1.0, "<"), LED),
-        stays(got, STEP, Statement(same("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤"), LED),
+        leaving_rate_row(
+            got, STEP, Statement(untranslated("H V_r = v_rd"), "eq. 3.30", 1e3 * MISSED * ENTRY_SPEED, "≤"), LED
+        ),
         Row(TIP_FAR, float(error_far), "mm", Statement(SMALL, "§4.2.3", LOW, "≤"), LED),
-        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed("1", "§4.2.1, §4.2.3"), given=PUT_IN),
+        Row(ENTRY, 0.1 * float(got["v_x"].max()), "cm/s", printed_statement("1", "§4.2.1, §4.2.3"), given=INPUT_VALUE),
         Row(TIP_NEAR, float(error_near), "mm"),
     ]
 
@@ -100,8 +121,8 @@ def _unsteady() -> float:
     velocity = np.array([0.01, -0.02, 0.015])
     T = np.eye(4)
     T[:3, :3] = rotation.exponential([0.3, -1.1, 0.6])
-    device = Device(dragging(velocity), T)
-    read = np.array([device.wished(number * SAMPLE).ahead[:3] for number in range(1, 1001)])
+    device = HapticDevice(dragging_hand(velocity), T)
+    read = np.array([device.reference(number * SAMPLE).feedforward[:3] for number in range(1, 1001)])
     return float(np.abs(read - T[:3, :3] @ velocity).max())
 
 

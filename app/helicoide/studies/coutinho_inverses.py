@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from helicoide.ik.method import OneOf
-from helicoide.studies._coutinho_rows import STEP, STEPS, charts_of, motions_of, rows_of
-from helicoide.studies._coutinho_runs import INVERSES, ROBOT, control
-from helicoide.studies._coutinho_runs import run as run_along
-from helicoide.studies._coutinho_simulation import SHORT, part
+from helicoide.studies._coutinho_rows import STEP, STEPS, measure_rows, run_charts, run_motions
+from helicoide.studies._coutinho_runs import INVERSES, ROBOT, source_control
+from helicoide.studies._coutinho_runs import run_path as run_along
+from helicoide.studies._coutinho_simulation import SHORT, share_of_progress
 from helicoide.studies.study import Progress, Result
 from helicoide.text import Text
 
@@ -42,13 +42,15 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """A run for each inverse; short: at 100 ms."""
     dt = SHORT if short else int(options.step) / 1000
     runs = {
-        title: run_along("S3", control(of_tool=of_tool), dt, progress=part(progress, done, len(INVERSES)))
+        title: run_along(
+            "S3", source_control(of_tool=of_tool), dt, progress=share_of_progress(progress, done, len(INVERSES))
+        )
         for done, (title, of_tool) in enumerate(INVERSES.values())
     }
     return Result(
         rows=tuple(
-            one for which, got in runs.items() for one in rows_of(got, which, dt, names=MEASURED, by_step=MEASURED)
+            one for which, got in runs.items() for one in measure_rows(got, which, dt, names=MEASURED, by_step=MEASURED)
         ),
-        charts=charts_of(runs, dict.fromkeys(CHARTS, ""), ("tip", "rate")),
-        motions=motions_of(runs),
+        charts=run_charts(runs, dict.fromkeys(CHARTS, ""), ("tip", "rate")),
+        motions=run_motions(runs),
     )

@@ -13,7 +13,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.method import Quantity
 from helicoide.ik.postures.branch import tool_at
-from helicoide.ik.rcm.follow import Moment, Wish, command, followed, pose_error
+from helicoide.ik.rcm.follow import RcmReference, RcmStep, body_velocity, pose_error, rcm_loop
 from helicoide.ik.rcm.passage import through
 from helicoide.studies._coutinho_rows import TIME
 from helicoide.studies._coutinho_runs import (
@@ -22,13 +22,13 @@ from helicoide.studies._coutinho_runs import (
     ROBOT,
     START,
     angle_deg,
-    control,
     dia10,
     entry_on,
-    problem_of,
+    problem_without_planes,
+    source_control,
 )
-from helicoide.studies.study import Chart, Line, Motion, Progress, Reading, Result, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies.study import Chart, ChartLine, Interpretation, Motion, Progress, Result, Row, Statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="The loop closes, in the right axes", pt_BR="A malha fecha, nos eixos certos")
 SOURCE = "Coutinho 2015, §2.4, §3.1, eqs. 2.16, 2.59–2.69, 3.19"
@@ -70,7 +70,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         found.append((moment.t, moment.q, np.linalg.norm(moment.error[:3]), angle_deg(moment.error)))
         progress((done + 1) / steps)
     t, q, position, angle = (np.array(column) for column in zip(*found, strict=True))
-    turns = {SEEN: body(pose_error), PRINTED: body(printed_error)}
+    turns = {SEEN: body_rotation_errors(pose_error), PRINTED: body_rotation_errors(printed_error)}
     rows = (*_arrived(t, position, angle), *_missed(), *_formulas(), *_turned(turns))
     return Result(
         rows=rows,
@@ -79,17 +79,17 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
 
 
-def _approach(options: Options) -> Iterator[Moment]:
+def _approach(options: Options) -> Iterator[RcmStep]:
     """The arm at its start behind a trocar, and a target beside its tool."""
     robot = dia10()
     T = tool_at(robot, START)
     target = T.copy()
     target[:3, 3] += [0.012, -0.016, 0.0]
-    target[:3, :3] = T[:3, :3] @ rotation.exponential(np.radians(30) * rotation.unit([1.0, 2.0, -1.0]))
-    gained = control(position=options.position, orientation=options.orientation)
-    wish = Wish(target, STILL, np.zeros(2))
+    target[:3, :3] = T[:3, :3] @ rotation.exponential(np.radians(30) * rotation.unit_vector([1.0, 2.0, -1.0]))
+    gained = source_control(position=options.position, orientation=options.orientation)
+    wish = RcmReference(target, STILL, np.zeros(2))
     entry = entry_on(robot, START, DEPTH)
-    return followed(problem_of(robot), through(robot, LINK), gained, lambda t: wish, START, entry, STEP)
+    return rcm_loop(problem_without_planes(robot), through(robot, LINK), gained, lambda t: wish, START, entry, STEP)
 
 
 def printed_error(T_world_target: Array, T_world_tool: Array) -> Array:
@@ -98,7 +98,7 @@ def printed_error(T_world_target: Array, T_world_tool: Array) -> Array:
     return np.concatenate([np.zeros(3), vector])
 
 
-def body(error: Error) -> Array:
+def body_rotation_errors(error: Error) -> Array:
     """The rotation angle still to go, degrees, step by step, of a body that starts at 180° about x.
 
     Its target is turned by 20° more, about its own z.
@@ -106,11 +106,11 @@ def body(error: Error) -> Array:
     return _turning(rotation.exponential([np.pi, 0.0, 0.0]), np.array([0.0, 0.0, np.radians(20)]), error, BODY_STEP)
 
 
-def missed(error: Error) -> int:
+def unconverged_bodies(error: Error) -> int:
     """The number of bodies at random poses that are more than 1° from their targets after 10 s."""
     draw, count = np.random.default_rng(2), 0
     for wxyz in draw.normal(size=(BODIES, 4)):
-        away = AWAY * rotation.unit(draw.normal(size=3))
+        away = AWAY * rotation.unit_vector(draw.normal(size=3))
         count += bool(_turning(rotation.to_matrix(wxyz), away, error, COARSE)[-1] > 1.0)
     return count
 
@@ -123,7 +123,7 @@ def _turning(R: Array, away: Array, error: Error, dt: float) -> Array:
     target, left = _posed(R @ rotation.exponential(away)), []
     for _ in range(round(BODY_SECONDS / dt) + 1):
         left.append(angle_deg(pose_error(target, _posed(R))))
-        R = R @ rotation.exponential(command(R, STILL, error(target, _posed(R)), 0.0, BODY_GAIN)[3:] * dt)
+        R = R @ rotation.exponential(body_velocity(R, STILL, error(target, _posed(R)), 0.0, BODY_GAIN)[3:] * dt)
     return np.array(left)
 
 
@@ -140,9 +140,12 @@ def _arrived(t: Array, position: Array, angle: Array) -> list[Row]:
     rates = [float(np.log(error[half] / error[0]) / t[half]) for error in (position, quarter)]
     return [
         Row(
-            POSITION_RATE, rates[0], "1/s", Statement(same("ė_p = −Kp e_p, Kp = 5"), "eqs. 2.61, 2.66", -5.0, "=", 0.05)
+            POSITION_RATE,
+            rates[0],
+            "1/s",
+            Statement(untranslated("ė_p = −Kp e_p, Kp = 5"), "eqs. 2.61, 2.66", -5.0, "=", 0.05),
         ),
-        Row(LEFT, float(angle[-1]), "°", Statement(same("ε̃ → 0"), "§2.4", 0.0, "=", 0.01), (AS_SEEN,)),
+        Row(LEFT, float(angle[-1]), "°", Statement(untranslated("ε̃ → 0"), "§2.4", 0.0, "=", 0.01), (AS_SEEN,)),
         Row(ANGLE_RATE, rates[1], "1/s"),
     ]
 
@@ -155,10 +158,10 @@ def _turned(turns: dict[Text, Array]) -> list[Row]:
 def _missed() -> list[Row]:
     """The number of bodies that do not converge, for each definition of the orientation error."""
     return [
-        Row(MISSED.format(which=SEEN), missed(pose_error), "", Statement(ARRIVES, "§2.4", 0.0), (AS_SEEN,)),
+        Row(MISSED.format(which=SEEN), unconverged_bodies(pose_error), "", Statement(ARRIVES, "§2.4", 0.0), (AS_SEEN,)),
         Row(
             MISSED.format(which=PRINTED),
-            missed(printed_error),
+            unconverged_bodies(printed_error),
             "",
             Statement(ARRIVES, "eqs. 2.62–2.66", 0.0),
             erratum="coutinho-4",
@@ -170,9 +173,11 @@ def _formulas() -> list[Row]:
     """Differences between printed and correct formulas, for turns of 40° and 60° about x, and Ko = 10."""
     small, large = (np.radians(degrees) for degrees in (40.0, 60.0))
     Q, P = (rotation.from_axis_angle(np.array([1.0, 0.0, 0.0]), angle) for angle in (small, large))
-    added = Statement(same("η₁η₂ + ε₁ᵀε₂"), "eq. 2.16", float(Q[0] * P[0] + Q[1:] @ P[1:]), "=", CLOSE)
-    whole = Statement(same("√(r₁₁ − r₂₂ − r₃₃ + 1)"), "eq. 2.13", float(np.sqrt(2 - 2 * np.cos(small))), "=", CLOSE)
-    falls = Statement(same("−ε̃ᵀ Ko ε̃"), "eq. 2.69", float(-10 * Q[1:] @ Q[1:]), "=", CLOSE)
+    added = Statement(untranslated("η₁η₂ + ε₁ᵀε₂"), "eq. 2.16", float(Q[0] * P[0] + Q[1:] @ P[1:]), "=", CLOSE)
+    whole = Statement(
+        untranslated("√(r₁₁ − r₂₂ − r₃₃ + 1)"), "eq. 2.13", float(np.sqrt(2 - 2 * np.cos(small))), "=", CLOSE
+    )
+    falls = Statement(untranslated("−ε̃ᵀ Ko ε̃"), "eq. 2.69", float(-10 * Q[1:] @ Q[1:]), "=", CLOSE)
     return [
         Row(SCALAR, float(rotation.multiply(Q, P)[0]), "", added, erratum="coutinho-6"),
         Row(VECTOR, float(rotation.from_matrix(rotation.to_matrix(Q))[1]), "", whole, erratum="coutinho-6"),
@@ -192,17 +197,17 @@ def _falling(angle: float) -> float:
 
 def _charts(t: Array, position: Array, angle: Array, turns: dict[Text, Array]) -> tuple[Chart, ...]:
     own = np.linspace(0.0, BODY_SECONDS, round(BODY_SECONDS / BODY_STEP) + 1)
-    of_body = tuple(Line(which, own[::10], left[::10]) for which, left in turns.items())
+    of_body = tuple(ChartLine(which, own[::10], left[::10]) for which, left in turns.items())
     return (
-        Chart(TIP, TIME, same("|e_p|, mm"), (Line(TIP, t[::10], 1e3 * position[::10]),), log=True),
-        Chart(ANGLE, TIME, same("°"), (Line(ANGLE, t[::10], angle[::10]),), log=True),
-        Chart(ALONE, TIME, same("°"), of_body, log=True),
+        Chart(TIP, TIME, untranslated("|e_p|, mm"), (ChartLine(TIP, t[::10], 1e3 * position[::10]),), log=True),
+        Chart(ANGLE, TIME, untranslated("°"), (ChartLine(ANGLE, t[::10], angle[::10]),), log=True),
+        Chart(ALONE, TIME, untranslated("°"), of_body, log=True),
     )
 
 
 SEEN = Text(en="Q⁻¹ ⊗ Q_d, as the body sees it", pt_BR="Q⁻¹ ⊗ Q_d, como o corpo o vê")
 PRINTED = Text(en="Q_d ⊗ Q⁻¹, in its printed form", pt_BR="Q_d ⊗ Q⁻¹, na forma impressa")
-AS_SEEN = Reading(
+AS_SEEN = Interpretation(
     Text(en="the error of orientation as the body sees it", pt_BR="o erro de orientação como o corpo o vê"),
     Text(
         en="with Q_d ⊗ Q⁻¹, as printed, 31 of 40 random poses are missed",

@@ -9,13 +9,13 @@ from typing import Annotated
 import numpy as np
 
 from helicoide.ik.method import Quantity
-from helicoide.ik.rcm.follow import Moment
+from helicoide.ik.rcm.follow import RcmStep
 from helicoide.ik.rcm.older import avoiding, entry_first, entry_jacobian, extended, tool_jacobian
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.studies._coutinho_rows import FEEDBACK, TIME
-from helicoide.studies._coutinho_runs import ROBOT, control, moments
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies._coutinho_runs import ROBOT, path_steps, source_control
+from helicoide.studies.study import Chart, ChartLine, Motion, Progress, Result, Row, Statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Four ways to the same joint velocities", pt_BR="Quatro caminhos para as mesmas velocidades")
 SOURCE = "Coutinho 2015, §1.2.1, eqs. 1.1–1.4, 3.9, 3.18"
@@ -56,7 +56,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     seconds = SHORT if short else PATHS["S2"].duration
     count = round(seconds / STEP / EVERY) + 1
     found = []
-    every = islice(moments("S2", control(options.feedback), STEP), 0, (count - 1) * EVERY + 1, EVERY)
+    every = islice(path_steps("S2", source_control(options.feedback), STEP), 0, (count - 1) * EVERY + 1, EVERY)
     for done, moment in enumerate(every):
         found.append((moment.t, moment.q, *_apart(moment)))
         progress((done + 1) / count)
@@ -72,8 +72,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
             Chart(
                 Text(en="How far the ways are apart", pt_BR="Quanto os caminhos diferem"),
                 TIME,
-                same("|Δθ̇| / |θ̇|"),
-                tuple(Line(title, t, y) for title, y in {**ways, SECOND: second}.items()),
+                untranslated("|Δθ̇| / |θ̇|"),
+                tuple(ChartLine(title, t, y) for title, y in {**ways, SECOND: second}.items()),
                 log=True,
             ),
         ),
@@ -81,7 +81,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
 
 
-def _apart(moment: Moment) -> tuple[float, float, float, float]:
+def _apart(moment: RcmStep) -> tuple[float, float, float, float]:
     """How far the older ways are from θ̇, as a part of it, and the determinant of the stack from its factors.
 
     The last way takes the tool first and the entry point as its obstacle, which is the stack by eq. 1.3.

@@ -6,21 +6,21 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from helicoide.studies._coutinho_circle import PERIOD, ROBOT, turn
+from helicoide.studies._coutinho_circle import PERIOD, ROBOT, run_circle_once
 from helicoide.studies._coutinho_rows import (
     BY_STEP,
     NO_FEEDBACK,
     OF,
     TIME,
     Options,
-    motions_of,
-    thinned,
+    peaks,
+    run_motions,
     with_feedback,
 )
 from helicoide.studies._coutinho_runs import Run
-from helicoide.studies._coutinho_simulation import SHORT, part
-from helicoide.studies.study import Chart, Line, Progress, Result, Row
-from helicoide.text import Text, same
+from helicoide.studies._coutinho_simulation import SHORT, share_of_progress
+from helicoide.studies.study import Chart, ChartLine, Progress, Result, Row
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="A circle through an entry point", pt_BR="Um círculo através de um ponto de entrada")
 SOURCE = "Coutinho 2015, cf. §3.4, §5.1"
@@ -59,13 +59,13 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     dt = SHORT if short else int(options.step) / 1000
     gains = {0.0: NO_FEEDBACK, options.feedback: with_feedback(options.feedback)}
     runs = {
-        which: turn(gain, dt, PERIOD, part(progress, done, len(gains)))
+        which: run_circle_once(gain, dt, PERIOD, share_of_progress(progress, done, len(gains)))
         for done, (gain, which) in enumerate(gains.items())
     }
     return Result(
         rows=tuple(one for which, got in runs.items() for one in _rows(got, which, dt)),
         charts=_charts(runs),
-        motions=motions_of(runs, ROBOT),
+        motions=run_motions(runs, ROBOT),
     )
 
 
@@ -90,12 +90,12 @@ def _rows(got: Run, which: Text, dt: float) -> list[Row]:
 
 
 CURVES = {
-    "tip_mm": (Text(en="Error of the tip", pt_BR="Erro da ponta"), same("|e_p|, mm")),
+    "tip_mm": (Text(en="Error of the tip", pt_BR="Erro da ponta"), untranslated("|e_p|, mm")),
     "lateral_mm": (
         Text(en="Distance of the rod from the entry point", pt_BR="Distância da haste ao ponto de entrada"),
-        same("|e_r|, mm"),
+        untranslated("|e_r|, mm"),
     ),
-    "depth": (Text(en="Depth of the tip", pt_BR="Profundidade da ponta"), same("m")),
+    "depth": (Text(en="Depth of the tip", pt_BR="Profundidade da ponta"), untranslated("m")),
 }
 
 
@@ -105,7 +105,7 @@ def _charts(runs: Mapping[Text, Run]) -> tuple[Chart, ...]:
             title,
             TIME,
             up,
-            tuple(Line(which, *thinned(got["t"], got[name])) for which, got in runs.items()),
+            tuple(ChartLine(which, *peaks(got["t"], got[name])) for which, got in runs.items()),
             log=name == "lateral_mm",
         )
         for name, (title, up) in CURVES.items()

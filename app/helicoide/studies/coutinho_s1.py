@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.ik.postures.branch import tool_at
-from helicoide.studies._coutinho_rows import FOLLOWED, NULL, SAMPLED, STARTED, Options, stays
+from helicoide.studies._coutinho_rows import FITTED_START, FOLLOWED, NULL, SAMPLED, Options, leaving_rate_row
 from helicoide.studies._coutinho_runs import ROBOT, Run, dia10
-from helicoide.studies._coutinho_simulation import Simulation, displaced_mm, simulated
-from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies._coutinho_simulation import Simulation, simulation_result, tool_displacement
+from helicoide.studies.study import INPUT_VALUE, Progress, Result, Row, Statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="S1: a slit for the instrument", pt_BR="S1: uma fenda para o instrumento")
 SOURCE = "Coutinho 2015, §4.1.1, eq. 4.1"
@@ -37,25 +37,25 @@ WITHDRAWN = Text(en="largest withdrawal of the tool", pt_BR="maior recuo do efet
 WAY = Text(en="2.2A cos 2ωt − 2.2A, A = 3 cm", pt_BR="2,2A cos 2ωt − 2,2A, A = 3 cm")
 
 
-KEPT = Statement(same("H V_r = 0"), "eqs. 3.1, 3.22", NULL, "≤")
+KEPT = Statement(untranslated("H V_r = 0"), "eqs. 3.1, 3.22", NULL, "≤")
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: at 100 ms."""
-    simulation = Simulation("S1", stated, "figs. 4.3–4.8", "fig. 4.6b")
-    return simulated(simulation, options, short, progress)
+    simulation = Simulation("S1", s1_rows, "figs. 4.3–4.8", "fig. 4.6b")
+    return simulation_result(simulation, options, short, progress)
 
 
-def stated(got: Run, dt: float) -> list[Row]:
+def s1_rows(got: Run, dt: float) -> list[Row]:
     """What the source prints of the start and of S1."""
     placed = 1e3 * float(np.linalg.norm(tool_at(dia10(), got["q"][0])[:3, 3] - PLACE))
     inside = 1e3 * got["inside"]
     error = got["tip_mm"][inside <= np.quantile(inside, 0.1)].max()
-    withdrawn = float(-displaced_mm(got)[:, 1].min())
+    withdrawn = float(-tool_displacement(got)[:, 1].min())
     return [
-        Row(ERROR, float(error), "mm", Statement(FOLLOWS, "§4.1.1", FOLLOWED, "≤"), (*STARTED, SAMPLED)),
-        stays(got, dt, KEPT, (*STARTED, SAMPLED)),
-        Row(PLACED, placed, "mm", Statement(AT, "tab. 4.2", 0.0, "=", 0.5), given=PUT_IN),
-        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.1", 132.0, "=", 1.0), given=PUT_IN),
+        Row(ERROR, float(error), "mm", Statement(FOLLOWS, "§4.1.1", FOLLOWED, "≤"), (*FITTED_START, SAMPLED)),
+        leaving_rate_row(got, dt, KEPT, (*FITTED_START, SAMPLED)),
+        Row(PLACED, placed, "mm", Statement(AT, "tab. 4.2", 0.0, "=", 0.5), given=INPUT_VALUE),
+        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.1", 132.0, "=", 1.0), given=INPUT_VALUE),
         Row(CLOSEST, float(inside.min()), "mm"),
     ]

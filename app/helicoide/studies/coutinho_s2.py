@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from helicoide.studies._coutinho_rows import NULL, SAMPLED, STARTED, Options, stays
+from helicoide.studies._coutinho_rows import FITTED_START, NULL, SAMPLED, Options, leaving_rate_row
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies._coutinho_simulation import Simulation, displaced_mm, simulated
-from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
+from helicoide.studies._coutinho_simulation import Simulation, simulation_result, tool_displacement
+from helicoide.studies.study import INPUT_VALUE, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="S2: a trocar that stands still", pt_BR="S2: um trocarte parado")
@@ -27,14 +27,14 @@ WAY = Text(en="−2A sin(3ωt − π/2) − 2A, A = 3 cm", pt_BR="−2A sen(3ωt
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: at 100 ms."""
-    simulation = Simulation("S2", stated, "figs. 4.9–4.14", "fig. 4.12b")
-    return simulated(simulation, options, short, progress)
+    simulation = Simulation("S2", s2_rows, "figs. 4.9–4.14", "fig. 4.12b")
+    return simulation_result(simulation, options, short, progress)
 
 
-def stated(got: Run, dt: float) -> list[Row]:
+def s2_rows(got: Run, dt: float) -> list[Row]:
     """What the source prints of S2."""
-    withdrawn = float(-displaced_mm(got)[:, 1].min())
+    withdrawn = float(-tool_displacement(got)[:, 1].min())
     return [
-        stays(got, dt, Statement(STILL, "§4.1.2", NULL, "≤"), (*STARTED, SAMPLED)),
-        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.2", 120.0, "=", 1.0), given=PUT_IN),
+        leaving_rate_row(got, dt, Statement(STILL, "§4.1.2", NULL, "≤"), (*FITTED_START, SAMPLED)),
+        Row(WITHDRAWN, withdrawn, "mm", Statement(WAY, "eq. 4.2", 120.0, "=", 1.0), given=INPUT_VALUE),
     ]

@@ -12,23 +12,23 @@ from helicoide.geometry import rotation
 from helicoide.ik.method import OneOf
 from helicoide.ik.postures.branch import tool_at
 from helicoide.studies._coutinho_rows import (
+    FITTED_START,
     NULL,
     OF,
     SAMPLED,
     SLIP,
     SMALL,
-    STARTED,
     STEP,
     STEPS,
     TIMES,
-    charts_of,
-    motions_of,
-    rows_of,
+    measure_rows,
+    run_charts,
+    run_motions,
 )
-from helicoide.studies._coutinho_runs import DLS, ROBOT, Run, control, crossings, dia10
-from helicoide.studies._coutinho_runs import run as run_along
-from helicoide.studies._coutinho_simulation import SHORT, charted, part
-from helicoide.studies.study import CONSTRUCTED, PUT_IN, Progress, Reading, Result, Row, Statement
+from helicoide.studies._coutinho_runs import DLS, ROBOT, Run, dia10, sign_changes, source_control
+from helicoide.studies._coutinho_runs import run_path as run_along
+from helicoide.studies._coutinho_simulation import SHORT, curve_figures, share_of_progress
+from helicoide.studies.study import BY_CONSTRUCTION, INPUT_VALUE, Interpretation, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="S3: through a singularity", pt_BR="S3: através de uma singularidade")
@@ -67,7 +67,7 @@ WHERE = Text(
     pt_BR="|θ₇| onde a velocidade proibida é maior, {which}",
 )
 MEASURED = ("tip", "angle", "lateral", "q7_min", "q7_max", "rate")
-DAMPED_TOO = Reading(
+DAMPED_TOO = Interpretation(
     Text(
         en="J_i, which table 4.1 prints, is damped beside J^r, by the κ_r of J^r",
         pt_BR="J_i, que a tabela 4.1 traz, é amortecido junto com J^r, com o κ_r de J^r",
@@ -77,12 +77,12 @@ DAMPED_TOO = Reading(
         pt_BR="só com J^r amortecido, como na eq. 3.46, nada perturba o ponto de entrada",
     ),
 )
-DISTURBED_BY = (*STARTED, SAMPLED, DAMPED_TOO)
-AS_VELOCITY = Reading(
+DISTURBED_BY = (*FITTED_START, SAMPLED, DAMPED_TOO)
+AS_VELOCITY = Interpretation(
     Text(en="small as a velocity", pt_BR="pequena como velocidade"),
     Text(en="in 200 s it carries the shaft 17 mm away", pt_BR="em 200 s ela afasta a haste 17 mm"),
 )
-AT_ITS_LARGEST = Reading(
+AT_ITS_LARGEST = Interpretation(
     Text(en="where the disturbance is largest", pt_BR="onde a perturbação é maior"),
     Text(
         en="it is above 0.1 mm/s in 65 % of the run, far from the singularity too",
@@ -102,27 +102,27 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """With J^r damped, and with J_i damped too; short: at 100 ms."""
     dt = SHORT if short else int(options.step) / 1000
-    wrist = run_along("S3", control(of_tool=DLS), dt, progress=part(progress, 0, 2))
-    both = run_along("S3", control(of_tool=DLS, of_arm=DLS), dt, progress=part(progress, 1, 2))
+    wrist = run_along("S3", source_control(of_tool=DLS), dt, progress=share_of_progress(progress, 0, 2))
+    both = run_along("S3", source_control(of_tool=DLS, of_arm=DLS), dt, progress=share_of_progress(progress, 1, 2))
     runs = {OF_WRIST: wrist, OF_BOTH: both}
     return Result(
         rows=(
-            *stated(wrist, both),
-            Row(OF.format(what=SLIP, which=OF_WRIST), float(wrist["slip_mm_s"].max()), "mm/s", given=CONSTRUCTED),
-            *(one for which, got in runs.items() for one in rows_of(got, which, dt, FIGURES, MEASURED)),
+            *s3_rows(wrist, both),
+            Row(OF.format(what=SLIP, which=OF_WRIST), float(wrist["slip_mm_s"].max()), "mm/s", given=BY_CONSTRUCTION),
+            *(one for which, got in runs.items() for one in measure_rows(got, which, dt, FIGURES, MEASURED)),
         ),
-        charts=charts_of(runs, {**charted(FIGURES, "fig. 4.16b"), "entry": "fig. 4.17"}, ("tip",)),
-        motions=motions_of(runs),
+        charts=run_charts(runs, {**curve_figures(FIGURES, "fig. 4.16b"), "entry": "fig. 4.17"}, ("tip",)),
+        motions=run_motions(runs),
     )
 
 
-def stated(wrist: Run, both: Run) -> list[Row]:
+def s3_rows(wrist: Run, both: Run) -> list[Row]:
     """What the source prints of S3, of the runs without and with J_i damped."""
     least = 1e3 * float(wrist["outside"].min())
     return [
         *_disturbed(both),
-        Row(OF.format(what=TIMES, which=OF_WRIST), crossings(wrist["q7"]), "", CROSSES, given=PUT_IN),
-        Row(TURNED, _turned_deg(wrist["q"]), "°", TURN, given=PUT_IN),
+        Row(OF.format(what=TIMES, which=OF_WRIST), sign_changes(wrist["q7"]), "", CROSSES, given=INPUT_VALUE),
+        Row(TURNED, _turned_deg(wrist["q"]), "°", TURN, given=INPUT_VALUE),
         Row(OF.format(what=LEAST, which=OF_WRIST), least, "mm"),
     ]
 

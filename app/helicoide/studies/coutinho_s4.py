@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.studies._coutinho_rows import ENTRY, MISSED, SAMPLED_S4, STARTED, Options, stays
+from helicoide.studies._coutinho_rows import ENTRY, FITTED_START, MISSED, SAMPLED_S4, Options, leaving_rate_row
 from helicoide.studies._coutinho_runs import ROBOT, Run
-from helicoide.studies._coutinho_simulation import Simulation, simulated
-from helicoide.studies.study import PUT_IN, Progress, Result, Row, Statement
+from helicoide.studies._coutinho_simulation import Simulation, simulation_result
+from helicoide.studies.study import INPUT_VALUE, Progress, Result, Row, Statement
 from helicoide.text import Text
 
 TITLE = Text(en="S4: an entry point that moves", pt_BR="S4: um ponto de entrada que se move")
@@ -29,17 +29,17 @@ SPEED = 5.0  # mm/s
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Both runs; short: at 100 ms, which is too long a step to judge whether the entry point is followed."""
-    simulation = Simulation("S4", given if short else stated, "figs. 4.20–4.24", "fig. 4.22b")
-    return simulated(simulation, options, short, progress)
+    simulation = Simulation("S4", entry_motion_rows if short else s4_rows, "figs. 4.20–4.24", "fig. 4.22b")
+    return simulation_result(simulation, options, short, progress)
 
 
-def stated(got: Run, dt: float) -> list[Row]:
+def s4_rows(got: Run, dt: float) -> list[Row]:
     """What the source prints of S4."""
     followed = Statement(FOLLOWS, "§4.1.2", MISSED * SPEED, "≤")
-    return [stays(got, dt, followed, (*STARTED, SAMPLED_S4)), *given(got, dt)]
+    return [leaving_rate_row(got, dt, followed, (*FITTED_START, SAMPLED_S4)), *entry_motion_rows(got, dt)]
 
 
-def given(got: Run, dt: float) -> list[Row]:
+def entry_motion_rows(got: Run, dt: float) -> list[Row]:
     """How fast the entry point is moved."""
     fastest = float(max(np.abs(got["v_x"]).max(), np.abs(got["v_z"]).max()))
-    return [Row(ENTRY, fastest, "mm/s", Statement(GIVEN, "eq. 4.6", SPEED, "=", 0.5), given=PUT_IN)]
+    return [Row(ENTRY, fastest, "mm/s", Statement(GIVEN, "eq. 4.6", SPEED, "=", 0.5), given=INPUT_VALUE)]

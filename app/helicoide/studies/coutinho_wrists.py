@@ -14,9 +14,17 @@ from helicoide.ik.rcm import wrists
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._coutinho_runs import LINK, ROBOT, dia10, entry_on, problem_of, seven_joints, zx_wrist
-from helicoide.studies.study import Chart, Line, Progress, Result, Row, Statement
-from helicoide.text import Text, same
+from helicoide.studies._coutinho_runs import (
+    LINK,
+    ROBOT,
+    dia10,
+    entry_on,
+    problem_without_planes,
+    seven_joints,
+    zx_wrist,
+)
+from helicoide.studies.study import Chart, ChartLine, Progress, Result, Row, Statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Three wrists behind the entry point", pt_BR="Três punhos atrás do ponto de entrada")
 SOURCE = "Coutinho 2015, §1.4, §3.2, §3.3, §3.5, eqs. 3.24–3.42, figs. 3.7–3.9"
@@ -116,10 +124,12 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     return Result((*rows, *_wrong(options.depth), *_ranks()), tuple(map(_sections, KINDS.values())))
 
 
-def standing(kind: Wrist, q: Array, l_a: float) -> Constrained:
+def entry_at(kind: Wrist, q: Array, l_a: float) -> Constrained:
     """The arm at q (n,), rad, with the entry point on its shaft, l_a, m, from joint 6; Λ# as in the source."""
     robot = kind.arm()
-    return constrained(problem_of(robot), through(robot, LINK, kind.across), q, entry_on(robot, q, l_a), "source")
+    return constrained(
+        problem_without_planes(robot), through(robot, LINK, kind.across), q, entry_on(robot, q, l_a), "source"
+    )
 
 
 def _as_printed(kind: Wrist, count: int) -> list[Row]:
@@ -128,7 +138,7 @@ def _as_printed(kind: Wrist, count: int) -> list[Row]:
     matrix, w = [], []
     for q in random.uniform(robot.lower, robot.upper, (count, len(robot.variables))):
         l_a = random.uniform(0.05, 0.3)
-        at, expected = standing(kind, q, l_a), kind.w(l_a, LENGTH - l_a, q[6])
+        at, expected = entry_at(kind, q, l_a), kind.w(l_a, LENGTH - l_a, q[6])
         matrix.append(np.abs(at.J - kind.matrix(l_a, LENGTH - l_a, L_8, q[6], q[7])).max())
         w.append(abs(at.of_tool.w - expected) / expected)
     return [
@@ -144,10 +154,10 @@ def _exact(equation: str, name: str, within: float) -> Statement | None:
 
 def _singular(kind: Wrist, l_a: float) -> list[Row]:
     """w_r where the source has the wrist singular: at l_b = 0, and at some θ₇."""
-    rows = [_lost(AT_JOINT_7.format(which=kind.title), standing(kind, BENT, LENGTH), "§3.5")]
+    rows = [_lost(AT_JOINT_7.format(which=kind.title), entry_at(kind, BENT, LENGTH), "§3.5")]
     for angle, q7 in kind.singular:
         q = np.array([*BENT[:6], q7, BENT[7]])
-        rows.append(_lost(AT.format(which=kind.title, angle=angle), standing(kind, q, l_a), kind.w_in))
+        rows.append(_lost(AT.format(which=kind.title, angle=angle), entry_at(kind, q, l_a), kind.w_in))
     return rows
 
 
@@ -159,13 +169,13 @@ def _wrong(l_a: float) -> list[Row]:
     """Differences between printed and correct formulas at one posture, and how J^r degrades next to joint 6."""
     slit, zy = KINDS["slit"], KINDS["zy"]
     l_b, c7, c8 = LENGTH - l_a, np.cos(BENT[6]), np.cos(BENT[7])
-    entry = Statement(same("l₈ c₇ c₈"), "eq. 3.28", float(L_8 * c7 * c8), "=", CLOSE)
+    entry = Statement(untranslated("l₈ c₇ c₈"), "eq. 3.28", float(L_8 * c7 * c8), "=", CLOSE)
     square = (l_b / l_a) ** 2 * ((LENGTH * np.sin(BENT[6])) ** 2 + 2)
-    without = Statement(same("(l_b/l_a)² ((l_a + l_b)² sin² θ₇ + 2)"), "eq. 3.40", float(square), "=", CLOSE)
-    grown = standing(zy, BENT, CLOSE).of_tool.condition / standing(zy, BENT, l_a).of_tool.condition
+    without = Statement(untranslated("(l_b/l_a)² ((l_a + l_b)² sin² θ₇ + 2)"), "eq. 3.40", float(square), "=", CLOSE)
+    grown = entry_at(zy, BENT, CLOSE).of_tool.condition_number / entry_at(zy, BENT, l_a).of_tool.condition_number
     return [
-        Row(ENTRY, float(standing(zy, BENT, l_a).J[2, 3]), "m", entry, erratum="coutinho-1"),
-        Row(ROOT, standing(slit, BENT, l_a).of_tool.w, "", without, erratum="coutinho-3"),
+        Row(ENTRY, float(entry_at(zy, BENT, l_a).J[2, 3]), "m", entry, erratum="coutinho-1"),
+        Row(ROOT, entry_at(slit, BENT, l_a).of_tool.w, "", without, erratum="coutinho-3"),
         Row(GROWS, float(grown), "", Statement(ILL, "§3.5", 10.0, ">")),
     ]
 
@@ -177,15 +187,19 @@ def _ranks() -> list[Row]:
     for arm, statement in stated.items():
         robot = arm()
         n = len(robot.variables)
-        at = constrained(problem_of(robot), through(robot, LINK), BENT[:n], entry_on(robot, BENT[:n], 0.15), "source")
+        at = constrained(
+            problem_without_planes(robot), through(robot, LINK), BENT[:n], entry_on(robot, BENT[:n], 0.15), "source"
+        )
         rows.append(Row(RANK.format(n=n), at.of_tool.rank, "", statement))
     return rows
 
 
 def _sections(kind: Wrist) -> Chart:
     """w_r over θ₇ at some l_b, on a link of 2 m."""
-    lines = (Line(same("l_b = {l_b:g} m").format(l_b=l_b), ACROSS, _over(kind.w, l_b)) for l_b in SECTIONS)
-    return Chart(SECTION.format(which=kind.title), same("θ₇, rad"), same("w_r"), tuple(lines), kind.figure)
+    lines = (ChartLine(untranslated("l_b = {l_b:g} m").format(l_b=l_b), ACROSS, _over(kind.w, l_b)) for l_b in SECTIONS)
+    return Chart(
+        SECTION.format(which=kind.title), untranslated("θ₇, rad"), untranslated("w_r"), tuple(lines), kind.figure
+    )
 
 
 def _over(w: Formula, l_b: float) -> Array:

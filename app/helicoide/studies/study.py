@@ -12,9 +12,9 @@ from helicoide.arrays import Array
 from helicoide.text import Text
 
 Progress = Callable[[float], None]
-THE_RUN = Text(en="the run", pt_BR="a execução")
-PUT_IN = Text(en="it was put in", pt_BR="é dado de entrada")
-CONSTRUCTED = Text(en="it holds by construction", pt_BR="vale por construção")
+SINGLE_RUN = Text(en="the run", pt_BR="a execução")
+INPUT_VALUE = Text(en="it was put in", pt_BR="é dado de entrada")
+BY_CONSTRUCTION = Text(en="it holds by construction", pt_BR="vale por construção")
 Relation = Literal["=", "~", "<", "≤", ">", "≥"]
 
 _NUMBER = re.compile(r"([~≈<≤>≥=])?\s*([-−]?\d+(?:[.,]\d+)?)(?:\s*[×·]\s*10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
@@ -53,24 +53,24 @@ class Statement:
         """Whether the source prints a number, not a sentence that is read as one."""
         return _NUMBER.fullmatch(self.words.en) is not None
 
-    def holds(self, ours: float) -> bool:
+    def holds(self, number: float) -> bool:
         """Whether a number agrees with the statement; NaN never does."""
         match self.relation:
             case "=":
-                return abs(ours - self.value) <= self.within
+                return abs(number - self.value) <= self.within
             case "~":
-                return self.value <= ours < 10 * self.value
+                return self.value <= number < 10 * self.value
             case "<":
-                return ours < self.value
+                return number < self.value
             case "≤":
-                return ours <= self.value + self.within
+                return number <= self.value + self.within
             case ">":
-                return ours > self.value
+                return number > self.value
             case "≥":
-                return ours >= self.value - self.within
+                return number >= self.value - self.within
 
 
-def printed(words: str, place: str) -> Statement:
+def printed_statement(words: str, place: str) -> Statement:
     """The statement of a printed number, such as "< 1,2", "≈ 9" or "8,3 × 10⁻⁴".
 
     The tolerance is half a unit of the last digit, a whole unit after "≈". Raises ValueError for words that are not a
@@ -106,7 +106,7 @@ class Fitted:
 
 
 @dataclass(frozen=True)
-class Reading:
+class Interpretation:
     """The interpretation chosen where the source allows more than one, such as the instant at which an error is read.
 
     otherwise: the result of another interpretation.
@@ -118,18 +118,18 @@ class Reading:
 
 @dataclass(frozen=True)
 class Row:
-    """A quantity: what the source prints, if anything, and what is computed here (`ours`), in the same unit.
+    """A quantity: what the source prints, if anything, and what is computed here (`computed`), in the same unit.
 
     fitted: the chosen values and interpretations under which the statement holds; erratum: the error of the source that
-    explains a difference, such as "vargas-2"; why: another explanation of a difference, if known; given: why `ours` is
+    explains a difference, such as "vargas-2"; why: another explanation of a difference, if known; given: why `computed` is
     not a result and gets no verdict, such as `PUT_IN`.
     """
 
     quantity: Text
-    ours: float
+    computed: float
     unit: str = ""
     source: Statement | Figure | None = None
-    fitted: tuple[Fitted | Reading, ...] = ()
+    fitted: tuple[Fitted | Interpretation, ...] = ()
     erratum: str = ""
     why: Text | None = None
     given: Text | None = None
@@ -137,7 +137,7 @@ class Row:
     @property
     def verdict(self) -> Verdict:
         """How `ours` compares with what the source prints; NaN always differs."""
-        if self.ours != self.ours:
+        if self.computed != self.computed:
             return Verdict.DIFFERS
         if self.given is not None:
             return Verdict.OURS
@@ -146,18 +146,18 @@ class Row:
                 return Verdict.OURS
             case Figure():
                 return Verdict.FIGURE
-            case Statement() as statement if statement.holds(self.ours):
+            case Statement() as statement if statement.holds(self.computed):
                 return Verdict.FITTED if self.fitted else Verdict.PRINTED
         return Verdict.ERRATUM if self.erratum else Verdict.DIFFERS
 
 
-def unstated(rows: tuple[Row, ...]) -> tuple[Row, ...]:
+def without_statements(rows: tuple[Row, ...]) -> tuple[Row, ...]:
     """The rows without their statements, for a study with settings other than those of its source."""
     return tuple(replace(row, source=None, fitted=(), erratum="", why=None, given=None) for row in rows)
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
+class ChartLine:
     """A curve of a chart: x (k,) and y (k,)."""
 
     title: Text
@@ -167,16 +167,16 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Chart:
-    """Curves over a common quantity; `across` and `up` label the axes, with units.
+    """Curves over a common quantity; `x_label` and `y_label` label the axes, with units.
 
     figure: the figure of the source to compare with, such as "fig. 3.11"; log: whether the vertical axis is
     logarithmic.
     """
 
     title: Text
-    across: Text
-    up: Text
-    lines: tuple[Line, ...]
+    x_label: Text
+    y_label: Text
+    lines: tuple[ChartLine, ...]
     figure: str = ""
     log: bool = False
 
@@ -192,7 +192,7 @@ class Motion:
     times: Array
     q: Array
     parameters: tuple[str, ...] = ()
-    title: Text = THE_RUN
+    title: Text = SINGLE_RUN
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,7 +204,7 @@ class Result:
     motions: tuple[Motion, ...] = ()
 
     @property
-    def fitted(self) -> tuple[Fitted | Reading, ...]:
+    def fitted(self) -> tuple[Fitted | Interpretation, ...]:
         """All values and interpretations chosen so that printed statements hold, each once."""
         return tuple(dict.fromkeys(value for row in self.rows for value in row.fitted))
 

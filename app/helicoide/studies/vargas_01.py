@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from math import pi
 
 from helicoide.studies.study import Progress, Result
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.decay import decays
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.decay import decay_result
 from helicoide.studies.vargas.paths import path_1
-from helicoide.studies.vargas.runs import WITH_ANGLE, tracking, turned, way
+from helicoide.studies.vargas.runs import WITH_ANGLE, method_settings, rotation_about, tracking
 from helicoide.studies.vargas.table import Gain, Step
 from helicoide.text import Text
 
@@ -37,6 +37,6 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The inverse with λ = 1 and 2, and the filtered inverse."""
-    aiming = tracking(planar(), path_1, WITH_ANGLE, turned(2, pi / 2), "rotation vector")
+    aiming = tracking(planar_problem(), path_1, WITH_ANGLE, rotation_about(2, pi / 2), "rotation vector")
     dt = max(options.dt, 2e-3) if short else options.dt
-    return decays(options, aiming, way("inverse"), dt, "figs. 2.6–2.7", progress)
+    return decay_result(options, aiming, method_settings("inverse"), dt, "figs. 2.6–2.7", progress)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from helicoide.studies.study import Progress, Result
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.decay import decays
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.decay import decay_result
 from helicoide.studies.vargas.paths import path_1
-from helicoide.studies.vargas.runs import IN_PLANE, tracking, way
+from helicoide.studies.vargas.runs import PLANAR_ROWS, method_settings, tracking
 from helicoide.studies.vargas.table import Gain, Step
 from helicoide.text import Text
 
@@ -35,6 +35,6 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The pseudoinverse with λ = 1 and 2, and the filtered inverse."""
-    aiming = tracking(planar(), path_1, IN_PLANE)
+    aiming = tracking(planar_problem(), path_1, PLANAR_ROWS)
     dt = max(options.dt, 2e-3) if short else options.dt
-    return decays(options, aiming, way("pseudoinverse"), dt, "figs. 2.9–2.10", progress)
+    return decay_result(options, aiming, method_settings("pseudoinverse"), dt, "figs. 2.9–2.10", progress)

@@ -9,40 +9,40 @@ from math import pi
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.kinematics.differential import geometric
+from helicoide.kinematics.differential import frame_jacobian
 from helicoide.kinematics.singularity import singularity
-from helicoide.studies.study import Figure, Progress, Reading, Result, Row, printed
+from helicoide.studies.study import Figure, Interpretation, Progress, Result, Row, printed_statement
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra_wrist
-from helicoide.studies.vargas.paths import faster, path_10, places
+from helicoide.studies.vargas.paths import path_10, path_points, sped_up
 from helicoide.studies.vargas.runs import (
     POSE,
     Experiment,
-    Run,
-    Way,
-    each,
-    largest,
-    record,
-    sizes,
+    MethodRun,
+    MethodSettings,
+    largest_absolute,
+    method_settings,
+    rotation_about,
+    row_norms,
+    run_each,
+    run_method,
     tracking,
-    turned,
-    way,
 )
 from helicoide.studies.vargas.table import (
-    WISHED,
+    DESIRED,
     GainInCm,
     Step,
     condition_chart,
     fastest_chart,
-    finished,
-    in_steps,
+    joint_velocity_chart,
     joints_chart,
     over_time,
-    rates_chart,
-    row,
-    settled,
-    stated,
-    titled,
-    way_chart,
+    path_chart,
+    run_row,
+    runs_by_title,
+    sentence_statement,
+    study_result,
+    transient_end,
+    with_step,
     zebra_motions,
 )
 from helicoide.text import Text
@@ -61,7 +61,7 @@ que melhor mantém a posição.""",
 )
 ROBOT = "zebra_zero"
 RATE = 5.0
-SINCE = settled(RATE / 2)  # the angle of the quaternion's error fades with λ/2
+SINCE = transient_end(RATE / 2)  # the angle of the quaternion's error fades with λ/2
 WRIST = Text(en="fastest joint of the wrist from 4 s on", pt_BR="junta mais rápida do punho a partir de 4 s")
 OFF = Text(en="largest error of position from 4 s on", pt_BR="maior erro de posição a partir de 4 s")
 ASKEW = Text(en="largest error of orientation from 4 s on", pt_BR="maior erro de orientação a partir de 4 s")
@@ -73,7 +73,7 @@ NOT_SO_FAST = Text(
     en="with the time of (C.10); 2.5 times as fast, the peak is at 9.4 s",
     pt_BR="com o tempo de (C.10); 2,5 vezes mais rápido, o pico é em 9,4 s",
 )
-BEGUN = Reading(
+BEGUN = Interpretation(
     Text(en="start (0, π/2, −π, 0, −π/2, 0)", pt_BR="partida (0; π/2; −π; 0; −π/2; 0)"),
     Text(
         en="six random starts give the same slope and the same peaks",
@@ -91,28 +91,28 @@ class Options:
     dt: Step = 1e-3
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def ways(self) -> dict[str, MethodSettings]:
         """The inverse, a damping, and the filtered inverses with γ and ten times it."""
         filtered = {
-            f"{kind}_{times}": way(name, f"γ = {times * self.gain:g}", gain=times * self.gain)
+            f"{kind}_{times}": method_settings(name, f"γ = {times * self.gain:g}", gain=times * self.gain)
             for kind, name in (("filtered", "filtered"), ("modified", "filtered_modified"))
             for times in (1, 10)
         }
-        damped = way("damped_by_manipulability", "δ₀ = 0.1", damping=0.1, threshold=1e3)
-        return {"inverse": way("inverse"), "damping": damped, **filtered}
+        damped = method_settings("damped_by_manipulability", "δ₀ = 0.1", damping=0.1, threshold=1e3)
+        return {"inverse": method_settings("inverse"), "damping": damped, **filtered}
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Six methods with λ = 5 on trajectory 10, three of them also at 2.5 times its speed."""
     arm, ways = zebra_wrist(), options.ways
     dt = max(options.dt, 1e-2) if short else options.dt
-    usual, fast = (tracking(arm, faster(path_10, k), POSE, turned(1, pi / 2)) for k in (1.0, FAST))
+    usual, fast = (tracking(arm, sped_up(path_10, k), POSE, rotation_about(1, pi / 2)) for k in (1.0, FAST))
     half = max(options.dt, 5e-3) if short else dt / 2
     printed_speed = Experiment(arm, usual, RATE, TOOL_DOWN, dt, 31.5)
     faster_run = Experiment(arm, fast, RATE, TOOL_DOWN, half, 12.6)
-    plans = {(key, 1.0): partial(record, printed_speed, one) for key, one in ways.items()}
-    plans |= {(key, FAST): partial(record, faster_run, ways[key]) for key in FAST_ONES}
-    runs = each(plans, progress)
+    plans = {(key, 1.0): partial(run_method, printed_speed, one) for key, one in ways.items()}
+    plans |= {(key, FAST): partial(run_method, faster_run, ways[key]) for key in FAST_ONES}
+    runs = run_each(plans, progress)
     slow, at_speed = {key: runs[key, 1.0] for key in ways}, {key: runs[key, FAST] for key in FAST_ONES}
     rows = [
         *_statements(slow["inverse"], at_speed["inverse"], dt),
@@ -124,92 +124,100 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         rows += _passage(ways[key].title, slow[key], Figure(FIGURES) if key == "inverse" else None)
     for key in (key for key in judged if key in at_speed):
         of = Text(en="{of}, {speed}", pt_BR="{of}, {speed}").format(of=ways[key].title, speed=AT_SPEED)
-        rows.append(row(WRIST, of, largest(at_speed[key].rates[:, 3:], at_speed[key].t >= SINCE), "rad/s"))
-    names = titled(ways, slow)
-    wished = places(path_10, slow["inverse"].t)
+        rows.append(
+            run_row(
+                WRIST, of, largest_absolute(at_speed[key].joint_velocities[:, 3:], at_speed[key].t >= SINCE), "rad/s"
+            )
+        )
+    names = runs_by_title(ways, slow)
+    wished = path_points(path_10, slow["inverse"].t)
     inverted, title = slow["inverse"], ways["inverse"].title
     charts = (
-        over_time(OFF_PATH, "‖e_p‖, cm", names, lambda run: sizes(run.e[:, :3]), FIGURES, log=True),
-        over_time(TURNED, "ϑ, °", names, angles, FIGURES),
+        over_time(OFF_PATH, "‖e_p‖, cm", names, lambda run: row_norms(run.e[:, :3]), FIGURES, log=True),
+        over_time(TURNED, "ϑ, °", names, orientation_error_angles, FIGURES),
         condition_chart({title: inverted}, FIGURES),
-        rates_chart(inverted, title, FIGURES),
+        joint_velocity_chart(inverted, title, FIGURES),
         joints_chart(inverted, title, FIGURES),
         fastest_chart(names),
-        way_chart(
-            {WISHED: wished[:, :2], **{name: (wished - one.e[:, :3])[:, :2] for name, one in names.items()}},
+        path_chart(
+            {DESIRED: wished[:, :2], **{name: (wished - one.e[:, :3])[:, :2] for name, one in names.items()}},
             "x, cm",
             "y, cm",
         ),
     )
-    return finished(rows, charts, zebra_motions(names))
+    return study_result(rows, charts, zebra_motions(names))
 
 
 OFF_PATH = Text(en="error of position", pt_BR="erro de posição")
 TURNED = Text(en="error of orientation", pt_BR="erro de orientação")
 
 
-def angles(run: Run) -> Array:
+def orientation_error_angles(run: MethodRun) -> Array:
     """The angle of the error of orientation, (k,), degrees: e is sin(ϑ/2) times its axis."""
-    return np.asarray(np.degrees(2 * np.arcsin(np.minimum(1, sizes(run.e[:, 3:])))))
+    return np.asarray(np.degrees(2 * np.arcsin(np.minimum(1, row_norms(run.e[:, 3:])))))
 
 
-def slope(run: Run) -> float:
+def position_error_slope(run: MethodRun) -> float:
     """d ln‖e_p‖/dt between 0.1 and 1 s, 1/s."""
     between = (run.t > 0.1) & (run.t < 1)
-    return float(np.polyfit(run.t[between], np.log(sizes(run.e[between, :3])), 1)[0])
+    return float(np.polyfit(run.t[between], np.log(row_norms(run.e[between, :3])), 1)[0])
 
 
-def peak(run: Run) -> float:
+def peak_time(run: MethodRun) -> float:
     """The time, s, of the largest wrist velocity after the transient."""
     later = run.t >= SINCE
-    return float(run.t[later][np.abs(run.rates[later, 3:]).max(axis=1).argmax()])
+    return float(run.t[later][np.abs(run.joint_velocities[later, 3:]).max(axis=1).argmax()])
 
 
-def _statements(usual: Run, fast: Run, dt: float) -> list[Row]:
+def _statements(usual: MethodRun, fast: MethodRun, dt: float) -> list[Row]:
     """The decay, and the instant of the peak with the trajectory as printed and faster."""
-    decay = in_steps(Text(en="slope of ln‖e_p‖, inverse", pt_BR="inclinação de ln‖e_p‖, inversa"), dt)
-    law = stated("exponential decay, Λ = 5I: −5", "decaimento exponencial, Λ = 5I: −5", "sim. 3", -5.0, within=0.15)
-    said = printed("≈ 9", f"sim. 3, {FIGURES}")
+    decay = with_step(Text(en="slope of ln‖e_p‖, inverse", pt_BR="inclinação de ln‖e_p‖, inversa"), dt)
+    law = sentence_statement(
+        "exponential decay, Λ = 5I: −5", "decaimento exponencial, Λ = 5I: −5", "sim. 3", -5.0, within=0.15
+    )
+    said = printed_statement("≈ 9", f"sim. 3, {FIGURES}")
     return [
-        row(decay, None, slope(usual), "1/s", law, fitted=(BEGUN,)),
-        row(PEAK.format(of=AS_PRINTED), None, peak(usual), "s", said, erratum="vargas-1", why=NOT_SO_FAST),
-        row(PEAK.format(of=AT_SPEED), None, peak(fast), "s"),
+        run_row(decay, None, position_error_slope(usual), "1/s", law, fitted=(BEGUN,)),
+        run_row(PEAK.format(of=AS_PRINTED), None, peak_time(usual), "s", said, erratum="vargas-1", why=NOT_SO_FAST),
+        run_row(PEAK.format(of=AT_SPEED), None, peak_time(fast), "s"),
     ]
 
 
-def _kinds(run: Run) -> list[Row]:
+def _kinds(run: MethodRun) -> list[Row]:
     """What is singular at the peak of the inverse, in words, and that its factors are the determinant."""
-    robot, q = zebra_wrist().robot, run.q[np.abs(run.t - peak(run)).argmin()]
+    robot, q = zebra_wrist().robot, run.q[np.abs(run.t - peak_time(run)).argmin()]
     here = singularity(robot, q)
     product = float(np.prod([factor.value for factor in here.factors]))
-    splits = stated("det J_G = det J₁₁ det J₂₂", "det J_G = det J₁₁ det J₂₂", "eq. 3.9", 1.0, "=", 1e-6)
+    splits = sentence_statement("det J_G = det J₁₁ det J₂₂", "det J_G = det J₁₁ det J₂₂", "eq. 3.9", 1.0, "=", 1e-6)
     ratio = Text(en="product of the factors over det J_G", pt_BR="produto dos fatores sobre det J_G")
     near = Text(
         en="factor of det J_G at the peak, of its largest (0 would be {kind})",
         pt_BR="fator de det J_G no pico, em relação ao máximo (0 seria {kind})",
     )
     return [
-        row(ratio, None, abs(product / float(np.linalg.det(geometric(robot, q)))), "", splits),
-        *(row(near.format(kind=one.kind.value), None, 100 * abs(one.relative), "%") for one in here.factors),
+        run_row(ratio, None, abs(product / float(np.linalg.det(frame_jacobian(robot, q)))), "", splits),
+        *(run_row(near.format(kind=one.kind.value), None, 100 * abs(one.relative), "%") for one in here.factors),
     ]
 
 
-def _passage(of: Text, run: Run, shown: Figure | None) -> list[Row]:
+def _passage(of: Text, run: MethodRun, shown: Figure | None) -> list[Row]:
     """The wrist's velocities and both errors; shown: where the source shows them."""
     later = run.t >= SINCE
     return [
-        row(WRIST, of, largest(run.rates[:, 3:], later), "rad/s", shown),
-        row(OFF, of, largest(sizes(run.e[:, :3]), later), "cm", shown),
-        row(ASKEW, of, largest(angles(run), later), "°", shown),
+        run_row(WRIST, of, largest_absolute(run.joint_velocities[:, 3:], later), "rad/s", shown),
+        run_row(OFF, of, largest_absolute(row_norms(run.e[:, :3]), later), "cm", shown),
+        run_row(ASKEW, of, largest_absolute(orientation_error_angles(run), later), "°", shown),
     ]
 
 
-def _recovered(runs: dict[str, Run]) -> list[Row]:
+def _recovered(runs: dict[str, MethodRun]) -> list[Row]:
     """The remaining errors of all methods after 29 s."""
     late = runs["inverse"].t > 29
     position = Text(en="error of position after 29 s, at most", pt_BR="erro de posição após 29 s, no máximo")
     orientation = Text(en="error of orientation after 29 s, at most", pt_BR="erro de orientação após 29 s, no máximo")
     return [
-        row(position, None, max(largest(sizes(run.e[:, :3]), late) for run in runs.values()), "cm"),
-        row(orientation, None, max(largest(angles(run), late) for run in runs.values()), "°"),
+        run_row(position, None, max(largest_absolute(row_norms(run.e[:, :3]), late) for run in runs.values()), "cm"),
+        run_row(
+            orientation, None, max(largest_absolute(orientation_error_angles(run), late) for run in runs.values()), "°"
+        ),
     ]

@@ -5,13 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import pi
 
-from helicoide.studies.study import Progress, Reading, Result, Row
+from helicoide.studies.study import Interpretation, Progress, Result, Row
 from helicoide.studies.vargas.paths import path_2
-from helicoide.studies.vargas.planar import COMPARED, FITTED, LENGTH, SINCE, VALUES, followers, of_both, ours, result
-from helicoide.studies.vargas.planar import Five as Options
+from helicoide.studies.vargas.planar import (
+    COMPARED,
+    FITTED,
+    LENGTH,
+    SINCE,
+    VALUES,
+    computed_rows,
+    planar_result,
+    rows_of_both,
+    run_on_planar,
+)
+from helicoide.studies.vargas.planar import FiveMethods as Options
 from helicoide.studies.vargas.readings import LINKS
-from helicoide.studies.vargas.runs import Run, largest
-from helicoide.studies.vargas.table import ERROR_FROM, TRACKED, row, stated
+from helicoide.studies.vargas.runs import MethodRun, largest_absolute
+from helicoide.studies.vargas.table import ERROR_FROM, TRACKED, run_row, sentence_statement
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 4: nothing in the way", pt_BR="Simulação 4: nada no caminho")
@@ -30,7 +40,7 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 ROBOT = "planar3r"
 PATH, START, PLACE = path_2, (pi / 6, pi / 6, pi / 6), "sim. 4, figs. 3.8–3.9"
-BEGUN = Reading(
+BEGUN = Interpretation(
     Text(en="start (π/6, π/6, π/6)", pt_BR="partida (π/6; π/6; π/6)"),
     Text(
         en="the sentences hold from 16 of 20 random starts, and from all of 20 within 0.2 rad of it",
@@ -39,21 +49,21 @@ BEGUN = Reading(
 )
 
 
-def statements(runs: Mapping[str, Run]) -> list[Row]:
+def following_rows(runs: Mapping[str, MethodRun]) -> list[Row]:
     """That both methods follow, and that the damping never comes on."""
-    follows = stated("both methods track", "ambos os métodos rastreiam", PLACE, TRACKED * LENGTH, "≤")
-    errors = {key: largest(runs[key].size, runs[key].t >= SINCE) for key in COMPARED}
-    never = stated("δ = 0 throughout", "δ = 0 o tempo todo", PLACE, 0.0)
+    follows = sentence_statement("both methods track", "ambos os métodos rastreiam", PLACE, TRACKED * LENGTH, "≤")
+    errors = {key: largest_absolute(runs[key].error_norm, runs[key].t >= SINCE) for key in COMPARED}
+    never = sentence_statement("δ = 0 throughout", "δ = 0 o tempo todo", PLACE, 0.0)
     largest_damping = float(runs["damping"].figure("δ").max())
     return [
-        row(Text(en="largest damping δ", pt_BR="maior amortecimento δ"), None, largest_damping, "ℓ²", never,
+        run_row(Text(en="largest damping δ", pt_BR="maior amortecimento δ"), None, largest_damping, "ℓ²", never,
             fitted=(*FITTED["damping"], LINKS, BEGUN)),
-        *of_both(ERROR_FROM.format(since=SINCE), errors, "ℓ", follows, LINKS, BEGUN),
+        *rows_of_both(ERROR_FROM.format(since=SINCE), errors, "ℓ", follows, LINKS, BEGUN),
     ]  # fmt: skip
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 2."""
-    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
-    runs = followers(PATH, START, ways, dt, progress, VALUES.rate)
-    return result(statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.8–3.9")
+    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.methods
+    runs = run_on_planar(PATH, START, ways, dt, progress, VALUES.rate)
+    return planar_result(following_rows(runs) + computed_rows(ways, runs), PATH, ways, runs, "figs. 3.8–3.9")

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from helicoide.studies.study import Progress, Reading, Result, Row, printed
-from helicoide.studies.vargas.paths import path_3, places
-from helicoide.studies.vargas.planar import Five as Options
-from helicoide.studies.vargas.planar import below, ellipses, followers, ours, result
+from helicoide.studies.study import Interpretation, Progress, Result, Row, printed_statement
+from helicoide.studies.vargas.paths import path_3, path_points
+from helicoide.studies.vargas.planar import FiveMethods as Options
+from helicoide.studies.vargas.planar import (
+    computed_rows,
+    ellipse_chart,
+    planar_result,
+    run_on_planar,
+    velocity_bound_rows,
+)
 from helicoide.studies.vargas.readings import LINKS
-from helicoide.studies.vargas.runs import Run, sizes
-from helicoide.studies.vargas.table import row
+from helicoide.studies.vargas.runs import MethodRun, row_norms
+from helicoide.studies.vargas.table import run_row
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 5: past a singular posture", pt_BR="Simulação 5: rente a uma postura singular")
@@ -29,7 +35,7 @@ __all__ = ["ABOUT", "ROBOT", "SOURCE", "TITLE", "Options", "run"]
 
 ROBOT = "planar3r"
 PATH, START, PLACE = path_3, (0.5, 0.6, 0.6), "sim. 5, figs. 3.10–3.11"
-BEGUN = Reading(
+BEGUN = Interpretation(
     Text(en="start (0.5, 0.6, 0.6), near the path", pt_BR="partida (0,5; 0,6; 0,6), perto do caminho"),
     Text(
         en="it holds from 4 of 20 random starts, since the others begin with faster joints, and from all of 20 within "
@@ -40,17 +46,20 @@ BEGUN = Reading(
 )
 
 
-def statements(runs: Mapping[str, Run]) -> list[Row]:
+def velocity_rows(runs: Mapping[str, MethodRun]) -> list[Row]:
     """How fast the joints become, and when the path is nearest to the origin."""
     t = runs["damping"].t
-    when = float(t[sizes(places(PATH, t)).argmin()])
+    when = float(t[row_norms(path_points(PATH, t)).argmin()])
     nearest = Text(en="desired path nearest to the origin", pt_BR="caminho desejado mais próximo da origem")
-    return [*below("< 1.2", PLACE, runs, LINKS, BEGUN), row(nearest, None, when, "s", printed("≈ 26", PLACE))]
+    return [
+        *velocity_bound_rows("< 1.2", PLACE, runs, LINKS, BEGUN),
+        run_row(nearest, None, when, "s", printed_statement("≈ 26", PLACE)),
+    ]
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Five methods on trajectory 3."""
-    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
-    runs = followers(PATH, START, ways, dt, progress)
-    more = (ellipses(PATH, runs["damping"], (2, 10, 18, 24, 26, 28)),)
-    return result(statements(runs) + ours(ways, runs), PATH, ways, runs, "figs. 3.10–3.11", more)
+    dt, ways = max(options.dt, 1e-2) if short else options.dt, options.methods
+    runs = run_on_planar(PATH, START, ways, dt, progress)
+    more = (ellipse_chart(PATH, runs["damping"], (2, 10, 18, 24, 26, 28)),)
+    return planar_result(velocity_rows(runs) + computed_rows(ways, runs), PATH, ways, runs, "figs. 3.10–3.11", more)

@@ -6,13 +6,20 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import pi
 
-from helicoide.studies.study import Progress, Reading, Result, Row
+from helicoide.studies.study import Interpretation, Progress, Result, Row
 from helicoide.studies.vargas.paths import path_4
-from helicoide.studies.vargas.planar import FITTED, LENGTH, VALUES, followers, result
+from helicoide.studies.vargas.planar import FITTED, LENGTH, VALUES, planar_result, run_on_planar
 from helicoide.studies.vargas.readings import links
-from helicoide.studies.vargas.runs import Instants, Run, Way, largest, left_at, way
-from helicoide.studies.vargas.table import MOVED, SMALL, Gain, Step, row, stated
-from helicoide.text import Text, same
+from helicoide.studies.vargas.runs import (
+    MethodRun,
+    MethodSettings,
+    TimeMask,
+    first_motion_time,
+    largest_absolute,
+    method_settings,
+)
+from helicoide.studies.vargas.table import MOTION_THRESHOLD, SMALL, Gain, Step, run_row, sentence_statement
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Simulation 6: a singular start", pt_BR="Simulação 6: partida singular")
 SOURCE = "Vargas 2013, §3.5, sim. 6, figs. 3.12–3.13"
@@ -29,7 +36,7 @@ sai também a inversa filtrada cujo Θ inicial não é zero.""",
 ROBOT = "planar3r"
 PATH, START, PLACE = path_4, (pi / 2, 0, 0), "sim. 6, figs. 3.12–3.13"
 ORIGIN = 30.0
-BEFORE_IT = Reading(
+BEFORE_IT = Interpretation(
     Text(
         en="read until 30 s, before the origin, where both methods deviate",
         pt_BR="lido até 30 s, antes da origem, onde ambos os métodos se desviam",
@@ -45,7 +52,7 @@ ON_LINKS = links(
 LEAVES = Text(en="time until some joint has moved by 0.01 rad", pt_BR="tempo até alguma junta mover-se 0,01 rad")
 STAYS = Text(en="largest motion of a joint", pt_BR="maior movimento de uma junta")
 FIRST = 2.0
-EARLY = Reading(
+EARLY = Interpretation(
     Text(en="read in the first 2 s", pt_BR="lido nos 2 s iniciais"),
     Text(
         en="in a longer time rounding alone moves the arm with c = 0 too",
@@ -62,55 +69,66 @@ class Options:
     dt: Step = 1e-3
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def ways(self) -> dict[str, MethodSettings]:
         """The compared methods."""
         ones, zero = f"γ = {self.gain:g}, Θ(0) = 0.1", f"γ = {self.gain:g}, Θ(0) = 0"
         return {
-            **compared_ways(VALUES.ways),
-            "ones": way("filtered", ones, gain=self.gain, start="ones"),
-            "modified": way("filtered_modified", zero, gain=self.gain),
-            "modified_ones": way("filtered_modified", ones, gain=self.gain, start="ones"),
+            **compared_methods(VALUES.methods),
+            "ones": method_settings("filtered", ones, gain=self.gain, start="ones"),
+            "modified": method_settings("filtered_modified", zero, gain=self.gain),
+            "modified_ones": method_settings("filtered_modified", ones, gain=self.gain, start="ones"),
         }
 
 
-def compared_ways(ways: Mapping[str, Way]) -> dict[str, Way]:
+def compared_methods(ways: Mapping[str, MethodSettings]) -> dict[str, MethodSettings]:
     """Both methods, and the feedback with a diagonal G."""
-    alone = way("feedback", "c = 0", **{**ways["feedback"].options, "coupling": 0.0})
+    alone = method_settings("feedback", "c = 0", **{**ways["feedback"].options, "coupling": 0.0})
     return {**ways, "uncoupled": alone}
 
 
-def statements(runs: Mapping[str, Run]) -> list[Row]:
+def departure_rows(runs: Mapping[str, MethodRun]) -> list[Row]:
     """Who leaves the start, and how far off the path it is."""
     fed_back, damped, uncoupled = (runs[key] for key in ("feedback", "damping", "uncoupled"))
-    cannot = stated("cannot move", "não consegue se mover", PLACE, MOVED, "<")
-    leaves = stated("leaves the start", "deixa a partida", PLACE, MOVED, "≥")
-    small = stated("small error", "erro pequeno", PLACE, SMALL * LENGTH, "≤")
-    needs = stated(
-        "the start is left because G is not diagonal", "a partida é deixada porque G não é diagonal", "§3.4", MOVED, "<"
+    cannot = sentence_statement("cannot move", "não consegue se mover", PLACE, MOTION_THRESHOLD, "<")
+    leaves = sentence_statement("leaves the start", "deixa a partida", PLACE, MOTION_THRESHOLD, "≥")
+    small = sentence_statement("small error", "erro pequeno", PLACE, SMALL * LENGTH, "≤")
+    needs = sentence_statement(
+        "the start is left because G is not diagonal",
+        "a partida é deixada porque G não é diagonal",
+        "§3.4",
+        MOTION_THRESHOLD,
+        "<",
     )
     worst = Text(en="largest error until 30 s", pt_BR="maior erro até 30 s")
     early = Text(en="largest motion of a joint in the first 2 s", pt_BR="maior movimento de uma junta nos 2 s iniciais")
     begun = fed_back.t <= FIRST
-    names, chosen = compared_ways(VALUES.ways), (*FITTED["feedback"], ON_LINKS)
-    without_c = tuple(one for one in chosen if one.name != same("c"))
+    names, chosen = compared_methods(VALUES.methods), (*FITTED["feedback"], ON_LINKS)
+    without_c = tuple(one for one in chosen if one.name != untranslated("c"))
     coupled = names["feedback"].title
     return [
-        row(STAYS, names["damping"].title, _moved(damped), "rad", cannot),
-        row(early, coupled, _moved(fed_back, begun), "rad", leaves, fitted=(*chosen, EARLY)),
-        row(early, names["uncoupled"].title, _moved(uncoupled, begun), "rad", needs, fitted=(*without_c, EARLY)),
-        row(worst, coupled, largest(fed_back.size, fed_back.t <= ORIGIN), "ℓ", small, fitted=(*chosen, BEFORE_IT)),
+        run_row(STAYS, names["damping"].title, _moved(damped), "rad", cannot),
+        run_row(early, coupled, _moved(fed_back, begun), "rad", leaves, fitted=(*chosen, EARLY)),
+        run_row(early, names["uncoupled"].title, _moved(uncoupled, begun), "rad", needs, fitted=(*without_c, EARLY)),
+        run_row(
+            worst,
+            coupled,
+            largest_absolute(fed_back.error_norm, fed_back.t <= ORIGIN),
+            "ℓ",
+            small,
+            fitted=(*chosen, BEFORE_IT),
+        ),
     ]
 
 
-def _moved(run: Run, when: slice | Instants = slice(None)) -> float:
-    return largest((run.q - run.q[0])[when])
+def _moved(run: MethodRun, when: slice | TimeMask = slice(None)) -> float:
+    return largest_absolute((run.q - run.q[0])[when])
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Six methods on trajectory 4."""
     dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
-    runs = followers(PATH, START, ways, dt, progress)
-    rows = statements(runs)
-    rows += [row(LEAVES, ways[key].title, left_at(runs[key]), "s") for key in ("feedback", "ones")]
-    rows += [row(STAYS, ways[key].title, _moved(runs[key]), "rad") for key in ("modified", "modified_ones")]
-    return result(rows, PATH, ways, runs, PLACE.partition(", ")[2])
+    runs = run_on_planar(PATH, START, ways, dt, progress)
+    rows = departure_rows(runs)
+    rows += [run_row(LEAVES, ways[key].title, first_motion_time(runs[key]), "s") for key in ("feedback", "ones")]
+    rows += [run_row(STAYS, ways[key].title, _moved(runs[key]), "rad") for key in ("modified", "modified_ones")]
+    return planar_result(rows, PATH, ways, runs, PLACE.partition(", ")[2])

@@ -8,7 +8,7 @@ from math import pi
 
 import numpy as np
 
-from helicoide.studies.study import Progress, Reading, Result, Row
+from helicoide.studies.study import Interpretation, Progress, Result, Row
 from helicoide.studies.vargas.paths import path_4
 from helicoide.studies.vargas.planar import (
     COMPARED,
@@ -17,16 +17,16 @@ from helicoide.studies.vargas.planar import (
     PSEUDOINVERSE,
     SINCE,
     VALUES,
-    below,
-    filters,
-    followers,
-    of_both,
-    ours,
-    result,
+    computed_rows,
+    filtered_methods,
+    planar_result,
+    rows_of_both,
+    run_on_planar,
+    velocity_bound_rows,
 )
 from helicoide.studies.vargas.readings import links
-from helicoide.studies.vargas.runs import Run, Way, largest
-from helicoide.studies.vargas.table import FASTEST_FROM, MUCH, NULL, Gain, Step, in_steps, row, stated
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings, largest_absolute
+from helicoide.studies.vargas.table import FASTEST_FROM, MUCH, NULL, Gain, Step, run_row, sentence_statement, with_step
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 7: through a singular posture", pt_BR="Simulação 7: através de uma postura singular")
@@ -42,7 +42,7 @@ e mais rápidas as juntas, embora nunca além de 3 rad/s.""",
 ROBOT = "planar3r"
 PATH, START, PLACE = path_4, (pi / 2, 0.1, 0.1), "sim. 7, figs. 3.14–3.15"
 TIMES = (1, 10, 100)
-ELSEWHERE = Reading(
+ELSEWHERE = Interpretation(
     Text(
         en="elsewhere: before the damping comes on, and 4 s after it went off",
         pt_BR="no resto: antes de o amortecimento entrar e 4 s depois de ele sair",
@@ -70,31 +70,33 @@ class Options:
     dt: Step = 1e-3
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def ways(self) -> dict[str, MethodSettings]:
         """The compared methods."""
-        return {"pseudoinverse": PSEUDOINVERSE, **VALUES.ways, **filters([k * self.gain for k in TIMES])}
+        return {"pseudoinverse": PSEUDOINVERSE, **VALUES.methods, **filtered_methods([k * self.gain for k in TIMES])}
 
 
-def statements(runs: Mapping[str, Run]) -> list[Row]:
+def singularity_rows(runs: Mapping[str, MethodRun]) -> list[Row]:
     """How fast the joints become, and where the methods leave the path: near the singularity, and there alone."""
     damped = runs["damping"]
-    before = {key: largest(runs[key].size, _before(damped)) for key in COMPARED}
-    ratios = {key: largest(runs[key].size, runs[key].t >= SINCE) / before[key] for key in COMPARED}
-    leaves = stated("both deviate near the singularity", "ambos se desviam perto da singularidade", PLACE, MUCH, ">")
-    null = stated("zero elsewhere", "nulo no resto", PLACE, NULL * LENGTH, "≤")
+    before = {key: largest_absolute(runs[key].error_norm, _before(damped)) for key in COMPARED}
+    ratios = {key: largest_absolute(runs[key].error_norm, runs[key].t >= SINCE) / before[key] for key in COMPARED}
+    leaves = sentence_statement(
+        "both deviate near the singularity", "ambos se desviam perto da singularidade", PLACE, MUCH, ">"
+    )
+    null = sentence_statement("zero elsewhere", "nulo no resto", PLACE, NULL * LENGTH, "≤")
     ratio = Text(en="error near the singularity over that before", pt_BR="erro perto da singularidade sobre o de antes")
     early = Text(en="error from 10 s on, before the damping", pt_BR="erro a partir de 10 s, antes do amortecimento")
     late = Text(en="error at the end, 40 s", pt_BR="erro no fim, 40 s")
-    of, chosen = VALUES.ways["damping"].title, (*FITTED["damping"], ON_LINKS, ELSEWHERE)
+    of, chosen = VALUES.methods["damping"].title, (*FITTED["damping"], ON_LINKS, ELSEWHERE)
     return [
-        *below("< 0.7", PLACE, runs, ON_LINKS),
-        *of_both(ratio, ratios, "", leaves, ON_LINKS),
-        row(early, of, before["damping"], "ℓ", null, fitted=chosen),
-        row(late, of, float(damped.size[-1]), "ℓ", null, fitted=chosen),
+        *velocity_bound_rows("< 0.7", PLACE, runs, ON_LINKS),
+        *rows_of_both(ratio, ratios, "", leaves, ON_LINKS),
+        run_row(early, of, before["damping"], "ℓ", null, fitted=chosen),
+        run_row(late, of, float(damped.error_norm[-1]), "ℓ", null, fitted=chosen),
     ]
 
 
-def _before(damped: Run) -> slice:
+def _before(damped: MethodRun) -> slice:
     """From where the first error has faded until the damping comes on."""
     first = int(np.argmax(damped.t >= SINCE))
     return slice(first, first + int(np.argmax(damped.w[first:] < VALUES.threshold)))
@@ -103,9 +105,11 @@ def _before(damped: Run) -> slice:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Methods on trajectory 4, the filtered inverses with three gains."""
     dt, ways = max(options.dt, 1e-2) if short else options.dt, options.ways
-    runs = followers(PATH, START, ways, dt, progress)
-    rows = statements(runs) + ours(ways, {key: one for key, one in runs.items() if key != "pseudoinverse"})
+    runs = run_on_planar(PATH, START, ways, dt, progress)
+    rows = singularity_rows(runs) + computed_rows(
+        ways, {key: one for key, one in runs.items() if key != "pseudoinverse"}
+    )
     if not short:  # how near to the origin the pseudoinverse steps depends on the step
-        plain = largest(runs["pseudoinverse"].rates, runs["pseudoinverse"].t >= SINCE)
-        rows.append(row(in_steps(FASTEST_FROM.format(since=SINCE), dt), PSEUDOINVERSE.title, plain, "rad/s"))
-    return result(rows, PATH, ways, runs, "figs. 3.14–3.15")
+        plain = largest_absolute(runs["pseudoinverse"].joint_velocities, runs["pseudoinverse"].t >= SINCE)
+        rows.append(run_row(with_step(FASTEST_FROM.format(since=SINCE), dt), PSEUDOINVERSE.title, plain, "rad/s"))
+    return planar_result(rows, PATH, ways, runs, "figs. 3.14–3.15")

@@ -12,11 +12,11 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import scalar_filter
 from helicoide.ik.method import Quantity
-from helicoide.studies.study import CONSTRUCTED, Chart, Figure, Line, Progress, Result, Row, Statement
-from helicoide.studies.vargas.runs import digits
-from helicoide.studies.vargas.scalar import filtered
-from helicoide.studies.vargas.table import SECONDS, Step, finished, row, stated, thinned
-from helicoide.text import Text, same
+from helicoide.studies.study import BY_CONSTRUCTION, Chart, ChartLine, Figure, Progress, Result, Row, Statement
+from helicoide.studies.vargas.runs import localized
+from helicoide.studies.vargas.scalar import scalar_filter_steps
+from helicoide.studies.vargas.table import SECONDS, Step, run_row, sentence_statement, study_result, subsampled
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="Simulation 8: the inverse of one number", pt_BR="Simulação 8: a inversa de um número")
 SOURCE = "Vargas 2013, §4.1, sim. 8, fig. 4.3"
@@ -52,16 +52,19 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     t: Array = dt * np.arange(round(10 / dt) + 1.0)
     thetas = {}
     for name, k in CASES.items():
-        thetas[name] = filtered(k, 1.0, options.beta, dt, 0.0, 10.0)
+        thetas[name] = scalar_filter_steps(k, 1.0, options.beta, dt, 0.0, 10.0)
         progress(len(thetas) / (len(CASES) + 1))
-    long = filtered(CASES[FADING], 1.0, options.beta, dt, 0.0, 60.0)
+    long = scalar_filter_steps(CASES[FADING], 1.0, options.beta, dt, 0.0, 60.0)
     rows = [_constant(name, k, options.beta) for name, k in STILL.items()]
-    frozen = stated("k = 0: θ(t) = θ(0)", "k = 0: θ(t) = θ(0)", "§4.1, fig. 4.3", 1.0)
+    frozen = sentence_statement("k = 0: θ(t) = θ(0)", "k = 0: θ(t) = θ(0)", "§4.1, fig. 4.3", 1.0)
     after_ten = Text(en="θ after 10 s", pt_BR="θ após 10 s")
     rows += [
-        row(after_ten, digits("k = 0"), float(thetas["k = 0"][-1]), "", frozen, given=CONSTRUCTED),
-        *(row(after_ten, digits(name), float(thetas[name][-1]), "", Figure(FIGURE)) for name in ("k = 0.5", FADING)),
-        row(Text(en="θ after 60 s", pt_BR="θ após 60 s"), digits(FADING), float(long[-1])),
+        run_row(after_ten, localized("k = 0"), float(thetas["k = 0"][-1]), "", frozen, given=BY_CONSTRUCTION),
+        *(
+            run_row(after_ten, localized(name), float(thetas[name][-1]), "", Figure(FIGURE))
+            for name in ("k = 0.5", FADING)
+        ),
+        run_row(Text(en="θ after 60 s", pt_BR="θ após 60 s"), localized(FADING), float(long[-1])),
     ]
     progress(1.0)
     errors = {name: np.array([k(now) for now in t.tolist()]) * thetas[name] - 1 for name, k in CASES.items()}
@@ -69,7 +72,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         _chart(Text(en="θ on its way to 1/k", pt_BR="θ a caminho de 1/k"), "θ", t, thetas),
         _chart(Text(en="inversion error", pt_BR="erro de inversão"), "S = kθ − 1", t, errors),
     )
-    return finished(rows, charts)
+    return study_result(rows, charts)
 
 
 def _constant(name: str, k: float, beta: float) -> Row:
@@ -78,11 +81,11 @@ def _constant(name: str, k: float, beta: float) -> Row:
     while abs(theta - 1 / k) > abs(1.0 - 1 / k) / e:
         theta += 1e-3 * tau * scalar_filter.slope(k, theta, beta)
         taken += 1
-    law = Statement(same("τ = 1/(βk²)"), "eq. 4.10", tau, "=", 0.01 * tau)
+    law = Statement(untranslated("τ = 1/(βk²)"), "eq. 4.10", tau, "=", 0.01 * tau)
     title = Text(en="time constant, in a thousand steps", pt_BR="constante de tempo, em mil passos")
-    return row(title, digits(name), 1e-3 * tau * taken, "s", law)
+    return run_row(title, localized(name), 1e-3 * tau * taken, "s", law)
 
 
 def _chart(title: Text, up: str, t: Array, values: dict[str, Array]) -> Chart:
-    lines = tuple(Line(digits(name), thinned(t), thinned(value)) for name, value in values.items())
-    return Chart(title, SECONDS, same(up), lines, FIGURE)
+    lines = tuple(ChartLine(localized(name), subsampled(t), subsampled(value)) for name, value in values.items())
+    return Chart(title, SECONDS, untranslated(up), lines, FIGURE)

@@ -6,14 +6,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from helicoide.studies.study import Progress, Reading, Result, Row
-from helicoide.studies.vargas.arm import DAMPED, DAMPING, PSEUDOINVERSE, SINCE, Drawing, followers, result
+from helicoide.studies.study import Interpretation, Progress, Result, Row
 from helicoide.studies.vargas.arms import NEARLY_UPRIGHT, REACH
-from helicoide.studies.vargas.crossing import crossing_rows
+from helicoide.studies.vargas.crossing import axis_crossing_rows
 from helicoide.studies.vargas.paths import path_7
+from helicoide.studies.vargas.position_arm import (
+    DAMPED,
+    DAMPING,
+    PSEUDOINVERSE,
+    SINCE,
+    Drawing,
+    position_result,
+    run_on_zebra,
+)
 from helicoide.studies.vargas.readings import EXPONENT
-from helicoide.studies.vargas.runs import Run, Way, largest, way
-from helicoide.studies.vargas.table import TRACKED, GainInCm, Step, row, stated
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings, largest_absolute, method_settings
+from helicoide.studies.vargas.table import TRACKED, GainInCm, Step, run_row, sentence_statement
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 11b: an ill-conditioned start", pt_BR="Simulação 11b: partida mal condicionada")
@@ -28,8 +36,8 @@ caminho; quando ele sai, as juntas disparam. A inversa filtrada chega ao caminho
 )
 ROBOT = "zebra_zero"
 PLACE = "sim. 11, figs. 4.18–4.19"
-WATCHED = 20.0
-SEEN = Reading(
+JUDGED_UNTIL = 20.0
+SEEN = Interpretation(
     Text(
         en="the first 20 s, since the length of the run is not given",
         pt_BR="os 20 s iniciais, pois a duração da simulação não é dada",
@@ -46,10 +54,10 @@ class Options:
     dt: Step = 1e-3
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def ways(self) -> dict[str, MethodSettings]:
         """The filtered inverses with their γ, and the others."""
         filtered, modified = (
-            way(name, f"γ = {self.gain:g}", gain=self.gain) for name in ("filtered", "filtered_modified")
+            method_settings(name, f"γ = {self.gain:g}", gain=self.gain) for name in ("filtered", "filtered_modified")
         )
         return {"filtered": filtered, "modified": modified, "damping": DAMPING, "pseudoinverse": PSEUDOINVERSE}
 
@@ -57,31 +65,37 @@ class Options:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Four methods on trajectory 7, for 40 s, 20 s in a quick run."""
     ways = options.ways
-    dt, seconds = (max(options.dt, 5e-3), WATCHED) if short else (options.dt, 40.0)
-    runs = followers(path_7, NEARLY_UPRIGHT, ways, dt, seconds, progress)
+    dt, seconds = (max(options.dt, 5e-3), JUDGED_UNTIL) if short else (options.dt, 40.0)
+    runs = run_on_zebra(path_7, NEARLY_UPRIGHT, ways, dt, seconds, progress)
     damped = runs["damping"]
-    follows = stated("the filtered inverse tracks", "a inversa filtrada rastreia", PLACE, TRACKED * REACH, "≤")
-    rows = [*_statements(damped), *crossing_rows(ways, runs, PLACE, follows)]
-    rows.append(row(Text(en="w at the start", pt_BR="w na partida"), None, float(damped.w[0]), "cm³"))
+    follows = sentence_statement(
+        "the filtered inverse tracks", "a inversa filtrada rastreia", PLACE, TRACKED * REACH, "≤"
+    )
+    rows = [*_statements(damped), *axis_crossing_rows(ways, runs, PLACE, follows)]
+    rows.append(run_row(Text(en="w at the start", pt_BR="w na partida"), None, float(damped.w[0]), "cm³"))
     if not short:
         free = np.append(damped.t[damped.w >= DAMPED["threshold"]], seconds)[0]
         until = Text(en="damping goes off at", pt_BR="o amortecimento sai em")
-        rows.append(row(until, None, float(free), "s"))
+        rows.append(run_row(until, None, float(free), "s"))
         last = damped.t >= SINCE
         when = Text(en="the joints are fastest at, damped", pt_BR="as juntas são mais rápidas em, amortecida")
-        rows.append(row(when, None, float(damped.t[last][np.abs(damped.rates[last]).max(axis=1).argmax()]), "s"))
-    return result(rows, ways, runs, Drawing(path_7, (1, 2), PLACE, "fig. 4.18"), ("filtered", "damping"))
+        rows.append(
+            run_row(when, None, float(damped.t[last][np.abs(damped.joint_velocities[last]).max(axis=1).argmax()]), "s")
+        )
+    return position_result(rows, ways, runs, Drawing(path_7, (1, 2), PLACE, "fig. 4.18"), ("filtered", "damping"))
 
 
-def _statements(damped: Run) -> list[Row]:
+def _statements(damped: MethodRun) -> list[Row]:
     """That the damped does not follow, and that its damping is on, as long as it is watched."""
-    first = (damped.t >= SINCE) & (damped.t <= WATCHED)
-    watched = damped.shown <= WATCHED
+    first = (damped.t >= SINCE) & (damped.t <= JUDGED_UNTIL)
+    watched = damped.figure_times <= JUDGED_UNTIL
     least = Text(en="least damping δ in 20 s", pt_BR="menor amortecimento δ em 20 s")
     error = Text(en="largest error from 5 to 20 s, damped", pt_BR="maior erro de 5 a 20 s, amortecida")
-    fails = stated("the damped one fails to track", "a amortecida não consegue rastrear", PLACE, TRACKED * REACH, ">")
-    on = stated("δ > 0 for all t", "δ > 0 para todo t", PLACE, 0.0, ">")
+    fails = sentence_statement(
+        "the damped one fails to track", "a amortecida não consegue rastrear", PLACE, TRACKED * REACH, ">"
+    )
+    on = sentence_statement("δ > 0 for all t", "δ > 0 para todo t", PLACE, 0.0, ">")
     return [
-        row(error, None, largest(damped.size, first), "cm", fails, fitted=(SEEN, EXPONENT)),
-        row(least, None, float(damped.figure("δ")[watched].min()), "cm²", on, fitted=(SEEN, EXPONENT)),
+        run_row(error, None, largest_absolute(damped.error_norm, first), "cm", fails, fitted=(SEEN, EXPONENT)),
+        run_row(least, None, float(damped.figure("δ")[watched].min()), "cm²", on, fitted=(SEEN, EXPONENT)),
     ]

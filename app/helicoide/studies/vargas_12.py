@@ -7,14 +7,24 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import nan
 
-from helicoide.studies.study import Figure, Progress, Reading, Result, Row
-from helicoide.studies.vargas.arm import DAMPING, SINCE, Drawing, dips, first_dip, followers, hertz, re_entry, result
+from helicoide.studies.study import Figure, Interpretation, Progress, Result, Row
 from helicoide.studies.vargas.arms import FOLDED, REACH
-from helicoide.studies.vargas.paths import path_8, places
+from helicoide.studies.vargas.paths import path_8, path_points
+from helicoide.studies.vargas.position_arm import (
+    DAMPING,
+    SINCE,
+    Drawing,
+    border_dips,
+    elbow_frequency,
+    errors_after_return,
+    first_border_dip,
+    position_result,
+    run_on_zebra,
+)
 from helicoide.studies.vargas.reach import AFTER, reach_rows
 from helicoide.studies.vargas.readings import EXACT_STEP, EXPONENT
-from helicoide.studies.vargas.runs import Run, Way, largest, sizes, way
-from helicoide.studies.vargas.table import MUCH, GainInCm, Step, in_steps, row, stated
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings, largest_absolute, method_settings, row_norms
+from helicoide.studies.vargas.table import MUCH, GainInCm, Step, run_row, sentence_statement, with_step
 from helicoide.text import Text
 
 TITLE = Text(en="Simulation 12: out of reach", pt_BR="Simulação 12: fora do alcance")
@@ -32,7 +42,7 @@ volta.""",
 ROBOT = "zebra_zero"
 PLACE, TIMES = "sim. 12, figs. 4.20–4.27", (1, 5, 25)
 PRINTED = (1, 25)
-HALF_A_SECOND = Reading(
+HALF_A_SECOND = Interpretation(
     Text(en="0.5 s after coming back", pt_BR="0,5 s após a volta"),
     Text(
         en="4.3 times at 0.25 s, which is not yet large, and 63 times at 1 s",
@@ -51,10 +61,10 @@ class Options:
     dt: Step = 1e-3
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def ways(self) -> dict[str, MethodSettings]:
         """The filtered inverse with each γ, and what it is compared with."""
         filtered = {
-            f"filtered_{times}": way("filtered", f"γ = {times * self.gain:g}", gain=times * self.gain)
+            f"filtered_{times}": method_settings("filtered", f"γ = {times * self.gain:g}", gain=times * self.gain)
             for times in TIMES
         }
         return {**filtered, "damping": DAMPING}
@@ -64,35 +74,37 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     """Four methods on trajectory 8 for 20 s, 15 s in a quick run."""
     ways = options.ways
     dt, seconds = (max(options.dt, 2e-3), 15.0) if short else (options.dt, 20.0)
-    runs = followers(path_8, FOLDED, ways, dt, seconds, progress)
+    runs = run_on_zebra(path_8, FOLDED, ways, dt, seconds, progress)
     rows = _statements(runs, dt)
     for times in TIMES:
         of, one = ways[f"filtered_{times}"].title, runs[f"filtered_{times}"]
         shown = Figure(PLACE) if times in PRINTED else None
         rows += [
-            row(DIP, of, first_dip(one), "cm", shown),
-            row(SWING, of, hertz(one), "Hz", shown),
+            run_row(DIP, of, first_border_dip(one), "cm", shown),
+            run_row(SWING, of, elbow_frequency(one), "Hz", shown),
             *reach_rows(ways[f"filtered_{times}"], one, shown),
         ]
     rows += reach_rows(DAMPING, runs["damping"], Figure(PLACE), dt)
     beyond = Text(en="path beyond the border, at most", pt_BR="caminho além da fronteira, no máximo")
-    rows.append(row(beyond, None, float(sizes(places(path_8, runs["damping"].t)).max() - REACH), "cm"))
+    rows.append(run_row(beyond, None, float(row_norms(path_points(path_8, runs["damping"].t)).max() - REACH), "cm"))
     drawing = Drawing(path_8, (0, 1), PLACE, "figs. 4.21–4.22, 4.26")
-    return result(rows, ways, runs, drawing, ("filtered_1", "damping"))
+    return position_result(rows, ways, runs, drawing, ("filtered_1", "damping"))
 
 
-def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
+def _statements(runs: Mapping[str, MethodRun], dt: float) -> list[Row]:
     """The oscillation and what a larger γ does to it; how the damped leaves and comes back."""
     filtered, damped = [runs[f"filtered_{times}"] for times in TIMES], runs["damping"]
-    depths, often = [first_dip(one) for one in filtered], [hertz(one) for one in filtered]
-    fastest = [largest(one.rates, one.t >= SINCE) for one in (damped, filtered[0])]
-    back = [re_entry(one)[1] for one in (damped, filtered[0])]
+    depths, often = [first_border_dip(one) for one in filtered], [elbow_frequency(one) for one in filtered]
+    fastest = [largest_absolute(one.joint_velocities, one.t >= SINCE) for one in (damped, filtered[0])]
+    back = [errors_after_return(one)[1] for one in (damped, filtered[0])]
     count = Text(en="dips behind the border with the smallest γ", pt_BR="recuos atrás da fronteira com o menor γ")
-    swings = stated("oscillates in the unreachable part", "oscila na parte inalcançável", PLACE, 2.0, "≥")
-    smaller = stated("larger γ: smaller amplitude", "γ maior: amplitude menor", PLACE, 1.0, "<")
-    higher = stated("larger γ: higher frequency", "γ maior: frequência maior", PLACE, 1.0, ">")
-    peaks = stated("velocity peaks where the damping switches", "picos de velocidade na comutação", PLACE, MUCH, ">")
-    detour = stated("large detour on re-entry", "grande desvio na volta", PLACE, MUCH, ">")
+    swings = sentence_statement("oscillates in the unreachable part", "oscila na parte inalcançável", PLACE, 2.0, "≥")
+    smaller = sentence_statement("larger γ: smaller amplitude", "γ maior: amplitude menor", PLACE, 1.0, "<")
+    higher = sentence_statement("larger γ: higher frequency", "γ maior: frequência maior", PLACE, 1.0, ">")
+    peaks = sentence_statement(
+        "velocity peaks where the damping switches", "picos de velocidade na comutação", PLACE, MUCH, ">"
+    )
+    detour = sentence_statement("large detour on re-entry", "grande desvio na volta", PLACE, MUCH, ">")
     times = Text(en="{what}, with 5γ over with γ", pt_BR="{what}, com 5γ sobre com γ")
     at_most, at_least = (
         Text(en="{what}, at most", pt_BR="{what}, no máximo"),
@@ -104,11 +116,17 @@ def _statements(runs: Mapping[str, Run], dt: float) -> list[Row]:
     )
     later = Text(en="{what}, damped over filtered", pt_BR="{what}, amortecida sobre filtrada").format(what=AFTER)
     return [
-        row(count, None, float(dips(filtered[0])[0].size), "", swings, fitted=(EXACT_STEP,)),
-        row(at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller, fitted=(EXACT_STEP,)),
-        row(at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher, fitted=(EXACT_STEP,)),
-        row(in_steps(beside, dt), None, fastest[0] / fastest[1], "", peaks, fitted=(EXACT_STEP, EXPONENT)),
-        row(in_steps(later, dt), None, back[0] / back[1], "", detour, fitted=(HALF_A_SECOND, EXACT_STEP, EXPONENT)),
+        run_row(count, None, float(border_dips(filtered[0])[0].size), "", swings, fitted=(EXACT_STEP,)),
+        run_row(
+            at_most.format(what=times.format(what=DIP)), None, max(_times(depths)), "", smaller, fitted=(EXACT_STEP,)
+        ),
+        run_row(
+            at_least.format(what=times.format(what=SWING)), None, min(_times(often)), "", higher, fitted=(EXACT_STEP,)
+        ),
+        run_row(with_step(beside, dt), None, fastest[0] / fastest[1], "", peaks, fitted=(EXACT_STEP, EXPONENT)),
+        run_row(
+            with_step(later, dt), None, back[0] / back[1], "", detour, fitted=(HALF_A_SECOND, EXACT_STEP, EXPONENT)
+        ),
     ]
 
 

@@ -9,23 +9,34 @@ from math import pi
 
 import numpy as np
 
-from helicoide.studies.study import Chart, Figure, Fitted, Progress, Reading, Result, Row, Statement
+from helicoide.studies.study import Chart, Figure, Fitted, Interpretation, Progress, Result, Row, Statement
 from helicoide.studies.vargas.arms import TOOL_DOWN, zebra
-from helicoide.studies.vargas.paths import Vector, path_11, places
+from helicoide.studies.vargas.paths import Vector, path_11, path_points
 from helicoide.studies.vargas.readings import EXACT_STEP
-from helicoide.studies.vargas.runs import POSE, Experiment, Run, each, largest, record, sizes, tracking, turned, way
+from helicoide.studies.vargas.runs import (
+    POSE,
+    Experiment,
+    MethodRun,
+    largest_absolute,
+    method_settings,
+    rotation_about,
+    row_norms,
+    run_each,
+    run_method,
+    tracking,
+)
 from helicoide.studies.vargas.table import (
-    WISHED,
+    DESIRED,
     GainInDm,
     Step,
     fastest_chart,
-    finished,
+    joint_velocity_chart,
     joints_chart,
     over_time,
-    rates_chart,
-    row,
-    stated,
-    way_chart,
+    path_chart,
+    run_row,
+    sentence_statement,
+    study_result,
     zebra_motions,
 )
 from helicoide.text import Text
@@ -42,7 +53,7 @@ entre os ganhos conta: compare 10, 10 com 100, 100. Um ganho maior em um eixo fa
 )
 ROBOT = "zebra_zero"
 HALF, PLACE = 7.854, "sim. 14, figs. 4.34–4.36"  # s: when trajectory 11 is farthest
-FARTHEST = Reading(
+FARTHEST = Interpretation(
     Text(en="read when the path is farthest, 7.854 s", pt_BR="lido quando o caminho está mais longe, 7,854 s"),
     Text(
         en="the root mean square errors from 2 to 14.2 s have the ratios 0.12, 0.35, 0.16 and 0.16",
@@ -73,7 +84,9 @@ class Options:
     dt: Step = 5e-4
 
 
-def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Progress = lambda share: None) -> Run:
+def weighted_run(
+    gains: Gains, gain: float, dt: float, seconds: float, progress: Progress = lambda share: None
+) -> MethodRun:
     """The effector on trajectory 11, R_d = R_y(π), by the modified law, dm. Args: gains of x, y, z and orientation."""
     arm = zebra()
 
@@ -82,28 +95,30 @@ def weighted(gains: Gains, gain: float, dt: float, seconds: float, progress: Pro
         return (x / 10, y / 10, z / 10), (a / 10, b / 10, c / 10)
 
     rows = np.array([*gains[:3], *[gains[3]] * 3])
-    aiming = tracking(arm, in_dm, POSE, turned(1, pi))
+    aiming = tracking(arm, in_dm, POSE, rotation_about(1, pi))
     experiment = Experiment(arm, aiming, rows, TOOL_DOWN, dt, seconds)
-    return record(experiment, way("filtered_modified", gain=gain), progress)
+    return run_method(experiment, method_settings("filtered_modified", gain=gain), progress)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Six pairs of gains for 32 s; to the farthest point in a quick run."""
     dt, seconds = (max(options.dt, 8e-3), 10.0) if short else (options.dt, 32.0)
-    runs = each({key: partial(weighted, case, options.gain, dt, seconds) for key, case in CASES.items()}, progress)
+    runs = run_each(
+        {key: partial(weighted_run, case, options.gain, dt, seconds) for key, case in CASES.items()}, progress
+    )
     rows = _statements(runs)
     for key, one in runs.items():
         rows += _errors(NAMES[key], one, key in PRINTED)
     if not short:
         for key, one in runs.items():
             rows += _back(NAMES[key], one, key in PRINTED)
-    return finished(rows, _charts(runs), zebra_motions({NAMES[key]: one for key, one in runs.items()}))
+    return study_result(rows, _charts(runs), zebra_motions({NAMES[key]: one for key, one in runs.items()}))
 
 
 NAMES = {key: Text(en=f"Λₚ, λₒ = {key}", pt_BR=f"Λₚ, λₒ = {key}") for key in CASES}
 
 
-def at_half(run: Run) -> tuple[float, float, float, float]:
+def errors_at_farthest(run: MethodRun) -> tuple[float, float, float, float]:
     """|e_x|, |e_z| and ‖e_p‖, cm, and ‖Δε‖ when the trajectory is farthest."""
     e = run.e[int(np.abs(run.t - HALF).argmin())]
     return (
@@ -114,11 +129,11 @@ def at_half(run: Run) -> tuple[float, float, float, float]:
     )
 
 
-def _statements(runs: Mapping[str, Run]) -> list[Row]:
+def _statements(runs: Mapping[str, MethodRun]) -> list[Row]:
     """That the larger gain wins: an error with it, times that with equal gains."""
-    ends = {key: at_half(one) for key, one in runs.items()}
-    wins = stated("the larger gain wins", "o ganho maior vence", PLACE, 1.0, "<")
-    favours = stated("diagonal Λₚ favours one axis", "Λₚ diagonal favorece um eixo", PLACE, 1.0, "<")
+    ends = {key: errors_at_farthest(one) for key, one in runs.items()}
+    wins = sentence_statement("the larger gain wins", "o ganho maior vence", PLACE, 1.0, "<")
+    favours = sentence_statement("diagonal Λₚ favours one axis", "Λₚ diagonal favorece um eixo", PLACE, 1.0, "<")
     cases: list[tuple[str, int, str, str, Statement, Fitted]] = [
         ("‖e_p‖", 2, "100, 10", "10, 10", wins, EQUAL),
         ("‖Δε‖", 3, "10, 100", "10, 10", wins, EQUAL),
@@ -129,7 +144,7 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
         en="{e} at 7.854 s, gains ({first}) over ({second})", pt_BR="{e} em 7,854 s, ganhos ({first}) sobre ({second})"
     )
     return [
-        row(
+        run_row(
             title.format(e=e, first=first, second=second),
             None,
             ends[first][i] / ends[second][i],
@@ -141,43 +156,43 @@ def _statements(runs: Mapping[str, Run]) -> list[Row]:
     ]
 
 
-def _errors(of: Text, run: Run, printed: bool) -> list[Row]:
+def _errors(of: Text, run: MethodRun, printed: bool) -> list[Row]:
     there = Text(en="{e} at 7.854 s", pt_BR="{e} em 7,854 s")
-    _, _, position, turn = at_half(run)
+    _, _, position, turn = errors_at_farthest(run)
     shown = Figure(PLACE) if printed else None
     return [
-        row(there.format(e="‖e_p‖"), of, position, "cm", shown),
-        row(there.format(e="‖Δε‖"), of, turn, "", shown),
+        run_row(there.format(e="‖e_p‖"), of, position, "cm", shown),
+        run_row(there.format(e="‖Δε‖"), of, turn, "", shown),
     ]
 
 
-def _back(of: Text, run: Run, printed: bool) -> list[Row]:
+def _back(of: Text, run: MethodRun, printed: bool) -> list[Row]:
     """Where both can be had again."""
     shown = Figure(PLACE) if printed else None
     back = (run.t >= 20) & (run.t <= 27)
     place = Text(en="largest ‖e_p‖ from 20 to 27 s", pt_BR="maior ‖e_p‖ de 20 a 27 s")
     turn = Text(en="largest ‖Δε‖ from 20 to 27 s", pt_BR="maior ‖Δε‖ de 20 a 27 s")
     return [
-        row(place, of, 10 * largest(sizes(run.e[back, :3])), "cm", shown),
-        row(turn, of, largest(sizes(run.e[back, 3:])), "", shown),
+        run_row(place, of, 10 * largest_absolute(row_norms(run.e[back, :3])), "cm", shown),
+        run_row(turn, of, largest_absolute(row_norms(run.e[back, 3:])), "", shown),
     ]
 
 
-def _charts(runs: Mapping[str, Run]) -> list[Chart]:
+def _charts(runs: Mapping[str, MethodRun]) -> list[Chart]:
     """Both errors of every run, the errors by axes, the way, and the joints of the first."""
     names, first = {NAMES[key]: one for key, one in runs.items()}, next(iter(runs))
-    one, wished = runs[first], places(path_11, runs[first].t)
+    one, wished = runs[first], path_points(path_11, runs[first].t)
     ways = {name: (wished - 10 * run.e[:, :3])[:, ::2] for name, run in names.items()}
     position = Text(en="error of position", pt_BR="erro de posição")
     turn = Text(en="error of orientation", pt_BR="erro de orientação")
     by_axis = Text(en="error of position along {axis}", pt_BR="erro de posição em {axis}")
     return [
-        over_time(position, "‖e_p‖, cm", names, lambda run: 10 * sizes(run.e[:, :3]), PLACE),
-        over_time(turn, "‖Δε‖", names, lambda run: sizes(run.e[:, 3:]), PLACE),
+        over_time(position, "‖e_p‖, cm", names, lambda run: 10 * row_norms(run.e[:, :3]), PLACE),
+        over_time(turn, "‖Δε‖", names, lambda run: row_norms(run.e[:, 3:]), PLACE),
         over_time(by_axis.format(axis="x"), "e_x, cm", names, lambda run: 10 * run.e[:, 0], PLACE),
         over_time(by_axis.format(axis="z"), "e_z, cm", names, lambda run: 10 * run.e[:, 2], PLACE),
-        way_chart({WISHED: wished[:, ::2], **ways}, "x, cm", "z, cm"),
-        rates_chart(one, NAMES[first], PLACE),
+        path_chart({DESIRED: wished[:, ::2], **ways}, "x, cm", "z, cm"),
+        joint_velocity_chart(one, NAMES[first], PLACE),
         joints_chart(one, NAMES[first]),
         fastest_chart(names),
     ]

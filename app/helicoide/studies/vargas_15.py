@@ -8,39 +8,39 @@ from math import pi
 
 from helicoide.ik.secondary import augmented
 from helicoide.studies.study import Fitted, Progress, Result, Row, Statement
-from helicoide.studies.vargas.arms import limited
-from helicoide.studies.vargas.paths import path_1, places
+from helicoide.studies.vargas.arms import planar_with_limits
+from helicoide.studies.vargas.paths import path_1, path_points
 from helicoide.studies.vargas.readings import EXACT_STEP, LINKS
-from helicoide.studies.vargas.runs import Run, each, largest
+from helicoide.studies.vargas.runs import MethodRun, largest_absolute, run_each
 from helicoide.studies.vargas.secondary import (
     ERROR_LATER,
     FASTEST_LATER,
     LENGTH,
     SECONDS,
     SINCE,
-    chosen,
     cost_chart,
-    filtered,
-    follow,
-    tool,
+    planar_tracking,
+    run_modified_filter,
+    single_objective,
+    tool_points,
 )
 from helicoide.studies.vargas.table import (
+    DESIRED,
     NULL,
     SMALL,
-    WISHED,
     Gain,
     Step,
     errors_chart,
     fastest_chart,
-    finished,
+    joint_velocity_chart,
     joints_chart,
     over_time,
+    path_chart,
     planar_motions,
-    rates_chart,
-    row,
-    stated,
-    valued,
-    way_chart,
+    run_row,
+    sentence_statement,
+    study_result,
+    symbol_value,
 )
 from helicoide.text import Text
 
@@ -70,54 +70,66 @@ class Options:
     dt: Step = 1e-3
 
 
-def barrier(
+def joint_barrier_run(
     zeta: float | None, gain: float, dt: float, seconds: float, progress: Progress, elbow: float = MIDDLE
-) -> Run:
+) -> MethodRun:
     """Joint 2 kept at −1 ± ζ; α = 5, k = 10."""
-    aiming = follow(path_1)
+    aiming = planar_tracking(path_1)
     if zeta is not None:
-        here = limited(1, MIDDLE - zeta, MIDDLE + zeta)
-        aiming = augmented(here, chosen("joint_barrier"), aiming)
-    return filtered(aiming, (START[0], elbow, START[2]), gain, dt, progress, seconds)
+        here = planar_with_limits(1, MIDDLE - zeta, MIDDLE + zeta)
+        aiming = augmented(here, single_objective("joint_barrier"), aiming)
+    return run_modified_filter(aiming, (START[0], elbow, START[2]), gain, dt, progress, seconds)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Without a limit, and with two."""
     dt = max(options.dt, 1e-2) if short else options.dt
-    plans = {zeta: partial(barrier, zeta, options.gain, dt, SECONDS) for zeta in (None, *ZETAS)}
-    runs = each(plans, progress)
-    names = {FREE if zeta is None else valued("ζ", zeta): one for zeta, one in runs.items()}
-    rows = [row(AWAY, FREE, largest(runs[None].q[:, 1] - MIDDLE), "rad")]
+    plans = {zeta: partial(joint_barrier_run, zeta, options.gain, dt, SECONDS) for zeta in (None, *ZETAS)}
+    runs = run_each(plans, progress)
+    names = {FREE if zeta is None else symbol_value("ζ", zeta): one for zeta, one in runs.items()}
+    rows = [run_row(AWAY, FREE, largest_absolute(runs[None].q[:, 1] - MIDDLE), "rad")]
     for zeta in ZETAS:
-        rows += statements(zeta, runs[zeta])
-    rows += [row(FASTEST_LATER, name, largest(one.rates, one.t >= SINCE), "rad/s") for name, one in names.items()]
-    limited_ones, kept = {name: names[name] for name in names if name is not FREE}, valued("ζ", ZETAS[0])
-    wished = places(path_1, runs[None].t)[:, :2]
+        rows += barrier_rows(zeta, runs[zeta])
+    rows += [
+        run_row(FASTEST_LATER, name, largest_absolute(one.joint_velocities, one.t >= SINCE), "rad/s")
+        for name, one in names.items()
+    ]
+    limited_ones, kept = {name: names[name] for name in names if name is not FREE}, symbol_value("ζ", ZETAS[0])
+    wished = path_points(path_1, runs[None].t)[:, :2]
     charts = (
         over_time(Text(en="the elbow", pt_BR="o cotovelo"), "q₂, rad", names, lambda run: run.q[:, 1], PLACE),
         errors_chart(names, "ℓ", PLACE, log=True),
         cost_chart(limited_ones, PLACE),
         joints_chart(names[kept], kept, PLACE),
-        rates_chart(names[kept], kept, PLACE),
-        way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"),
+        joint_velocity_chart(names[kept], kept, PLACE),
+        path_chart(
+            {DESIRED: wished, **{name: tool_points(one, path_1) for name, one in names.items()}}, "x, ℓ", "y, ℓ"
+        ),
         fastest_chart(names),
     )
-    return finished(rows, charts, planar_motions(names))
+    return study_result(rows, charts, planar_motions(names))
 
 
 FREE = Text(en="no limit", pt_BR="sem limite")
 AWAY = Text(en="largest |q₂ + 1|", pt_BR="maior |q₂ + 1|")
 
 
-def statements(zeta: float, run: Run) -> list[Row]:
+def barrier_rows(zeta: float, run: MethodRun) -> list[Row]:
     """That the elbow stays within −1 ± ζ from the first instant, and what the path pays for it."""
-    of = valued("ζ", zeta)
+    of = symbol_value("ζ", zeta)
     said = Text(en="the limit −1 ± {zeta:g} is kept", pt_BR="o limite −1 ± {zeta:g} é mantido").format(zeta=zeta)
     kept = Statement(said, PLACE, zeta, "≤")
-    null = stated("practically null error", "erro praticamente nulo", PLACE, NULL * LENGTH, "≤")
-    small = stated("small errors", "erros pequenos", PLACE, SMALL * LENGTH, "≤")
+    null = sentence_statement("practically null error", "erro praticamente nulo", PLACE, NULL * LENGTH, "≤")
+    small = sentence_statement("small errors", "erros pequenos", PLACE, SMALL * LENGTH, "≤")
     error = null if zeta == ZETAS[0] else small
     return [
-        row(AWAY, of, largest(run.q[:, 1] - MIDDLE), "rad", kept, fitted=(ELBOW, LINKS, EXACT_STEP)),
-        row(ERROR_LATER, of, largest(run.size, run.t >= SINCE), "ℓ", error, fitted=(ELBOW, LINKS, EXACT_STEP)),
+        run_row(AWAY, of, largest_absolute(run.q[:, 1] - MIDDLE), "rad", kept, fitted=(ELBOW, LINKS, EXACT_STEP)),
+        run_row(
+            ERROR_LATER,
+            of,
+            largest_absolute(run.error_norm, run.t >= SINCE),
+            "ℓ",
+            error,
+            fitted=(ELBOW, LINKS, EXACT_STEP),
+        ),
     ]

@@ -9,26 +9,35 @@ from itertools import pairwise
 import numpy as np
 
 from helicoide.ik.secondary import augmented
-from helicoide.studies.study import Progress, Reading, Result
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.paths import path_1, places
+from helicoide.studies.study import Interpretation, Progress, Result
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.paths import path_1, path_points
 from helicoide.studies.vargas.readings import EXACT_STEP, LINKS
-from helicoide.studies.vargas.runs import Run, each, largest
-from helicoide.studies.vargas.secondary import ERROR_LATER, SECONDS, SINCE, chosen, cost_chart, filtered, follow, tool
+from helicoide.studies.vargas.runs import MethodRun, largest_absolute, run_each
+from helicoide.studies.vargas.secondary import (
+    ERROR_LATER,
+    SECONDS,
+    SINCE,
+    cost_chart,
+    planar_tracking,
+    run_modified_filter,
+    single_objective,
+    tool_points,
+)
 from helicoide.studies.vargas.table import (
-    WISHED,
+    DESIRED,
     Gain,
     Step,
     errors_chart,
     fastest_chart,
-    finished,
+    joint_velocity_chart,
     joints_chart,
+    path_chart,
     planar_motions,
-    rates_chart,
-    row,
-    stated,
-    valued,
-    way_chart,
+    run_row,
+    sentence_statement,
+    study_result,
+    symbol_value,
 )
 from helicoide.text import Text
 
@@ -43,11 +52,11 @@ longe ele passa.""",
 )
 ROBOT = "planar3r"
 START, MU, PLACE = (0.6, -1.2, 0.4), (2.0, 0.75), "sim. 16, fig. 4.41"
-HEIGHTS = Reading(
+HEIGHTS = Interpretation(
     Text(en="heights α from 0.1 to 10, which are not printed", pt_BR="alturas α de 0,1 a 10, que não estão impressas"),
     Text(en="with 20 and 50 it detours still more", pt_BR="com 20 e 50 o desvio é ainda maior"),
 )
-BEGUN = Reading(
+BEGUN = Interpretation(
     Text(en="start (0.6, −1.2, 0.4)", pt_BR="partida (0,6; −1,2; 0,4)"),
     Text(
         en="20 random starts come to the same distances within 3 %",
@@ -67,28 +76,33 @@ class Options:
     dt: Step = 1e-3
 
 
-def round_the_obstacle(weight: float, gain: float, dt: float, seconds: float, progress: Progress) -> Run:
+def obstacle_run(weight: float, gain: float, dt: float, seconds: float, progress: Progress) -> MethodRun:
     """A hill of height α and radius 0.2 at μ = (2, 0.75), felt by the tool."""
-    hill = chosen("ellipsoid", weight=weight, x=MU[0], y=MU[1], z=0.0, a=0.2, b=0.2, c=0.2, where="tool")
-    return filtered(augmented(planar(), hill, follow(path_1)), START, gain, dt, progress, seconds)
+    hill = single_objective("ellipsoid", weight=weight, x=MU[0], y=MU[1], z=0.0, a=0.2, b=0.2, c=0.2, where="tool")
+    return run_modified_filter(
+        augmented(planar_problem(), hill, planar_tracking(path_1)), START, gain, dt, progress, seconds
+    )
 
 
-def closest(run: Run) -> float:
+def least_obstacle_distance(run: MethodRun) -> float:
     """How near to the obstacle the tool comes after the transient, ℓ."""
-    return float(np.linalg.norm(tool(run, path_1)[run.t >= SINCE - 1e-9] - MU, axis=1).min())
+    return float(np.linalg.norm(tool_points(run, path_1)[run.t >= SINCE - 1e-9] - MU, axis=1).min())
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Six heights of the hill and none, three in a quick run."""
     dt = max(options.dt, 1e-2) if short else options.dt
     weights = FEW if short else WEIGHTS
-    runs = each({alpha: partial(round_the_obstacle, alpha, options.gain, dt, SECONDS) for alpha in weights}, progress)
-    names, near = {valued("α", alpha): one for alpha, one in runs.items()}, [closest(one) for one in runs.values()]
+    runs = run_each({alpha: partial(obstacle_run, alpha, options.gain, dt, SECONDS) for alpha in weights}, progress)
+    names, near = (
+        {symbol_value("α", alpha): one for alpha, one in runs.items()},
+        [least_obstacle_distance(one) for one in runs.values()],
+    )
     more = Text(
         en="{closest}: with each α over that with the one before, at least",
         pt_BR="{closest}: com cada α sobre a com o anterior, no mínimo",
     )
-    detours = stated(
+    detours = sentence_statement(
         "the end effector detours, the more the larger α",
         "o efetuador desvia, tanto mais quanto maior α",
         PLACE,
@@ -97,20 +111,23 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
     chosen_ones = (HEIGHTS, BEGUN, LINKS, EXACT_STEP)
     least = min(b / a for a, b in pairwise(near))
-    rows = [row(more.format(closest=CLOSEST), None, least, "", detours, fitted=chosen_ones)]
+    rows = [run_row(more.format(closest=CLOSEST), None, least, "", detours, fitted=chosen_ones)]
     for (name, one), distance in zip(names.items(), near, strict=True):
         rows += [
-            row(CLOSEST, name, distance, "ℓ"),
-            row(ERROR_LATER, name, largest(one.size, one.t >= SINCE - 1e-9), "ℓ"),
+            run_row(CLOSEST, name, distance, "ℓ"),
+            run_row(ERROR_LATER, name, largest_absolute(one.error_norm, one.t >= SINCE - 1e-9), "ℓ"),
         ]
-    ways = {WISHED: places(path_1, runs[0.0].t)[:, :2], **{name: tool(one, path_1) for name, one in names.items()}}
-    highest = valued("α", weights[-1])
+    ways = {
+        DESIRED: path_points(path_1, runs[0.0].t)[:, :2],
+        **{name: tool_points(one, path_1) for name, one in names.items()},
+    }
+    highest = symbol_value("α", weights[-1])
     charts = (
-        way_chart(ways, "x, ℓ", "y, ℓ", "fig. 4.41"),
+        path_chart(ways, "x, ℓ", "y, ℓ", "fig. 4.41"),
         cost_chart(names, "fig. 4.41b"),
         errors_chart(names, "ℓ"),
-        rates_chart(names[highest], highest),
+        joint_velocity_chart(names[highest], highest),
         joints_chart(names[highest], highest),
         fastest_chart(names),
     )
-    return finished(rows, charts, planar_motions(names))
+    return study_result(rows, charts, planar_motions(names))

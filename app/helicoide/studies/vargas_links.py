@@ -5,36 +5,36 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from helicoide.studies.study import Fitted, Progress, Reading, Result, Row
-from helicoide.studies.vargas.paths import path_5, places
+from helicoide.studies.study import Fitted, Interpretation, Progress, Result, Row
+from helicoide.studies.vargas.paths import path_5, path_points
 from helicoide.studies.vargas.readings import EXACT_STEP, links
-from helicoide.studies.vargas.runs import Run, each, largest
+from helicoide.studies.vargas.runs import MethodRun, largest_absolute, run_each
 from helicoide.studies.vargas.secondary import (
     ERROR_LATER,
     LENGTH,
     NEAREST_LATER,
     SECONDS,
     SINCE,
-    beside_the_links,
     cost_chart,
-    tool,
+    obstacle_near_links,
+    tool_points,
 )
 from helicoide.studies.vargas.table import (
+    DESIRED,
     NULL,
-    WISHED,
     Gain,
     Step,
     errors_chart,
     fastest_chart,
-    finished,
+    joint_velocity_chart,
     joints_chart,
+    path_chart,
     planar_motions,
-    rates_chart,
-    row,
-    stated,
-    way_chart,
+    run_row,
+    sentence_statement,
+    study_result,
 )
-from helicoide.text import Text, same
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos elos")
 SOURCE = "Vargas 2013, §4.7, fig. 4.42"
@@ -52,9 +52,9 @@ PLACE = "fig. 4.42"
 FAR, NEAR = ((0.6, 1.15), (0.85, 1.55)), (1.8, 1.4)
 POINTS = (0, 8, 1)
 CHOSEN = (
-    Fitted(same("α"), 2.0, 0.5, 3.0, "s⁻¹"),
-    Fitted(same("γ"), 100.0, 25.0, 1000.0, "ℓ⁻² s⁻¹"),
-    Reading(
+    Fitted(untranslated("α"), 2.0, 0.5, 3.0, "s⁻¹"),
+    Fitted(untranslated("γ"), 100.0, 25.0, 1000.0, "ℓ⁻² s⁻¹"),
+    Interpretation(
         Text(
             en="start (0.9, −1.2, −0.6) and these places of the obstacle",
             pt_BR="partida (0,9; −1,2; −0,6) e estes lugares do obstáculo",
@@ -94,35 +94,39 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     dt, seconds = (max(options.dt, 1e-2), SECONDS / 2) if short else (options.dt, SECONDS)
     distances: dict[Key, float] = {}
 
-    def one(key: Key) -> Callable[[Progress], Run]:
-        def go(told: Progress) -> Run:
-            found, distances[key] = beside_the_links(*key, options.gain, dt, seconds, told)
+    def one(key: Key) -> Callable[[Progress], MethodRun]:
+        def go(told: Progress) -> MethodRun:
+            found, distances[key] = obstacle_near_links(*key, options.gain, dt, seconds, told)
             return found
 
         return go
 
-    runs = each({key: one(key) for key in CASES}, progress)
+    runs = run_each({key: one(key) for key in CASES}, progress)
     names, seen = {key: _name(key) for key in CASES}, {key: _name(key) for key in CASES if key[1] == 8}
     rows = _statements(runs, distances)
-    rows += [row(NEAREST_LATER, names[key], distance, "ℓ") for key, distance in distances.items()]
-    rows.append(row(ERROR_LATER, names[NEAR, 8], largest(runs[NEAR, 8].size, runs[NEAR, 8].t >= SINCE), "ℓ"))
+    rows += [run_row(NEAREST_LATER, names[key], distance, "ℓ") for key, distance in distances.items()]
+    rows.append(
+        run_row(ERROR_LATER, names[NEAR, 8], largest_absolute(runs[NEAR, 8].error_norm, runs[NEAR, 8].t >= SINCE), "ℓ")
+    )
     first, shown = next(iter(seen)), {name: runs[key] for key, name in seen.items()}
-    wished = places(path_5, runs[first].t)[:, :2]
+    wished = path_points(path_5, runs[first].t)[:, :2]
     charts = (
         errors_chart(shown, "ℓ", PLACE, log=True),
         cost_chart(shown, PLACE),
-        way_chart({WISHED: wished, **{name: tool(one, path_5) for name, one in shown.items()}}, "x, ℓ", "y, ℓ", PLACE),
+        path_chart(
+            {DESIRED: wished, **{name: tool_points(one, path_5) for name, one in shown.items()}}, "x, ℓ", "y, ℓ", PLACE
+        ),
         joints_chart(runs[first], names[first], PLACE),
-        rates_chart(runs[first], names[first], PLACE),
+        joint_velocity_chart(runs[first], names[first], PLACE),
         fastest_chart(shown),
     )
-    return finished(rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
+    return study_result(rows, charts, planar_motions({names[key]: run for key, run in runs.items()}))
 
 
-def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
+def _statements(runs: dict[Key, MethodRun], distances: dict[Key, float]) -> list[Row]:
     """The arm folds out of the way, and the tool keeps to its path while the obstacle is far from it."""
-    folds = stated("internal reconfiguration", "reconfiguração interna", PLACE, 1.0, ">")
-    null = stated(
+    folds = sentence_statement("internal reconfiguration", "reconfiguração interna", PLACE, 1.0, ">")
+    null = sentence_statement(
         "null error while the obstacle is far from the target",
         "erro nulo com o obstáculo longe do alvo",
         PLACE,
@@ -134,7 +138,7 @@ def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
         found
         for mu in FAR
         for found in (
-            row(
+            run_row(
                 ratio.format(near=NEAREST_LATER),
                 _name((mu, 8)),
                 distances[mu, 8] / distances[mu, 0],
@@ -142,8 +146,13 @@ def _statements(runs: dict[Key, Run], distances: dict[Key, float]) -> list[Row]:
                 folds,
                 fitted=CHOSEN,
             ),
-            row(
-                ERROR_LATER, _name((mu, 8)), largest(runs[mu, 8].size, runs[mu, 8].t >= SINCE), "ℓ", null, fitted=CHOSEN
+            run_row(
+                ERROR_LATER,
+                _name((mu, 8)),
+                largest_absolute(runs[mu, 8].error_norm, runs[mu, 8].t >= SINCE),
+                "ℓ",
+                null,
+                fitted=CHOSEN,
             ),
         )
     ]

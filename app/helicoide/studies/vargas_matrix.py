@@ -11,11 +11,19 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import filtered_inverse, modal
 from helicoide.ik.filtered_inverse import Parts, Update
-from helicoide.kinematics.differential import geometric
-from helicoide.studies.study import CONSTRUCTED, Chart, Line, Progress, Result, Row
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.table import SECONDS, Gain, finished, row, stated, thinned, valued
-from helicoide.text import Text, same
+from helicoide.kinematics.differential import frame_jacobian
+from helicoide.studies.study import BY_CONSTRUCTION, Chart, ChartLine, Progress, Result, Row
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.table import (
+    SECONDS,
+    Gain,
+    run_row,
+    sentence_statement,
+    study_result,
+    subsampled,
+    symbol_value,
+)
+from helicoide.text import Text, untranslated
 
 TITLE = Text(en="What Θ learns of a matrix", pt_BR="O que Θ aprende de uma matriz")
 SOURCE = "Vargas 2013, §§4.3–4.4, eqs. 4.18–4.54, fig. 4.6"
@@ -55,7 +63,7 @@ class Options:
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class FilterPath:
     """Θ (k, n, r) at times t (k,), s, for a constant K (r, n)."""
 
     K: Array
@@ -72,7 +80,7 @@ class Path:
         return [modal.diagnosed(self.K, Theta, gain) for Theta in self.Theta]
 
 
-def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float) -> Path:
+def filter_path(K: Array, gain: Array | float, update: Update | Parts, seconds: float) -> FilterPath:
     """From a random Θ(0), by the rule of tab. 4.1, with a tenth of the stable step, stored more often at first."""
     t: Array = seconds * np.linspace(0, 1, 601) ** 3
     longest = filtered_inverse.step_limit(K, float(np.linalg.norm(np.atleast_2d(gain), 2)), update) / 10
@@ -83,10 +91,10 @@ def learnt(K: Array, gain: Array | float, update: Update | Parts, seconds: float
         for _ in range(steps):
             Theta = filtered_inverse.euler(K, Theta, gain, between / steps, update)
         found.append(Theta)
-    return Path(K, t, np.array(found))
+    return FilterPath(K, t, np.array(found))
 
 
-def farthest(K: Array, gain: float, seconds: float) -> float:
+def largest_remaining_error(K: Array, gain: float, seconds: float) -> float:
     """The largest ‖Θ − K†‖ that remains from random Θ(0), by the rule of tab. 4.1, with half the stable step."""
     steps, left = ceil(2 * seconds / filtered_inverse.step_limit(K, gain)), []
     for Theta in np.random.default_rng(1).normal(size=(STARTS, *K.T.shape)):
@@ -98,26 +106,30 @@ def farthest(K: Array, gain: float, seconds: float) -> float:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """A Jacobian of a redundant arm, its transpose, and a singular one."""
-    gain, robot = options.gain, planar().robot
-    wide, singular = geometric(robot, READY)[:2], geometric(robot, STRETCHED)[:2]
+    gain, robot = options.gain, planar_problem().robot
+    wide, singular = frame_jacobian(robot, READY)[:2], frame_jacobian(robot, STRETCHED)[:2]
     seconds = 100.0 / gain
-    spare = {key: learnt(wide, gain, update, seconds) for key, update in BOTH.items()}
-    many = {key: learnt(wide.T.copy(), gain, update, seconds) for key, update in BOTH.items()}
-    stuck = learnt(singular, gain, "composite", seconds)
+    spare = {key: filter_path(wide, gain, update, seconds) for key, update in BOTH.items()}
+    many = {key: filter_path(wide.T.copy(), gain, update, seconds) for key, update in BOTH.items()}
+    stuck = filter_path(singular, gain, "composite", seconds)
     progress(0.5)
-    of_matrix = learnt(wide, gain * MATRIX, "composite", seconds)
-    unequal = learnt(wide, gain, UNEQUAL, seconds)
+    of_matrix = filter_path(wide, gain * MATRIX, "composite", seconds)
+    unequal = filter_path(wide, gain, UNEQUAL, seconds)
     rows = [
-        *_converged({"2 × 3": farthest(wide, gain, seconds), "3 × 2": farthest(wide.T, gain, seconds)}, of_matrix),
+        *_converged({"2 × 3": largest_remaining_error(wide, gain, seconds), "3 × 2": largest_remaining_error(wide.T, gain, seconds)}, of_matrix),
         _growth(spare["composite"]),
         *_modes(spare["composite"], gain),
         *_kept(spare["right"], many["left"], stuck, gain),
-        row(Text(en="‖Θ − K†‖ at the end, Γ_r = 2Γ, Γ_ℓ = Γ/2", pt_BR="‖Θ − K†‖ no fim, Γ_r = 2Γ, Γ_ℓ = Γ/2"), None,
+        run_row(Text(en="‖Θ − K†‖ at the end, Γ_r = 2Γ, Γ_ℓ = Γ/2", pt_BR="‖Θ − K†‖ no fim, Γ_r = 2Γ, Γ_ℓ = Γ/2"), None,
             float(unequal.off[-1])),
     ]  # fmt: skip
     crossings = [_crossing(k * gain, 4e-3 if short else 1e-3) for k in (10.0, 100.0, 1000.0)]
     progress(1.0)
-    gains = {same("Γ = γI"): spare["composite"], same("Γ_r = 2Γ, Γ_ℓ = Γ/2"): unequal, MATRICES: of_matrix}
+    gains = {
+        untranslated("Γ = γI"): spare["composite"],
+        untranslated("Γ_r = 2Γ, Γ_ℓ = Γ/2"): unequal,
+        MATRICES: of_matrix,
+    }
     charts = (
         _modes_chart(spare["composite"], gain),
         _residuals_chart(spare, gain),
@@ -127,37 +139,37 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
         _over_time("‖Θ − K†‖, Γ", {name: (one.t, one.off) for name, one in gains.items()}),
         _plane(crossings, gain),
     )
-    return finished(rows, charts)
+    return study_result(rows, charts)
 
 
 MATRICES = Text(en="a matrix Γ", pt_BR="Γ matricial")
 
 
-def _errors(path: Path) -> Array:
+def _errors(path: FilterPath) -> Array:
     """V_c = ½ tr(S_rᵀS_r) + ½ tr(S_ℓᵀS_ℓ)."""
     return np.array([sum(filtered_inverse.lyapunov(path.K, Theta)) for Theta in path.Theta])
 
 
-def _converged(left: Mapping[str, float], of_matrix: Path) -> list[Row]:
+def _converged(left: Mapping[str, float], of_matrix: FilterPath) -> list[Row]:
     """Where Θ comes to; left: how far it still is from there, by the shape of K."""
-    comes = stated("Θ → K† from any Θ(0)", "Θ → K† de qualquer Θ(0)", "§4.3", 1e-6, "≤")
-    any_gain = stated("Γ = Γᵀ > 0: Θ converges", "Γ = Γᵀ > 0: Θ converge", "§4.3", 1e-6, "≤")
+    comes = sentence_statement("Θ → K† from any Θ(0)", "Θ → K† de qualquer Θ(0)", "§4.3", 1e-6, "≤")
+    any_gain = sentence_statement("Γ = Γᵀ > 0: Θ converges", "Γ = Γᵀ > 0: Θ converge", "§4.3", 1e-6, "≤")
     end = Text(en="‖Θ − K†‖ at the end, {which}", pt_BR="‖Θ − K†‖ no fim, {which}")
     of_ten = Text(en="{K}, largest of ten random Θ(0)", pt_BR="{K}, a maior de dez Θ(0) aleatórios")
     return [
-        *(row(end.format(which=of_ten.format(K=K)), None, off, "", comes) for K, off in left.items()),
-        row(end.format(which=MATRICES), None, float(of_matrix.off[-1]), "", any_gain),
+        *(run_row(end.format(which=of_ten.format(K=K)), None, off, "", comes) for K, off in left.items()),
+        run_row(end.format(which=MATRICES), None, float(of_matrix.off[-1]), "", any_gain),
     ]
 
 
-def _growth(path: Path) -> Row:
+def _growth(path: FilterPath) -> Row:
     """Rows: V_c never increases."""
-    falls = stated("V̇_c ≤ 0", "V̇_c ≤ 0", "§4.3", 1e-9, "≤")
+    falls = sentence_statement("V̇_c ≤ 0", "V̇_c ≤ 0", "§4.3", 1e-9, "≤")
     grows = Text(en="largest growth of V_c in a step", pt_BR="maior crescimento de V_c em um passo")
-    return row(grows, None, float(np.diff(_errors(path)).max()), "", falls)
+    return run_row(grows, None, float(np.diff(_errors(path)).max()), "", falls)
 
 
-def _modes(path: Path, gain: float) -> list[Row]:
+def _modes(path: FilterPath, gain: float) -> list[Row]:
     """Θ̇ in the axes of K beside the laws of its diagonal and of its residuals; how fast both then fade, by tab. 4.1."""
     U, _, Vt = np.linalg.svd(path.K)
     off_diagonal, off_residual = 0.0, 0.0
@@ -170,7 +182,7 @@ def _modes(path: Path, gain: float) -> list[Row]:
     law = "ḋᵢ = −2γ(σᵢdᵢ − 1)σᵢ", "ṙᵢⱼ = −γ(σᵢ² + σⱼ²)rᵢⱼ"
     differs = Text(en="largest difference of {what}", pt_BR="maior diferença de {what}")
     share = Text(en="rate at which {what} fades, over {rate}", pt_BR="taxa com que {what} se apaga, sobre {rate}")
-    laws = [stated(said, said, place, 1e-9, "≤") for said, place in zip(law, PLACES, strict=True)]
+    laws = [sentence_statement(said, said, place, 1e-9, "≤") for said, place in zip(law, PLACES, strict=True)]
     seen = path.seen(gain)
     slow = seen[0].sigma[1]
     faded = [[abs(one.d[1] - 1 / slow) for one in seen], [abs(one.R[2, 1]) for one in seen]]
@@ -178,10 +190,10 @@ def _modes(path: Path, gain: float) -> list[Row]:
     half = [2 * gain * slow**2, gain * slow**2]
     names = [share.format(what="d₂ − 1/σ₂", rate="2γσ₂²"), share.format(what="r₃₂", rate="γσ₂²")]
     return [
-        row(differs.format(what="ḋᵢ"), None, off_diagonal, "", laws[0], given=CONSTRUCTED),
-        row(differs.format(what="ṙᵢⱼ"), None, off_residual, "", laws[1], given=CONSTRUCTED),
+        run_row(differs.format(what="ḋᵢ"), None, off_diagonal, "", laws[0], given=BY_CONSTRUCTION),
+        run_row(differs.format(what="ṙᵢⱼ"), None, off_residual, "", laws[1], given=BY_CONSTRUCTION),
         *(
-            row(name, None, rate / asked, "", stated(said, said, place, 1.0, "=", 0.05))
+            run_row(name, None, rate / asked, "", sentence_statement(said, said, place, 1.0, "=", 0.05))
             for name, rate, asked, said, place in zip(names, rates, half, law, PLACES, strict=True)
         ),
     ]
@@ -196,18 +208,18 @@ def _rate(t: Array, values: Array) -> float:
     return float(-np.polyfit(t[:there], np.log(values[:there]), 1)[0])
 
 
-def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
+def _kept(spare: FilterPath, many: FilterPath, stuck: FilterPath, gain: float) -> list[Row]:
     """Rows: the parts of Θ that never decay."""
     of_spare, of_many, of_stuck = (one.seen(gain) for one in (spare, many, stuck))
-    rows_of = stated(
+    rows_of = sentence_statement(
         "with S_r alone the rows of Nul(K) never decay", "só com S_r as linhas de Nul(K) não decaem",
         "§4.4, obs. 1–3", 1.0, "=", 1e-6,
     )  # fmt: skip
-    columns_of = stated(
+    columns_of = sentence_statement(
         "with S_ℓ alone the columns of Nul(Kᵀ) never decay", "só com S_ℓ as colunas de Nul(Kᵀ) não decaem",
         "§4.4, obs. 1–3", 1.0, "=", 1e-6,
     )  # fmt: skip
-    frozen = stated("σᵢ = 0: dᵢ is frozen", "σᵢ = 0: dᵢ fica congelado", "eq. 4.52", 1e-9, "≤")
+    frozen = sentence_statement("σᵢ = 0: dᵢ is frozen", "σᵢ = 0: dᵢ fica congelado", "eq. 4.52", 1e-9, "≤")
     left = Text(en="residuals of {where} left, {alone}", pt_BR="resíduos de {where} que restam, {alone}")
 
     def share(first: Array, last: Array) -> float:
@@ -215,29 +227,29 @@ def _kept(spare: Path, many: Path, stuck: Path, gain: float) -> list[Row]:
 
     moved = abs(float(of_stuck[-1].d[-1] - of_stuck[0].d[-1]))
     return [
-        row(
+        run_row(
             left.format(where="Nul(K)", alone=NAMES["right"]),
             None,
             share(of_spare[0].R[2], of_spare[-1].R[2]),
             "",
             rows_of,
-            given=CONSTRUCTED,
+            given=BY_CONSTRUCTION,
         ),
-        row(
+        run_row(
             left.format(where="Nul(Kᵀ)", alone=NAMES["left"]),
             None,
             share(of_many[0].R[:, 2], of_many[-1].R[:, 2]),
             "",
             columns_of,
-            given=CONSTRUCTED,
+            given=BY_CONSTRUCTION,
         ),
-        row(
+        run_row(
             Text(en="motion of d₂ where σ₂ = 0", pt_BR="movimento de d₂ onde σ₂ = 0"),
             None,
             moved,
             "",
             frozen,
-            given=CONSTRUCTED,
+            given=BY_CONSTRUCTION,
         ),
     ]
 
@@ -251,35 +263,39 @@ def _crossing(gain: float, dt: float) -> tuple[Array, Array]:
     return np.cos(t), np.array(found)
 
 
-def _modes_chart(path: Path, gain: float) -> Chart:
+def _modes_chart(path: FilterPath, gain: float) -> Chart:
     d = np.array([one.d for one in path.seen(gain)]).T
     sigma = path.seen(gain)[0].sigma
     title = Text(en="diagonal, on its way to 1/σᵢ", pt_BR="diagonal, a caminho de 1/σᵢ")
     lines = [
-        Line(valued(f"d{i}, σ{i}", round(s, 3)), path.t[:EARLY], of[:EARLY])
+        ChartLine(symbol_value(f"d{i}, σ{i}", round(s, 3)), path.t[:EARLY], of[:EARLY])
         for i, (s, of) in enumerate(zip(sigma, d, strict=True), 1)
     ]
-    return Chart(title, SECONDS, same("dᵢ"), tuple(lines), "§4.4")
+    return Chart(title, SECONDS, untranslated("dᵢ"), tuple(lines), "§4.4")
 
 
-def _residuals_chart(paths: Mapping[str, Path], gain: float) -> Chart:
+def _residuals_chart(paths: Mapping[str, FilterPath], gain: float) -> Chart:
     lines = [
-        Line(NAMES[key], one.t, np.array([np.linalg.norm(here.R) for here in one.seen(gain)]))
+        ChartLine(NAMES[key], one.t, np.array([np.linalg.norm(here.R) for here in one.seen(gain)]))
         for key, one in paths.items()
     ]
-    return Chart(Text(en="residuals", pt_BR="resíduos"), SECONDS, same("‖R‖ = ‖(rᵢⱼ)‖"), tuple(lines), "§4.4", log=True)
+    return Chart(
+        Text(en="residuals", pt_BR="resíduos"), SECONDS, untranslated("‖R‖ = ‖(rᵢⱼ)‖"), tuple(lines), "§4.4", log=True
+    )
 
 
 def _over_time(up: str, values: Mapping[Text, tuple[Array, Array]], log: bool = True) -> Chart:
-    lines = tuple(Line(name, t, value) for name, (t, value) in values.items())
+    lines = tuple(ChartLine(name, t, value) for name, (t, value) in values.items())
     title = Text(en="Θ on its way: {up}", pt_BR="Θ a caminho: {up}").format(up=up)
-    return Chart(title, SECONDS, same(up), lines, "§4.3", log)
+    return Chart(title, SECONDS, untranslated(up), lines, "§4.3", log)
 
 
 def _plane(crossings: list[tuple[Array, Array]], gain: float) -> Chart:
     """The phase plane of a singular value that crosses zero twice."""
     lines = [
-        Line(valued("γ", k * gain), thinned(sigma), thinned(d))
+        ChartLine(symbol_value("γ", k * gain), subsampled(sigma), subsampled(d))
         for k, (sigma, d) in zip((10.0, 100.0, 1000.0), crossings, strict=True)
     ]
-    return Chart(Text(en="d₃ over σ₃", pt_BR="d₃ em função de σ₃"), same("σ₃"), same("d₃"), tuple(lines), FIGURE)
+    return Chart(
+        Text(en="d₃ over σ₃", pt_BR="d₃ em função de σ₃"), untranslated("σ₃"), untranslated("d₃"), tuple(lines), FIGURE
+    )

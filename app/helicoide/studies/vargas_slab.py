@@ -9,21 +9,30 @@ import numpy as np
 
 from helicoide.ik.secondary import augmented
 from helicoide.studies.study import Progress, Result
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.paths import path_1, places
-from helicoide.studies.vargas.runs import Run, digits, each, largest
-from helicoide.studies.vargas.secondary import FASTEST_LATER, SECONDS, SINCE, chosen, cost_chart, filtered, follow, tool
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.paths import path_1, path_points
+from helicoide.studies.vargas.runs import MethodRun, largest_absolute, localized, run_each
+from helicoide.studies.vargas.secondary import (
+    FASTEST_LATER,
+    SECONDS,
+    SINCE,
+    cost_chart,
+    planar_tracking,
+    run_modified_filter,
+    single_objective,
+    tool_points,
+)
 from helicoide.studies.vargas.table import (
-    WISHED,
+    DESIRED,
     Gain,
     Step,
-    finished,
+    joint_velocity_chart,
     joints_chart,
     over_time,
+    path_chart,
     planar_motions,
-    rates_chart,
-    row,
-    way_chart,
+    run_row,
+    study_result,
 )
 from helicoide.text import Text
 
@@ -51,36 +60,42 @@ class Options:
     dt: Step = 5e-4
 
 
-def in_a_slab(weight: float, steepness: int, gain: float, dt: float, seconds: float, progress: Progress) -> Run:
+def slab_run(weight: float, steepness: int, gain: float, dt: float, seconds: float, progress: Progress) -> MethodRun:
     """|y| < 0.3 asked of the tool on trajectory 1."""
-    aiming = follow(path_1)
+    aiming = planar_tracking(path_1)
     across = {"azimuth": np.pi / 2, "elevation": 0.0, "offset": 0.0, "half": HALF}
     if weight:
-        aiming = augmented(planar(), chosen("slab", weight=weight, steepness=steepness, **across), aiming)
-    return filtered(aiming, (0.45, -1, 0.4), gain, dt, progress, seconds)
+        aiming = augmented(
+            planar_problem(), single_objective("slab", weight=weight, steepness=steepness, **across), aiming
+        )
+    return run_modified_filter(aiming, (0.45, -1, 0.4), gain, dt, progress, seconds)
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Without a barrier, and with three; for 17 s in a quick run. The source has no slab: all numbers are ours."""
     dt, seconds = (max(options.dt, 1e-2), 17.0) if short else (options.dt, SECONDS)
-    runs = each({key: partial(in_a_slab, *key, options.gain, dt, seconds) for key in CASES}, progress)
-    names = {key: digits(f"α = {key[0]:g}, k = {key[1]}") for key in CASES}
+    runs = run_each({key: partial(slab_run, *key, options.gain, dt, seconds) for key in CASES}, progress)
+    names = {key: localized(f"α = {key[0]:g}, k = {key[1]}") for key in CASES}
     titled = {names[key]: one for key, one in runs.items()}
-    kept, wished = runs[USUAL], places(path_1, runs[USUAL].t)[:, :2]
+    kept, wished = runs[USUAL], path_points(path_1, runs[USUAL].t)[:, :2]
     farthest = Text(en="largest |y|", pt_BR="maior |y|")
-    rows = [row(farthest, name, largest(tool(one, path_1)[:, 1]), "ℓ") for name, one in titled.items()]
+    rows = [
+        run_row(farthest, name, largest_absolute(tool_points(one, path_1)[:, 1]), "ℓ") for name, one in titled.items()
+    ]
     late = kept.t >= SINCE
     along = Text(en="largest |e_x| from 2 s on", pt_BR="maior |e_x| a partir de 2 s")
     rows += [
-        row(FASTEST_LATER, names[USUAL], largest(kept.rates, late), "rad/s"),
-        row(along, names[USUAL], largest(kept.e[:, 0], late), "ℓ"),
+        run_row(FASTEST_LATER, names[USUAL], largest_absolute(kept.joint_velocities, late), "rad/s"),
+        run_row(along, names[USUAL], largest_absolute(kept.e[:, 0], late), "ℓ"),
     ]
     across = Text(en="across the slab", pt_BR="através da faixa")
     charts = (
-        over_time(across, "y, ℓ", titled, lambda run: tool(run, path_1)[:, 1]),
-        way_chart({WISHED: wished, **{name: tool(one, path_1) for name, one in titled.items()}}, "x, ℓ", "y, ℓ"),
+        over_time(across, "y, ℓ", titled, lambda run: tool_points(run, path_1)[:, 1]),
+        path_chart(
+            {DESIRED: wished, **{name: tool_points(one, path_1) for name, one in titled.items()}}, "x, ℓ", "y, ℓ"
+        ),
         cost_chart({names[key]: one for key, one in runs.items() if key[0]}, ""),
-        rates_chart(kept, names[USUAL]),
+        joint_velocity_chart(kept, names[USUAL]),
         joints_chart(kept, names[USUAL]),
     )
-    return finished(rows, charts, planar_motions(titled))
+    return study_result(rows, charts, planar_motions(titled))

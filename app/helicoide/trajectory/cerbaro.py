@@ -8,7 +8,7 @@ from math import atan2, cos, pi, radians, sin
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.trajectory.loop import Loop
+from helicoide.trajectory.loop import EllipsePath
 
 
 @dataclass(frozen=True)
@@ -80,7 +80,7 @@ EQ_35 = Ellipse(centre=(0.48, 0.1, 0.2), radii=(0.22, 0.22, 0.0), pitch=radians(
 # The demonstrations (§4.4.3 and §4.4.4), in the direction of eq. 31; the source does not state theirs.
 # The ORCA keeps its φ = 0.
 MOVEMASTER_ELLIPSE = Ellipse(centre=(0.52, 0.0, 0.2), radii=(0.08, 0.08, 0.05), pitch=-pi / 3, roll=0.0, period=60.0)
-ORCA_CIRCLE = Loop(
+ORCA_CIRCLE = EllipsePath(
     T_world_plane=frozen([[-1.0, 0.0, 0.0, 0.36], [0.0, 1.0, 0.0, 0.18], [0.0, 0.0, -1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]),
     radii=(0.1, 0.1),
     R_world_target=frozen(np.eye(3)),

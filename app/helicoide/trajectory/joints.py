@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
-from helicoide.trajectory.path import lasting
+from helicoide.trajectory.path import checked_duration
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +25,7 @@ class JointMove:
     duration: float
 
     def __post_init__(self) -> None:
-        lasting(self.duration)
+        checked_duration(self.duration)
 
     @property
     def is_closed(self) -> bool:
@@ -52,6 +52,6 @@ class JointMove:
         return np.zeros((*np.shape(s), len(self.start)))
 
 
-def tool_at(robot: Robot, q: Array) -> Array:
+def tool_pose_in(robot: Robot, q: Array) -> Array:
     """T_world_tool (4, 4), m, for joint values q (n,), rad or m."""
     return np.asarray(link_poses(robot.chain, frozen(q))[-1] @ robot.T_link_tool)

@@ -11,14 +11,14 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.text import HelicoideError, Text
-from helicoide.trajectory.path import lasting
+from helicoide.trajectory.path import checked_duration
 
 # Largest distance of a start from the plane of its circle, as a fraction of the radius.
 IN_PLANE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Loop:
+class EllipsePath:
     """An ellipse in the xy plane of a frame, run through once: p = c + a cos φ x̂ + b sin φ ŷ, φ = 2π s / T.
 
     T_world_plane (4, 4), m: centre and axes of the ellipse; radii a, b, m; R_world_target (3, 3); duration T, s.
@@ -30,7 +30,7 @@ class Loop:
     duration: float
 
     def __post_init__(self) -> None:
-        lasting(self.duration)
+        checked_duration(self.duration)
 
     @property
     def is_closed(self) -> bool:
@@ -52,13 +52,15 @@ class Loop:
         return np.append(rate * self.T_world_plane[:3, :2] @ [-a * sin(phase), b * cos(phase)], np.zeros(3))
 
 
-def circle(centre: ArrayLike, normal: ArrayLike, start: ArrayLike, R_world_target: Array, duration: float) -> Loop:
+def circle_path(
+    centre: ArrayLike, normal: ArrayLike, start: ArrayLike, R_world_target: Array, duration: float
+) -> EllipsePath:
     """The circle about an axis from a start point, in the right-hand sense.
 
     Args: centre, start (3,), m; normal (3,), any length; R_world_target (3, 3); duration, s. Raises HelicoideError
     unless the vector from the centre to the start is perpendicular to the normal and not zero.
     """
-    n, arm = rotation.unit(normal), np.asarray(start, dtype=float) - centre
+    n, arm = rotation.unit_vector(normal), np.asarray(start, dtype=float) - centre
     radius = float(np.linalg.norm(arm))
     if not radius > 0 or abs(n @ arm) > IN_PLANE * radius:
         raise HelicoideError(
@@ -72,4 +74,4 @@ def circle(centre: ArrayLike, normal: ArrayLike, start: ArrayLike, R_world_targe
     T = np.eye(4)
     T[:3, 0], T[:3, 2], T[:3, 3] = arm / radius, n, centre
     T[:3, 1] = np.cross(T[:3, 2], T[:3, 0])
-    return Loop(frozen(T), (radius, radius), R_world_target, duration)
+    return EllipsePath(frozen(T), (radius, radius), R_world_target, duration)

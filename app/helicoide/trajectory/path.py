@@ -68,12 +68,12 @@ class SmoothJointPath(JointPath, Protocol):
         """d²q/ds² (..., n), rad/s² or m/s²."""
 
 
-def placed(path: Path | JointPath, s: float) -> float:
+def wrapped_parameter(path: Path | JointPath, s: float) -> float:
     """A parameter brought into [0, duration], s: a closed path repeats, an open one stays at its ends."""
     return s % path.duration if path.is_closed else min(max(s, 0.0), path.duration)
 
 
-def length(path: Path, pieces: int = 64) -> float:
+def path_length(path: Path, pieces: int = 64) -> float:
     """Length of the path of the target's origin, m: ∫ ‖v‖ ds, by Gauss-Legendre quadrature with eight nodes a piece.
 
     It is exact to rounding if no corner lies inside a piece.
@@ -84,7 +84,7 @@ def length(path: Path, pieces: int = 64) -> float:
     return float(half * np.sum(np.array(speeds) @ _WEIGHTS))
 
 
-def lasting(duration: float) -> float:
+def checked_duration(duration: float) -> float:
     """The duration, s; raises HelicoideError unless it is a positive number."""
     if not (isfinite(duration) and duration > 0):
         raise HelicoideError(

@@ -13,7 +13,7 @@ from helicoide.text import HelicoideError, Text
 
 
 @dataclass(frozen=True, eq=False)
-class Spline:
+class JointSpline:
     """Cubic spline through all samples, twice differentiable; its end slopes are those of cubics through four samples.
 
     knots (k,), s, ascending from 0; samples (k, n), rad or m. Raises HelicoideError for other arrays.
@@ -53,7 +53,7 @@ class Spline:
         return np.array_equal(self.samples[0], self.samples[-1])
 
     @cached_property
-    def bends(self) -> Array:
+    def second_derivatives(self) -> Array:
         """Second derivatives at the knots, (k, n): hᵢ₋₁ mᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) mᵢ + hᵢ mᵢ₊₁ = 6 (Δᵢ − Δᵢ₋₁).
 
         h: steps; Δ: slopes of the chords; the end slopes take the place of chords before and after.
@@ -68,7 +68,7 @@ class Spline:
     def q(self, s: ArrayLike) -> Array:
         """Joint values (..., n), rad or m, at any array of parameters (...)."""
         a, b, h, i = self._within(s)
-        m0, m1 = self.bends[i], self.bends[i + 1]
+        m0, m1 = self.second_derivatives[i], self.second_derivatives[i + 1]
         return np.asarray(
             a * self.samples[i] + b * self.samples[i + 1] + ((a**3 - a) * m0 + (b**3 - b) * m1) * h**2 / 6
         )
@@ -76,7 +76,7 @@ class Spline:
     def rates(self, s: ArrayLike) -> Array:
         """dq/ds (..., n), rad/s or m/s."""
         a, b, h, i = self._within(s)
-        m0, m1 = self.bends[i], self.bends[i + 1]
+        m0, m1 = self.second_derivatives[i], self.second_derivatives[i + 1]
         return np.asarray(
             (self.samples[i + 1] - self.samples[i]) / h + ((1 - 3 * a**2) * m0 + (3 * b**2 - 1) * m1) * h / 6
         )
@@ -84,7 +84,7 @@ class Spline:
     def accelerations(self, s: ArrayLike) -> Array:
         """d²q/ds² (..., n), rad/s² or m/s²."""
         a, b, _, i = self._within(s)
-        return np.asarray(a * self.bends[i] + b * self.bends[i + 1])
+        return np.asarray(a * self.second_derivatives[i] + b * self.second_derivatives[i + 1])
 
     def _within(self, s: ArrayLike) -> tuple[Array, Array, Array, NDArray[np.int64]]:
         """Weights of both ends of the piece that contains s, its length, and its number."""

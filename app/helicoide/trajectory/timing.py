@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.trajectory.path import Path, SmoothJointPath, lasting
+from helicoide.trajectory.path import Path, SmoothJointPath, checked_duration
 
-Kind = TypeVar("Kind", Path, SmoothJointPath)
+AnyPath = TypeVar("AnyPath", Path, SmoothJointPath)
 # Shares of time in the table that inverts a law.
 _TABLE = np.linspace(0, 1, 2001)
 
 
-class Law(Protocol):
+class TimeScaling(Protocol):
     """A time scaling: σ(0) = 0, σ(1) = 1, σ is monotonic."""
 
     @property
@@ -28,7 +28,7 @@ class Law(Protocol):
 
 
 @dataclass(frozen=True)
-class Constant:
+class ConstantSpeed:
     """Constant speed, σ = u: it starts and stops with a jump of velocity."""
 
     @property
@@ -43,7 +43,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Trapezoid:
+class TrapezoidalVelocity:
     """Trapezoidal velocity, with constant acceleration and deceleration: σ' = k min(u, β, 1 − u), k = 1/(β (1 − β)).
 
     ramp: β, the share of time for acceleration, and also for deceleration, at most one half.
@@ -83,22 +83,22 @@ class MinimumJerk:
 
 
 @dataclass(frozen=True, eq=False)
-class Timed(Generic[Kind]):
+class ScaledPath(Generic[AnyPath]):
     """A path under a time scaling: s = L σ(t / T), L the duration of the path, T its own, s."""
 
-    path: Kind
-    law: Law
+    path: AnyPath
+    law: TimeScaling
     duration: float
 
     def __post_init__(self) -> None:
-        lasting(self.duration)
+        checked_duration(self.duration)
 
     @property
     def is_closed(self) -> bool:
         """Whether the path is."""
         return self.path.is_closed
 
-    def along(self, t: ArrayLike) -> tuple[Array, Array, Array]:
+    def parameter_at(self, t: ArrayLike) -> tuple[Array, Array, Array]:
         """Parameter of the path, and its first and second time derivatives, at times t (...), s, clipped to [0, T]."""
         length, duration = self.path.duration, self.duration
         share, rate, change = self.law.at(np.clip(np.asarray(t, dtype=float) / duration, 0.0, 1.0))
@@ -106,22 +106,22 @@ class Timed(Generic[Kind]):
 
 
 @dataclass(frozen=True, eq=False)
-class TimedPath(Timed[Path]):
+class TimedPath(ScaledPath[Path]):
     """A path of the target under a time scaling."""
 
     def pose(self, s: float) -> Array:
         """T_world_target (4, 4), m."""
-        along, _, _ = self.along(s)
+        along, _, _ = self.parameter_at(s)
         return self.path.pose(float(along))
 
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes."""
-        along, rate, _ = self.along(s)
+        along, rate, _ = self.parameter_at(s)
         return np.asarray(rate * self.path.twist(float(along)))
 
 
 @dataclass(frozen=True, eq=False)
-class TimedJoints(Timed[SmoothJointPath]):
+class TimedJoints(ScaledPath[SmoothJointPath]):
     """A path of the joints under a time scaling: q̇ = q' ṡ, q̈ = q' s̈ + q'' ṡ²."""
 
     @property
@@ -132,16 +132,16 @@ class TimedJoints(Timed[SmoothJointPath]):
 
     def q(self, s: ArrayLike) -> Array:
         """Joint values (..., n), rad or m."""
-        along, _, _ = self.along(s)
+        along, _, _ = self.parameter_at(s)
         return self.path.q(along)
 
     def rates(self, s: ArrayLike) -> Array:
         """dq/dt (..., n), rad/s or m/s."""
-        along, rate, _ = self.along(s)
+        along, rate, _ = self.parameter_at(s)
         return np.asarray(rate[..., None] * self.path.rates(along))
 
     def accelerations(self, s: ArrayLike) -> Array:
         """d²q/dt² (..., n), rad/s² or m/s²."""
-        along, rate, change = self.along(s)
+        along, rate, change = self.parameter_at(s)
         first, second = self.path.rates(along), self.path.accelerations(along)
         return np.asarray(change[..., None] * first + rate[..., None] ** 2 * second)

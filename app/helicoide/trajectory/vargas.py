@@ -10,7 +10,7 @@ from types import MappingProxyType
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.trajectory.path import lasting
+from helicoide.trajectory.path import checked_duration
 
 # The unit of trajectories 1 to 5, in which the planar arm is 4 long, and of 6 to 11, m.
 LENGTH, CM = 1.0, 0.01
@@ -54,7 +54,7 @@ class Coordinate:
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory:
+class VargasTrajectory:
     """A trajectory with the numbers of the source; `unit`: their unit of length, m.
 
     R_world_target (3, 3): orientation of the tool, if the simulations with this trajectory state one; duration, s: one
@@ -69,7 +69,7 @@ class Trajectory:
     R_world_target: Array = field(default_factory=lambda: UPRIGHT)
 
     def __post_init__(self) -> None:
-        lasting(self.duration)
+        checked_duration(self.duration)
 
     @property
     def is_closed(self) -> bool:
@@ -110,20 +110,22 @@ _SLOW = 2 * pi / 0.2
 _OVAL = _cosine(7.0, 0.2)
 
 # By number (Vargas 2013, App. C). The tool is turned by R_y(π/2) on 10 and by R_y(π) on 11 (Sims. 3 and 14).
-VARGAS: Mapping[int, Trajectory] = MappingProxyType(
+VARGAS: Mapping[int, VargasTrajectory] = MappingProxyType(
     {
-        1: Trajectory(_sine(0.5, 0.4, 2.0), _WIDE, AT_0, LENGTH, _SLOW),
-        2: Trajectory(_sine(0.5, 0.2, 2.5), _WIDE, AT_0, LENGTH, _SLOW),
-        3: Trajectory(Coordinate(2.26, -1 / 11), Coordinate(3.23, -1 / 8), AT_0, LENGTH, 40.0),
-        4: Trajectory(AT_0, Coordinate(4.0, -1 / 8), AT_0, LENGTH, 40.0),
-        5: Trajectory(_sine(0.5, 0.4, 2.0), Coordinate(1.0), AT_0, LENGTH, _SLOW / 2),
-        6: Trajectory(_sine(5.0, 0.2 * pi, 45.86), _HIGH, AT_0, CM, 20.0),
-        7: Trajectory(AT_0, _sine(5.0, 0.2 * pi), _sine(7.5, 0.1 * pi, 53.86), CM, 20.0),
-        8: Trajectory(_sine(5.0, 0.2 * pi, 63.36), _HIGH, AT_0, CM, 20.0),
-        9: Trajectory(Coordinate(60.0), _two_sines(0.0, 5.0), _two_sines(1.6, 0.0), CM, 40.0),
-        10: Trajectory(
+        1: VargasTrajectory(_sine(0.5, 0.4, 2.0), _WIDE, AT_0, LENGTH, _SLOW),
+        2: VargasTrajectory(_sine(0.5, 0.2, 2.5), _WIDE, AT_0, LENGTH, _SLOW),
+        3: VargasTrajectory(Coordinate(2.26, -1 / 11), Coordinate(3.23, -1 / 8), AT_0, LENGTH, 40.0),
+        4: VargasTrajectory(AT_0, Coordinate(4.0, -1 / 8), AT_0, LENGTH, 40.0),
+        5: VargasTrajectory(_sine(0.5, 0.4, 2.0), Coordinate(1.0), AT_0, LENGTH, _SLOW / 2),
+        6: VargasTrajectory(_sine(5.0, 0.2 * pi, 45.86), _HIGH, AT_0, CM, 20.0),
+        7: VargasTrajectory(AT_0, _sine(5.0, 0.2 * pi), _sine(7.5, 0.1 * pi, 53.86), CM, 20.0),
+        8: VargasTrajectory(_sine(5.0, 0.2 * pi, 63.36), _HIGH, AT_0, CM, 20.0),
+        9: VargasTrajectory(Coordinate(60.0), _two_sines(0.0, 5.0), _two_sines(1.6, 0.0), CM, 40.0),
+        10: VargasTrajectory(
             _sine(14.6, 0.2, 15.5), _OVAL, Coordinate(20.0), CM, _SLOW, frozen([[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
         ),
-        11: Trajectory(_sine(14.6, 0.2, 30.5), _OVAL, Coordinate(20.0), CM, _SLOW, frozen(np.diag([-1.0, 1.0, -1.0]))),
+        11: VargasTrajectory(
+            _sine(14.6, 0.2, 30.5), _OVAL, Coordinate(20.0), CM, _SLOW, frozen(np.diag([-1.0, 1.0, -1.0]))
+        ),
     }
 )

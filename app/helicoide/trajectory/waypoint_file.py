@@ -6,10 +6,10 @@ import json
 
 import msgspec
 
-from helicoide.files import toml, written
+from helicoide.files import text_file, toml
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Text, same
-from helicoide.trajectory.waypoints import Taught, inserted, waypoint
+from helicoide.text import HelicoideError, Text, untranslated
+from helicoide.trajectory.waypoints import WaypointList, waypoint, with_waypoint
 
 FORMAT = "helicoide waypoints 1"
 MOST_BYTES = 1_000_000  # of thousands of waypoints
@@ -39,7 +39,7 @@ class TaughtFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     waypoint: tuple[WaypointFile, ...] = ()
 
 
-def encoded(taught: Taught) -> bytes:
+def encode_waypoints(taught: WaypointList) -> bytes:
     """The file of a list of waypoints."""
     lines = [
         f"format = {_quoted(FORMAT)}",
@@ -52,7 +52,7 @@ def encoded(taught: Taught) -> bytes:
             "[[waypoint]]",
             f"name = {_quoted(each.name)}",
             f"q = [{', '.join(repr(float(value)) for value in each.q)}]",
-            f"way = {_quoted(each.way)}",
+            f"way = {_quoted(each.move_type)}",
             f"dwell = {float(each.dwell)!r}",
             *([f"gripper = {_quoted(each.gripper)}"] if each.gripper else []),
         ]
@@ -68,7 +68,7 @@ def _joints(robot: Robot) -> tuple[str, ...]:
     return tuple(joint.name for joint in robot.variables)
 
 
-def decoded(content: bytes, robot: Robot) -> Taught:
+def decode_waypoints(content: bytes, robot: Robot) -> WaypointList:
     """The list of waypoints in a file for an arm; raises HelicoideError for an invalid file or another robot's."""
     file = _read(content)
     if file.robot != robot.name:
@@ -85,23 +85,23 @@ def decoded(content: bytes, robot: Robot) -> Taught:
                 pt_BR="Estes pontos foram ensinados a um {robot} com as juntas {theirs}; este tem {ours}.",
             ).format(robot=robot.name, theirs=", ".join(file.joints), ours=", ".join(_joints(robot)))
         )
-    taught = Taught(robot)
+    taught = WaypointList(robot)
     for each in file.waypoint:
         new = waypoint(robot, each.name, each.q, each.way, each.dwell, each.gripper)
-        taught = inserted(taught, len(taught.waypoints), new)
+        taught = with_waypoint(taught, len(taught.waypoints), new)
     return taught
 
 
 def _read(content: bytes) -> TaughtFile:
     try:
-        table = toml.table(written.decoded(content, MOST_BYTES))
+        table = toml.parse_toml(text_file.decode_utf8(content, MOST_BYTES))
         if table.get("format") != FORMAT:
             raise HelicoideError(
                 Text(
                     en="its format must be {format!r}, not {found}", pt_BR="o format deve ser {format!r}, não {found}"
                 ).format(format=FORMAT, found=_shown(table.get("format")))
             )
-        return toml.struct(table, TaughtFile)
+        return toml.table_to_struct(table, TaughtFile)
     except HelicoideError as error:
         raise HelicoideError(
             Text(
@@ -115,5 +115,5 @@ def _read(content: bytes) -> TaughtFile:
 
 def _shown(found: object) -> Text:
     if isinstance(found, str):
-        return same(repr(found))
+        return untranslated(repr(found))
     return Text(en="something else, or nothing", pt_BR="outra coisa, ou nada")

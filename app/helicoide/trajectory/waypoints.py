@@ -14,18 +14,18 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
-from helicoide.trajectory.fastest import Shape
+from helicoide.trajectory.time_optimal import TimingShape
 
-Way = Literal["joints", "line", "screw"]
-WAYS: Mapping[Way, Text] = MappingProxyType(
+MoveType = Literal["joints", "line", "screw"]
+MOVE_TYPES: Mapping[MoveType, Text] = MappingProxyType(
     {
         "joints": Text(en="joint move", pt_BR="movimento de juntas"),
         "line": Text(en="linear move", pt_BR="movimento linear"),
         "screw": Text(en="screw move", pt_BR="movimento helicoidal"),
     }
 )
-Grip = Literal["", "open", "closed"]
-GRIPS: Mapping[Grip, Text] = MappingProxyType(
+GripperAction = Literal["", "open", "closed"]
+GRIPPER_ACTIONS: Mapping[GripperAction, Text] = MappingProxyType(
     {
         "": Text(en="as it is", pt_BR="como está"),
         "open": Text(en="open", pt_BR="aberta"),
@@ -33,34 +33,34 @@ GRIPS: Mapping[Grip, Text] = MappingProxyType(
     }
 )
 # Time for the gripper to open or close, s: the shortest dwell at a waypoint with a gripper action.
-GRIPPING = 0.5
+GRIPPER_TIME = 0.5
 LONGEST_NAME = 60
 LONGEST_DWELL = 3600.0
 # Largest distance of a posture outside the limits and the named postures of its arm, rad or m.
-OUTSIDE = 1e-3
+POSTURE_TOLERANCE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
 class Waypoint:
-    """A taught posture: q (n,), rad or m; way: type of the move to it; dwell: time that the arm stays there, s.
+    """A taught posture: q (n,), rad or m; move_type: type of the move to it; dwell: time that the arm stays there, s.
 
     gripper: its action there, before the arm moves on.
     """
 
     name: str
     q: Array
-    way: Way = "joints"
+    move_type: MoveType = "joints"
     dwell: float = 0.0
-    gripper: Grip = ""
+    gripper: GripperAction = ""
 
     @property
-    def stay(self) -> float:
+    def total_dwell(self) -> float:
         """Time that the arm stays, s: the dwell, and at least the time of a gripper action."""
-        return max(self.dwell, GRIPPING) if self.gripper else self.dwell
+        return max(self.dwell, GRIPPER_TIME) if self.gripper else self.dwell
 
 
 @dataclass(frozen=True, eq=False)
-class Taught:
+class WaypointList:
     """The waypoints of one arm, with unique names, in the order in which they are visited.
 
     shape: time law of the moves.
@@ -68,7 +68,7 @@ class Taught:
 
     robot: Robot
     waypoints: tuple[Waypoint, ...] = ()
-    shape: Shape = "trapezoid"
+    shape: TimingShape = "trapezoid"
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -93,15 +93,15 @@ def _listed(names: tuple[str, ...]) -> Text:
 
 
 def waypoint(
-    robot: Robot, name: str, q: ArrayLike, way: str = "joints", dwell: float = 0.0, gripper: str = ""
+    robot: Robot, name: str, q: ArrayLike, move_type: str = "joints", dwell: float = 0.0, gripper: str = ""
 ) -> Waypoint:
     """A checked waypoint of an arm; raises HelicoideError for an invalid name, posture, way, dwell or gripper."""
-    if way not in WAYS:
+    if move_type not in MOVE_TYPES:
         raise HelicoideError(
             Text(
                 en="Waypoint {name!r} cannot be reached by {way!r}; the move types are: {ways}.",
                 pt_BR="Não se chega ao ponto {name!r} por {way!r}; os tipos de movimento são: {ways}.",
-            ).format(name=name, way=way, ways=_told(WAYS))
+            ).format(name=name, way=move_type, ways=_told(MOVE_TYPES))
         )
     if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
         raise HelicoideError(
@@ -112,25 +112,27 @@ def waypoint(
         )
     named = _named(name)
     grip = _gripping(robot, named, gripper)
-    return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(Way, way), float(dwell), grip)
+    return Waypoint(named, _within(robot, named, robot.check_joints(q)), cast(MoveType, move_type), float(dwell), grip)
 
 
-def _gripping(robot: Robot, name: str, gripper: str) -> Grip:
-    if gripper not in GRIPS:
+def _gripping(robot: Robot, name: str, gripper: str) -> GripperAction:
+    if gripper not in GRIPPER_ACTIONS:
         raise HelicoideError(
             Text(
                 en="The gripper cannot be {gripper!r} at waypoint {name!r}; it may be: {grips}.",
                 pt_BR="A garra não pode ficar {gripper!r} no ponto {name!r}; pode ficar: {grips}.",
-            ).format(name=name, gripper=gripper, grips=_told({grip: told for grip, told in GRIPS.items() if grip}))
+            ).format(
+                name=name, gripper=gripper, grips=_told({grip: told for grip, told in GRIPPER_ACTIONS.items() if grip})
+            )
         )
     if gripper and robot.gripper is None:
         raise HelicoideError(
             Text(
                 en="Waypoint {name!r} is to have the gripper {gripper}, and this robot has none.",
                 pt_BR="O ponto {name!r} pede a garra {gripper}, e este robô não tem garra.",
-            ).format(name=name, gripper=GRIPS[cast(Grip, gripper)])
+            ).format(name=name, gripper=GRIPPER_ACTIONS[cast(GripperAction, gripper)])
         )
-    return cast(Grip, gripper)
+    return cast(GripperAction, gripper)
 
 
 def _told(known: Mapping[Any, Text]) -> Text:
@@ -156,7 +158,7 @@ def _named(name: str) -> str:
 def _within(robot: Robot, name: str, q: Array) -> Array:
     """The posture; raises HelicoideError if it is outside the limits and the range of the named postures."""
     reached = np.array([robot.lower, robot.upper, *robot.poses.values()])
-    lower, upper = reached.min(axis=0) - OUTSIDE, reached.max(axis=0) + OUTSIDE
+    lower, upper = reached.min(axis=0) - POSTURE_TOLERANCE, reached.max(axis=0) + POSTURE_TOLERANCE
     if (outside := np.flatnonzero((q < lower) | (q > upper))).size:
         i = int(outside[0])
         raise HelicoideError(
@@ -167,7 +169,7 @@ def _within(robot: Robot, name: str, q: Array) -> Array:
                 name=name,
                 joint=robot.variables[i].name,
                 value=q[i],
-                unit="m" if robot.variables[i].slides else "rad",
+                unit="m" if robot.variables[i].is_prismatic else "rad",
                 low=lower[i],
                 high=upper[i],
             )
@@ -175,26 +177,26 @@ def _within(robot: Robot, name: str, q: Array) -> Array:
     return q
 
 
-def inserted(taught: Taught, at: int, new: Waypoint) -> Taught:
+def with_waypoint(taught: WaypointList, at: int, new: Waypoint) -> WaypointList:
     """The list with a waypoint inserted at index `at`, 0 to its length; raises HelicoideError for a name in use."""
     _free(taught, new.name)
     place = _place(at, len(taught.waypoints))
     return replace(taught, waypoints=(*taught.waypoints[:place], new, *taught.waypoints[place:]))
 
 
-def deleted(taught: Taught, name: str) -> Taught:
+def without_waypoint(taught: WaypointList, name: str) -> WaypointList:
     """The list without a waypoint."""
     i = taught.index(name)
     return replace(taught, waypoints=taught.waypoints[:i] + taught.waypoints[i + 1 :])
 
 
-def moved(taught: Taught, name: str, to: int) -> Taught:
+def with_waypoint_at(taught: WaypointList, name: str, to: int) -> WaypointList:
     """The list with a waypoint moved to index `to`, 0 to its length − 1; the others keep their order."""
     here = taught.waypoints[taught.index(name)]
-    return inserted(deleted(taught, name), to, here)
+    return with_waypoint(without_waypoint(taught, name), to, here)
 
 
-def renamed(taught: Taught, name: str, new: str) -> Taught:
+def with_waypoint_name(taught: WaypointList, name: str, new: str) -> WaypointList:
     """The list with a waypoint renamed."""
     taught.index(name)
     if new != name:
@@ -202,32 +204,40 @@ def renamed(taught: Taught, name: str, new: str) -> Taught:
     return _changed(taught, name, lambda old: replace(old, name=_named(new)))
 
 
-def reached_by(taught: Taught, name: str, way: str) -> Taught:
+def with_move_type(taught: WaypointList, name: str, move_type: str) -> WaypointList:
     """The list with another move type of a waypoint."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, way, old.dwell, old.gripper))
+    return _changed(
+        taught, name, lambda old: waypoint(taught.robot, old.name, old.q, move_type, old.dwell, old.gripper)
+    )
 
 
-def stayed_at(taught: Taught, name: str, dwell: float) -> Taught:
+def with_dwell(taught: WaypointList, name: str, dwell: float) -> WaypointList:
     """The list with another dwell of a waypoint, s."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, dwell, old.gripper))
+    return _changed(
+        taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.move_type, dwell, old.gripper)
+    )
 
 
-def gripping_at(taught: Taught, name: str, gripper: str) -> Taught:
-    """The list with another gripper action at a waypoint, one of `GRIPS`."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.way, old.dwell, gripper))
+def with_gripper_action(taught: WaypointList, name: str, gripper: str) -> WaypointList:
+    """The list with another gripper action at a waypoint, one of `GRIPPER_ACTIONS`."""
+    return _changed(
+        taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.move_type, old.dwell, gripper)
+    )
 
 
-def placed_at(taught: Taught, name: str, q: ArrayLike) -> Taught:
+def with_posture(taught: WaypointList, name: str, q: ArrayLike) -> WaypointList:
     """The list with another posture of a waypoint, (n,), rad or m."""
-    return _changed(taught, name, lambda old: waypoint(taught.robot, old.name, q, old.way, old.dwell, old.gripper))
+    return _changed(
+        taught, name, lambda old: waypoint(taught.robot, old.name, q, old.move_type, old.dwell, old.gripper)
+    )
 
 
-def _changed(taught: Taught, name: str, change: Callable[[Waypoint], Waypoint]) -> Taught:
+def _changed(taught: WaypointList, name: str, change: Callable[[Waypoint], Waypoint]) -> WaypointList:
     i = taught.index(name)
     return replace(taught, waypoints=(*taught.waypoints[:i], change(taught.waypoints[i]), *taught.waypoints[i + 1 :]))
 
 
-def _free(taught: Taught, name: str) -> None:
+def _free(taught: WaypointList, name: str) -> None:
     if name in taught.names:
         raise HelicoideError(
             Text(

@@ -58,7 +58,7 @@ class Hello:
 
 
 @dataclass(eq=False)
-class Line:
+class WindowChannel:
     """The control channels of one window: its link, what its page said first, and what it was told last."""
 
     link: Link
@@ -72,22 +72,22 @@ class Line:
 
 
 @dataclass
-class Control:
+class ControlChannel:
     """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
 
-    on_stop: told the key of the window that stops, None before a page has said which it is, and whether the same press
-    closes something on the page; on_release: told the key of
-    the window whose pointer was let go, or whose last channel has closed; on_tab: told the number of the tab in front.
+    on_stop: told the key of the window that stops, None before a page has said which it is, and whether the same key
+    closes something on the page; on_release: told the key of the window whose pointer was let go, or whose last channel
+    has closed; on_tab: told the number of the tab in front.
     """
 
     on_stop: Callable[[str | None, bool], None]
     on_release: Callable[[str], None] = lambda key: None
     on_tab: Callable[[str, int], None] = lambda key, tab: None
-    _lines: dict[str, Line] = field(default_factory=dict)
+    _lines: dict[str, WindowChannel] = field(default_factory=dict)
 
-    def open(self, key: str) -> Line:
+    def open(self, key: str) -> WindowChannel:
         """A line for the window of that key, on which its page may now speak."""
-        self._lines[key] = line = Line(Link(key), asyncio.get_running_loop().create_future())
+        self._lines[key] = line = WindowChannel(Link(key), asyncio.get_running_loop().create_future())
         return line
 
     def close(self, key: str) -> None:
@@ -151,7 +151,7 @@ class Control:
         here[:] = [line.link.key]
         return self._met(connection, line, message)
 
-    def _met(self, connection: ServerConnection, line: Line, message: dict[str, object]) -> list[str]:
+    def _met(self, connection: ServerConnection, line: WindowChannel, message: dict[str, object]) -> list[str]:
         """The page of a window is there: it may drive once it has passed a fence, and hears what was said last."""
         line.pages.add(connection)
         line.link.channels = len(line.pages)
@@ -166,7 +166,10 @@ def introduce(client: viser.ClientHandle, key: str) -> None:
 
     This is a private message of viser: an element of the GUI would be missing while its panel is folded.
     """
-    source = f'window.helicoideWindow = {json.dumps(key)}; window.dispatchEvent(new Event("helicoide-window"));'
+    source = (
+        f"window.helicoideClient = {json.dumps(str(client.client_id))}; window.helicoideWindow = {json.dumps(key)}; "
+        'window.dispatchEvent(new Event("helicoide-window"));'
+    )
     client.gui._websock_interface.queue_message(RunJavascriptMessage(source=source))
 
 

@@ -15,21 +15,34 @@ from viser import Icon
 
 from helicoide.text import Text
 from helicoide.view import bind
-from helicoide.view.rows import Ask, Button, Choice, Entry, Slider, Tick, Triple, Upload, View, Weight, Wish, always
+from helicoide.view.rows import (
+    Ask,
+    Button,
+    Checkbox,
+    Dropdown,
+    PageRequest,
+    Slider,
+    TextEntry,
+    Upload,
+    VectorRow,
+    View,
+    Weight,
+    always,
+)
 
 UNTOUCHED = 0.7
 # Colours of viser, by which static/panel.css knows the weight of a button.
 COLOURS: dict[Weight, Literal["blue", "gray", "red"]] = {"primary": "blue", "plain": "gray", "destructive": "red"}
 
 
-class Control:
+class ValueControl:
     """A control with a value: written when it differs, unless it was touched a moment ago; deaf while disabled."""
 
     def __init__(
         self,
         handle: Any,
         value: Callable[[View], Any],
-        wish: Callable[[Any], Wish | None],
+        wish: Callable[[Any], PageRequest | None],
         ask: Ask,
         view: View,
         enabled: Callable[[View], bool] = always,
@@ -68,8 +81,8 @@ class ButtonControl:
         self.row, self.view = row, view
         self.handle = gui.add_button(icon=row.icon, color=COLOURS[row.weight], **self._shown(view))
 
-        def wished() -> Wish | None:
-            return row.wish(self.view) if row.enabled(self.view) and row.shown(self.view) else None
+        def wished() -> PageRequest | None:
+            return row.request(self.view) if row.enabled(self.view) and row.shown(self.view) else None
 
         bind.on_press(self.handle, lambda: ask(wished))
 
@@ -93,7 +106,7 @@ class ButtonControl:
         self.handle.remove()
 
 
-def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> Control:
+def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> ValueControl:
     """A slider, whose value keeps to its steps."""
 
     def value(view: View) -> float:
@@ -106,19 +119,19 @@ def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> Control:
 
     disabled = not row.enabled(view)
     handle = gui.add_slider(label(view), row.lower, row.upper, row.step, value(view), disabled=disabled)
-    return Control(handle, value, row.wish, ask, view, row.enabled, label)
+    return ValueControl(handle, value, row.request, ask, view, row.enabled, label)
 
 
-def tick(gui: viser.GuiApi, row: Tick, view: View, ask: Ask) -> Control:
+def checkbox(gui: viser.GuiApi, row: Checkbox, view: View, ask: Ask) -> ValueControl:
     """A box to tick."""
     handle = gui.add_checkbox(row.label[view.seat.language], row.value(view))
-    return Control(handle, row.value, row.wish, ask, view)
+    return ValueControl(handle, row.value, row.request, ask, view)
 
 
-class ChoiceControl(Control):
+class ChoiceControl(ValueControl):
     """A list to choose from, which shows what can be chosen now."""
 
-    def __init__(self, gui: viser.GuiApi, row: Choice, view: View, ask: Ask) -> None:
+    def __init__(self, gui: viser.GuiApi, row: Dropdown, view: View, ask: Ask) -> None:
         self.row = row
         words = self._words(view)
         handle = gui.add_dropdown(
@@ -136,9 +149,9 @@ class ChoiceControl(Control):
             for k, ((key, _), word) in enumerate(zip(known, words, strict=True))
         }
 
-    def _wish(self, word: str) -> Wish | None:
+    def _wish(self, word: str) -> PageRequest | None:
         keys = {word: key for key, word in self._words(self.view).items()}
-        return self.row.wish(keys[word]) if word in keys else None
+        return self.row.request(keys[word]) if word in keys else None
 
     def refresh(self, view: View) -> None:
         """Show what can be chosen, and what is."""
@@ -148,22 +161,22 @@ class ChoiceControl(Control):
         super().refresh(view)
 
 
-def triple(gui: viser.GuiApi, row: Triple, view: View, ask: Ask) -> Control:
+def vector_boxes(gui: viser.GuiApi, row: VectorRow, view: View, ask: Ask) -> ValueControl:
     """Three boxes for numbers."""
     handle = gui.add_vector3(row.label[view.seat.language], row.value(view), step=row.step)
-    placed = Control(handle, row.value, lambda given: row.wish(placed.view, given), ask, view)
+    placed = ValueControl(handle, row.value, lambda given: row.request(placed.view, given), ask, view)
     return placed
 
 
 class EntryControl:
     """A line to type in with its button."""
 
-    def __init__(self, gui: viser.GuiApi, row: Entry, view: View, ask: Ask) -> None:
+    def __init__(self, gui: viser.GuiApi, row: TextEntry, view: View, ask: Ask) -> None:
         self.row, language = row, view.seat.language
         self.said = row.shown(view)
         self.text: Any = gui.add_text(row.label[language], self.said)
         self.button = gui.add_button(row.button[language], color=COLOURS["plain"])
-        bind.on_press(self.button, lambda: ask(lambda: row.wish(self.text.value)))
+        bind.on_press(self.button, lambda: ask(lambda: row.request(self.text.value)))
 
     def refresh(self, view: View) -> None:
         """What is typed stays until the view says something else than before."""
@@ -183,7 +196,7 @@ class UploadControl:
     def __init__(self, gui: viser.GuiApi, row: Upload, view: View, ask: Ask) -> None:
         self.view = view
         self.handle = gui.add_upload_button(row.label[view.seat.language], icon=Icon.UPLOAD, color=COLOURS["plain"])
-        bind.on_upload(self.handle, lambda name, content: ask(lambda: row.wish(self.view, name, content)))
+        bind.on_upload(self.handle, lambda name, content: ask(lambda: row.request(self.view, name, content)))
 
     def refresh(self, view: View) -> None:
         """It looks the same in every view."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import viser
 
-from helicoide.lesson import load
+from helicoide.lesson import load_lesson
 from helicoide.view.panels.lesson import step_rows
-from helicoide.view.placed import Placed, place
+from helicoide.view.placed_rows import PlacedRow, place_rows
 from helicoide.view.rows import Act, View
 
 WIDTH, LARGE = 320.0, 480.0  # px; the latter on a projector
@@ -17,7 +17,7 @@ class DockedLesson:
 
     def __init__(self, gui: viser.GuiApi, act: Act) -> None:
         self.gui, self.act = gui, act
-        self.rows: list[Placed] = []
+        self.rows: list[PlacedRow] = []
         self.panel: viser.PanelHandle | None = None
         self.key: tuple[object, ...] = ()
 
@@ -40,18 +40,18 @@ class DockedLesson:
             return
         if self.panel is None:
             self.panel = self.gui.add_panel()
-            self.tab = self.panel.add_tab(load(view.seat.lesson).title[view.seat.language])
+            self.tab = self.panel.add_tab(load_lesson(view.seat.lesson).title[view.seat.language])
             self.panel.dock_left()
             self.panel.expand()  # a phone shows it as a section of its sheet
             self.panel.set_width(LARGE if view.seat.projector else WIDTH)
-        joints = load(view.seat.lesson).steps[view.seat.step].joints
+        joints = load_lesson(view.seat.lesson).steps[view.seat.step].joints
         with self.tab:
-            self.rows = place(self.gui, step_rows(view.state.robot, joints), view, self.act)
+            self.rows = place_rows(self.gui, step_rows(view.state.robot, joints), view, self.act)
 
 
 def _key(view: View) -> tuple[object, ...]:
     """What it is built for; nothing where there is no lesson, or its arm is still on its way."""
     seat, robot = view.seat, view.state.robot
-    if seat.lesson is None or load(seat.lesson).robot != robot.name:
+    if seat.lesson is None or load_lesson(seat.lesson).robot != robot.name:
         return ()
     return seat.language, seat.lesson, seat.projector, seat.step

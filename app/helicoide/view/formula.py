@@ -9,14 +9,14 @@ from markupsafe import Markup
 
 from helicoide.arrays import Array
 from helicoide.geometry.clifford import CL031
-from helicoide.markup import formula
+from helicoide.markup import formula_to_mathml
 
 ZERO = 5e-4
 
 
-def mathml(tex: str, index: str = "") -> Markup:
+def formula_html(tex: str, index: str = "") -> Markup:
     """A formula for an HTML row; index: a name that stands below it."""
-    return Markup('<div class="helicoide-formula">{}</div>').format(formula(tex, index))
+    return Markup('<div class="helicoide-formula">{}</div>').format(formula_to_mathml(tex, index))
 
 
 def _blade(name: str) -> Markup:

@@ -12,21 +12,21 @@ from helicoide.readout import Instrument, holding, instruments, near_singular
 from helicoide.state import State
 from helicoide.text import Text
 from helicoide.view import html
-from helicoide.view.formula import mathml
+from helicoide.view.formula import formula_html
 from helicoide.view.rows import View
 
 
 def instrument_table(view: View) -> Markup:
     """The equation, and a table of what can be read off the method and off the one beside it."""
-    arms = [state for state in (view.state, view.state.of_compared) if state is not None]
+    arms = [state for state in (view.state, view.state.compared_state) if state is not None]
     columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
     lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
     head = _cells(
-        Markup("<th>{}</th>"), (named(state.request.drive.method).TITLE[view.seat.language] for state in arms)
+        Markup("<th>{}</th>"), (named(state.request.controller.method).TITLE[view.seat.language] for state in arms)
     )
     body = Markup("").join(
         Markup("<tr><td>{}<span>{}</span></td>{}</tr>").format(
-            mathml(_tex(symbol)),
+            formula_html(_tex(symbol)),
             instrument.title[view.seat.language],
             _cells(VALUE, (_read(column.get(symbol)) for column in columns)),
         )
@@ -34,7 +34,7 @@ def instrument_table(view: View) -> Markup:
     )
     table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>{}")
     held = _cells(VALUE, (_held(state, view) for state in arms))
-    return mathml(named(view.state.request.drive.method).EQUATION) + table.format(
+    return formula_html(named(view.state.request.controller.method).EQUATION) + table.format(
         head, body, HELD[view.seat.language], held, Markup("").join(_singular(view))
     )
 
@@ -45,11 +45,11 @@ OF_SEVERAL = Text(en="Singularity ({method}): {said}.", pt_BR="Singularidade ({m
 
 def _singular(view: View) -> Iterator[Markup]:
     """What is singular, or nearly so, of each arm, with its method where there are two."""
-    for state in (view.state, view.state.of_compared):
+    for state in (view.state, view.state.compared_state):
         said = None if state is None else near_singular(state)
         if state is not None and said is not None:
             words = SINGULAR if view.state.compared is None else OF_SEVERAL
-            title = named(state.request.drive.method).TITLE
+            title = named(state.request.controller.method).TITLE
             yield html.note(words.format(method=title, said=said)[view.seat.language])
 
 

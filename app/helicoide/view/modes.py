@@ -7,9 +7,9 @@ from markupsafe import Markup
 
 from helicoide.ik.modal import Diagnosis
 from helicoide.readout import modes
-from helicoide.text import Language, Text, same
+from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
-from helicoide.view.formula import mathml
+from helicoide.view.formula import formula_html
 from helicoide.view.rows import View
 
 MODES = Text(en="Modes of Θ", pt_BR="Modos de Θ")
@@ -28,9 +28,9 @@ LEFT = Text(
     pt_BR="Resíduos ‖R‖ = {R:.3g}; V_c = {V:.3g}, no mínimo {floor:.3g} com estas juntas.",
 )
 TABLE = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}</table>")
-NUMBER = same("{value:.3g}")
+NUMBER = untranslated("{value:.3g}")
 HEAD = Markup("").join(
-    Markup("<th>{}</th>").format(mathml(symbol)) for symbol in (r"\sigma_i", r"d_i", r"\sigma_i d_i", r"\tau_i")
+    Markup("<th>{}</th>").format(formula_html(symbol)) for symbol in (r"\sigma_i", r"d_i", r"\sigma_i d_i", r"\tau_i")
 )
 LINE = Markup("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>")
 

@@ -6,12 +6,12 @@ from functools import partial
 
 from helicoide import gate
 from helicoide.ik import objectives
-from helicoide.ik.drive import Secondary
+from helicoide.ik.controller import SecondaryObjective
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 from helicoide.view import html
-from helicoide.view.formula import mathml
-from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, Tick, View, Words
+from helicoide.view.formula import formula_html
+from helicoide.view.rows import Checkbox, DependentRows, Dropdown, Folder, ForArm, HtmlRow, Row, Slider, View
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
 
@@ -20,38 +20,38 @@ def objective_rows(robot: Robot) -> list[Row]:
     known = [(name, objectives.named(name)) for name in objectives.names()]
     options = [(name, one.TITLE) for name, one in known if one.applies(robot) is None]
     return [
-        Choice(
+        Dropdown(
             Text(en="Objective", pt_BR="Objetivo"),
             [("", NONE), *options],
             _chosen,
             lambda name: ForArm(gate.choose_objective(name or None)),
         ),
-        Folder(Text(en="How", pt_BR="Como"), Changing(_chosen, partial(_how, robot))),
+        Folder(Text(en="How", pt_BR="Como"), DependentRows(_chosen, partial(_how, robot))),
     ]
 
 
 def _chosen(view: View) -> str:
-    second = view.state.request.drive.secondary
+    second = view.state.request.controller.secondary
     return "" if second is None else second.objective
 
 
 def _how(robot: Robot, name: str) -> list[Row]:
     """Weight, way and settings of an objective; what it is told after it has been taken away is not heard."""
     if not name:
-        return [Words(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
-    objective, default = objectives.named(name), Secondary(name, objectives.named(name).Options())
+        return [HtmlRow(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
+    objective, default = objectives.named(name), SecondaryObjective(name, objectives.named(name).Options())
 
-    def second(view: View) -> Secondary:
-        there = view.state.request.drive.secondary
+    def second(view: View) -> SecondaryObjective:
+        there = view.state.request.controller.secondary
         return there if there is not None and there.objective == name else default
 
-    as_row = Tick(
+    as_row = Checkbox(
         Text(en="as a row of the task", pt_BR="como linha da tarefa"),
         lambda view: second(view).as_row,
         lambda on: ForArm(gate.objective_as_row(on)),
     )
     return [
-        Words(lambda view: mathml(objective.EQUATION) + html.note(objective.SOURCE)),
+        HtmlRow(lambda view: formula_html(objective.EQUATION) + html.note(objective.SOURCE)),
         Slider(
             Text(en="weight k₀ [1/s]", pt_BR="peso k₀ [1/s]"),
             0.0,
@@ -61,9 +61,9 @@ def _how(robot: Robot, name: str) -> list[Row]:
             lambda value: ForArm(gate.weigh_objective(value)),
         ),
         *([as_row] if objective.AUGMENTS else []),
-        Tick(
+        Checkbox(
             Text(en="weights grow at limits (Algorithm 1)", pt_BR="pesos crescem nos limites (Algoritmo 1)"),
-            lambda view: second(view).grows,
+            lambda view: second(view).adapts,
             lambda on: ForArm(gate.grow_weights(on)),
         ),
         *rows_of(

@@ -6,7 +6,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.view.layers import Stage
-from helicoide.view.layers.arm import Placed
+from helicoide.view.layers.arm import LinkNodes
 
 Colour = tuple[int, int, int]
 THICKNESS = 0.0016
@@ -23,7 +23,7 @@ class Outline:
             scene.add_line_segments(f"/{name}/{shape.name}/edges", shape.edges, colour, thickness=thickness)
             for shape in drawn
         ]
-        self.placed = Placed(drawn, self.frames)
+        self.placed = LinkNodes(drawn, self.frames)
         self.shown, self.colour = False, colour
 
     def show(self, shown: bool) -> None:

@@ -27,6 +27,15 @@ LOST = Text(
     pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
 )
 
+# What a screen reader says where viser shows an icon or the scene alone.
+NAMES = {
+    "scene": Text(
+        en="Scene. Arrow keys move the target along x and y, Page Up and Page Down along z; Shift coarse, Alt fine.",
+        pt_BR="Cena. As setas movem o alvo em x e y, Page Up e Page Down em z; Shift passo grande, Alt passo fino.",
+    ),
+    "commands": Text(en="Commands (Ctrl+K)", pt_BR="Comandos (Ctrl+K)"),
+    "settings": Text(en="Connection and scene", pt_BR="Conexão e cena"),
+}
 HINT = {
     "title": Text(en="Where to begin", pt_BR="Por onde começar"),
     "lesson": Text(en="First lesson", pt_BR="Primeira lição"),
@@ -44,7 +53,8 @@ TAGS = Markup(
     '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
     '<link rel="stylesheet" href="static/panel.css" /><link rel="stylesheet" href="static/helicoide.css" />'
-    '<script src="static/helicoide.js" data-words="{}" defer></script><script src="static/keyboard.js" defer></script>'
+    '<script src="static/helicoide.js" data-words="{}" defer></script>'
+    '<script src="static/keyboard.js" data-words="{}" defer></script>'
     '<link rel="stylesheet" href="static/hint.css" /><script src="static/hint.js" data-words="{}" defer></script>'
 )
 TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")
@@ -132,17 +142,17 @@ def _file(file: Path, request: Request) -> Response:
 
 
 def _long(language: Language) -> bytes:
-    return LONG.format(language=language.replace("_", "-"), body=errata.page(language)).encode()
+    return LONG.format(language=language.replace("_", "-"), body=errata.sources_page(language)).encode()
 
 
 def _page() -> str:
     source = Path(viser.__file__).parent / "client" / "build" / "index.html"
     said = {"stop": STOP, "stop_all": STOP_ALL, "lost": LOST}
-    words = {language: {key: text[language] for key, text in said.items()} for language in LANGUAGES}
-    hint = {
-        language: {key: text[language] for key, text in HINT.items()} | {"steps": [step[language] for step in STEPS]}
-        for language in LANGUAGES
-    }
-    tags = TAGS.format(json.dumps(words), json.dumps(hint))
+    hint = {key: words | {"steps": [step[key] for step in STEPS]} for key, words in _in_both(HINT).items()}
+    tags = TAGS.format(json.dumps(_in_both(said)), json.dumps(_in_both(NAMES)), json.dumps(hint))
     titled = source.read_text("utf-8").replace(*TITLES, 1)
     return titled.replace(HEAD_ENDS, tags + HEAD_ENDS, 1)
+
+
+def _in_both(texts: Mapping[str, Text]) -> dict[Language, dict[str, str]]:
+    return {language: {key: text[language] for key, text in texts.items()} for language in LANGUAGES}

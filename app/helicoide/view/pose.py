@@ -9,7 +9,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 
 
-def stand(node: viser.SceneNodeHandle, T_parent_node: Array) -> None:
+def place_node(node: viser.SceneNodeHandle, T_parent_node: Array) -> None:
     """Bring a node to its pose (4, 4), m, unless it stands there.
 
     Said by viser's messages directly: its own handles take ten times as long to compare what they are given.

@@ -9,11 +9,11 @@ from typing import Any, Generic, Literal, TypeVar
 from markupsafe import Markup
 from viser import IconName
 
-from helicoide.kinematics.workspace import Kind
+from helicoide.kinematics.workspace import MapKind
 from helicoide.perception.units import Unit
 from helicoide.seat import Seat, SeatUpdate
 from helicoide.state import State, Update
-from helicoide.studies.desk import EMPTY, Desk, DeskUpdate
+from helicoide.studies.panel_state import NO_STUDY, StudyPanelState, StudyPanelUpdate
 from helicoide.studies.study import Chart, Motion
 from helicoide.text import Text
 
@@ -30,14 +30,14 @@ class View:
 
     state: State
     seat: Seat
-    desk: Desk = EMPTY
+    desk: StudyPanelState = NO_STUDY
     ready: bool = True
     own: bool = False
 
-    def rearranged(self, old: View | None) -> bool:
+    def handles_moved(self, old: View | None) -> bool:
         """Whether what can be dragged may stand elsewhere than in an older view, or be in another hand."""
         before, now = None if old is None else old.state, self.state
-        return before is None or before.problem is not now.problem or before.request.grasp is not now.request.grasp
+        return before is None or before.problem is not now.problem or before.request.drag is not now.request.drag
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class ForLab:
 class ForDesk:
     """A wish about the studies."""
 
-    update: DeskUpdate
+    update: StudyPanelUpdate
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +96,7 @@ class ReadCloud:
 class CountMap:
     """A wish for a map of the workspace."""
 
-    kind: Kind
+    kind: MapKind
 
 
 @dataclass(frozen=True)
@@ -141,7 +141,7 @@ class Save:
     content: bytes
 
 
-Wish = (
+PageRequest = (
     ForArm
     | ForSeat
     | ForLab
@@ -158,9 +158,9 @@ Wish = (
     | ShowTab
     | Save
 )
-Act = Callable[[Wish], None]
+Act = Callable[[PageRequest], None]
 """Hands on a wish."""
-Ask = Callable[[Callable[[], Wish | None]], None]
+Ask = Callable[[Callable[[], PageRequest | None]], None]
 """Makes a wish and hands it on, unless it comes to none."""
 
 
@@ -170,7 +170,7 @@ def always(view: View) -> bool:
 
 
 @dataclass(frozen=True)
-class Words:
+class HtmlRow:
     """HTML made from the view; computed: with kernels, so that it waits until they are there."""
 
     html: Callable[[View], Markup]
@@ -186,7 +186,7 @@ class Slider:
     upper: float
     step: float
     value: Callable[[View], float]
-    wish: Callable[[float], Wish]
+    request: Callable[[float], PageRequest]
     enabled: Callable[[View], bool] = always
 
 
@@ -198,7 +198,7 @@ class Button:
     """A press; weight: whether it is the first thing to do there, one among others, or takes something away."""
 
     label: Callable[[View], Text]
-    wish: Callable[[View], Wish]
+    request: Callable[[View], PageRequest]
     icon: IconName | None = None
     enabled: Callable[[View], bool] = always
     shown: Callable[[View], bool] = always
@@ -206,42 +206,42 @@ class Button:
 
 
 @dataclass(frozen=True)
-class Tick:
+class Checkbox:
     """A choice between yes and no."""
 
     label: Text
     value: Callable[[View], bool]
-    wish: Callable[[bool], Wish]
+    request: Callable[[bool], PageRequest]
 
 
 @dataclass(frozen=True)
-class Choice:
+class Dropdown:
     """One of several; `options` are keys with what is shown for them, and may change with the view."""
 
     label: Text
     options: Sequence[tuple[str, Text]] | Callable[[View], Sequence[tuple[str, Text]]]
     value: Callable[[View], str]
-    wish: Callable[[str], Wish]
+    request: Callable[[str], PageRequest]
 
 
 @dataclass(frozen=True)
-class Triple:
+class VectorRow:
     """Three numbers, such as a position."""
 
     label: Text
     step: float
     value: Callable[[View], tuple[float, float, float]]
-    wish: Callable[[View, tuple[float, float, float]], Wish]
+    request: Callable[[View, tuple[float, float, float]], PageRequest]
 
 
 @dataclass(frozen=True)
-class Entry:
+class TextEntry:
     """A line to type in, and a button that hands on what stands there."""
 
     label: Text
     shown: Callable[[View], str]
     button: Text
-    wish: Callable[[str], Wish]
+    request: Callable[[str], PageRequest]
 
 
 @dataclass(frozen=True)
@@ -249,7 +249,7 @@ class Upload:
     """A button that takes a file from the person: its name and its content, and what the window showed then."""
 
     label: Text
-    wish: Callable[[View, str, bytes], Wish]
+    request: Callable[[View, str, bytes], PageRequest]
 
 
 @dataclass(frozen=True)
@@ -268,7 +268,7 @@ class Plot:
 
 
 @dataclass(frozen=True)
-class Changing(Generic[Key]):
+class DependentRows(Generic[Key]):
     """Rows that hang on a key of the view, such as a tuple of names, and are placed anew when that changes."""
 
     key: Callable[[View], Key]
@@ -280,8 +280,8 @@ class Folder:
     """Rows under a heading."""
 
     label: Text
-    rows: Sequence[Row] | Changing[Any]
+    rows: Sequence[Row] | DependentRows[Any]
     open: bool = True
 
 
-Row = Words | Slider | Button | Tick | Choice | Triple | Entry | Upload | Bar | Plot | Folder
+Row = HtmlRow | Slider | Button | Checkbox | Dropdown | VectorRow | TextEntry | Upload | Bar | Plot | Folder

@@ -8,7 +8,7 @@ import viser
 from helicoide.arrays import Array
 from helicoide.kinematics.robot import Robot
 from helicoide.seat import Seat
-from helicoide.state import initial
+from helicoide.state import initial_state
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
@@ -25,7 +25,7 @@ def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
     """
     if robot.camera is not None and not upright:
         return robot.camera
-    points = np.array([[0, 0, robot.floor], *initial(robot).guarded_points])
+    points = np.array([[0, 0, robot.floor], *initial_state(robot).guarded_points])
     low, high = points.min(axis=0), points.max(axis=0)
     size = max(robot.reach, float(np.linalg.norm(high - low)))
     if upright:
@@ -34,7 +34,7 @@ def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
     return centre + size * FROM_THE_SIDE, centre
 
 
-def lit(server: viser.ViserServer) -> None:
+def light_scene(server: viser.ViserServer) -> None:
     """Set up what is the same in front of every workcell."""
     server.scene.set_up_direction("+z")
     server.scene.configure_default_lights(cast_shadow=False)  # two frames of three, without a graphics card

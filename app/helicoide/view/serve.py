@@ -21,7 +21,7 @@ from viser._messages import ShareUrlRequest
 from websockets.asyncio.server import ServerConnection
 from websockets.http11 import Request, Response
 
-from helicoide.files.system import NO_HOST, why
+from helicoide.files.os_errors import NO_HOST, os_error_reason
 from helicoide.text import HelicoideError, Text
 from helicoide.view.limits import slowed
 from helicoide.view.news import tell_once
@@ -115,7 +115,7 @@ def _listen(host: str, port: int) -> socket.socket:
         listener = socket.create_server((socket.gethostbyname(host), port))  # it would hide what is wrong with a name
     except OSError as error:
         text = {errno.EADDRINUSE: TAKEN, errno.EACCES: RESERVED}.get(error.errno or 0, CLOSED)
-        raise HelicoideError(text.format(host=host, port=port, reason=why(error))) from error
+        raise HelicoideError(text.format(host=host, port=port, reason=os_error_reason(error))) from error
     except UnicodeError as error:  # a name that no host can have
         raise HelicoideError(CLOSED.format(host=host, port=port, reason=NO_HOST)) from error
     # asyncio does this only for sockets that name their protocol; small messages would wait for acknowledgements

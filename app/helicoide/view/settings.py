@@ -7,15 +7,15 @@ from math import ceil, floor, log10
 from typing import Any
 
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
-from helicoide.text import Text, same
-from helicoide.view.rows import Choice, Row, Slider, Tick, View, Wish
+from helicoide.text import Text, untranslated
+from helicoide.view.rows import Checkbox, Dropdown, PageRequest, Row, Slider, View
 
 NONE = Text(en="none", pt_BR="nenhum")
 NOTHING_TO_SET = Text(en="Nothing can be set.", pt_BR="Não há o que ajustar.")
 STEPS, PER_DECADE = 50, 20
 DECADES = "\u2063"  # an invisible mark in the label, by which the page knows such a slider
 Options = Callable[[View], Any]
-Change = Callable[[str, object], Wish]
+Change = Callable[[str, object], PageRequest]
 
 
 def rows_of(kind: type, length: float, options: Options, change: Change) -> list[Row]:
@@ -31,9 +31,9 @@ def rows_of(kind: type, length: float, options: Options, change: Change) -> list
             case Quantity():
                 rows.append(_quantity(setting, length, value, wish))
             case OneOf(title, choices):
-                rows.append(Choice(title, list(choices.items()), value, wish))
+                rows.append(Dropdown(title, list(choices.items()), value, wish))
             case YesNo(title):
-                rows.append(Tick(title, value, wish))
+                rows.append(Checkbox(title, value, wish))
     return rows
 
 
@@ -41,11 +41,13 @@ def _value(options: Options, name: str) -> Callable[[View], Any]:
     return lambda view: getattr(options(view), name)
 
 
-def _wish(change: Change, name: str) -> Callable[[object], Wish]:
+def _wish(change: Change, name: str) -> Callable[[object], PageRequest]:
     return lambda value: change(name, value)
 
 
-def _quantity(setting: Quantity, length: float, value: Callable[[View], float], wish: Callable[[object], Wish]) -> Row:
+def _quantity(
+    setting: Quantity, length: float, value: Callable[[View], float], wish: Callable[[object], PageRequest]
+) -> Row:
     """A slider in the unit of the screen, in steps of a power of ten."""
     unit = (1000 * length) ** setting.lengths
     if setting.decades:
@@ -53,7 +55,7 @@ def _quantity(setting: Quantity, length: float, value: Callable[[View], float], 
     lower, upper = setting.lower * unit, setting.upper * unit
     step = 10 ** floor(log10((upper - lower) / STEPS))
     return Slider(
-        same("{title} {unit}").format(title=setting.title, unit=_in_brackets(setting)),
+        untranslated("{title} {unit}").format(title=setting.title, unit=_in_brackets(setting)),
         ceil(lower / step) * step,
         floor(upper / step) * step,
         step,
@@ -62,11 +64,13 @@ def _quantity(setting: Quantity, length: float, value: Callable[[View], float], 
     )
 
 
-def _decades(setting: Quantity, unit: float, value: Callable[[View], float], wish: Callable[[object], Wish]) -> Row:
+def _decades(
+    setting: Quantity, unit: float, value: Callable[[View], float], wish: Callable[[object], PageRequest]
+) -> Row:
     """A slider through powers of ten, whose label shows the value; what viser shows of the exponent, the page hides."""
 
     def label(view: View) -> Text:
-        return same("{title}: {said} {unit}{decades}").format(
+        return untranslated("{title}: {said} {unit}{decades}").format(
             title=setting.title, said=f"{value(view) * unit:.3g}", unit=setting.unit, decades=DECADES
         )
 

@@ -13,7 +13,7 @@ import yourdfpy
 from helicoide.arrays import Array
 from helicoide.kinematics import urdf_file
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.urdf_xml import broken
+from helicoide.kinematics.urdf_xml import urdf_error
 from helicoide.text import Text
 from helicoide.view import skeleton
 
@@ -42,7 +42,7 @@ class Shape:
 
 
 @lru_cache(maxsize=32)
-def load(robot: Robot) -> list[Shape]:
+def load_shapes(robot: Robot) -> list[Shape]:
     """The shapes of a robot, with lines and cylinders where less than half of it can be drawn.
 
     Raises HelicoideError when the URDF is broken.
@@ -53,7 +53,7 @@ def load(robot: Robot) -> list[Shape]:
         opened = _urdf(robot)
         if robot.gripper.joint not in opened.actuated_joint_names:
             known = ", ".join(opened.actuated_joint_names)
-            raise broken(robot.urdf, NO_GRIPPER.format(name=robot.gripper.joint, known=known))
+            raise urdf_error(robot.urdf, NO_GRIPPER.format(name=robot.gripper.joint, known=known))
         upper = float(opened.joint_map[robot.gripper.joint].limit.upper)
         opened.update_cfg({robot.gripper.joint: upper})
     drawn = {link.name: _visuals(closed, link.name) for link in closed.robot.links if link.visuals}
@@ -68,7 +68,7 @@ def _lines(robot: Robot, seen: Set[int]) -> list[Shape]:
     shortest = SHORTEST_EDGE * robot.reach
     return [
         Shape(name, _glb(scene), _edges(scene, shortest), i, np.eye(4), np.zeros(3))
-        for i, (name, scene) in enumerate(skeleton.drawn(robot))
+        for i, (name, scene) in enumerate(skeleton.skeleton_meshes(robot))
         if not scene.is_empty and i not in seen
     ]
 
@@ -84,7 +84,7 @@ def _glb(scene: trimesh.Scene) -> bytes:
 
 def _urdf(robot: Robot) -> yourdfpy.URDF:
     """The URDF with its meshes; the joints of the arm stand at zero, also those that follow others."""
-    urdf = urdf_file.read(robot.urdf, robot.parameters).robot
+    urdf = urdf_file.read_urdf(robot.urdf, robot.parameters).robot
     of_arm = {joint.name for joint in robot.joints}
     for joint in urdf.joints:
         if joint.name in of_arm:

@@ -13,7 +13,7 @@ LINE, CYLINDER, BAR = 0.01, (0.03, 0.1), (0.025, 0.16)
 OF_LINES, OF_JOINTS = (150, 155, 165, 255), (235, 130, 60, 255)
 
 
-def drawn(robot: Robot) -> list[tuple[str, trimesh.Scene]]:
+def skeleton_meshes(robot: Robot) -> list[tuple[str, trimesh.Scene]]:
     """The name of each URDF link that moves, base first, and what is drawn of it in the frame of the arm's link."""
     names = [robot.base_link, *(joint.link for joint in robot.joints)]
     origins = np.array([np.zeros(3), *robot.points])
@@ -31,9 +31,9 @@ def drawn(robot: Robot) -> list[tuple[str, trimesh.Scene]]:
 
 
 def _solid(joint: Joint, size: float) -> trimesh.Trimesh:
-    radius, height = size * np.array(BAR if joint.slides else CYLINDER)
+    radius, height = size * np.array(BAR if joint.is_prismatic else CYLINDER)
     ends = np.outer([-height / 2, height / 2], joint.direction)
-    solid: trimesh.Trimesh = trimesh.creation.cylinder(radius, segment=ends, sections=4 if joint.slides else 24)
+    solid: trimesh.Trimesh = trimesh.creation.cylinder(radius, segment=ends, sections=4 if joint.is_prismatic else 24)
     return solid
 
 

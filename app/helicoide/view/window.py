@@ -16,12 +16,12 @@ from viser._messages import GuiUpdateMessage, SetOrientationMessage, SetPosition
 
 from helicoide import gate
 from helicoide.ik import methods
-from helicoide.kinematics.library import titles
+from helicoide.kinematics.library import robot_titles
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import entered
 from helicoide.seat import Seat
-from helicoide.studies import desk as desks
-from helicoide.text import LANGUAGES, Language, Text, same
+from helicoide.studies import panel_state as desks
+from helicoide.text import LANGUAGES, Language, Text, untranslated
 from helicoide.view import bind, layers, panels
 from helicoide.view.channel import show_tab
 from helicoide.view.docked import DockedLesson
@@ -31,21 +31,21 @@ from helicoide.view.page import STOP
 from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.panels.study import studies_by_source
-from helicoide.view.placed import Placed, place
+from helicoide.view.placed_rows import PlacedRow, place_rows
 from helicoide.view.rows import (
     Button,
-    Choice,
+    Checkbox,
+    Dropdown,
     ForArm,
     ForDesk,
     ForLab,
     ForSeat,
     OwnArm,
+    PageRequest,
     Row,
     ShowTab,
     Stop,
-    Tick,
     View,
-    Wish,
 )
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
@@ -53,7 +53,7 @@ from helicoide.view.uploads import Uploads
 
 Client = viser.ClientHandle
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
-PANEL = same("Helicoide")
+PANEL = untranslated("Helicoide")
 OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
 PROJECTOR = Text(en="Projector", pt_BR="Projetor")
 NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
@@ -72,16 +72,16 @@ CLEARED = 0.15
 WEIGHT = 1.6
 
 
-def seated(token: str, language: Language, lesson: str | None, projector: bool = False) -> Seat:
+def new_seat(token: str, language: Language, lesson: str | None, projector: bool = False) -> Seat:
     """A new person, with every optional layer shown or not as it says of itself."""
     shows = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
-    return Seat(token=token, language=language, lesson=lesson, shows=shows, projector=projector)
+    return Seat(token=token, language=language, lesson=lesson, visible_layers=shows, projector=projector)
 
 
-def made_ready(robot: Robot) -> None:
+def preload(robot: Robot) -> None:
     """Import all that windows show, which takes the longest of the first one; from any thread."""
-    layers.found()
-    for panel in panels.found():
+    layers.all_layers()
+    for panel in panels.all_panels():
         panel.rows(robot)
 
 
@@ -91,14 +91,14 @@ class Window:
     It is filled row by row, and written row by row: whoever waits for the event loop comes in between.
     """
 
-    def __init__(self, client: Client, link: Link, view: View, hand_on: Callable[[Window, Wish], None]) -> None:
+    def __init__(self, client: Client, link: Link, view: View, hand_on: Callable[[Window, PageRequest], None]) -> None:
         self.client, self.link, self.view, self.hand_on = client, link, view, hand_on
         self.written: View | None = None
         self.layers: Layers | None = None
-        self.placed: list[list[Placed]] = []
+        self.placed: list[list[PlacedRow]] = []
         self.tab: int | None = None
         self.robot = view.state.robot  # the one that the rows are about
-        self.top: list[Placed] = []
+        self.top: list[PlacedRow] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
         self.shapes: list[Shape] = []
@@ -128,7 +128,7 @@ class Window:
         """What the person speaks."""
         return self.view.seat.language
 
-    def act(self, wish: Wish) -> None:
+    def act(self, wish: PageRequest) -> None:
         """Hand on what the person wishes; what the page shows of it is put right later, whatever comes of it."""
         if isinstance(wish, ShowTab):
             show_tab(self.client, wish.index)
@@ -174,10 +174,10 @@ class Window:
             gui.reset()
             gui.set_panel_label(PANEL[language])
             self.placed, self.commands = [], []
-            self.top = place(gui, _top(), view, self.act)
+            self.top = place_rows(gui, _top(), view, self.act)
             self.docked = DockedLesson(gui, self.act)
             tabs = gui.add_tab_group()
-            self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.found()]
+            self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.all_panels()]
             await self._fill(view)
 
     async def fill(self, view: View) -> None:
@@ -193,13 +193,13 @@ class Window:
         robot = self.robot = view.state.robot
         self.view, self.written = view, None
         self.placed, self.commands = [], [self._command(text, wish) for text, wish in _commands(robot)]
-        for tab, panel in zip(self.tabs, panels.found(), strict=True):
+        for tab, panel in zip(self.tabs, panels.all_panels(), strict=True):
             self.placed.append([])
             for row in panel.rows(robot):
                 if self.gone:
                     return
                 with tab:
-                    self.placed[-1] += place(self.client.gui, [row], view, self.act)
+                    self.placed[-1] += place_rows(self.client.gui, [row], view, self.act)
                 await asyncio.sleep(0)
 
     async def write(self, view: View) -> float:
@@ -231,7 +231,7 @@ class Window:
                 took, began = took + since, perf_counter()
         return took + perf_counter() - began
 
-    def _in_front(self) -> list[Placed]:
+    def _in_front(self) -> list[PlacedRow]:
         """The rows that the person may see: of the tab in front, of all while the page has not said which that is."""
         known = self.tab is not None and 0 <= self.tab < len(self.placed)
         return self.placed[self.tab or 0] if known else [*chain.from_iterable(self.placed)]
@@ -249,7 +249,7 @@ class Window:
                 self.client.gui._websock_interface.queue_message(message)
         self.written = None
 
-    def _command(self, text: Text, wish: Wish) -> viser.CommandHandle:
+    def _command(self, text: Text, wish: PageRequest) -> viser.CommandHandle:
         command = self.client.gui.add_command(text[self.view.seat.language])
         bind.on_trigger(command, partial(self.act, wish))
         return command
@@ -262,7 +262,7 @@ def _same(old: View, new: View) -> bool:
     ) and old.own == new.own
 
 
-def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
+def _commands(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
     """The palette: what the panels and the page have as buttons, by name, and every arm."""
     yield STOP, Stop()
     yield READY, ForArm(gate.get_ready())
@@ -274,7 +274,7 @@ def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
         yield words, ForSeat(partial(_projected, on))
     yield OWN, OwnArm(True)
     yield SHARED, OwnArm(False)
-    for index, panel in enumerate(panels.found()):
+    for index, panel in enumerate(panels.all_panels()):
         yield TAB.format(title=panel.TITLE), ShowTab(index)
     for name, title in robot.pose_titles.items():
         yield POSE.format(title=title), ForArm(gate.go_to(name))
@@ -285,8 +285,8 @@ def _commands(robot: Robot) -> Iterator[tuple[Text, Wish]]:
     for lesson in lessons():
         yield LESSON.format(title=lesson.title), ForSeat(partial(entered, name=lesson.id))
     for name, title in studies_by_source():
-        yield STUDY.format(title=title), ForDesk(desks.choose(name))
-    for name, title in titles().items():
+        yield STUDY.format(title=title), ForDesk(desks.with_study(name))
+    for name, title in robot_titles().items():
         yield ARM.format(title=title), ForLab(name)
 
 
@@ -301,7 +301,7 @@ ARM = Text(en="Arm: {title}", pt_BR="Braço: {title}")
 
 def _toggled(name: str, seat: Seat) -> Seat:
     """The same person with a layer shown that was hidden, or hidden."""
-    return seat.showing(name, not seat.shows[name])
+    return seat.with_layer(name, not seat.visible_layers[name])
 
 
 def _projected(on: bool, seat: Seat) -> Seat:
@@ -312,14 +312,14 @@ def _projected(on: bool, seat: Seat) -> Seat:
 def _top() -> list[Row]:
     """What stands above the tabs: the language, and whose arm it is."""
     return [
-        Choice(
+        Dropdown(
             Text(en="Language · Idioma", pt_BR="Idioma · Language"),
-            [(language, same(LANGUAGE_NAMES[language])) for language in LANGUAGES],
+            [(language, untranslated(LANGUAGE_NAMES[language])) for language in LANGUAGES],
             lambda view: view.seat.language,
             lambda key: ForSeat(lambda seat: replace(seat, language="pt_BR" if key == "pt_BR" else "en")),
         ),
         Button(lambda view: SHARED if view.own else OWN, lambda view: OwnArm(not view.own), Icon.USER),
-        Tick(
+        Checkbox(
             PROJECTOR,
             lambda view: view.seat.projector,
             lambda on: ForSeat(partial(_projected, on)),

@@ -10,8 +10,8 @@ import numpy as np
 from helicoide.arrays import frozen
 from helicoide.ik.method import Quantity
 from helicoide.kinematics.forward import tool_by_screws
-from helicoide.kinematics.library import load
-from helicoide.studies.study import Chart, Line, Motion, Progress, Result, Row, printed
+from helicoide.kinematics.library import load_robot
+from helicoide.studies.study import Chart, ChartLine, Motion, Progress, Result, Row, printed_statement
 from helicoide.text import Text
 
 TITLE = Text(en="New study (new_name)", pt_BR="Estudo novo (new_name)")
@@ -32,7 +32,7 @@ class Options:
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """The distance from the base along the motion; in short form at fewer instants."""
-    robot, times = load(ROBOT), np.linspace(0.0, 5.0, 20 if short else 200)
+    robot, times = load_robot(ROBOT), np.linspace(0.0, 5.0, 20 if short else 200)
     angles = np.radians(options.bend) * times / times[-1]
     q = frozen([[0.0, *[angle] * (len(robot.variables) - 1)] for angle in angles])
     far = np.array([np.linalg.norm(tool_by_screws(robot, row)[:3, 3]) for row in q])
@@ -40,11 +40,11 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     name = Text(en="distance from the base", pt_BR="distância até a base")
     ratio = Text(en="largest distance, as a share of the reach", pt_BR="maior distância, como parte do alcance")
     rows = (
-        Row(ratio, float(far.max() / robot.reach), "", printed("1.00", "§1")),
+        Row(ratio, float(far.max() / robot.reach), "", printed_statement("1.00", "§1")),
         Row(Text(en="smallest distance", pt_BR="menor distância"), float(far.min()), "m"),
     )
     chart = Chart(
         name, Text(en="time (s)", pt_BR="tempo (s)"), Text(en="distance (m)", pt_BR="distância (m)"),
-        (Line(name, times, far),),
+        (ChartLine(name, times, far),),
     )  # fmt: skip
     return Result(rows, (chart,), (Motion(ROBOT, times, q),))

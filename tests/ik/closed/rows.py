@@ -20,7 +20,7 @@ def backwards(robot: Robot) -> Robot:
         replace(joint, direction=frozen(-T[:3, :3] @ joint.direction), point=frozen(T[:3, :3] @ joint.point + T[:3, 3]))
         for joint in reversed(robot.joints)
     )
-    return replace(robot, joints=joints, dh=dh.recovered(joints, T), T_world_tool_0=frozen(T))
+    return replace(robot, joints=joints, dh=dh.dh_from_screws(joints, T), T_world_tool_0=frozen(T))
 
 
 def distance(answer: Answer, q: Array) -> float:

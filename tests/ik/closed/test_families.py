@@ -15,9 +15,9 @@ from helicoide.geometry import euler
 from helicoide.ik import closed
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import LENGTHS, puma
+from helicoide.studies._campos_arms import LENGTHS, puma_with_lengths
 from helicoide.text import HelicoideError
 
 FAMILIES = {
@@ -43,13 +43,13 @@ def random_kin(name: str, seed: int) -> Robot:
     """An arm as that one with other lengths, standing anywhere, with joints that count the other way."""
     draw = np.random.default_rng(seed)
     place = np.eye(4)
-    place[:3, :3], place[:3, 3] = euler.matrix(draw.uniform(-1.5, 1.5, 3), "zyx"), draw.uniform(-1, 1, 3)
+    place[:3, :3], place[:3, 3] = euler.euler_matrix(draw.uniform(-1.5, 1.5, 3), "zyx"), draw.uniform(-1, 1, 3)
     if name == "puma560":
-        robot = puma(
+        robot = puma_with_lengths(
             *draw.uniform(0.1, 0.6, 4) * draw.choice([-1, 1], 4) * [0, 1, 1, 1] + [draw.uniform(0.2, 0.6), 0, 0, 0]
         )
         return reversed_axes(robot, *np.flatnonzero(draw.integers(0, 2, 6)))
-    robot = load(name)
+    robot = load_robot(name)
     stretch = np.array([draw.uniform(0.5, 2), 1, draw.uniform(0.5, 2)])
     joints = tuple(replace(joint, point=frozen(joint.point * stretch)) for joint in robot.joints)
     T = robot.T_world_tool_0.copy()
@@ -60,13 +60,13 @@ def random_kin(name: str, seed: int) -> Robot:
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_which_apply_and_which_comes_first(name: str) -> None:
-    assert tuple(closed.of(load(name))) == FAMILIES[name]
+    assert tuple(closed.of(load_robot(name))) == FAMILIES[name]
 
 
 @pytest.mark.parametrize("name", FAMILIES)
 @pytest.mark.parametrize("seed", range(8))
 def test_all_find_the_same_postures(name: str, seed: int) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     q = np.random.default_rng(seed).uniform(-3, 3, len(robot.joints))
     T = tool_at(robot, q)
     first, *others = (found(family, robot, T, np.zeros(len(q))) for family in FAMILIES[name])
@@ -90,7 +90,7 @@ def test_arms_by_chance_are_solved_by_screws_and_by_dual_quaternions(name: str, 
 
 @pytest.mark.parametrize(("name", "family"), BY)
 def test_out_of_reach_there_is_none_and_it_is_said_by_how_much(name: str, family: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     T = tool_at(robot, robot.poses["ready"]).copy()
     T[:3, 3] += [9, 1, 0]
     answer = found(family, robot, T, robot.poses["ready"])
@@ -100,7 +100,7 @@ def test_out_of_reach_there_is_none_and_it_is_said_by_how_much(name: str, family
 
 @pytest.mark.parametrize(("name", "family"), [(n, f) for n, f in BY if n in ("puma560", "zebra_zero")])
 def test_a_singular_wrist_keeps_its_fourth_joint(name: str, family: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     q = np.array([0.3, -0.7, 0.4, 0.5, 0.0, -0.2])
     answer = found(family, robot, tool_at(robot, q), q)
     assert min(float(np.abs(wrap(branch.q - q)).max()) for branch in answer.branches) < 1e-6
@@ -108,7 +108,7 @@ def test_a_singular_wrist_keeps_its_fourth_joint(name: str, family: str) -> None
 
 @pytest.mark.parametrize("family", ["geometry", "inverse_transform", "screws", "dual_quaternions"])
 def test_other_arms_are_refused_in_words(family: str) -> None:
-    robot = load("scara")
+    robot = load_robot("scara")
     assert closed.found()[family].applies(robot) is not None
     with pytest.raises(HelicoideError, match="This form is for"):
         found(family, robot, np.eye(4), robot.poses["ready"])
@@ -116,7 +116,7 @@ def test_other_arms_are_refused_in_words(family: str) -> None:
 
 def test_three_data_sets_of_the_puma_have_eight_postures_by_every_family() -> None:
     for lengths in LENGTHS:
-        robot = puma(*lengths)
+        robot = puma_with_lengths(*lengths)
         T = tool_at(robot, np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
         for family in ("geometry", "screws", "dual_quaternions"):
             assert len(found(family, robot, T, np.zeros(6)).branches) == 8

@@ -17,12 +17,12 @@ from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import motoman_l3
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.studies.campos_l3 import goal
 from helicoide.text import LANGUAGES, HelicoideError, Text
 
-ROBOT = load("motoman_l3")
+ROBOT = load_robot("motoman_l3")
 # Of the goal of the study, recomputed from the formulas of the book by other code: the turn, °, where the hand then
 # points, and the postures, °.
 ANGLE, POINTING = -16.6918, (0.871505, 0.348602, -0.344899)
@@ -52,7 +52,7 @@ def equal_links() -> Robot:
 
 def test_an_arm_bent_at_zero_on_a_pedestal() -> None:
     """Where the file counts from a bent arm, with joints beside its plane, the angles of the source are shifted."""
-    R = euler.matrix([0, 0.3, 0], "zyx")
+    R = euler.euler_matrix([0, 0.3, 0], "zyx")
     points = [(0, 0, -0.2), (0, 0.1, 0.4), (0.2, -0.1, 0.7), (0.6, 0.3, 0.9), (0.6, 0, 0.9)]
     turned = replace(ROBOT.joints[4], direction=frozen(R[:, 2]))
     robot = with_points(replace(ROBOT, joints=(*ROBOT.joints[:4], turned)), points, pose((0.6, 0, 0.9), R))
@@ -91,7 +91,7 @@ def test_the_projection_of_the_test_goal() -> None:
 def test_the_projection_is_the_smallest_turn_into_the_plane(
     p: tuple[float, ...], turn: tuple[float, float, float]
 ) -> None:
-    T = pose(p, euler.matrix(list(turn), "zyx"))
+    T = pose(p, euler.euler_matrix(list(turn), "zyx"))
     steps = motoman_l3.pointed(ROBOT, T, NOW)
     np.testing.assert_allclose(steps.R.T @ steps.R, np.eye(3), atol=1e-12)
     assert steps.M @ steps.R[:, 2] == pytest.approx(0, abs=1e-12)
@@ -153,7 +153,7 @@ def test_out_of_reach_is_a_value_with_words() -> None:
 @settings(max_examples=40)
 def test_over_the_waist_the_hand_gives_the_plane(z: float, heading: float, tilt: float, now: float) -> None:
     """At p_x = p_y = 0 every plane of the arm holds the point; the one in which the hand points needs no turn."""
-    T = pose((0, 0, z), euler.matrix([heading, tilt, 0.3], "zyz"))
+    T = pose((0, 0, z), euler.euler_matrix([heading, tilt, 0.3], "zyz"))
     answer = closed.solve(motoman_l3, ROBOT, T, np.array([now, 0, 0, 0, 0]))
     assert (answer.turned, answer.free) == (pytest.approx(0, abs=1e-9), ())
     assert len(answer.branches) == 4
@@ -164,7 +164,7 @@ def test_over_the_waist_the_hand_gives_the_plane(z: float, heading: float, tilt:
 @given(z=st.floats(0.15, 0.85), roll=angles, now=st.floats(-2.9, 2.9), down=st.booleans())
 @settings(max_examples=40)
 def test_upright_over_the_waist_theta_1_is_free_and_kept(z: float, roll: float, now: float, down: bool) -> None:
-    T = pose((0, 0, z), euler.matrix([0, np.pi * down, roll], "zyz"))
+    T = pose((0, 0, z), euler.euler_matrix([0, np.pi * down, roll], "zyz"))
     answer = closed.solve(motoman_l3, ROBOT, T, np.array([now, 0, 0, 0, 0]))
     assert answer.free == (0,)
     assert answer.branches[0].q[0] == pytest.approx(now)
@@ -199,7 +199,7 @@ def test_nearly_square_to_the_plane_the_turn_stays_a_rotation(side: float) -> No
 def test_equal_links_folded_leave_the_upper_arm_free() -> None:
     robot = equal_links()
     now = np.array([0.4, -1.1, 0, 0, 0])
-    answer = closed.solve(motoman_l3, robot, pose((0, 0, 0), euler.matrix([0.2, 0.5, 0.1], "zyz")), now)
+    answer = closed.solve(motoman_l3, robot, pose((0, 0, 0), euler.euler_matrix([0.2, 0.5, 0.1], "zyz")), now)
     assert answer.free == (1,)
     assert {round(float(branch.q[1]), 9) for branch in answer.branches} == {-1.1}
     assert worst(robot, answer) < 1e-12
@@ -223,7 +223,7 @@ def test_actuators_count_every_posture_that_they_can_hold() -> None:
 
 @pytest.mark.parametrize("numbers", [(0,), (1,), (2, 4), (1, 2, 3), (3,)])
 def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(numbers: tuple[int, ...]) -> None:
-    place = pose((0.3, -0.2, 0.5), euler.matrix([0.4, -0.9, 2.0], "zyx"))
+    place = pose((0.3, -0.2, 0.5), euler.euler_matrix([0.4, -0.9, 2.0], "zyx"))
     robot = moved(reversed_axes(ROBOT, *numbers), place)
     assert motoman_l3.applies(robot) is None
     for q in np.random.default_rng(0).uniform(-3, 3, (8, 5)):
@@ -243,7 +243,7 @@ def test_the_front_is_where_the_tool_stands_at_zero(numbers: tuple[int, ...]) ->
 
 def test_a_tool_ahead_of_the_wrist_keeps_its_point() -> None:
     """The wrist's plane is that of a tool point on its axis: {W} = {G} (T_wrist_tool)⁻¹, s.14."""
-    longer = replace(ROBOT, T_world_tool_0=frozen(pose((0.9, 0, 0.12), euler.matrix([0.7, 0, 0], "zyx"))))
+    longer = replace(ROBOT, T_world_tool_0=frozen(pose((0.9, 0, 0.12), euler.euler_matrix([0.7, 0, 0], "zyx"))))
     answer = closed.solve(motoman_l3, longer, goal(), NOW)
     assert answer.moved == 0
     assert answer.turned == pytest.approx(np.radians(16.6918), abs=1e-6)
@@ -255,7 +255,7 @@ def test_a_tool_ahead_of_the_wrist_keeps_its_point() -> None:
 
 @pytest.mark.parametrize("name", ["planar3r", "movemaster", "puma560"])
 def test_other_arms_are_refused_in_words(name: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     assert isinstance(motoman_l3.applies(robot), Text)
     with pytest.raises(HelicoideError, match="This form is for"):
         closed.solve(motoman_l3, robot, np.eye(4), np.zeros(len(robot.variables)))

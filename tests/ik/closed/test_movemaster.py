@@ -15,7 +15,7 @@ from helicoide.ik.closed import motoman_l3, movemaster
 from helicoide.ik.families.movemaster_arm import side_of
 from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
@@ -178,7 +178,7 @@ def test_tilted_over_the_waist_the_hand_gives_the_plane(robot: Robot) -> None:
 
 
 def test_the_motoman_by_both_forms() -> None:
-    robot = load("motoman_l3")
+    robot = load_robot("motoman_l3")
     for q in np.random.default_rng(5).uniform(robot.lower, robot.upper, (20, 5)):
         one, other = (closed.solve(form, robot, tool_at(robot, q), HERE) for form in (movemaster, motoman_l3))
         assert len(one.branches) == len(other.branches) == 4
@@ -203,7 +203,7 @@ def test_what_the_equations_gave_on_the_way(robot: Robot) -> None:
 
 @pytest.mark.parametrize("name", ["puma560", "zebra_zero", "scara", "planar3r", "orca"])
 def test_other_arms_are_refused(name: str) -> None:
-    other = load(name)
+    other = load_robot(name)
     assert movemaster.applies(other) is not None
     with pytest.raises(HelicoideError):
         closed.solve(movemaster, other, np.eye(4), np.zeros(len(other.variables)))

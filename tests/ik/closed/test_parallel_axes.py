@@ -20,10 +20,10 @@ from helicoide.ik.families.parallel_arm import parallel_arm
 from helicoide.ik.families.parallel_postures import joint_values
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import solve, solve_by
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics import dh
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
@@ -60,7 +60,7 @@ def ur(name: str, folder: Path, digits: int = 16, sign: int = 1) -> Robot:
     )
     file = folder / f"{name}.urdf"
     file.write_text(URDF.format(name=name, yaw=f"{pi:.{digits}g}", joints=joints + LAST.format(z=d6)))
-    return load(str(file))
+    return load_robot(str(file))
 
 
 def by_rows(lengths: tuple[float, ...], theta: Array) -> Array:
@@ -112,8 +112,8 @@ def test_the_searches_find_no_others(name: str, tmp_path: Path) -> None:
 def skewed(seed: int) -> Robot:
     """An arm of the kind with axes at any angles, standing anywhere."""
     draw = np.random.default_rng(seed)
-    robot = load("zebra_zero")
-    h, *others = rotation.unit(draw.normal(size=(4, 3)))
+    robot = load_robot("zebra_zero")
+    h, *others = rotation.unit_vector(draw.normal(size=(4, 3)))
     directions = [others[0], h, h * draw.choice([-1, 1]), h * draw.choice([-1, 1]), others[1], others[2]]
     points = draw.uniform(-0.5, 0.5, (6, 3))
     points[5] = points[4] + draw.uniform(-0.2, 0.2) * others[2]
@@ -122,8 +122,8 @@ def skewed(seed: int) -> Robot:
         for joint, s, p in zip(robot.joints, directions, points, strict=True)
     )
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = euler.matrix(draw.uniform(-1.5, 1.5, 3), "zyx"), draw.uniform(-1, 1, 3)
-    return replace(robot, joints=joints, T_world_tool_0=frozen(T), dh=dh.recovered(joints, T))
+    T[:3, :3], T[:3, 3] = euler.euler_matrix(draw.uniform(-1.5, 1.5, 3), "zyx"), draw.uniform(-1, 1, 3)
+    return replace(robot, joints=joints, T_world_tool_0=frozen(T), dh=dh.dh_from_screws(joints, T))
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -214,7 +214,7 @@ def test_the_kernel_is_its_plain_function(tmp_path: Path) -> None:
     assert arm is not None
     for q in [*np.random.default_rng(5).uniform(-pi, pi, (5, 6)), HERE]:
         rows = joint_values(arm, tool_at(robot, q), q)
-        with as_python():
+        with run_interpreted():
             expected = joint_values(arm, tool_at(robot, q), q)
         np.testing.assert_allclose(wrap(rows[:, :6] - expected[:, :6]), 0, atol=1e-7)
         np.testing.assert_array_equal(rows[:, 6:], expected[:, 6:])
@@ -222,7 +222,7 @@ def test_the_kernel_is_its_plain_function(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["puma560", "zebra_zero", "movemaster", "scara"])
 def test_other_arms_are_refused(name: str) -> None:
-    other = load(name)
+    other = load_robot(name)
     assert parallel_axes.applies(other) is not None
     with pytest.raises(HelicoideError):
         closed.solve(parallel_axes, other, np.eye(4), np.zeros(len(other.variables)))

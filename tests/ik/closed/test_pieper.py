@@ -19,9 +19,9 @@ from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import solve, solve_by
 from helicoide.kinematics import dh
 from helicoide.kinematics.forward import dh_frames
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, some_pose, spherical
+from helicoide.studies._campos_arms import LENGTHS, arm_from_dh, puma_with_lengths, random_pose, random_spherical_arm
 from helicoide.text import HelicoideError
 
 HERE = np.zeros(6)
@@ -46,7 +46,7 @@ def there_and_back(arms: list[Robot], draw: np.random.Generator, poses: int = 1)
 def test_random_arms_there_and_back_again(family: str, right_wrist: bool) -> None:
     """The short form of the count in the soak tests."""
     draw = np.random.default_rng(1)
-    missed, apart, counts = there_and_back([spherical(draw, family, right_wrist) for _ in range(60)], draw)
+    missed, apart, counts = there_and_back([random_spherical_arm(draw, family, right_wrist) for _ in range(60)], draw)
     assert missed < 1e-9
     assert apart < 1e-6
     assert max(counts) <= 8
@@ -73,7 +73,7 @@ def test_axes_that_are_nearly_parallel_have_all_postures(sine: float) -> None:
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_wrist_may_be_first(family: str) -> None:
     draw = np.random.default_rng(2)
-    arms = [backwards(spherical(draw, family)) for _ in range(20)]
+    arms = [backwards(random_spherical_arm(draw, family)) for _ in range(20)]
     assert all(pieper_arm.arm_of(arm).backwards for arm in arms)  # type: ignore[union-attr]
     missed, apart, counts = there_and_back(arms, draw)
     assert missed < 1e-9
@@ -90,7 +90,7 @@ def test_arms_of_packages(name: str) -> None:
 
 
 def test_the_zebra() -> None:
-    missed, apart, counts = there_and_back([load("zebra_zero")], np.random.default_rng(4), poses=30)
+    missed, apart, counts = there_and_back([load_robot("zebra_zero")], np.random.default_rng(4), poses=30)
     assert missed < 1e-12
     assert apart < 1e-8
     assert counts == {8}
@@ -98,7 +98,7 @@ def test_the_zebra() -> None:
 
 @pytest.mark.parametrize("lengths", LENGTHS)
 def test_the_puma_by_both_forms(lengths: tuple[float, ...]) -> None:
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     for q in np.random.default_rng(5).uniform(-pi, pi, (20, 6)):
         T = tool_at(robot, q)
         one, other = closed.solve(pieper, robot, T, HERE), closed.solve(puma560, robot, T, HERE)
@@ -110,12 +110,12 @@ def test_the_puma_by_both_forms(lengths: tuple[float, ...]) -> None:
 def test_rows_that_are_mirrored_have_the_postures_of_the_puma(lengths: tuple[float, ...]) -> None:
     """Shoulder and elbow counted the other way, as the Robotics Toolbox has them: θ₂ and θ₃ with other signs."""
     signs = np.array([1, -1, -1, 1, 1, 1])
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     joints = tuple(
         replace(joint, direction=frozen(sign * joint.direction))
         for joint, sign in zip(robot.joints, signs, strict=True)
     )
-    mirrored = replace(robot, joints=joints, dh=dh.recovered(joints, robot.T_world_tool_0))
+    mirrored = replace(robot, joints=joints, dh=dh.dh_from_screws(joints, robot.T_world_tool_0))
     assert puma560.applies(mirrored) is not None
     assert next(iter(closed.of(mirrored))) == "pieper"
     for q in np.random.default_rng(8).uniform(-pi, pi, (20, 6)):
@@ -147,7 +147,7 @@ def test_an_arm_from_a_file_whose_axes_count_either_way(tmp_path: Path) -> None:
         for i, (place, axis, low, high) in enumerate(KR6)
     )
     (tmp_path / "kr6.urdf").write_text(URDF.format(joints=joints))
-    robot = load(str(tmp_path / "kr6.urdf"))
+    robot = load_robot(str(tmp_path / "kr6.urdf"))
     missed, apart, counts = there_and_back([robot], np.random.default_rng(10), poses=40)
     assert missed < 1e-9
     assert apart < 1e-8
@@ -164,7 +164,7 @@ def test_an_arm_from_a_file_whose_axes_count_either_way(tmp_path: Path) -> None:
 def test_the_wrist_centre_is_where_the_equations_say(family: str) -> None:
     """r and z of f and k, and the meridian, against the frames of the rows the robot was made of."""
     draw = np.random.default_rng(6)
-    robot = spherical(draw, family)
+    robot = random_spherical_arm(draw, family)
     arm = pieper_arm.arm_of(robot)
     for q in draw.uniform(-pi, pi, (10, 6)):
         T = arm.wrist(tool_at(robot, q))  # type: ignore[union-attr]
@@ -189,7 +189,7 @@ def test_the_wrist_centre_is_where_the_equations_say(family: str) -> None:
 def test_a_root_at_infinity_of_the_tangent_is_found(family: str, theta3: float) -> None:
     """θ3 = π, where tan(θ3/2) is infinite."""
     draw = np.random.default_rng(7)
-    robot = spherical(draw, family)
+    robot = random_spherical_arm(draw, family)
     q = draw.uniform(-pi, pi, 6)
     q[2] = theta3 - pieper_arm.arm_of(robot).shifts[2]  # type: ignore[union-attr]
     answer = closed.solve(pieper, robot, tool_at(robot, q), HERE)
@@ -200,7 +200,7 @@ def test_a_root_at_infinity_of_the_tangent_is_found(family: str, theta3: float) 
 def test_axes_that_meet_inexactly_are_solved_exactly() -> None:
     """The wrist's axes pass each other at 0.2 µm, which the form does not see and Newton's method does."""
     draw = np.random.default_rng(8)
-    robot = spherical(draw, "general")
+    robot = random_spherical_arm(draw, "general")
     moved = replace(robot.joints[4], point=frozen(robot.joints[4].point + 2e-7 * draw.normal(size=3)))
     robot = replace(robot, joints=(*robot.joints[:4], moved, robot.joints[5]))
     missed, apart, counts = there_and_back([robot], draw, poses=20)
@@ -211,7 +211,7 @@ def test_axes_that_meet_inexactly_are_solved_exactly() -> None:
 
 def test_a_singular_wrist_keeps_joint_4() -> None:
     """The forearm lies along the last axis in two of the four arm postures, one for each shoulder."""
-    robot = load("zebra_zero")
+    robot = load_robot("zebra_zero")
     q = np.array([0.3, 0.8, -1.9, 0.4, 0, -1.1])
     for kept in (0.0, 1.3):
         answer = closed.solve(pieper, robot, tool_at(robot, q), np.array([0, 0, 0, kept, 0, 0]))
@@ -225,7 +225,7 @@ def test_a_singular_wrist_keeps_joint_4() -> None:
 
 
 def test_a_singular_wrist_that_is_first_keeps_joint_3() -> None:
-    robot = backwards(load("zebra_zero"))
+    robot = backwards(load_robot("zebra_zero"))
     q = np.array([0.3, 0.8, -1.9, 0.4, 0, -1.1])[::-1]
     answer = closed.solve(pieper, robot, tool_at(robot, q), q)
     assert answer.free == (0, 2)
@@ -234,7 +234,7 @@ def test_a_singular_wrist_that_is_first_keeps_joint_3() -> None:
 
 def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
     """The elbow of the Zebra bends so that its wrist stands over its waist: l₁ c₂ = l₂ s₂₃."""
-    robot = load("zebra_zero")
+    robot = load_robot("zebra_zero")
     q = np.array([0.3, 0.8, 0, 0.4, 0.7, -1.1])
     q[2] = np.arcsin(0.2794 * np.cos(q[1]) / 0.2286) - q[1]
     for kept in (0.3, -2.0):
@@ -246,7 +246,7 @@ def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
 
 
 def test_where_postures_merge_each_is_listed_once() -> None:
-    robot = load("zebra_zero")
+    robot = load_robot("zebra_zero")
     q = np.array([0.3, 0.8, -pi / 2, 0.4, 0.7, -1.1])
     answer = closed.solve(pieper, robot, tool_at(robot, q), HERE)
     assert len(answer.branches) == 4
@@ -256,7 +256,7 @@ def test_where_postures_merge_each_is_listed_once() -> None:
 
 def test_out_of_reach_by_how_much() -> None:
     """The stretched Zebra comes to 508 mm from its shoulder."""
-    robot = load("zebra_zero")
+    robot = load_robot("zebra_zero")
     T = robot.T_world_tool_0.copy()
     T[:3, 3] = [0.6, 0, 0.165]
     answer = closed.solve(pieper, robot, T, HERE)
@@ -269,7 +269,7 @@ def test_out_of_reach_by_how_much() -> None:
 def test_the_edge_of_a_general_arm_is_where_postures_end() -> None:
     """No posture out of many comes nearer to a goal beyond it, and some come nearly as near."""
     draw = np.random.default_rng(9)
-    robot = spherical(draw, "general")
+    robot = random_spherical_arm(draw, "general")
     far = robot.dh.T_world_dh[:3, 3] + np.array([4.0, 3.0, 1.0])
     T = np.eye(4)
     T[:3, 3] = far
@@ -292,7 +292,7 @@ def test_a_root_just_off_the_circle_is_no_posture(beyond: float, postures: int) 
         (right, 0.0, 0.0),
         (-right, 0.0, 0.0),
     ]
-    robot = of_rows(rows, np.eye(4), np.eye(4))
+    robot = arm_from_dh(rows, np.eye(4), np.eye(4))
     T = tool_at(robot, np.array([0.3, 0, -right, 0.4, 0.7, 0.2])).copy()
     assert np.linalg.norm(T[:3, 3]) == pytest.approx(1, abs=1e-12)
     T[:3, 3] *= 1 + beyond
@@ -312,7 +312,7 @@ def test_a_wrist_that_cannot_turn_that_way_is_told_from_reach() -> None:
         (right * 4 / 9, 0, 0),
         (-right * 4 / 9, 0, 0),
     ]
-    robot = of_rows([tuple(map(float, row)) for row in rows], np.eye(4), np.eye(4))  # type: ignore[misc]
+    robot = arm_from_dh([tuple(map(float, row)) for row in rows], np.eye(4), np.eye(4))  # type: ignore[misc]
     T = tool_at(robot, np.array([0.2, -0.5, -1.4, 0.1, 0.6, 0.3])).copy()
     assert closed.solve(pieper, robot, T, HERE).branches
     T[:3, :3] = T[:3, :3] @ np.diag([1, -1, -1])
@@ -324,7 +324,7 @@ def test_a_wrist_that_cannot_turn_that_way_is_told_from_reach() -> None:
 
 
 def test_within_the_limits() -> None:
-    robot = load("puma560")
+    robot = load_robot("puma560")
     answer = closed.solve(pieper, robot, tool_at(robot, robot.poses["example"]), HERE)
     expected = [bool(np.all((robot.lower <= branch.q) & (branch.q <= robot.upper))) for branch in answer.branches]
     assert [branch.within for branch in answer.branches] == expected
@@ -333,7 +333,7 @@ def test_within_the_limits() -> None:
 
 @pytest.mark.parametrize("name", ["ur5", "panda", "movemaster", "scara", "z1"])
 def test_other_arms_are_refused(name: str) -> None:
-    robot = packaged_arm(name) if name in ("ur5", "panda", "z1") else load(name)
+    robot = packaged_arm(name) if name in ("ur5", "panda", "z1") else load_robot(name)
     assert pieper.applies(robot) is not None
     with pytest.raises(HelicoideError):
         closed.solve(pieper, robot, np.eye(4), np.zeros(len(robot.variables)))
@@ -347,5 +347,5 @@ def test_a_wrist_that_cannot_be_moved_everywhere_is_refused() -> None:
     flat = [(0.0, 0.0, 0.1), (0.0, 0.4, 0.0), (0.0, 0.3, 0.0), (right, 0.2, 0.0)]
     still = [(0.0, 0.0, 0.1), (right, 0.2, 0.0), (right, 0.4, 0.1), (right, 0.0, 0.0)]
     for rows in (flat, still):
-        robot = of_rows(rows + wrist, some_pose(draw), some_pose(draw))
+        robot = arm_from_dh(rows + wrist, random_pose(draw), random_pose(draw))
         assert pieper.applies(robot) == pieper_arm.PLACES

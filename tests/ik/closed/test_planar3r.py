@@ -16,21 +16,21 @@ from helicoide.ik.closed import planar3r
 from helicoide.ik.families import elbow
 from helicoide.ik.families import planar as frames
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import planar, upright
-from helicoide.studies.campos_dexterous import share
+from helicoide.studies._campos_arms import planar_pose, planar_with_lengths
+from helicoide.studies.campos_dexterous import orientation_share
 from helicoide.text import LANGUAGES, HelicoideError
 
 L3 = 0.2
-ROBOT = planar("planar3r", 1.0, 0.7, L3)
-ORCA = load("orca")
+ROBOT = planar_with_lengths("planar3r", 1.0, 0.7, L3)
+ORCA = load_robot("orca")
 angles = st.floats(-np.pi, np.pi)
 
 
 def of_wrist(x: float, y: float, phi: float) -> Array:
     """The tool pose whose third axis stands at (x, y): the source has no third link."""
-    return upright(x + L3 * np.cos(phi), y + L3 * np.sin(phi), phi)
+    return planar_pose(x + L3 * np.cos(phi), y + L3 * np.sin(phi), phi)
 
 
 def test_the_numbers_of_the_source() -> None:
@@ -42,7 +42,7 @@ def test_the_numbers_of_the_source() -> None:
     assert worst(ROBOT, answer) < 1e-12
 
 
-@pytest.mark.parametrize("robot", [ROBOT, ORCA, load("planar3r")], ids=["(1, 0.7, 0.2)", "orca", "(2, 1, 1)"])
+@pytest.mark.parametrize("robot", [ROBOT, ORCA, load_robot("planar3r")], ids=["(1, 0.7, 0.2)", "orca", "(2, 1, 1)"])
 @given(theta=st.tuples(angles, st.floats(0.001, 3.14), angles), sign=st.sampled_from([-1, 1]))
 @settings(max_examples=50)
 def test_every_posture_is_found_again(robot: Robot, theta: tuple[float, float, float], sign: int) -> None:
@@ -74,21 +74,21 @@ def test_each_step_follows_from_those_before(x: float, y: float, phi: float) -> 
 @pytest.mark.parametrize(("r", "expected"), [(0.49, 0.92), (0.51, 1.0), (1.0, 1.0), (1.49, 1.0), (1.51, 0.89)])
 def test_share_of_orientations_around_the_dexterous_region(r: float, expected: float) -> None:
     """s.6–10, s.53: L = (1, 0.7, 0.2), limits 0.5 and 1.5."""
-    assert share(r, L3, 3600) == pytest.approx(expected, abs=0.005)
+    assert orientation_share(r, L3, 3600) == pytest.approx(expected, abs=0.005)
 
 
 @given(tilt=st.tuples(st.floats(-1, 1), st.floats(-1, 1)), z=st.floats(-2, 2), phi=angles)
 @settings(max_examples=40)
 def test_a_tilted_goal_is_laid_into_the_plane(tilt: tuple[float, float], z: float, phi: float) -> None:
     """s.29, s.36: z is dropped, φ' = Atan2(r₂₁ − r₁₂, r₁₁ + r₂₂), which no other φ comes nearer to."""
-    T = upright(0.9, 0.4, z=z)
-    T[:3, :3] = euler.matrix([phi, *tilt], "zyx")
+    T = planar_pose(0.9, 0.4, z=z)
+    T[:3, :3] = euler.euler_matrix([phi, *tilt], "zyx")
     R = T[:3, :3]
     answer = closed.solve(planar3r, ROBOT, T, np.zeros(3))
-    expected = upright(0.9, 0.4, np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1]))
+    expected = planar_pose(0.9, 0.4, np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1]))
     np.testing.assert_allclose(answer.T_world_goal, expected, atol=1e-9)
     assert answer.moved == pytest.approx(abs(z), abs=1e-9)
-    others = [between(T, upright(0.9, 0.4, other))[1] for other in np.linspace(-np.pi, np.pi, 73)]
+    others = [between(T, planar_pose(0.9, 0.4, other))[1] for other in np.linspace(-np.pi, np.pi, 73)]
     assert answer.turned <= min(others) + 1e-9
 
 
@@ -102,7 +102,7 @@ def test_out_of_reach_is_a_value_with_words() -> None:
 
 @given(kept=st.floats(-3, 3), phi=angles)
 def test_the_wrist_over_the_first_axis_leaves_theta_1_free(kept: float, phi: float) -> None:
-    robot = planar("planar3r", 0.8, 0.8, L3)
+    robot = planar_with_lengths("planar3r", 0.8, 0.8, L3)
     answer = closed.solve(planar3r, robot, of_wrist(0, 0, phi), np.array([kept, 0.1, 0.2]))
     (branch,) = answer.branches
     assert answer.free == (0,)
@@ -116,7 +116,7 @@ def test_from_the_tool_to_the_wrist_and_back(x: float, y: float, phi: float) -> 
     """s.14: {W} = B_S · S_G · (W_T)⁻¹; the person thinks of the tool, the form of the third axis."""
     arm = frames.planar(ORCA, 3)
     assert isinstance(arm, frames.Planar)
-    T = upright(x, y, phi)
+    T = planar_pose(x, y, phi)
     np.testing.assert_allclose(arm.tool(*arm.end(T)), T, atol=1e-12)
     assert arm.end(T)[:2] == pytest.approx((x - 0.17 * np.cos(phi), y - 0.17 * np.sin(phi)), abs=1e-12)
 
@@ -124,7 +124,7 @@ def test_from_the_tool_to_the_wrist_and_back(x: float, y: float, phi: float) -> 
 @pytest.mark.parametrize("numbers", [(0,), (1,), (2,), (0, 2)])
 def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(numbers: tuple[int, ...]) -> None:
     place = np.eye(4)
-    place[:3, :3], place[:3, 3] = euler.matrix([0.4, -0.9, 2.0], "zyx"), (0.3, -0.2, 0.5)
+    place[:3, :3], place[:3, 3] = euler.euler_matrix([0.4, -0.9, 2.0], "zyx"), (0.3, -0.2, 0.5)
     robot = moved(reversed_axes(ROBOT, *numbers), place)
     for q in np.random.default_rng(0).uniform(-3, 3, (20, 3)):
         answer = closed.solve(planar3r, robot, tool_at(robot, q), np.zeros(3))
@@ -134,7 +134,7 @@ def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(numbers: tuple[in
 
 def test_an_arm_bent_at_zero() -> None:
     """Where the file counts from a bent arm the angles of the source are shifted."""
-    bent = with_points(ROBOT, [(0, 0, 0), (1, 0, 0.3), (1.2, 0.5, 0.1)], upright(1.3, 0.9, 0.4, z=-0.2))
+    bent = with_points(ROBOT, [(0, 0, 0), (1, 0, 0.3), (1.2, 0.5, 0.1)], planar_pose(1.3, 0.9, 0.4, z=-0.2))
     for q in np.random.default_rng(1).uniform(-3, 3, (20, 3)):
         answer = closed.solve(planar3r, bent, tool_at(bent, q), np.zeros(3))
         assert worst(bent, answer) < 1e-12
@@ -152,7 +152,7 @@ def test_limits_are_told() -> None:
 
 @pytest.mark.parametrize("name", ["planar2r", "scara", "motoman_l3", "puma560"])
 def test_other_arms_are_refused_in_words(name: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     assert planar3r.applies(robot) is not None
     with pytest.raises(HelicoideError, match="This form is for"):
         closed.solve(planar3r, robot, np.eye(4), np.zeros(len(robot.variables)))
@@ -160,4 +160,4 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
 
 def test_a_goal_that_is_no_pose_is_refused() -> None:
     with pytest.raises(HelicoideError, match="pose"):
-        closed.solve(planar3r, ROBOT, upright(0.5, np.nan), np.zeros(3))
+        closed.solve(planar3r, ROBOT, planar_pose(0.5, np.nan), np.zeros(3))

@@ -16,11 +16,11 @@ from helicoide.geometry import euler
 from helicoide.ik import closed
 from helicoide.ik.closed import polar
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.kinematics.library import load
-from helicoide.studies._campos_arms import upright
+from helicoide.kinematics.library import load_robot
+from helicoide.studies._campos_arms import planar_pose
 from helicoide.text import LANGUAGES, HelicoideError
 
-ROBOT = load("polar_rp")
+ROBOT = load_robot("polar_rp")
 angles = st.floats(-np.pi, np.pi)
 
 
@@ -29,8 +29,8 @@ def test_a_goal_takes_the_matrix_of_the_subspace(x: float, y: float, z: float, t
     """s.31–36: x' = x, y' = y, z' = 0, and the forced orientation."""
     rho = np.hypot(x, y)
     assume(rho > 1e-6)
-    T = upright(x, y, z=z)
-    T[:3, :3] = euler.matrix(list(turn), "zyx")
+    T = planar_pose(x, y, z=z)
+    T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
     answer = closed.solve(polar, ROBOT, T, np.zeros(2))
     expected = [[y / rho, 0, x / rho, x], [-x / rho, 0, y / rho, y], [0, -1, 0, 0], [0, 0, 0, 1]]
     np.testing.assert_allclose(answer.T_world_goal, expected, atol=1e-12)
@@ -51,7 +51,7 @@ def test_every_posture_is_found_again(theta1: float, rho: float) -> None:
 
 @given(theta1=st.floats(-3.1, 3.1))
 def test_on_the_axis_theta_1_is_kept_and_it_is_said(theta1: float) -> None:
-    answer = closed.solve(polar, ROBOT, upright(0, 0), np.array([theta1, 0.5]))
+    answer = closed.solve(polar, ROBOT, planar_pose(0, 0), np.array([theta1, 0.5]))
     (branch,) = answer.branches
     assert answer.free == (0,)
     np.testing.assert_allclose(branch.q, [theta1, 0], atol=1e-12)
@@ -64,7 +64,7 @@ def test_on_the_axis_theta_1_is_kept_and_it_is_said(theta1: float) -> None:
 
 @pytest.mark.parametrize(("rho", "far"), [(0.9, "100 mm"), (0.25, "50 mm"), (0.6, None)])
 def test_a_point_beyond_the_stroke_is_told(rho: float, far: str | None) -> None:
-    answer = closed.solve(polar, ROBOT, upright(rho, 0), np.zeros(2))
+    answer = closed.solve(polar, ROBOT, planar_pose(rho, 0), np.zeros(2))
     assert answer.branches[0].within == (far is None)
     for language, stroke in zip(LANGUAGES, ("stroke", "curso"), strict=True):
         assert (stroke in answer.words[language]) == (far is not None)
@@ -75,7 +75,7 @@ def test_an_arm_that_stands_elsewhere_with_its_tool_ahead() -> None:
     T = ROBOT.T_world_tool_0.copy()
     T[:3, 3] = 0, 0.15, 0.2
     place = np.eye(4)
-    place[:3, :3], place[:3, 3] = euler.matrix([0.4, -0.9, 2.0], "zyx"), (0.3, -0.2, 0.5)
+    place[:3, :3], place[:3, 3] = euler.euler_matrix([0.4, -0.9, 2.0], "zyx"), (0.3, -0.2, 0.5)
     robot = moved(replace(ROBOT, T_world_tool_0=frozen(T)), place)
     for q in np.random.default_rng(0).uniform([-3, 0.3], [3, 0.8], (20, 2)):
         answer = closed.solve(polar, robot, tool_at(robot, q), np.zeros(2))
@@ -92,7 +92,7 @@ def test_a_tool_beside_the_axis_is_another_arm() -> None:
 
 @pytest.mark.parametrize("name", ["planar2r", "scara"])
 def test_other_arms_are_refused_in_words(name: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     assert polar.applies(robot) is not None
     with pytest.raises(HelicoideError, match="This form is for"):
         closed.solve(polar, robot, np.eye(4), np.zeros(len(robot.variables)))
@@ -100,4 +100,4 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
 
 def test_a_goal_that_is_no_pose_is_refused() -> None:
     with pytest.raises(HelicoideError, match="pose"):
-        closed.solve(polar, ROBOT, upright(0.5, np.nan), np.zeros(2))
+        closed.solve(polar, ROBOT, planar_pose(0.5, np.nan), np.zeros(2))

@@ -14,13 +14,13 @@ from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import puma_arm
 from helicoide.ik.families.frames import rows_of
 from helicoide.ik.postures.branch import tool_at, wrap
-from helicoide.kernels import as_python
+from helicoide.kernels import run_interpreted
 from helicoide.kinematics.forward import dh_frames, link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import LENGTHS, of_rows, puma, puma_rows, wrist
-from helicoide.studies.campos_puma import EXAMPLE, there_and_back
-from helicoide.text import HelicoideError, same
+from helicoide.studies._campos_arms import LENGTHS, arm_from_dh, puma_rows, puma_with_lengths, puma_wrist_pose
+from helicoide.studies.campos_puma import EXAMPLE, puma_round_trip
+from helicoide.text import HelicoideError, untranslated
 
 HERE = np.zeros(6)
 
@@ -41,19 +41,22 @@ TABLE = [
 
 @pytest.fixture(scope="module")
 def arm() -> Robot:
-    return load("puma560")
+    return load_robot("puma560")
 
 
 def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Array:
     """Postures of the kernel for the pose at θ."""
     rows = np.empty((8, 7))
     return rows[
-        : puma_arm.postures(np.array(lengths), rows_of(wrist(lengths, theta)), (now[0], now[1], now[3]), rows), :6
+        : puma_arm.postures(
+            np.array(lengths), rows_of(puma_wrist_pose(lengths, theta)), (now[0], now[1], now[3]), rows
+        ),
+        :6,
     ]
 
 
 def test_the_eight_postures_of_the_example(arm: Robot) -> None:
-    assert np.allclose(wrist(LENGTHS[0], EXAMPLE)[:3, 3], POINT, rtol=0, atol=5e-7)
+    assert np.allclose(puma_wrist_pose(LENGTHS[0], EXAMPLE)[:3, 3], POINT, rtol=0, atol=5e-7)
     np.testing.assert_allclose(np.degrees(wrap(rows_for(LENGTHS[0], EXAMPLE))), TABLE, rtol=0, atol=5.1e-5)
     answer = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), HERE)
     off = wrap([branch.q for branch in answer.branches] - np.radians(TABLE))
@@ -87,13 +90,13 @@ def test_the_printed_equations_are_the_product_of_the_rows(lengths: tuple[float,
             [-s23 * x - c23 * s5 * c6, -s23 * v + c23 * s5 * s6,
              s23 * c4 * s5 - c23 * c5, -a3 * s23 - a2 * s2 - d4 * c23],
         ]  # fmt: skip
-        np.testing.assert_allclose(wrist(lengths, theta)[:3], expected, rtol=0, atol=2e-15)
+        np.testing.assert_allclose(puma_wrist_pose(lengths, theta)[:3], expected, rtol=0, atol=2e-15)
 
 
 @pytest.mark.parametrize("lengths", LENGTHS)
 def test_there_and_back_again(lengths: tuple[float, ...]) -> None:
     """Eight postures each time, all there, among them the one that made the pose; base and tool anywhere."""
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     for q in np.random.default_rng(2).uniform(-pi, pi, (30, 6)):
         answer = closed.solve(puma560, robot, tool_at(robot, q), HERE)
         assert len(answer.branches) == 8
@@ -104,7 +107,7 @@ def test_there_and_back_again(lengths: tuple[float, ...]) -> None:
 
 def test_there_and_back_again_by_the_kernel(arm: Robot) -> None:
     """The short form of the count in the soak tests."""
-    missed, apart, least, most = there_and_back(arm, 2_000, seed=3)
+    missed, apart, least, most = puma_round_trip(arm, 2_000, seed=3)
     assert missed < 1e-12
     assert apart < 1e-8
     assert (least, most) == (8, 8)
@@ -113,7 +116,7 @@ def test_there_and_back_again_by_the_kernel(arm: Robot) -> None:
 def test_the_kernel_is_its_plain_function() -> None:
     for theta in [*np.random.default_rng(4).uniform(-pi, pi, (20, 6)), HERE]:
         found = rows_for(LENGTHS[1], theta, theta)
-        with as_python():
+        with run_interpreted():
             expected = rows_for(LENGTHS[1], theta, theta)
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
 
@@ -129,7 +132,7 @@ def test_the_flip_keeps_the_tool_still(arm: Robot) -> None:
 @pytest.mark.parametrize("lengths", LENGTHS)
 def test_names_say_where_shoulder_and_elbow_are(lengths: tuple[float, ...]) -> None:
     """Seen from the waist towards the wrist, upper arm left or right; the elbow above or below shoulder and wrist."""
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     up = robot.dh.T_world_dh[:3, 2]
     for q in np.random.default_rng(6).uniform(-pi, pi, (10, 6)):
         for branch in closed.solve(puma560, robot, tool_at(robot, q), HERE).branches:
@@ -191,7 +194,7 @@ def test_a_singular_wrist_keeps_joint_4(arm: Robot, theta5: float) -> None:
 
 def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
     lengths = LENGTHS[2]
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     q = shoulder_singular(lengths, 0.9) - [row.theta for row in robot.dh.rows]
     for kept in (0.5, -2.0):
         answer = closed.solve(puma560, robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
@@ -202,7 +205,7 @@ def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
 
 def test_equal_links_folded_onto_the_shoulder_keep_joint_2() -> None:
     lengths = (0.4, 0.0, 0.1, 0.4)
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     q = stretched(lengths, -1) - [row.theta for row in robot.dh.rows]
     answer = closed.solve(puma560, robot, tool_at(robot, q), q)
     assert 1 in answer.free
@@ -226,7 +229,7 @@ def test_rounding_does_not_put_an_edge_out_of_reach(arm: Robot) -> None:
 @pytest.mark.parametrize("lengths", LENGTHS)
 def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
     """As far as a search over all postures says; in words too."""
-    robot = puma(*lengths)
+    robot = puma_with_lengths(*lengths)
     centre, up = robot.dh.T_world_dh[:3, 3], robot.dh.T_world_dh[:3, 2]
     draw = np.random.default_rng(7)
     places = [centre + draw.normal(size=3) for _ in range(4)] + [centre + 2 * up + 0.01 * draw.normal(size=3)]
@@ -237,7 +240,7 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
         answer, by_search = closed.solve(puma560, robot, T, HERE), closed.solve(pieper, robot, T, HERE)
         assert (len(answer.branches) == 0) == (answer.short > 0) == ("Out of reach" in answer.words.en)
         assert answer.short == pytest.approx(by_search.short, abs=1e-8)
-        assert (same("{short:.3g} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
+        assert (untranslated("{short:.3g} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
             answer.short > 0
         )
 
@@ -256,7 +259,7 @@ def test_two_of_the_eight_keep_the_limits(arm: Robot) -> None:
 
 @pytest.mark.parametrize("name", ["movemaster", "zebra_zero", "scara", "planar3r", "dia10"])
 def test_other_arms_are_refused(name: str) -> None:
-    other = load(name)
+    other = load_robot(name)
     assert puma560.applies(other) is not None
     with pytest.raises(HelicoideError):
         closed.solve(puma560, other, np.eye(4), np.zeros(len(other.variables)))
@@ -265,15 +268,15 @@ def test_other_arms_are_refused(name: str) -> None:
 @pytest.mark.parametrize(("row", "column"), [(1, 0), (3, 0), (4, 0), (1, 1), (4, 1), (1, 2), (4, 2)])
 def test_rows_of_another_pattern_are_refused(row: int, column: int) -> None:
     rows = np.array(puma_rows(*LENGTHS[0]))
-    assert puma560.applies(of_rows(rows, np.eye(4), np.eye(4))) is None  # type: ignore[arg-type]
+    assert puma560.applies(arm_from_dh(rows, np.eye(4), np.eye(4))) is None  # type: ignore[arg-type]
     rows[row, column] += 0.1
-    assert puma560.applies(of_rows(rows, np.eye(4), np.eye(4))) is not None  # type: ignore[arg-type]
+    assert puma560.applies(arm_from_dh(rows, np.eye(4), np.eye(4))) is not None  # type: ignore[arg-type]
 
 
 def test_the_form_is_known_by_its_rows(arm: Robot) -> None:
     assert puma560.applies(arm) is None
     for lengths in LENGTHS:
-        robot = puma(*lengths)
+        robot = puma_with_lengths(*lengths)
         assert puma560.applies(robot) is None
         np.testing.assert_array_equal(puma_arm.lengths_of(robot), lengths)
 

@@ -16,7 +16,7 @@ seeds = st.integers(0, 2**32 - 1)
 
 
 def some_axis(rng: np.random.Generator) -> Axis:
-    return Axis(np.asarray(rotation.unit(rng.normal(size=3))), rng.normal(size=3))
+    return Axis(np.asarray(rotation.unit_vector(rng.normal(size=3))), rng.normal(size=3))
 
 
 def turned(axis: Axis, angle: float, p: Array) -> Array:
@@ -78,7 +78,7 @@ def test_on_the_edge_there_is_one_and_beyond_it_none() -> None:
     for distance in (0.999, 3.001):
         assert turns_to_distance(WAIST, X, 2 * X, distance, 0.0) == []
     # the tip of a link that leans 45° from its axis cannot be brought upright over that axis but from one side
-    lean = Axis(np.asarray(rotation.unit(X + Z)), np.zeros(3))
+    lean = Axis(np.asarray(rotation.unit_vector(X + Z)), np.zeros(3))
     assert len(turns_to(WAIST, lean, X, Z, (0.0, 0.0))) == 1
     assert turns_to(WAIST, lean, X, 1.001 * Z, (0.0, 0.0)) == []
 

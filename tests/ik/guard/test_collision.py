@@ -15,9 +15,9 @@ from tests.kinematics.arms import NAMES, arm, derivative
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import Limits, Problem
-from helicoide.ik.guard.collision import apart, closest_shares, gap, place, witness_row
-from helicoide.ik.guard.packed import GUARDED, LEAST, LINK, POINTS, SETTING, parts, stand
-from helicoide.ik.guard.rows import DAMPER_GAIN, FAR, add_point, damper, unfelt
+from helicoide.ik.guard.collision import closest_shares, gap, place_bodies, witness_distance, witness_row
+from helicoide.ik.guard.packed import GUARDED, LEAST, LINK, POINTS, SETTING, array_parts, place_links
+from helicoide.ik.guard.rows import DAMPER_GAIN, FAR, add_point, damper, unmoved_rows
 from helicoide.ik.packing import packed
 
 seeds = st.integers(0, 2**32 - 1)
@@ -60,9 +60,9 @@ def test_no_points_of_two_pieces_are_nearer(seed: int) -> None:
 
 def standing(table: Array, q: Array) -> tuple[Array, Array]:
     """Link poses and axes of a packed arm in a posture."""
-    m = parts(table).m
+    m = array_parts(table).m
     poses, axes = np.empty((m + 1, 4, 4)), np.empty((m, 4))
-    stand(table, m, q, poses, axes)
+    place_links(table, m, q, poses, axes)
     return poses, axes
 
 
@@ -71,14 +71,14 @@ def standing(table: Array, q: Array) -> tuple[Array, Array]:
 def test_a_row_is_the_derivative_of_the_distance_of_its_witnesses(seed: int, name: str) -> None:
     problem = scene(name, seed % 7, planes=0)
     rng, table = np.random.default_rng(seed), packed(problem)
-    q, at = rng.uniform(problem.limits.lower, problem.limits.upper), parts(table)
+    q, at = rng.uniform(problem.limits.lower, problem.limits.upper), array_parts(table)
     which = int(rng.integers(len(problem.pairs)))
     pair = at.pairs + which
 
     def here(q: Array) -> tuple[Array, Array, Array]:
         poses, axes = standing(table, q)
         points = np.empty((at.planes - at.points, 4))
-        place(table, at, poses, points)
+        place_bodies(table, at, poses, points)
         return poses, axes, points
 
     poses, axes, points = here(q)
@@ -87,7 +87,7 @@ def test_a_row_is_the_derivative_of_the_distance_of_its_witnesses(seed: int, nam
     there = witness_row(rows, 1, table, at, pair, points, s, t, poses, axes)
     assert there == pytest.approx(left(problem, q)[which], abs=1e-12)
     if there + table[pair, LEAST] > 1e-2:
-        by_differences = derivative(lambda q: np.array(apart(table, pair, here(q)[2], s, t)[0]), q, 1e-4)
+        by_differences = derivative(lambda q: np.array(witness_distance(table, pair, here(q)[2], s, t)[0]), q, 1e-4)
         np.testing.assert_allclose(rows[1], by_differences, rtol=0, atol=1e-6)
 
 
@@ -129,7 +129,7 @@ def test_without_capsules_the_bodies_follow_the_guarded_points(name: str) -> Non
     assert not problem.pairs
     for body in robot.bodies:
         assert body.radius == 0.04 * robot.reach
-        assert {tuple(end) for end in body.ends} <= {tuple(point) for point in robot.guarded_points}
+        assert {tuple(end) for end in body.ends} <= {tuple(point) for point in robot.monitored_points}
     sphere = Problem(robot, problem.limits, NONE, obstacles=problem.obstacles.with_sphere([0, 0, 9], 0.1))
     assert len(sphere.pairs) == sum(max(body.links) > 0 for body in robot.bodies)
 
@@ -150,14 +150,14 @@ def test_what_is_not_watched_could_not_have_held_a_tick(
     links = rng.integers(1, len(robot.joints) + 1, 6)
     limits = Limits(robot.lower, robot.upper, robot.speed, frozen(np.full(len(robot.variables), acceleration)))
     bare = packed(Problem(replace(robot, self_collision=()), limits, NONE), gain=gain)
-    table = np.vstack([bare[: parts(bare).points], np.zeros((6, bare.shape[1]))])
+    table = np.vstack([bare[: array_parts(bare).points], np.zeros((6, bare.shape[1]))])
     table[-6:, :3], table[-6:, LINK] = rng.normal(size=(6, 3)) * 0.2 * robot.reach, links
     table[SETTING, [POINTS, GUARDED]] = 6
-    at = parts(table)
+    at = array_parts(table)
     poses, axes = standing(table, rng.uniform(robot.lower, robot.upper))
     points = np.empty((6, 4))
-    place(table, at, poses, points)
-    unfelt(table, at, poses, points, dt, np.empty((at.m + 1, 4)))
+    place_bodies(table, at, poses, points)
+    unmoved_rows(table, at, poses, points, dt, np.empty((at.m + 1, 4)))
     for k, link in enumerate(links):
         normal = rng.normal(size=3)
         normal /= np.linalg.norm(normal)

@@ -13,13 +13,13 @@ from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes
 from helicoide.ik import (
     AtAcceleration,
+    AtEntryPoint,
     AtLimit,
     AtSpeed,
     Contact,
     Limits,
     ObstacleContact,
     Problem,
-    RcmHeld,
     SelfContact,
     entry_point,
     reasons,
@@ -177,7 +177,7 @@ def test_the_rod_passes_through_its_entry_point_while_the_tip_moves() -> None:
         T[:3, 3] += rng.uniform(-0.05, 0.05, 3)
         for _ in range(int(min(400, 1.0 / dt))):
             q, held, share = ticked(problem, q, towards(problem, q, T, False, dt), dt=dt)
-            active = [r for r in reasons(problem, q, held, 1e-9) if not isinstance(r, RcmHeld | AtSpeed)]
+            active = [r for r in reasons(problem, q, held, 1e-9) if not isinstance(r, AtEntryPoint | AtSpeed)]
             assert share == 1.0
             assert active == []
             worst = max(worst, beside_rod(problem, q))
@@ -209,7 +209,7 @@ def test_the_task_gives_way_to_the_entry_point_and_it_is_said() -> None:
     for _ in range(60):
         q, held, _ = ticked(problem, q, towards(problem, q, T))
     assert beside_rod(problem, q) <= 1e-5
-    assert any(isinstance(reason, RcmHeld) and reason.multiplier > 0 for reason in reasons(problem, q, held, 1e-9))
+    assert any(isinstance(reason, AtEntryPoint) and reason.multiplier > 0 for reason in reasons(problem, q, held, 1e-9))
 
 
 def test_the_entry_point_gives_way_to_acceleration() -> None:
@@ -279,7 +279,7 @@ def test_the_multipliers_balance_the_task(seed: int) -> None:
         pushes = [(held[:n] - held[n : 2 * n]) + (held[-4 * n - 1 : -3 * n - 1] - held[-3 * n - 1 : -2 * n - 1])]
         for reason in reasons(problem, before, held, 0.0):
             if isinstance(reason, Contact):
-                point, link = problem.robot.guarded_points[reason.point], problem.robot.guarded_joints[reason.point]
+                point, link = problem.robot.monitored_points[reason.point], problem.robot.monitored_links[reason.point]
                 normal = problem.planes.normals[reason.plane]
                 row = normal @ point_jacobian(problem.robot, before, point, int(link))[:3]
                 pushes.append(reason.multiplier * row)
@@ -341,7 +341,7 @@ def test_clear_goals_are_reached(name: str) -> None:
             end = start + rng.uniform(-0.7, 0.7, len(start)) * (problem.limits.upper - problem.limits.lower) / 2
             end = np.clip(end, problem.limits.lower, problem.limits.upper)
             if min(left(problem, q).min() for q in np.linspace(start, end, 20)) > 0.03:
-                reached.append(goal_at_pose(problem, start, frozen(tool(problem, end)), False).short < 1e-3)
+                reached.append(goal_at_pose(problem, start, frozen(tool(problem, end)), False).position_error < 1e-3)
     assert np.mean(reached) >= 0.95
 
 

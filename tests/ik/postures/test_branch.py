@@ -11,11 +11,11 @@ from tests.ik.postures.branches import branch_of
 from helicoide.arrays import frozen
 from helicoide.geometry import euler
 from helicoide.ik.postures.branch import check_pose, sentences, tool_at, wrap
-from helicoide.kinematics.library import load
-from helicoide.studies._campos_arms import limited
-from helicoide.text import HelicoideError, Text, same
+from helicoide.kinematics.library import load_robot
+from helicoide.studies._campos_arms import with_joint_limits
+from helicoide.text import HelicoideError, Text, untranslated
 
-L3 = load("motoman_l3")
+L3 = load_robot("motoman_l3")
 
 
 @given(angle=st.floats(-1e3, 1e3))
@@ -45,17 +45,17 @@ def test_wrap_at_the_ends(angle: float) -> None:
 def test_angles_are_moved_into_the_limits_where_a_whole_turn_does_it(
     lower: float, upper: float, given_deg: float, expected: float, within: bool
 ) -> None:
-    robot = limited(L3, np.radians([lower, -180, -180, -180, -180]), np.radians([upper, 180, 180, 180, 180]))
+    robot = with_joint_limits(L3, np.radians([lower, -180, -180, -180, -180]), np.radians([upper, 180, 180, 180, 180]))
     q = np.radians([given_deg, 0, 0, 0, 0])
-    branch = branch_of(robot, same("x"), q, tool_at(robot, q))
+    branch = branch_of(robot, untranslated("x"), q, tool_at(robot, q))
     assert np.degrees(branch.q[0]) == pytest.approx(expected)
     assert branch.within == within
     assert (branch.missed, branch.turned) == pytest.approx((0, 0), abs=1e-12)
 
 
 def test_a_slide_is_left_where_it_is() -> None:
-    robot = load("polar_rp")
-    branch = branch_of(robot, same("x"), [7.0, 9.0], tool_at(robot, frozen([7.0, 9.0])))
+    robot = load_robot("polar_rp")
+    branch = branch_of(robot, untranslated("x"), [7.0, 9.0], tool_at(robot, frozen([7.0, 9.0])))
     np.testing.assert_allclose(branch.q, [7 - 2 * np.pi, 9])
     assert not branch.within
 
@@ -63,9 +63,9 @@ def test_a_slide_is_left_where_it_is() -> None:
 def test_what_a_branch_misses_is_told() -> None:
     q = frozen([0.1, -1, 1, 1, 0.2])
     goal = tool_at(L3, q).copy()
-    goal[:3, :3] = goal[:3, :3] @ euler.matrix([0.3, 0, 0], "zyx")
+    goal[:3, :3] = goal[:3, :3] @ euler.euler_matrix([0.3, 0, 0], "zyx")
     goal[:3, 3] += [0.03, 0.04, 0]
-    branch = branch_of(L3, same("x"), q, frozen(goal))
+    branch = branch_of(L3, untranslated("x"), q, frozen(goal))
     assert (branch.missed, branch.turned) == pytest.approx((0.05, 0.3))
 
 

@@ -17,23 +17,23 @@ from helicoide.ik.closed import motoman_l3, planar3r
 from helicoide.ik.postures import choice
 from helicoide.ik.postures.branch import Branch, tool_at
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import limited, planar, upright
+from helicoide.studies._campos_arms import planar_pose, planar_with_lengths, with_joint_limits
 from helicoide.studies.campos_planar3r import NOW
-from helicoide.text import HelicoideError, same
+from helicoide.text import HelicoideError, untranslated
 
 L3 = 0.2
 # Both postures of the example, and by weights what the nearer and the farther one cost, and which is nearer.
 A, B = (-2.6971, 1.4202, -0.1232), (-1.5780, -1.4202, 1.5982)
 COSTS = {"alike": ((1, 1, 1), (5.183, 6.296), A), "falling": ((3, 2, 1), (12.073, 12.576), B)}
-ROBOT = planar("planar3r", 1.0, 0.7, L3)
+ROBOT = planar_with_lengths("planar3r", 1.0, 0.7, L3)
 
 
 def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
     """The third axis at (−0.7, −1.1), φ = −1.4; recomputed from the formulas of the source."""
     phi = -1.4
-    T = upright(-0.7 + L3 * np.cos(phi), -1.1 + L3 * np.sin(phi), phi)
+    T = planar_pose(-0.7 + L3 * np.cos(phi), -1.1 + L3 * np.sin(phi), phi)
     return closed.solve(planar3r, robot, T, NOW).branches
 
 
@@ -60,10 +60,10 @@ def test_an_obstacle_rules_a_posture_out_and_the_other_is_chosen() -> None:
 
 @pytest.mark.parametrize("name", ["puma560", "movemaster", "planar3r"])
 def test_what_touches_is_nearer_than_both_radii(name: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     q = robot.poses["ready"]
     body = robot.bodies[-1]
-    middle = body.at(link_poses(robot.chain, q)).mean(axis=0)
+    middle = body.axis_at(link_poses(robot.chain, q)).mean(axis=0)
     way = np.array([0.0, 0.0, 5.0]) if name == "planar3r" else np.array([5.0, 0.0, 0.0])
     assert choice.touching(robot, Obstacles().with_sphere(middle, 0.01))(q)
     assert not choice.touching(robot, Obstacles().with_sphere(middle + way, 0.01))(q)
@@ -71,7 +71,7 @@ def test_what_touches_is_nearer_than_both_radii(name: str) -> None:
 
 
 def test_limits_rule_a_posture_out_before_it_is_asked_whether_it_collides() -> None:
-    robot = limited(ROBOT, [-3.1, -1.5, -3], [3.1, 1.3, 3])
+    robot = with_joint_limits(ROBOT, [-3.1, -1.5, -3], [3.1, 1.3, 3])
     asked: list[Array] = []
 
     def touches(q: Array) -> bool:
@@ -93,8 +93,8 @@ def test_where_all_are_ruled_out_there_is_none() -> None:
 def test_the_way_round_is_taken_where_the_limits_leave_it() -> None:
     """From 170° to −170° it is 20°: to 190°, or, where the joint ends at 180°, to −170° all the same."""
     now, there = np.radians([170.0, 0, 0]), np.radians([-170.0, 0, 0])
-    for robot, end in ((ROBOT, 190.0), (limited(ROBOT, [-np.pi] * 3, [np.pi] * 3), -170.0)):
-        branch = branch_of(robot, same("there"), there, tool_at(robot, there))
+    for robot, end in ((ROBOT, 190.0), (with_joint_limits(ROBOT, [-np.pi] * 3, [np.pi] * 3), -170.0)):
+        branch = branch_of(robot, untranslated("there"), there, tool_at(robot, there))
         (row,) = choice.ranked(robot, [branch], now, (1, 1, 1))
         assert np.degrees(row.change) == pytest.approx([20, 0, 0])
         assert row.cost == pytest.approx(np.radians(20))
@@ -102,10 +102,10 @@ def test_the_way_round_is_taken_where_the_limits_leave_it() -> None:
 
 
 def test_slides_are_not_wrapped() -> None:
-    slow = load("polar_rp")
+    slow = load_robot("polar_rp")
     joints = (slow.joints[0], replace(slow.joints[1], upper=9.0))
     robot = replace(slow, joints=joints)
-    branch = branch_of(robot, same("out"), [0.0, 8.0], tool_at(robot, frozen([0.0, 8.0])))
+    branch = branch_of(robot, untranslated("out"), [0.0, 8.0], tool_at(robot, frozen([0.0, 8.0])))
     (row,) = choice.ranked(robot, [branch], np.array([0.0, 0.5]), (1, 2))
     assert row.change == pytest.approx([0, 7.5])
     assert row.cost == pytest.approx(15)
@@ -135,7 +135,7 @@ def test_the_ranking_goes_by_cost_and_no_branch_is_lost(
 
 
 def load_l3() -> Robot:
-    return load("motoman_l3")
+    return load_robot("motoman_l3")
 
 
 @pytest.mark.parametrize("weights", [(1, 1), (1, 1, -1), (1, np.nan, 1), (1, 1, np.inf), 1])

@@ -18,10 +18,10 @@ from helicoide.ik import closed
 from helicoide.ik.postures import descent, errors, numeric, packed, restarts
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import between, tool_at, wrap
-from helicoide.kinematics import tool
-from helicoide.kinematics.library import load
+from helicoide.kinematics import tool_kernels
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import tool_jacobian, tool_pose
+from helicoide.kinematics.tool_kernels import tool_jacobian, tool_pose
 from helicoide.text import HelicoideError
 
 MEASURED = ("puma560", "panda", "ur5", "movemaster")
@@ -29,7 +29,7 @@ each_arm = pytest.mark.parametrize("name", NAMES)
 
 
 def robot_of(name: str) -> Robot:
-    return arm(name) if name in NAMES else load(name)
+    return arm(name) if name in NAMES else load_robot(name)
 
 
 def failures(robot: Robot, count: int, seed: int = 0) -> list[Array]:
@@ -46,7 +46,7 @@ def failures(robot: Robot, count: int, seed: int = 0) -> list[Array]:
 
 
 def alike(robot: Robot, a: Array, b: Array, tolerance: float) -> bool:
-    slides = [joint.slides for joint in robot.variables]
+    slides = [joint.is_prismatic for joint in robot.variables]
     return bool(np.abs(np.where(slides, a - b, wrap(a - b))).max() < tolerance)
 
 
@@ -214,7 +214,7 @@ def stretched() -> tuple[Robot, Array]:
 
 
 def seven_joints() -> tuple[Robot, Array]:
-    return load("panda"), load("panda").poses["ready"]
+    return load_robot("panda"), load_robot("panda").poses["ready"]
 
 
 def ordinary() -> tuple[Robot, Array]:
@@ -254,10 +254,10 @@ def test_the_columns_are_those_of_the_jacobian(name: str) -> None:
     of = packed.search_of(robot, packed.limited(robot), 0.2, (1e-6, 1e-6), 30, 1)
     R_last_tool, units = of.table[packed.HAND, :9].reshape(3, 3), np.diag(packed.limited(robot)[:, packed.UNIT])
     for q in postures(robot, 5):
-        T, room = tool_pose(tool.packed(robot), q), np.zeros(of.room)
+        T, room = tool_pose(tool_kernels.arm_array(robot), q), np.zeros(of.room)
         e = errors.linearised(of.table, errors.goal_of(of.table, T), q.copy(), room)
         np.testing.assert_allclose(e, 0, atol=1e-14)
-        J, R = tool_jacobian(tool.packed(robot), q.copy()) @ units, R_last_tool @ T[:3, :3].T
+        J, R = tool_jacobian(tool_kernels.arm_array(robot), q.copy()) @ units, R_last_tool @ T[:3, :3].T
         seen = np.concatenate([R @ J[:3] / robot.reach, 0.2 * R @ J[3:]])
         np.testing.assert_allclose(room[errors.COLUMNS :, :6].T, seen, rtol=0, atol=1e-14)
 
@@ -309,7 +309,7 @@ def test_the_error_of_orientation_is_the_rotation_vector(direction: tuple[float,
     axis = np.array(direction) / np.linalg.norm(direction)
     goal = np.eye(4)
     goal[:3, :3] = rotation.exponential(angle * axis) @ R
-    r = np.array(tool.turn_to(goal, *((*map(float, row), 0.0) for row in R)))
+    r = np.array(tool_kernels.rotation_to(goal, *((*map(float, row), 0.0) for row in R)))
     assert np.linalg.norm(r) == pytest.approx(angle, abs=1e-7)
     np.testing.assert_allclose(rotation.exponential(r) @ R, goal[:3, :3], rtol=0, atol=3e-6)
 

@@ -24,7 +24,7 @@ from helicoide.ik.postures.solve import EXACT, reached, solve, solve_by, status,
 from helicoide.kinematics.forward import tool_by_dual_quaternions
 from helicoide.kinematics.robot import Robot
 
-ARMS = sorted(content.found("robots"))
+ARMS = sorted(content.content_folders("robots"))
 ROUNDING = 1e-9
 
 

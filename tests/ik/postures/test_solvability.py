@@ -18,10 +18,10 @@ from helicoide.ik.postures import solvability
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.postures.solvability import Ground
 from helicoide.kinematics.forward import link_poses, screw_displacements
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import LENGTHS, puma, puma_rows, spherical
-from helicoide.studies.campos_table import POSTURE, counted, known, with_zeros
+from helicoide.studies._campos_arms import LENGTHS, puma_rows, puma_with_lengths, random_spherical_arm
+from helicoide.studies.campos_table import POSTURE, count_postures, known_arm, with_zeros
 
 HERE = np.zeros(6)
 # by hand: axes from 1
@@ -74,7 +74,7 @@ def test_every_form_that_applies_is_in_the_verdict(name: str) -> None:
 
 def general(draw: np.random.Generator, points: Array) -> Robot:
     """Six axes through points (6, 3), m, in random directions."""
-    robot = spherical(draw, "general")
+    robot = random_spherical_arm(draw, "general")
     directions = draw.normal(size=(6, 3))
     joints = tuple(
         replace(joint, direction=frozen(s / np.linalg.norm(s)), point=frozen(p))
@@ -141,7 +141,7 @@ def test_the_rows_of_the_table(zeros: tuple[int, ...], row: int) -> None:
 
 def test_the_first_row_of_the_table_does_not_hold_for_the_puma_without_a3() -> None:
     """s.22 gives at most 4 postures for a1 = a3 = a5 = 0; the source's own check of that arm counts 8."""
-    robot = puma(*LENGTHS[2])
+    robot = puma_with_lengths(*LENGTHS[2])
     answer = closed.solve(pieper, robot, tool_at(robot, np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])), HERE)
     assert len(answer.branches) == 8
     assert all(max(branch.missed, branch.turned) < 1e-12 for branch in answer.branches)
@@ -152,8 +152,8 @@ def test_the_first_row_of_the_table_does_not_hold_for_the_puma_without_a3() -> N
 @pytest.mark.parametrize(("zeros", "row"), [((1, 3, 5), 4), ((3, 5), 8), ((3,), 16), ((), 16)])
 def test_an_arm_of_each_row_with_sixteen_postures(zeros: tuple[int, ...], row: int) -> None:
     """Without a spherical wrist only the last two rows hold."""
-    robot = known(zeros)
-    assert counted(robot, POSTURE) == 16
+    robot = known_arm(zeros)
+    assert count_postures(robot, POSTURE) == 16
     assert (solvability.table_row(robot), solvability.verdict(robot).bound) == (row, 16)
 
 
@@ -161,13 +161,13 @@ def test_an_arm_of_each_row_with_sixteen_postures(zeros: tuple[int, ...], row: i
 def test_no_more_postures_than_the_bound(family: str) -> None:
     draw = np.random.default_rng(2)
     for _ in range(15):
-        robot = spherical(draw, family, right_wrist=False)
+        robot = random_spherical_arm(draw, family, right_wrist=False)
         found = closed.solve(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), HERE).branches
         assert 0 < len(found) <= solvability.verdict(robot).bound == 8  # type: ignore[operator]
 
 
 def test_the_bound_of_an_arm_is_that_of_the_arm_upside_down() -> None:
-    robot = load("puma560")
+    robot = load_robot("puma560")
     assert solvability.solution_bound(backwards(robot)) == solvability.solution_bound(robot) == 8
     assert solvability.verdict(backwards(robot)).axes == (0, 1, 2)
 
@@ -179,5 +179,5 @@ def test_only_six_turning_joints_have_a_row(name: str) -> None:
 
 
 def test_link_lengths_of_the_puma() -> None:
-    lengths = solvability.link_lengths(load("puma560"))
+    lengths = solvability.link_lengths(load_robot("puma560"))
     np.testing.assert_allclose(lengths, [a for _, a, _ in puma_rows(*LENGTHS[0])][1:], rtol=0, atol=1e-12)

@@ -14,7 +14,7 @@ from helicoide.ik import closed, methods
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.branch import between, tool_at, wrap
 from helicoide.ik.postures.solve import EXACT, NUMERIC, solve, solve_by, status, ways
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError
 
@@ -23,7 +23,7 @@ SEARCHED = ("panda",)
 
 
 def robot_of(name: str) -> Robot:
-    return load(name) if name in (*SEARCHED, "ur5") else arm(name)
+    return load_robot(name) if name in (*SEARCHED, "ur5") else arm(name)
 
 
 def errors(robot: Robot, T: Array, answer: Answer) -> list[tuple[float, float]]:
@@ -45,7 +45,7 @@ def test_a_reachable_pose_gets_one_posture_and_every_posture(name: str) -> None:
 
 
 def test_the_nearest_posture_turns_the_shorter_way() -> None:
-    robot = load("ur5")
+    robot = load_robot("ur5")
     q = robot.poses["ready"] + np.array([0, 0, 0, 0, 0, 5.0])
     near = solve(robot, tool_at(robot, q), q).branches[0]
     np.testing.assert_allclose(near.q, q, atol=1e-5)
@@ -154,7 +154,7 @@ def test_a_goal_that_only_postures_beyond_the_limits_reach() -> None:
 @pytest.mark.parametrize("with_orientation", [True, False])
 @pytest.mark.parametrize("name", ["puma560", "planar3r", "scara", "panda", "polar_rp"])
 def test_the_ways_of_an_arm_are_those_that_answer(name: str, with_orientation: bool) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     q = robot.poses["ready"]
     known = ways(robot, with_orientation)
     for way in (*closed.found(), NUMERIC, *methods.names()):
@@ -164,7 +164,7 @@ def test_the_ways_of_an_arm_are_those_that_answer(name: str, with_orientation: b
 
 
 def test_names_that_do_not_apply_list_those_that_do() -> None:
-    robot = load("panda")
+    robot = load_robot("panda")
     T, q = tool_at(robot, robot.poses["ready"]), robot.poses["ready"]
     for name in ("nonsense", "planar2r", "inverse"):
         with pytest.raises(HelicoideError) as caught:

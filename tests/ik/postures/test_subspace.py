@@ -16,13 +16,13 @@ from helicoide.ik.families.turret import turret
 from helicoide.ik.postures import subspace, workspace
 from helicoide.ik.postures.branch import between, tool_at
 from helicoide.ik.postures.nearest import nearest
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._campos_arms import upright
+from helicoide.studies._campos_arms import planar_pose
 from helicoide.text import LANGUAGES, HelicoideError
 
 SMALL = ["planar2r", "planar3r", "orca", "polar_rp", "motoman_l3", "scara", "movemaster"]
-ROBOTS = {name: load(name) for name in SMALL}
+ROBOTS = {name: load_robot(name) for name in SMALL}
 angles = st.floats(-np.pi, np.pi)
 turns = st.tuples(angles, st.floats(-1.5, 1.5), angles)
 
@@ -54,8 +54,8 @@ def test_a_projected_pose_stays_and_says_how_far_it_went(
     name: str, p: tuple[float, ...], turn: tuple[float, ...]
 ) -> None:
     robot = ROBOTS[name]
-    T = upright(*p[:2], z=p[2])
-    T[:3, :3] = euler.matrix(list(turn), "zyx")
+    T = planar_pose(*p[:2], z=p[2])
+    T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
     now = robot.poses["ready"]
     first = subspace.project(robot, T, now)
     assert (first.moved, first.turned) == pytest.approx(between(T, first.T_world_goal), abs=1e-12)
@@ -65,8 +65,8 @@ def test_a_projected_pose_stays_and_says_how_far_it_went(
 
 
 def test_what_was_done_is_said_with_its_numbers() -> None:
-    T = upright(0.9, 0.4, 0.3, z=0.05)
-    T[:3, :3] = T[:3, :3] @ euler.matrix([0, np.radians(20), 0], "zyx")
+    T = planar_pose(0.9, 0.4, 0.3, z=0.05)
+    T[:3, :3] = T[:3, :3] @ euler.euler_matrix([0, np.radians(20), 0], "zyx")
     words = subspace.project(ROBOTS["planar3r"], T, np.zeros(3)).words
     assert words is not None
     for language in LANGUAGES:
@@ -77,8 +77,8 @@ def test_what_was_done_is_said_with_its_numbers() -> None:
 @given(p=st.tuples(st.floats(0.2, 0.5), st.floats(-0.4, 0.4), st.floats(0.1, 0.7)), turn=turns)
 def test_the_movemaster_turns_its_hand_into_its_plane(p: tuple[float, ...], turn: tuple[float, ...]) -> None:
     """As the L-3: the point is kept, |θ| = asin |M·Ẑ|, Ẑ the roll axis, which is the x axis of this tool."""
-    T = upright(*p[:2], z=p[2])
-    T[:3, :3] = euler.matrix(list(turn), "zyx")
+    T = planar_pose(*p[:2], z=p[2])
+    T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
     projection = subspace.project(ROBOTS["movemaster"], T, np.zeros(5))
     M = np.array([-p[1], p[0], 0]) / np.hypot(*p[:2])
     assert projection.moved == 0
@@ -89,33 +89,33 @@ def test_the_movemaster_turns_its_hand_into_its_plane(p: tuple[float, ...], turn
 @given(p=st.tuples(*[st.floats(-0.4, 0.4)] * 3), turn=turns)
 @settings(max_examples=40)
 def test_the_scara_keeps_its_quill_upright(p: tuple[float, ...], turn: tuple[float, ...]) -> None:
-    T = upright(*p[:2], z=p[2])
-    T[:3, :3] = euler.matrix(list(turn), "zyx")
+    T = planar_pose(*p[:2], z=p[2])
+    T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
     projection = subspace.project(ROBOTS["scara"], T, np.zeros(4))
     np.testing.assert_allclose(projection.T_world_goal[:3, 3], p)
     np.testing.assert_allclose(projection.T_world_goal[:3, 2], [0, 0, -1], atol=1e-12)
-    down = euler.matrix([0, 0, np.pi], "zyx")
+    down = euler.euler_matrix([0, 0, np.pi], "zyx")
     others = [
-        upright(*p[:2], phi, p[2]) @ np.block([[down, np.zeros((3, 1))], [0, 0, 0, 1]]) for phi in np.arange(32) / 5
+        planar_pose(*p[:2], phi, p[2]) @ np.block([[down, np.zeros((3, 1))], [0, 0, 0, 1]]) for phi in np.arange(32) / 5
     ]
     assert projection.turned <= min(between(T, other)[1] for other in others) + 1e-6
 
 
 @pytest.mark.parametrize("r", [0.1, 0.9, 2.5])
 def test_a_goal_of_two_links_lies_in_their_plane_out_of_reach_too(r: float) -> None:
-    T = upright(r, 0, z=0.2)
-    T[:3, :3] = euler.matrix([0.7, 0.4, -0.3], "zyx")
+    T = planar_pose(r, 0, z=0.2)
+    T[:3, :3] = euler.euler_matrix([0.7, 0.4, -0.3], "zyx")
     projection = subspace.project(ROBOTS["planar2r"], T, np.zeros(2))
     np.testing.assert_allclose(projection.T_world_goal[:, 2:], [[0, r], [0, 0], [1, 0], [0, 1]], atol=1e-12)
     assert projection.moved == pytest.approx(0.2)
 
 
 def test_upside_down_every_heading_is_as_near_and_the_present_one_is_kept() -> None:
-    T = upright(0.5, 0.2)
+    T = planar_pose(0.5, 0.2)
     T[:3, :3] = np.diag([1.0, -1, -1])
     q = np.array([0.3, 0.4, 0.5])
     projection = subspace.project(ROBOTS["orca"], T, q)
-    np.testing.assert_allclose(projection.T_world_goal, upright(0.5, 0.2, 1.2), atol=1e-12)
+    np.testing.assert_allclose(projection.T_world_goal, planar_pose(0.5, 0.2, 1.2), atol=1e-12)
     assert projection.turned == pytest.approx(np.pi)
 
 
@@ -135,8 +135,8 @@ def test_no_posture_at_the_point_turns_less(name: str) -> None:
 
 
 def test_arms_with_six_joints_take_every_pose() -> None:
-    robot = load("puma560")
-    T = upright(0.5, 0.1, 0.3, z=0.2)
+    robot = load_robot("puma560")
+    T = planar_pose(0.5, 0.1, 0.3, z=0.2)
     projection = subspace.project(robot, T, robot.poses["ready"])
     np.testing.assert_array_equal(projection.T_world_goal, T)
     assert projection.words is None
@@ -167,7 +167,7 @@ def test_other_arms_are_searched() -> None:
 
 @given(r=st.floats(0, 3), heading=angles)
 def test_distance_to_the_edge_of_a_planar_arm(r: float, heading: float) -> None:
-    T = upright(r * np.cos(heading), r * np.sin(heading))
+    T = planar_pose(r * np.cos(heading), r * np.sin(heading))
     expected = max(r - 1.7, 0.3 - r, 0)
     assert subspace.beyond(ROBOTS["planar2r"], T, np.zeros(2)) == pytest.approx(expected, abs=1e-9)
 
@@ -231,10 +231,10 @@ def test_dexterous_rings_hold_the_points_whose_wrist_circle_is_reached(lengths: 
 
 @pytest.mark.parametrize("name", SMALL)
 def test_an_arm_that_stands_elsewhere_projects_alike(name: str) -> None:
-    robot, place = ROBOTS[name], upright(0.3, -0.2, 0.9, z=0.5)
-    place[:3, :3] = euler.matrix([0.4, -0.9, 2.0], "zyx")
-    T = upright(0.31, 0.22, z=0.4)
-    T[:3, :3] = euler.matrix([0.3, 0.5, -0.2], "zyx")
+    robot, place = ROBOTS[name], planar_pose(0.3, -0.2, 0.9, z=0.5)
+    place[:3, :3] = euler.euler_matrix([0.4, -0.9, 2.0], "zyx")
+    T = planar_pose(0.31, 0.22, z=0.4)
+    T[:3, :3] = euler.euler_matrix([0.3, 0.5, -0.2], "zyx")
     now = robot.poses["ready"]
     here = subspace.project(robot, T, now)
     there = subspace.project(moved(robot, place), place @ T, now)
@@ -244,6 +244,6 @@ def test_an_arm_that_stands_elsewhere_projects_alike(name: str) -> None:
 @pytest.mark.parametrize("function", [subspace.project, subspace.beyond])
 def test_what_is_no_pose_is_refused(function: object) -> None:
     with pytest.raises(HelicoideError, match="pose"):
-        function(ROBOTS["orca"], upright(np.nan, 0), np.zeros(3))  # type: ignore[operator]
+        function(ROBOTS["orca"], planar_pose(np.nan, 0), np.zeros(3))  # type: ignore[operator]
     with pytest.raises(HelicoideError, match="finite joint values"):
-        function(ROBOTS["orca"], upright(0.2, 0), np.zeros(2))  # type: ignore[operator]
+        function(ROBOTS["orca"], planar_pose(0.2, 0), np.zeros(2))  # type: ignore[operator]

@@ -10,15 +10,15 @@ from tests.kinematics.arms import derivative
 from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik import EntryPoint, Problem
-from helicoide.ik.drive import Drive
+from helicoide.ik.controller import Controller
 from helicoide.ik.guard.entry import GAIN
 from helicoide.ik.postures.branch import tool_at
-from helicoide.ik.rcm.at_work import by_method, passage_of, tip_task, tool_velocity
 from helicoide.ik.rcm.constrained import constrained
-from helicoide.ik.rcm.follow import command, pose_error
+from helicoide.ik.rcm.follow import body_velocity, pose_error
 from helicoide.ik.rcm.passage import insertion
+from helicoide.ik.rcm.tip_task import passage_of, rcm_step, tip_task, tool_velocity
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_without_planes
 
 GAINS = (3.0, 3.0, 3.0, 5.0)
 STILL = np.zeros(3)
@@ -31,7 +31,7 @@ def entry() -> EntryPoint:
 
 @pytest.fixture(scope="module")
 def problem(entry: EntryPoint) -> Problem:
-    here = problem_of(dia10())
+    here = problem_without_planes(dia10())
     return Problem(here.robot, here.limits, here.planes, scale=1.0, entry=entry)
 
 
@@ -47,7 +47,7 @@ def test_the_velocity_of_the_tool_is_that_of_the_source(problem: Problem, entry:
     """Coutinho 2015, eq. 2.66, with Ko for the angle and not for its half sine."""
     at = constrained(problem, passage_of(problem.robot, entry), START, entry.point)
     target, ahead = near(at.T_world_tool), np.array([0.01, 0.02, -0.01])
-    source = command(
+    source = body_velocity(
         at.T_world_tool[:3, :3], np.append(ahead, STILL), pose_error(target, at.T_world_tool), GAINS[0], 2 * GAINS[3]
     )
     np.testing.assert_allclose(tool_velocity(at, target, ahead, GAINS), source, atol=1e-12)
@@ -70,13 +70,13 @@ def test_tip_and_entry_point_are_one_task_of_derivatives(problem: Problem, entry
 @pytest.mark.parametrize("method", ["pseudoinverse", "damped", "filtered_modified"])
 def test_whatever_inverts_for_the_tool_the_shaft_keeps_its_entry_point(problem: Problem, method: str) -> None:
     """Λ J_i θ̇ = Kr e_r whether the tool is met or not (Coutinho 2015, §3.4)."""
-    q, drive = START, Drive(method=method, gains=GAINS)
+    q, drive = START, Controller(method=method, gains=GAINS)
     assert problem.entry is not None
     passage, target = passage_of(problem.robot, problem.entry), near(tool_at(problem.robot, START))
     for _ in range(50):
         at = constrained(problem, passage, q, problem.entry.point)
         poses = link_poses(problem.robot.chain, q)
-        step, drive = by_method(problem, q, poses, target, True, STILL, drive, 0.01)
+        step, drive = rcm_step(problem, q, poses, target, True, STILL, drive, 0.01)
         np.testing.assert_allclose(at.at_entry(step / 0.01), GAIN * at.place.lateral, atol=1e-9)
         q = q + step
     if method == "pseudoinverse":

@@ -19,9 +19,9 @@ from helicoide.ik.rcm.older import entry_jacobian, tool_jacobian
 from helicoide.ik.rcm.passage import SLIT, TROCAR, Insertion, Passage, insertion, through
 from helicoide.kinematics import differential
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of, zx_wrist
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_without_planes, zx_wrist
 
 LENGTH, L_8 = 0.33, 0.21
 BASES: tuple[Basis, ...] = ("source", "scaled")
@@ -45,7 +45,7 @@ def standing(
 ) -> Constrained:
     """The arm at q with the entry point on its shaft."""
     entry = entry_on(robot, q, outside)
-    return constrained(problem_of(robot, scale), through(robot, LINK, across), q, entry, basis)
+    return constrained(problem_without_planes(robot, scale), through(robot, LINK, across), q, entry, basis)
 
 
 @TABLE
@@ -173,7 +173,12 @@ def sliding_torso() -> Robot:
     return replace(dia10(), joints=(replace(joints[0], kind="prismatic"), *joints[1:]))
 
 
-ARMS = {"dia10": dia10, "puma560": lambda: load("puma560"), "scara": lambda: load("scara"), "slide": sliding_torso}
+ARMS = {
+    "dia10": dia10,
+    "puma560": lambda: load_robot("puma560"),
+    "scara": lambda: load_robot("scara"),
+    "slide": sliding_torso,
+}
 
 
 @pytest.mark.parametrize("basis", BASES)
@@ -185,7 +190,7 @@ def test_it_maps_what_any_link_may_do_to_the_tool(name: str, basis: Basis) -> No
     for passage in passages(robot):
         q = rng.uniform(robot.lower, robot.upper)
         T = link_poses(robot.chain, q)[passage.link] @ passage.T_link_shaft
-        at = constrained(problem_of(robot), passage, q, T[:3, 3] + 0.4 * passage.length * T[:3, 1], basis)
+        at = constrained(problem_without_planes(robot), passage, q, T[:3, 3] + 0.4 * passage.length * T[:3, 1], basis)
         rates = rng.normal(size=len(q))
         of_link = at.J_arm @ rates[: passage.link]
         entry_rate = at.constraint @ of_link
@@ -193,7 +198,7 @@ def test_it_maps_what_any_link_may_do_to_the_tool(name: str, basis: Basis) -> No
         u = np.concatenate([v, rates[passage.link :]])
         assert at.J.shape == (6, 6 - passage.r + len(q) - passage.link)
         np.testing.assert_allclose(at.J @ u + at.J_entry @ entry_rate, tool_jacobian(at) @ rates, atol=1e-12)
-        np.testing.assert_allclose(tool_jacobian(at), differential.body(robot, q), atol=2e-15)
+        np.testing.assert_allclose(tool_jacobian(at), differential.body_jacobian(robot, q), atol=2e-15)
         np.testing.assert_allclose(entry_jacobian(at) @ rates, entry_rate, atol=1e-14)
         np.testing.assert_allclose(at.constraint @ at.push, np.eye(passage.r), atol=1e-14)
 

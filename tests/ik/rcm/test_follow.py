@@ -15,10 +15,19 @@ from helicoide.ik import methods
 from helicoide.ik.method import Promise
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
-from helicoide.ik.rcm.follow import Control, Inverse, Moment, Wish, command, followed, inverse, pose_error
+from helicoide.ik.rcm.follow import (
+    ConfiguredMethod,
+    RcmControl,
+    RcmReference,
+    RcmStep,
+    body_velocity,
+    configured_method,
+    pose_error,
+    rcm_loop,
+)
 from helicoide.ik.rcm.passage import SLIT, TROCAR, through
 from helicoide.kinematics import differential
-from helicoide.studies._coutinho_runs import LINK, angle_deg, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, angle_deg, dia10, entry_on, problem_without_planes
 from helicoide.text import HelicoideError
 
 STILL = np.zeros(6)
@@ -40,7 +49,7 @@ def literal_error(T_world_target: Array, T_world_tool: Array) -> Array:
 def turned_to(R: Array, R_target: Array, error: Error, Ko: float, seconds: float, dt: float) -> float:
     """The angle that is left, deg, when a body turns by ω = Ko ε̃ in its own axes."""
     for _ in range(round(seconds / dt)):
-        nu = command(R, STILL, error(pose(R_target), pose(R)), 0.0, Ko)
+        nu = body_velocity(R, STILL, error(pose(R_target), pose(R)), 0.0, Ko)
         R = R @ rotation.exponential(nu[3:] * dt)
     return angle_deg(pose_error(pose(R_target), pose(R)))
 
@@ -59,7 +68,7 @@ def test_the_printed_error_fails_in_most_postures() -> None:
     failures = 0
     for wxyz in rng.normal(size=(40, 4)):
         R = rotation.to_matrix(wxyz)
-        target = R @ rotation.exponential(0.2 * rotation.unit(rng.normal(size=3)))
+        target = R @ rotation.exponential(0.2 * rotation.unit_vector(rng.normal(size=3)))
         failures += turned_to(R, target, literal_error, 2.0, 10.0, 0.1) > 1.0
         assert turned_to(R, target, pose_error, 2.0, 10.0, 0.1) < 0.01
     assert 30 <= failures < 40
@@ -67,13 +76,13 @@ def test_the_printed_error_fails_in_most_postures() -> None:
 
 def test_angles_fall_by_their_quarter_tangent() -> None:
     """φ̇ = −Ko sin(φ/2), so tan(φ/4) = tan(φ₀/4) e^{−Ko t/2}, from 170° at Ko = 4: within 0.04° at 1 ms."""
-    R, target, dt = np.eye(3), rotation.exponential(np.radians(170) * rotation.unit([1.0, 2.0, -0.5])), 1e-3
+    R, target, dt = np.eye(3), rotation.exponential(np.radians(170) * rotation.unit_vector([1.0, 2.0, -0.5])), 1e-3
     worst = 0.0
     for step in range(2000):
         error = pose_error(pose(target), pose(R))
         expected = 4 * np.arctan(np.tan(np.radians(170) / 4) * np.exp(-4 * step * dt / 2))
         worst = max(worst, abs(angle_deg(error) - np.degrees(expected)))
-        R = R @ rotation.exponential(command(R, STILL, error, 0.0, 4.0)[3:] * dt)
+        R = R @ rotation.exponential(body_velocity(R, STILL, error, 0.0, 4.0)[3:] * dt)
     assert worst == pytest.approx(0.04, abs=0.01)
 
 
@@ -99,7 +108,7 @@ def test_the_position_error_falls_while_the_tool_turns() -> None:
     T[:3, 3] = [0.1, 0.2, -0.1]
     h = 1e-6
     error = pose_error(target, T)
-    nu = command(T[:3, :3], ahead, error, 5.0, 10.0)
+    nu = body_velocity(T[:3, :3], ahead, error, 5.0, 10.0)
     later, target_later = T.copy(), target.copy()
     later[:3, 3] += T[:3, :3] @ nu[:3] * h
     later[:3, :3] = T[:3, :3] @ rotation.exponential(nu[3:] * h)
@@ -108,16 +117,18 @@ def test_the_position_error_falls_while_the_tool_turns() -> None:
     np.testing.assert_allclose(rate, -5.0 * error[:3], atol=1e-4)
 
 
-def still(T: Array, r: int = 2, entry_rate: Array | None = None) -> Callable[[float], Wish]:
+def still(T: Array, r: int = 2, entry_rate: Array | None = None) -> Callable[[float], RcmReference]:
     rate = np.zeros(r) if entry_rate is None else entry_rate
-    return lambda t: Wish(T, STILL, rate)
+    return lambda t: RcmReference(T, STILL, rate)
 
 
-def loop(control: Control, wished: Callable[[float], Wish], entry: Array, dt: float = 0.002) -> Iterator[Moment]:
-    return followed(problem_of(dia10()), through(dia10(), LINK), control, wished, START, entry, dt)
+def loop(
+    control: RcmControl, wished: Callable[[float], RcmReference], entry: Array, dt: float = 0.002
+) -> Iterator[RcmStep]:
+    return rcm_loop(problem_without_planes(dia10()), through(dia10(), LINK), control, wished, START, entry, dt)
 
 
-def at_step(moments: Iterator[Moment], step: int) -> Moment:
+def at_step(moments: Iterator[RcmStep], step: int) -> RcmStep:
     return next(islice(moments, step, None))
 
 
@@ -128,7 +139,7 @@ def test_errors_of_the_tool_fall_as_the_gains_say() -> None:
     target[:3, 3] += [0.01, -0.015, 0.01]
     target[:3, :3] = T[:3, :3] @ rotation.exponential([0.0, 0.15, -0.1])
     dt, steps = 1e-3, 400
-    one = at_step(loop(Control(), still(target), entry_on(dia10(), START, 0.15), dt), steps)
+    one = at_step(loop(RcmControl(), still(target), entry_on(dia10(), START, 0.15), dt), steps)
     first = pose_error(target, T)
     np.testing.assert_allclose(one.error[:3], first[:3] * np.exp(-5 * 0.4), rtol=0.006, atol=1e-5)
     quarter = np.tan(np.radians(angle_deg(first)) / 4) * np.exp(-10 * 0.4 / 2)
@@ -139,21 +150,21 @@ def test_drift_feedback_brings_the_shaft_back() -> None:
     """5 mm beside the entry point fall to 5 e^{−5} = 0.034 mm in 1 s at Kr = 5 (0.033 by Euler at 2 ms)."""
     T, R = tool_at(dia10(), START), constrained_at_start().R_world_shaft
     entry = entry_on(dia10(), START, 0.15) + R @ [0.003, 0.0, 0.004]
-    one = at_step(loop(Control(entry=5.0), still(T), entry), 500)
+    one = at_step(loop(RcmControl(entry=5.0), still(T), entry), 500)
     assert 1e3 * np.linalg.norm(one.at.place.lateral) == pytest.approx(0.033, abs=1e-3)
-    without = at_step(loop(Control(), still(T), entry), 50)
+    without = at_step(loop(RcmControl(), still(T), entry), 50)
     assert 1e3 * np.linalg.norm(without.at.place.lateral) == pytest.approx(5.0, abs=1e-9)
 
 
 def constrained_at_start():
-    return constrained(problem_of(dia10()), through(dia10(), LINK), START, entry_on(dia10(), START, 0.15))
+    return constrained(problem_without_planes(dia10()), through(dia10(), LINK), START, entry_on(dia10(), START, 0.15))
 
 
 @pytest.mark.parametrize("basis", ["source", "scaled"])
 def test_the_shaft_follows_a_moving_entry_point(basis) -> None:
     """§3.4: the material point of the shaft at the entry moves with v_rd along x and z of F_r, to 1e-10 m/s."""
     rate = np.array([0.004, -0.003])
-    moments = loop(Control(basis=basis), still(tool_at(dia10(), START), 2, rate), entry_on(dia10(), START, 0.15))
+    moments = loop(RcmControl(basis=basis), still(tool_at(dia10(), START), 2, rate), entry_on(dia10(), START, 0.15))
     for one in islice(moments, 20):
         point_link = [0.0, one.at.place.outside, 0.0]
         velocity = differential.point_jacobian(dia10(), one.q, point_link, LINK)[:3] @ one.rates
@@ -165,7 +176,7 @@ def test_the_shaft_follows_a_moving_entry_point(basis) -> None:
 def test_the_entry_point_moves_with_the_shaft_s_axes() -> None:
     """p_rcm ← p_rcm + R_0i (v_x, 0, v_z) Δt."""
     entry, rate = entry_on(dia10(), START, 0.15), np.array([0.004, -0.003])
-    first, second = islice(loop(Control(), still(tool_at(dia10(), START), 2, rate), entry), 2)
+    first, second = islice(loop(RcmControl(), still(tool_at(dia10(), START), 2, rate), entry), 2)
     expected = first.at.R_world_shaft @ [0.004, 0.0, -0.003] * 0.002
     np.testing.assert_allclose(second.entry_world - first.entry_world, expected, atol=1e-15)
     np.testing.assert_allclose(second.q, first.q + 0.002 * first.rates, atol=1e-15)
@@ -185,29 +196,29 @@ def test_any_method_may_invert_it(name: str, across: Array, basis) -> None:
     target = tool_at(dia10(), START)
     target[:3, 3] += [0.002, -0.003, 0.002]
     wished = still(target, passage.r, np.full(passage.r, 1e-4))
-    chosen = Inverse(method, method.Options())
+    chosen = ConfiguredMethod(method, method.Options())
     entry = entry_on(dia10(), START, 0.15)
-    at = constrained(problem_of(dia10()), passage, START, entry, basis)
+    at = constrained(problem_without_planes(dia10()), passage, START, entry, basis)
     if method.applies(at.task(np.zeros(6), np.zeros(passage.r), 0.01)) is not None:
         assert at.J.shape == (6, 7) or Promise.KEEPS_LIMITS in method.PROMISES
         return
-    control = Control(of_tool=chosen, basis=basis, entry=5.0)
-    moments = list(islice(followed(problem_of(dia10()), passage, control, wished, START, entry, 0.01), 100))
+    control = RcmControl(of_tool=chosen, basis=basis, entry=5.0)
+    moments = list(islice(rcm_loop(problem_without_planes(dia10()), passage, control, wished, START, entry, 0.01), 100))
     assert max(np.abs(one.entry_slip).max() for one in moments) < 1e-13
     assert np.linalg.norm(moments[-1].error[:3]) < np.linalg.norm(moments[0].error[:3])
 
 
 def test_what_a_method_remembers_is_carried_along() -> None:
     """The filtered inverse starts once, and each step begins with the memory that the last one left."""
-    filtered = inverse("filtered_modified")
+    filtered = configured_method("filtered_modified")
     wished = still(tool_at(dia10(), START) @ pose(rotation.exponential([0.0, 0.1, 0.0])))
-    control = Control(of_tool=filtered, of_arm=filtered)
+    control = RcmControl(of_tool=filtered, of_arm=filtered)
     moments = list(islice(loop(control, wished, entry_on(dia10(), START, 0.15)), 3))
-    problem = problem_of(dia10())
+    problem = problem_without_planes(dia10())
     memory = None
     for one in moments:
         task = one.at.task(
-            command(one.at.T_world_tool[:3, :3], STILL, one.error, control.position, control.orientation),
+            body_velocity(one.at.T_world_tool[:3, :3], STILL, one.error, control.position, control.orientation),
             one.asked,
             0.002,
         )
@@ -218,6 +229,6 @@ def test_what_a_method_remembers_is_carried_along() -> None:
 
 
 def test_methods_go_by_their_names() -> None:
-    assert inverse("damped", damping=0.05).options.damping == 0.05
+    assert configured_method("damped", damping=0.05).options.damping == 0.05
     with pytest.raises(HelicoideError, match="pseudoinverse"):
-        inverse("guess")
+        configured_method("guess")

@@ -13,7 +13,7 @@ from helicoide.ik.rcm.older import avoiding, by_priority, entry_first, entry_jac
 from helicoide.ik.rcm.passage import through
 from helicoide.kinematics import differential
 from helicoide.kinematics.forward import link_poses
-from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_without_planes
 
 BASES: tuple[Basis, ...] = ("source", "scaled")
 
@@ -24,7 +24,9 @@ def scenes(basis: Basis, count: int) -> list[tuple[Constrained, Array, Array]]:
     found: list[tuple[Constrained, Array, Array]] = []
     while len(found) < count:
         q = rng.uniform(robot.lower, robot.upper)
-        at = constrained(problem_of(robot), through(robot, LINK), q, entry_on(robot, q, rng.uniform(0.08, 0.2)), basis)
+        at = constrained(
+            problem_without_planes(robot), through(robot, LINK), q, entry_on(robot, q, rng.uniform(0.08, 0.2)), basis
+        )
         command, entry_rate = rng.normal(size=6), 0.1 * rng.normal(size=2)
         if at.of_arm.w > 0.01 and abs(np.sin(q[6])) > 0.2:
             found.append((at, command, entry_rate))
@@ -56,7 +58,9 @@ def test_the_entry_point_first_gives_the_same_rates(basis: Basis) -> None:
 
 def test_at_the_start_they_agree_to_rounding() -> None:
     """Relative difference 4e-14 for the stack and 1e-13 for priority."""
-    at = constrained(problem_of(dia10()), through(dia10(), LINK), START, entry_on(dia10(), START, 0.15), "source")
+    at = constrained(
+        problem_without_planes(dia10()), through(dia10(), LINK), START, entry_on(dia10(), START, 0.15), "source"
+    )
     command, entry_rate = np.array([0.02, -0.01, 0.03, 0.1, -0.2, 0.15]), np.array([0.004, -0.003])
     rates = by_constrained_jacobian(at, command, entry_rate)
     assert difference(extended(at, command, entry_rate), rates) < 4e-14
@@ -76,7 +80,7 @@ def test_singularities_of_the_stack_are_those_of_arm_and_wrist() -> None:
 def obstacle_scene() -> tuple[Array, Array, Array, Array]:
     """The tool's velocity, and that of the elbow away from an obstacle."""
     robot = dia10()
-    J_tool = differential.geometric(robot, START)[:3]
+    J_tool = differential.frame_jacobian(robot, START)[:3]
     elbow = link_poses(robot.chain, START)[5, :3, 3]
     away = elbow / np.linalg.norm(elbow)
     J_elbow = (away @ differential.point_jacobian(robot, START, np.zeros(3), 5)[:3])[None, :]

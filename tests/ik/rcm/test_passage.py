@@ -12,12 +12,12 @@ from tests.kinematics.arms import MIXED, NAMES, arm
 
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
-from helicoide.ik.rcm.follow import Control, followed
+from helicoide.ik.rcm.follow import RcmControl, rcm_loop
 from helicoide.ik.rcm.passage import SLIT, TROCAR, insertion, refusal, through
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.library import load
-from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of, seven_joints
+from helicoide.kinematics.library import load_robot
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_without_planes, seven_joints
 from helicoide.text import HelicoideError
 
 
@@ -76,7 +76,7 @@ def test_n_minus_r_decides_on_the_rank(robot, across, rank: int) -> None:
     """§1.4, §5.1: eight joints reach all six ways, seven behind a trocar five: n − r ≥ 6."""
     passage = through(robot(), LINK, across)
     q = START[: len(robot().joints)]
-    at = constrained(problem_of(robot()), passage, q, entry_on(robot(), q, 0.15))
+    at = constrained(problem_without_planes(robot()), passage, q, entry_on(robot(), q, 0.15))
     assert at.of_tool.rank == rank
     assert (refusal(robot(), passage) is None) == (rank == 6)
 
@@ -92,11 +92,18 @@ def test_seven_joints_are_refused_in_words() -> None:
     q = START[:7]
     wished = PATHS["S2"].wished(tool_at(robot, q))
     with pytest.raises(HelicoideError, match="at least 8 joints"):
-        next(islice(followed(problem_of(robot), passage, Control(), wished, q, entry_on(robot, q, 0.15), 0.02), 1))
+        next(
+            islice(
+                rcm_loop(
+                    problem_without_planes(robot), passage, RcmControl(), wished, q, entry_on(robot, q, 0.15), 0.02
+                ),
+                1,
+            )
+        )
 
 
 def test_the_rod_arm_is_refused_too() -> None:
-    robot = load("dia10_rod")
+    robot = load_robot("dia10_rod")
     said = refusal(robot, through(robot, 7))
     assert said is not None
     assert "n − r = 5" in said.en

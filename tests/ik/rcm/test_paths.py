@@ -24,7 +24,7 @@ def test_velocities_are_derivatives(name: str) -> None:
 
     for t in np.linspace(0, PATHS[name].duration, 23):
         expected = twist_by_differences(pose, np.array([t]))[:, 0]
-        np.testing.assert_allclose(wished(t).ahead, expected, atol=1e-12)
+        np.testing.assert_allclose(wished(t).feedforward, expected, atol=1e-12)
 
 
 @pytest.mark.parametrize("name", PATHS)

@@ -14,7 +14,7 @@ from helicoide.ik.rcm.residuals import depth, fulcrum_ratio, lateral_distance
 
 coordinate = st.floats(-1, 1)
 point = st.tuples(coordinate, coordinate, coordinate).map(np.array)
-direction = point.filter(lambda v: np.linalg.norm(v) > 0.1).map(rotation.unit)
+direction = point.filter(lambda v: np.linalg.norm(v) > 0.1).map(rotation.unit_vector)
 
 
 def vector(v: Array) -> Array:

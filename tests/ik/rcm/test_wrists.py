@@ -11,13 +11,13 @@ from tests.ik.rcm.runs import START
 from helicoide.ik.rcm import wrists
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.passage import through
-from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_of, zx_wrist
+from helicoide.studies._coutinho_runs import LINK, dia10, entry_on, problem_without_planes, zx_wrist
 
 
 def test_entry_3_4_of_the_trocar_is_l8_c8_s7() -> None:
     """Eq. 3.28 prints l₈ c₇ c₈ there; at θ₈ = 0.7 that is 0.22 m too much. The other entries are as printed."""
     q = np.array([*START[:7], 0.7])
-    J = constrained(problem_of(dia10()), through(dia10(), LINK), q, entry_on(dia10(), q, 0.15), "source").J
+    J = constrained(problem_without_planes(dia10()), through(dia10(), LINK), q, entry_on(dia10(), q, 0.15), "source").J
     corrected = wrists.zy_trocar(0.15, 0.18, 0.21, q[6], q[7])
     np.testing.assert_allclose(J, corrected, atol=3e-15)
     as_printed = corrected.copy()
@@ -29,7 +29,7 @@ def test_the_zx_wrist_turns_with_its_last_joint() -> None:
     """Eq. 3.29 in one frame: undone by Rot(x, θ₈), it is the wrist without its last turn, with l₈ turned by it."""
     q = np.array([*START[:7], 0.7])
     robot = zx_wrist()
-    J = constrained(problem_of(robot), through(robot, LINK), q, entry_on(robot, q, 0.15), "source").J
+    J = constrained(problem_without_planes(robot), through(robot, LINK), q, entry_on(robot, q, 0.15), "source").J
     np.testing.assert_allclose(J, wrists.zx_trocar(0.15, 0.18, 0.21, q[6], q[7]), atol=1e-14)
     R = np.array([[1, 0, 0], [0, cos(q[7]), -sin(q[7])], [0, sin(q[7]), cos(q[7])]])
     unbent = wrists.zx_trocar(0.15, 0.18, 0.21, q[6], 0.0)

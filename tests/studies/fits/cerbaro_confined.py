@@ -6,9 +6,9 @@ more on the ellipse and the circle. On the circle the wrist comes near a wall wi
 
 from __future__ import annotations
 
-from helicoide.studies.cerbaro_runs.chapter6_rows import sentences
-from helicoide.studies.cerbaro_runs.chapter6_runs import SHORT, Options, Runs, rule
-from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, SAMPLES, by_rule
+from helicoide.studies.cerbaro_runs.chapter6_rows import sentence_rows
+from helicoide.studies.cerbaro_runs.chapter6_runs import SHORT, ConfinedRuns, Options, rule_of
+from helicoide.studies.cerbaro_runs.confined import CIRCLE, ELLIPSE, LINE, SAMPLES, run_by_rule
 from helicoide.studies.study import Verdict
 from helicoide.trajectory import Ellipse
 
@@ -20,10 +20,11 @@ def differing(path: Ellipse, gain: float) -> list[str]:
     """The rows that differ on a path."""
     options = Options(gain=gain)
     cases = {
-        run: by_rule(path, run[1], options.gains, rule(run[0], options), SAMPLES, lambda share: None) for run in SHORT
+        run: run_by_rule(path, run[1], options.gains, rule_of(run[0], options), SAMPLES, lambda share: None)
+        for run in SHORT
     }
     first = next(iter(cases.values()))
-    rows = sentences(Runs(cases, first, path.period), path, options)
+    rows = sentence_rows(ConfinedRuns(cases, first, path.period), path, options)
     return [row.quantity.en for row in rows if row.verdict is Verdict.DIFFERS]
 
 

@@ -9,9 +9,11 @@ import numpy as np
 
 from helicoide.studies import cerbaro_movemaster_convergence as movemaster
 from helicoide.studies import cerbaro_orca_convergence as orca
-from helicoide.studies.cerbaro_runs.tracking import nothing
+from helicoide.studies.cerbaro_runs.tracking import ignore_progress
 
 if __name__ == "__main__":
     for factor in np.round(np.arange(0.27, 0.621, 0.002), 3):
-        counts = [study.run(study.Options(factor=factor), True, nothing).rows[0].ours for study in (orca, movemaster)]
+        counts = [
+            study.run(study.Options(factor=factor), True, ignore_progress).rows[0].ours for study in (orca, movemaster)
+        ]
         print(f"κ = {factor:g}: ORCA {counts[0]:g}, Movemaster {counts[1]:g}", flush=True)

@@ -13,21 +13,21 @@ from helicoide.arrays import Array
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics import differential
 from helicoide.studies import coutinho_s1, coutinho_s2, coutinho_s3, coutinho_s4
-from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, Insertion, control, dia10, run
+from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, Insertion, dia10, run_path, source_control
 from helicoide.studies.study import Row, Statement
 
 PLACE = np.array([0.194, 1.019, 0.958])  # table 4.2, m
 FREE, FOLLOWING = {"θ₂": 1, "θ₄": 3, "θ₆": 5, "θ₇": 6, "θ₈": 7}, [0, 2, 4]
 ROUND = np.array([0.8, -0.25, -1.3, -1.65, 0.6, 1.1, 0.0, 1.57])
 STEPS = {"S1": 0.1, "S2": 0.1, "S3": 0.1, "S4": 0.02}  # s
-STATED = {"S1": coutinho_s1.stated, "S2": coutinho_s2.stated, "S4": coutinho_s4.stated}
+STATED = {"S1": coutinho_s1.s1_rows, "S2": coutinho_s2.s2_rows, "S4": coutinho_s4.s4_rows}
 
 
 def standing(q: Array) -> Array:
     """θ₁, θ₃ and θ₅ so that the tool is at its place, by Newton's rule. Args: q (8,), rad."""
     robot, found = dia10(), q.copy()
     for _ in range(20):
-        J = differential.geometric(robot, found)[:3, FOLLOWING]
+        J = differential.frame_jacobian(robot, found)[:3, FOLLOWING]
         found[FOLLOWING] += np.linalg.solve(J, PLACE - tool_at(robot, found)[:3, 3])
     return found
 
@@ -37,10 +37,13 @@ def rows(q: Array) -> list[Row]:
     found = [
         row
         for name, stated in STATED.items()
-        for row in stated(run(name, control(), STEPS[name], Insertion(q)), STEPS[name])
+        for row in stated(run_path(name, source_control(), STEPS[name], Insertion(q)), STEPS[name])
     ]
-    damped = (run("S3", control(of_tool=DLS, of_arm=arm), STEPS["S3"], Insertion(q)) for arm in (PSEUDOINVERSE, DLS))
-    return [*found, *coutinho_s3.stated(*damped)]
+    damped = (
+        run_path("S3", source_control(of_tool=DLS, of_arm=arm), STEPS["S3"], Insertion(q))
+        for arm in (PSEUDOINVERSE, DLS)
+    )
+    return [*found, *coutinho_s3.s3_rows(*damped)]
 
 
 def failing(q: Array) -> list[str]:
@@ -49,9 +52,9 @@ def failing(q: Array) -> list[str]:
     if not ((q > robot.lower) & (q < robot.upper)).all():
         return ["limits"]
     return [
-        f"{row.quantity.en} = {row.ours:.4g}"
+        f"{row.quantity.en} = {row.computed:.4g}"
         for row in rows(q)
-        if isinstance(row.source, Statement) and not row.source.holds(row.ours)
+        if isinstance(row.source, Statement) and not row.source.holds(row.computed)
     ]
 
 

@@ -13,25 +13,25 @@ from itertools import product
 
 from helicoide.studies import vargas_04, vargas_05, vargas_06, vargas_07
 from helicoide.studies.study import Row
-from helicoide.studies.vargas.planar import VALUES, Values, followers
-from helicoide.studies.vargas.runs import Run, Way
-from helicoide.studies.vargas.secondary import silent
+from helicoide.studies.vargas.planar import VALUES, OpenValues, run_on_planar
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings
+from helicoide.studies.vargas.secondary import no_progress
 
 DT, FACTORS = 1e-2, (1.05, 1.1, 1.2)
 GRID = ((30.0, 60.0, 120.0, 240.0), (0.25, 0.4, 0.6, 0.8), (5.0, 10.0, 20.0))
 SIMULATIONS = (vargas_04, vargas_05, vargas_07, vargas_06)
 
 
-def failing(values: Values) -> list[str]:
+def failing(values: OpenValues) -> list[str]:
     """The statements that do not hold with these values."""
     failed = []
     for study in SIMULATIONS:
-        ways: Mapping[str, Way] = values.ways
+        ways: Mapping[str, MethodSettings] = values.methods
         if study is vargas_06:
-            ways = vargas_06.compared_ways(ways)
-        runs = followers(study.PATH, study.START, ways, DT, silent, values.rate)
-        statements: Callable[[Mapping[str, Run]], list[Row]] = study.statements
-        failed += [row.quantity.en for row in statements(runs) if not row.source.holds(row.ours)]  # type: ignore[union-attr]
+            ways = vargas_06.compared_methods(ways)
+        runs = run_on_planar(study.PATH, study.START, ways, DT, no_progress, values.rate)
+        statements: Callable[[Mapping[str, MethodRun]], list[Row]] = study.statements
+        failed += [row.quantity.en for row in statements(runs) if not row.source.holds(row.computed)]  # type: ignore[union-attr]
         if failed:
             break
     return failed

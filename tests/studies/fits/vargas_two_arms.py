@@ -6,16 +6,16 @@ each value changed by 5 and 10 %; the last column is what half the step changes.
 
 from __future__ import annotations
 
-from helicoide.studies.vargas.secondary import nearest, silent
-from helicoide.studies.vargas_two_arms import ALPHA, BASE, RADIUS, Options, beside_it, second_arm
+from helicoide.studies.vargas.secondary import least_link_distance, no_progress
+from helicoide.studies.vargas_two_arms import ALPHA, BASE, RADIUS, Options, second_arm, second_arm_run
 
 STEPS, FACTORS = (4e-3, 2e-3), (0.9, 0.95, 1.0, 1.05, 1.1)
 
 
 def distance(weight: float, dt: float, radius: float, base: float) -> float:
     """The least distance of both arms after the transient, ℓ."""
-    run = beside_it(weight, Options().gain, dt, silent, radius, base)
-    return nearest(run, lambda t: second_arm(t, base=base))
+    run = second_arm_run(weight, Options().gain, dt, no_progress, radius, base)
+    return least_link_distance(run, lambda t: second_arm(t, base=base))
 
 
 def main() -> None:

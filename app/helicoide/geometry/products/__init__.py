@@ -9,28 +9,28 @@ from typing import NamedTuple
 
 from helicoide.geometry.signature import Array, Signature
 
-Into = Callable[[Array, Array, Array], None]
+WriteProduct = Callable[[Array, Array, Array], None]
 
 
-class OfTwo(NamedTuple):
+class PairProducts(NamedTuple):
     """Functions that multiply two multivectors a and b, each (2ⁿ,), into a third."""
 
-    product: Into
+    product: WriteProduct
     """The geometric product a b."""
 
-    sandwich: Into
+    sandwich: WriteProduct
     """The sandwich a b a* with the Clifford conjugate."""
 
 
-def module_of(algebra: Signature) -> str:
+def generated_module_name(algebra: Signature) -> str:
     """The name of an algebra's file, such as cl_0_3_1."""
     return f"cl_{algebra.p}_{algebra.q}_{algebra.r}"
 
 
-def written_out(algebra: Signature) -> OfTwo | None:
+def generated_products(algebra: Signature) -> PairProducts | None:
     """The generated kernels of an algebra; None if there are none."""
-    name = f"{__name__}.{module_of(algebra)}"
+    name = f"{__name__}.{generated_module_name(algebra)}"
     if find_spec(name) is None:
         return None
     module = import_module(name)
-    return OfTwo(module.product, module.sandwich)
+    return PairProducts(module.product, module.sandwich)

@@ -32,7 +32,7 @@ class ElbowWrist:
 @lru_cache(maxsize=16)
 def elbow_wrist(robot: Robot) -> ElbowWrist | None:
     """The robot as such an arm, or None: axes 1 ⟂ 2 ∥ 3, and 4 ⟂ 5 ⟂ 6."""
-    if len(robot.joints) != 6 or any(joint.slides or joint.mimic for joint in robot.joints):
+    if len(robot.joints) != 6 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return None
     s, points = robot.directions, robot.points
     square = max(abs(s[0] @ s[1]), abs(s[3] @ s[4]), abs(s[4] @ s[5])) < SQUARE

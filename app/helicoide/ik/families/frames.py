@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import Row, ending
+from helicoide.kinematics.tool_kernels import Row, tool_row
 
 # A pose as its rows (R, p), m.
 Tool = tuple[Row, Row, Row]
@@ -27,4 +27,4 @@ def framed(T_base_world: Array, T_world_tool: Array, T_tool_end: Array) -> Tool:
     """T_base_end = T_base_world T_world_tool T_tool_end, of poses (4, 4), m."""
     tool, end = rows_of(T_world_tool), rows_of(T_tool_end)
     x, y, z = rows_of(T_base_world)
-    return ending(ending(x, tool), end), ending(ending(y, tool), end), ending(ending(z, tool), end)
+    return tool_row(tool_row(x, tool), end), tool_row(tool_row(y, tool), end), tool_row(tool_row(z, tool), end)

@@ -20,7 +20,7 @@ from helicoide.ik.families.turret import Turret, normal_of, turret
 from helicoide.ik.families.two_links import bent, elbows, two_links
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import Rows, Triple, dot, ending
+from helicoide.kinematics.tool_kernels import Rows, Triple, dot, tool_row
 
 # Links have a length above this, m; what is turned by less than this sine is turned by rounding alone.
 NO_LINK, STILL = 1e-9, 1e-15
@@ -131,7 +131,7 @@ def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, go
     """Write what `joint_values` returns, what is noted into the last of the rows (5, 7); returns how many there are."""
     x, y, z = rows_of(arm[BASE:])
     world = rows_of(T_world_tool)
-    tool = ending(x, world), ending(y, world), ending(z, world)
+    tool = tool_row(x, world), tool_row(y, world), tool_row(z, world)
     hand, two, signs, noted, k = three(arm[HAND]), row_of(arm[LINKS]), arm[SIGNS], rows[NOTED], 0
     M, _ = normal_of(tool, hand, signs[OVER], q[0])
     _, _, cosine, sine, tool = into_plane(tool, hand, M)

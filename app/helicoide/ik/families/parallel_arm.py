@@ -29,7 +29,7 @@ ASIDE, THIRD, FOURTH = range(3)
 @lru_cache(maxsize=64)
 def parallel_arm(robot: Robot) -> Array | None:
     """The robot as such an arm, packed, (k, 12), or None."""
-    if len(robot.joints) != 6 or any(joint.slides or joint.mimic for joint in robot.joints):
+    if len(robot.joints) != 6 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return None
     s, p, T = robot.directions, robot.points, robot.T_world_tool_0
     h = s[1]

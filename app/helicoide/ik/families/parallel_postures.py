@@ -32,7 +32,7 @@ from helicoide.ik.families.polish import FREE, ROUNDING, is_known, linear, polis
 from helicoide.ik.families.two_links import bent, elbows
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import Triple, cross, dot
+from helicoide.kinematics.tool_kernels import Triple, cross, dot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 ACCEPTED = 1e-9  # what a posture may miss, m and rad

@@ -105,7 +105,7 @@ class Arm:
 @lru_cache(maxsize=64)
 def arm_of(robot: Robot) -> Arm | Text:
     """The robot as such an arm, or why it is not one."""
-    if len(robot.joints) != 6 or any(joint.slides or joint.mimic for joint in robot.joints):
+    if len(robot.joints) != 6 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return JOINTS
     ends = {False: (3, 4, 5), True: (0, 1, 2)}
     arms = [_rows(robot, backwards) for backwards, axes in ends.items() if meeting_point(robot, axes) is not None]
@@ -121,7 +121,7 @@ def _rows(robot: Robot, backwards: bool) -> Arm:
     if backwards:
         T_0 = np.asarray(np.linalg.inv(T_0), dtype=np.float64)
         joints = tuple(_seen(joint, T_0) for joint in reversed(joints))
-    table = dh.recovered(joints, T_0)
+    table = dh.dh_from_screws(joints, T_0)
     rows = table.rows
     return Arm(
         alpha=tuple(row.alpha for row in rows[:5]),

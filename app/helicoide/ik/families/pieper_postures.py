@@ -15,7 +15,7 @@ from helicoide.ik.families.roots import zeros
 from helicoide.ik.postures.measure import stand_of
 from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Chain
-from helicoide.kinematics.tool import write
+from helicoide.kinematics.tool_kernels import write_pose
 
 ACCEPTED = 1e-9  # what a posture may miss, m and rad
 # Columns of a posture behind its q: the number of the arm's posture, from 1, whether the wrist is flipped, and which
@@ -157,7 +157,7 @@ def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
         T[3, 3] = 1.0
     seen = np.empty((4, 4))
     x, y, z = framed(arm["frames"][0], T, arm["frames"][1])
-    write(seen, x, y, z)
+    write_pose(seen, x, y, z)
     seen[2, 3] -= arm["d"][0]
     return seen
 

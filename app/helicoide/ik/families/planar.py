@@ -60,7 +60,7 @@ class Planar:
 @lru_cache(maxsize=16)
 def planar(robot: Robot, count: int) -> Planar | Text:
     """The planar arm with `count` turning joints, two or three, that a robot is, or why it is not one."""
-    if len(robot.joints) != count or any(joint.slides or joint.mimic for joint in robot.joints):
+    if len(robot.joints) != count or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return _JOINTS.format(count=count)
     if np.linalg.norm(np.cross(robot.directions[0], robot.directions), axis=1).max() > PARALLEL:
         return _AXES

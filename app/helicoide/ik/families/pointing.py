@@ -10,7 +10,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import Triple, cross, dot, ending
+from helicoide.kinematics.tool_kernels import Triple, cross, dot, tool_row
 
 # A hand counts as pointing straight out of the plane where the sine to its normal is below this.
 ACROSS = 1e-8
@@ -69,5 +69,5 @@ def into_plane(tool: Tool, hand: Triple, M: Triple) -> tuple[Triple, Triple, flo
         (b * K[0] + s * K[2], c + b * K[1], b * K[2] - s * K[0], 0.0),
         (d * K[0] - s * K[1], d * K[1] + s * K[0], c + d * K[2], 0.0),
     )
-    p, q, r = ending(turn[0], tool), ending(turn[1], tool), ending(turn[2], tool)
+    p, q, r = tool_row(turn[0], tool), tool_row(turn[1], tool), tool_row(turn[2], tool)
     return K, Z, c, s, ((p[0], p[1], p[2], x[3]), (q[0], q[1], q[2], y[3]), (r[0], r[1], r[2], z[3]))

@@ -40,7 +40,7 @@ class PolarArm:
 @lru_cache(maxsize=16)
 def polar_arm(robot: Robot) -> PolarArm | None:
     """The robot as such an arm, or None: a turning joint and a slide square to its axis, which the tool can meet."""
-    if [joint.slides for joint in robot.joints] != [False, True] or any(joint.mimic for joint in robot.joints):
+    if [joint.is_prismatic for joint in robot.joints] != [False, True] or any(joint.mimic for joint in robot.joints):
         return None
     z, y = robot.directions
     way = robot.T_world_tool_0[:3, 3] - robot.points[0]

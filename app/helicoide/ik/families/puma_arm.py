@@ -13,7 +13,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik.families.frames import Tool, framed
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import Triple
+from helicoide.kinematics.tool_kernels import Triple
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 # Modified rows without what is free: α, and which of a and d may differ from zero.
@@ -54,7 +54,7 @@ def puma(robot: Robot) -> Puma | None:
             (a or abs(row.a) < SAME) and (d or abs(row.d) < SAME) for row, (a, d) in zip(rows, LENGTHS, strict=True)
         )
         and rows[2].a > SAME
-        and not any(joint.slides or joint.mimic for joint in robot.joints)
+        and not any(joint.is_prismatic or joint.mimic for joint in robot.joints)
     )
     if not fits:
         return None

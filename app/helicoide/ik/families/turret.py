@@ -16,7 +16,7 @@ from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.ik.families.pointing import Pointing, turned_into_plane
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import Triple, dot
+from helicoide.kinematics.tool_kernels import Triple, dot
 
 # Axes count as parallel, or as square, below this sine; lines as meeting below this distance, m.
 SQUARE, MEETING = 1e-9, 1e-9
@@ -75,7 +75,7 @@ def normal_of(tool: Tool, hand: Triple, over: float, theta1: float) -> tuple[Tri
 @lru_cache(maxsize=64)
 def turret(robot: Robot) -> Turret | None:
     """The robot as such an arm, or None: its last axis carries the tool point and lies in the plane of the arm."""
-    if len(robot.joints) != 5 or any(joint.slides or joint.mimic for joint in robot.joints):
+    if len(robot.joints) != 5 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return None
     z, shoulder, hand = robot.directions[0], robot.directions[1], robot.directions[4]
     tool, way = robot.T_world_tool_0, robot.T_world_tool_0[:3, 3] - robot.points[0]

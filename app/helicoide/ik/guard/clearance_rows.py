@@ -8,9 +8,9 @@ from helicoide.arrays import Array
 from helicoide.ik.guard import collision, qp
 from helicoide.ik.guard.collision import LEFT, NUMBER, PLANE, POINT, S, T
 from helicoide.ik.guard.packed import FIRST, LINK, At
-from helicoide.ik.guard.rows import DOWN, UP, damper, moved
+from helicoide.ik.guard.rows import DOWN, UP, damper, point_displacement
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import DRIVER
+from helicoide.kinematics.tool_kernels import DRIVER
 
 
 @kernel_into
@@ -33,7 +33,7 @@ def hard_rows(
         if number < at.by_planes:
             point, plane = int(near[j, POINT]), int(near[j, PLANE])
             if point != swept:
-                sweep(arm, at, poses, axes, points, point, moves)
+                point_displacements(arm, at, poses, axes, points, point, moves)
                 swept = point
             for i in range(n):
                 A[j, i] = arm[plane, 0] * moves[i, 0] + arm[plane, 1] * moves[i, 1] + arm[plane, 2] * moves[i, 2]
@@ -44,12 +44,12 @@ def hard_rows(
 
 
 @kernel_into
-def sweep(arm: Array, at: At, poses: Array, axes: Array, points: Array, which: int, moves: Array) -> None:
+def point_displacements(arm: Array, at: At, poses: Array, axes: Array, points: Array, which: int, moves: Array) -> None:
     """Write J_pᵀ into moves (n, 4) of one of the points (p, 4), m, world; poses and axes of `packed.stand`."""
     x, y, z = points[which, 0], points[which, 1], points[which, 2]
     moves[:] = 0.0
     for i in range(int(arm[at.points + which, LINK])):
-        column, v = int(arm[FIRST + i, DRIVER]), moved(arm, i, poses, axes, x, y, z)
+        column, v = int(arm[FIRST + i, DRIVER]), point_displacement(arm, i, poses, axes, x, y, z)
         moves[column, 0] += v[0]
         moves[column, 1] += v[1]
         moves[column, 2] += v[2]
@@ -65,7 +65,7 @@ def shortfall(near: Array, after: Array) -> float:
 
 
 @kernel_into
-def raise_by_loss(
+def raise_bounds(
     arm: Array, at: At, A: Array, lower: Array, step: Array, near: Array, after: Array, points: Array, poses: Array,
     axes: Array,
 ) -> None:  # fmt: skip

@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.guard.packed import CRITICAL, GUARDED, LEAST, LINK, OFFSET, SETTING, At, parts, stand
-from helicoide.ik.guard.rows import FAR, Vector, add_point, at_row, unfelt
+from helicoide.ik.guard.packed import CRITICAL, GUARDED, LEAST, LINK, OFFSET, SETTING, At, array_parts, place_links
+from helicoide.ik.guard.rows import FAR, Vector, add_point, at_row, unmoved_rows
 from helicoide.kernels import kernel, kernel_into
 
 # Columns of what is watched: the number of a clearance and what is left of it, m; then of a point and a plane, their
@@ -28,7 +28,7 @@ def inner(a: Vector, b: Vector) -> float:
 
 
 @kernel_into
-def along(a: Vector, b: Vector, s: float) -> Vector:
+def point_between(a: Vector, b: Vector, s: float) -> Vector:
     """a + s b."""
     return a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]
 
@@ -39,7 +39,7 @@ def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, f
 
     Args: ends, m; a piece may be a point. Source: Ericson 2005, Real-Time Collision Detection, §5.1.9.
     """
-    u, v, w = along(b, a, -1.0), along(d, c, -1.0), along(a, c, -1.0)
+    u, v, w = point_between(b, a, -1.0), point_between(d, c, -1.0), point_between(a, c, -1.0)
     uu, vv, uv, uw, vw = inner(u, u), inner(v, v), inner(u, v), inner(u, w), inner(v, w)
     if uu <= 0.0 and vv <= 0.0:
         return 0.0, 0.0
@@ -58,7 +58,7 @@ def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, f
 
 
 @kernel_into
-def place(arm: Array, at: At, poses: Array, points: Array) -> None:
+def place_bodies(arm: Array, at: At, poses: Array, points: Array) -> None:
     """Write where the points of an arm are, m, world, into points (p, 4); poses (m + 1, 4, 4) of `packed.stand`."""
     for j in range(points.shape[0]):
         x, y, z = at_row(arm, at.points + j)
@@ -68,7 +68,7 @@ def place(arm: Array, at: At, poses: Array, points: Array) -> None:
 
 
 @kernel_into
-def ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vector, Vector]:
+def body_ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vector, Vector]:
     """Where the axes of the two bodies of a pair, a row of the arm, begin and end, m, world."""
     return (
         at_row(points, int(arm[pair, 0])),
@@ -79,22 +79,24 @@ def ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vector, 
 
 
 @kernel_into
-def apart(arm: Array, pair: int, points: Array, s: float, t: float) -> tuple[float, Vector]:
+def witness_distance(arm: Array, pair: int, points: Array, s: float, t: float) -> tuple[float, Vector]:
     """How far the points at s and t of the axes of a pair are apart, m, and the way to the first, not yet a unit.
 
     Args: pair: a row of the arm; points (p, 4), m, world.
     """
-    a, b, c, d = ends(arm, pair, points)
-    way = along(along(a, along(b, a, -1.0), s), along(c, along(d, c, -1.0), t), -1.0)
+    a, b, c, d = body_ends(arm, pair, points)
+    way = point_between(
+        point_between(a, point_between(b, a, -1.0), s), point_between(c, point_between(d, c, -1.0), t), -1.0
+    )
     return float(np.sqrt(inner(way, way))), way
 
 
 @kernel_into
 def gap(arm: Array, pair: int, points: Array) -> tuple[float, float, float]:
     """What is left between the bodies of a pair, m, and where its witnesses are; arguments as in `apart`."""
-    a, b, c, d = ends(arm, pair, points)
+    a, b, c, d = body_ends(arm, pair, points)
     s, t = closest_shares(a, b, c, d)
-    return apart(arm, pair, points, s, t)[0] - arm[pair, LEAST], s, t
+    return witness_distance(arm, pair, points, s, t)[0] - arm[pair, LEAST], s, t
 
 
 @kernel_into
@@ -110,10 +112,10 @@ def clearances(arm: Array, q: Array) -> Array:
 
     Args: arm of `packing.packed`; q (n,), rad or m. Returns (g k + b,), m.
     """
-    at = parts(arm)
+    at = array_parts(arm)
     poses, axes, points = np.empty((at.m + 1, 4, 4)), np.empty((at.m, 3)), np.empty((at.planes - at.points, 4))
-    stand(arm, at.m, q, poses, axes)
-    place(arm, at, poses, points)
+    place_links(arm, at.m, q, poses, axes)
+    place_bodies(arm, at, poses, points)
     every, number = np.empty(at.clearances), 0
     for point in range(int(arm[SETTING, GUARDED])):
         for plane in range(at.planes, at.pairs):
@@ -133,8 +135,8 @@ def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Arra
     how many there are. Args: ways (m + 1, 4): room for `unfelt`.
     """
     number, count = 0, 0
-    place(arm, at, poses, points)
-    unfelt(arm, at, poses, points, dt, ways)
+    place_bodies(arm, at, poses, points)
+    unmoved_rows(arm, at, poses, points, dt, ways)
     for point in range(int(arm[SETTING, GUARDED])):
         for plane in range(at.planes, at.pairs):
             room = height(arm, plane, points, point)
@@ -154,9 +156,9 @@ def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Arra
 
 
 @kernel_into
-def measure(arm: Array, at: At, poses: Array, points: Array, near: Array, after: Array) -> None:
+def measure_clearances(arm: Array, at: At, poses: Array, points: Array, near: Array, after: Array) -> None:
     """Write what is left of the watched clearances near (w, 4) at other poses into after (w, 4); points (p, 4)."""
-    place(arm, at, poses, points)
+    place_bodies(arm, at, poses, points)
     for j in range(near.shape[0]):
         number = int(near[j, NUMBER])
         if number < at.by_planes:
@@ -194,7 +196,7 @@ def witness_row(
     Args: pair: a row of the arm; points (p, 4), m, world; s, t: where the witnesses are; poses and axes of
     `packed.stand`. The row is zero where the two coincide.
     """
-    length, way = apart(arm, pair, points, s, t)
+    length, way = witness_distance(arm, pair, points, s, t)
     for i in range(at.n):
         rows[which, i] = 0.0
     first = at.m
@@ -204,11 +206,11 @@ def witness_row(
         a, b, share = int(arm[pair, 2 * body]), int(arm[pair, 2 * body + 1]), t if body else s
         link_a, link_b = int(arm[at.points + a, LINK]), int(arm[at.points + b, LINK])
         both, beyond = min(link_a, link_b), max(link_a, link_b)
-        normal = along((0.0, 0.0, 0.0), way, (-1.0 if body else 1.0) / length)
-        witness = along(at_row(points, a), along(at_row(points, b), at_row(points, a), -1.0), share)
+        normal = point_between((0.0, 0.0, 0.0), way, (-1.0 if body else 1.0) / length)
+        witness = point_between(at_row(points, a), point_between(at_row(points, b), at_row(points, a), -1.0), share)
         add_point(rows, which, normal, witness, first, both, arm, poses, axes)
         if both < beyond:
             lever, tip = (share, b) if link_b > link_a else (1.0 - share, a)
-            part = along((0.0, 0.0, 0.0), normal, lever)
+            part = point_between((0.0, 0.0, 0.0), normal, lever)
             add_point(rows, which, part, at_row(points, tip), both, beyond, arm, poses, axes)
     return float(length - arm[pair, LEAST])

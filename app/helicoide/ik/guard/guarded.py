@@ -21,9 +21,9 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.guard import cascade, collision, qp
-from helicoide.ik.guard.clearance_rows import hard_rows, raise_by_loss, shortfall
+from helicoide.ik.guard.clearance_rows import hard_rows, raise_bounds, shortfall
 from helicoide.ik.guard.collision import NUMBER
-from helicoide.ik.guard.packed import LOWER, SPEED, UPPER, At, stand
+from helicoide.ik.guard.packed import LOWER, SPEED, UPPER, At, place_links
 from helicoide.ik.guard.rows import (
     BOX,
     BY_POSITION,
@@ -42,7 +42,7 @@ from helicoide.ik.guard.work import (
     SHARE,
     SOLUTION,
     STOOD,
-    Room,
+    StepBuffers,
     parts_of_spots,
 )
 from helicoide.kernels import kernel, kernel_into
@@ -75,7 +75,7 @@ def within(arm: Array, at: At, q: Array, step: Array, share: float, dt: float, r
 
 
 @kernel
-def give_way(
+def relax_bounds(
     task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
     multipliers: Array,
 ) -> int:  # fmt: skip
@@ -101,7 +101,9 @@ def give_way(
 
 
 @kernel_into
-def sort_out(at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, held: Array) -> None:
+def attribute_multipliers(
+    at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, held: Array
+) -> None:
     """Write the multipliers by what holds, as in `work.Work`; the pull of the entry point comes last.
 
     Args: multipliers (levels, n + w + b), from level `own` on, behind that of the entry; box of `motion_box`; near (w,
@@ -133,7 +135,7 @@ def pulled(task: Task) -> float:
 
 
 @kernel_into
-def prepare(arm: Array, at: At, q: Array, dt: float, room: Room) -> tuple[int, int]:
+def prepare_step(arm: Array, at: At, q: Array, dt: float, room: StepBuffers) -> tuple[int, int]:
     """Write all that bounds a step from q into a work space, with the links where they are.
 
     Returns how many clearances are watched, and how many rows there are besides the joints' own.
@@ -155,31 +157,31 @@ def prepare(arm: Array, at: At, q: Array, dt: float, room: Room) -> tuple[int, i
 
 
 @kernel_into
-def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, room: Room) -> bool:
+def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, room: StepBuffers) -> bool:
     """Work out where a share of a step leads; whether nothing comes closer there than it may."""
     reached, spots = room.table[REACHED], room.spots
     within(arm, at, q, x, share, dt, reached)
-    stand(arm, at.m, reached, room.frames[1], spots[at.m : 2 * at.m])
+    place_links(arm, at.m, reached, room.frames[1], spots[at.m : 2 * at.m])
     a, b, c, _ = parts_of_spots(at)
     near, after = spots[b : b + w], spots[c : c + w]
     if w > 0:
-        collision.measure(arm, at, room.frames[1], spots[a:b], near, after)
+        collision.measure_clearances(arm, at, room.frames[1], spots[a:b], near, after)
     return shortfall(near, after) <= 0.0
 
 
 @kernel_into
-def learn(arm: Array, at: At, x: Array, w: int, rows: int, room: Room) -> None:
+def add_contact_rows(arm: Array, at: At, x: Array, w: int, rows: int, room: StepBuffers) -> None:
     """Raise the rows of what came too close in the step x that was tried, by what its linear prediction lost."""
     a, b, c, _ = parts_of_spots(at)
     poses, spots, points = room.frames[0], room.spots, room.spots[a:b]
     near, after = spots[b : b + w], spots[c : c + w]
     A, lower = room.table[ROWS : ROWS + rows], room.bounds[0, : at.n + rows]
-    collision.place(arm, at, poses, points)
-    raise_by_loss(arm, at, A, lower, x, near, after, points, poses, spots[: at.m])
+    collision.place_bodies(arm, at, poses, points)
+    raise_bounds(arm, at, A, lower, x, near, after, points, poses, spots[: at.m])
 
 
 @kernel_into
-def take(at: At, q: Array, share: float, dt: float, room: Room) -> None:
+def accept_step(at: At, q: Array, share: float, dt: float, room: StepBuffers) -> None:
     """Take the step that was tried, or none where the share is 0: q, the rates and the links are those after it."""
     table, frames, axes = room.table, room.frames, room.spots
     room.report[SHARE] = share
@@ -196,13 +198,13 @@ def take(at: At, q: Array, share: float, dt: float, room: Room) -> None:
 
 
 @kernel_into
-def arrive(arm: Array, at: At, q: Array, room: Room) -> None:
+def update_poses(arm: Array, at: At, q: Array, room: StepBuffers) -> None:
     """Write where the links stand at q (n,), unless they stand there since the last step."""
     stood = True
     for i in range(at.n):
         stood = stood and room.table[STOOD, i] == q[i]
     if not stood:
-        stand(arm, at.m, q, room.frames[0], room.spots[: at.m])
+        place_links(arm, at.m, q, room.frames[0], room.spots[: at.m])
 
 
 @kernel_into
@@ -213,17 +215,17 @@ def solve_one(
     """`cascade.first_level` of all rows of a task; where acceleration leaves no point, it gives way."""
     verdict = cascade.first_level(task, task[1].shape[0], A, lower, upper, H, x, multipliers, spare)
     if verdict != qp.SOLVED:
-        verdict = give_way_one(task, A, lower, upper, box, rates, dt, x, multipliers)
+        verdict = relax_and_solve(task, A, lower, upper, box, rates, dt, x, multipliers)
     return verdict == qp.SOLVED
 
 
 @kernel
-def give_way_one(
+def relax_and_solve(
     task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array, multipliers: Array
 ) -> int:
     """`give_way` for a task of one level."""
     begins, one = np.empty(0, dtype=np.int64), multipliers.reshape(1, multipliers.shape[0])
-    return give_way(task, begins, A, lower, upper, box, rates, dt, x, one)
+    return relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, one)
 
 
 @kernel_into
@@ -242,14 +244,14 @@ def solve_again(
 
 
 @kernel_into
-def tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: Room) -> None:
+def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: StepBuffers) -> None:
     """One guarded tick from q towards a task of one level, in place: q and the work space are those after it.
 
     Args: q (n,), rad or m; task: J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,); dt, s; room:
     after `arrive` at q, with the rates of the tick before.
     """
     n, table, rates, spare = at.n, room.table, room.rates, room.spare
-    w, rows = prepare(arm, at, q, dt, room)
+    w, rows = prepare_step(arm, at, q, dt, room)
     lower, upper, multipliers = room.bounds[0, : n + rows], room.bounds[1, : n + rows], room.bounds[2, : n + rows]
     A, H, x, box = table[ROWS : ROWS + rows], table[table.shape[0] - n - 1 :], table[SOLUTION], table[:BOX]
     room.report[PULL] = pulled(task)
@@ -257,7 +259,7 @@ def tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: Room) -> Non
     share, is_new = 1.0, True
     while share > SMALLEST_SHARE and not try_step(arm, at, q, x, share, dt, w, room):
         if is_new:
-            learn(arm, at, x, w, rows, room)
+            add_contact_rows(arm, at, x, w, rows, room)
             before, multipliers_before = table[BEFORE], room.bounds[3, : n + rows]
             if not solve_again(
                 task, A, lower, upper, box, rates, dt, H, x, multipliers, before, multipliers_before, spare
@@ -268,5 +270,5 @@ def tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: Room) -> Non
             share *= 0.5
     first = parts_of_spots(at)[1]
     near = room.spots[first : first + w]
-    sort_out(at, multipliers.reshape(1, n + rows), 0, box, near, 0.0, room.held)
-    take(at, q, share if share > SMALLEST_SHARE else 0.0, dt, room)
+    attribute_multipliers(at, multipliers.reshape(1, n + rows), 0, box, near, 0.0, room.held)
+    accept_step(at, q, share if share > SMALLEST_SHARE else 0.0, dt, room)

@@ -13,17 +13,17 @@ from helicoide.ik.guard import cascade, qp
 from helicoide.ik.guard.entry import FIRM, entry_rows, miss
 from helicoide.ik.guard.guarded import (
     SMALLEST_SHARE,
-    give_way,
-    learn,
-    prepare,
+    accept_step,
+    add_contact_rows,
+    attribute_multipliers,
+    prepare_step,
     pulled,
-    sort_out,
-    take,
+    relax_bounds,
     try_step,
 )
 from helicoide.ik.guard.packed import CARRIER, SETTING, At
 from helicoide.ik.guard.rows import BOX, Indices, Task
-from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, Room, parts_of_spots
+from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, StepBuffers, parts_of_spots
 from helicoide.kernels import kernel
 
 # How near to the entry point the curvature of a step is settled, m; how often this is tried before the task is halved,
@@ -55,7 +55,7 @@ def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[
 
 
 @kernel
-def bend(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bool:
+def linearise_entry(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bool:
     """Ask of the first two rows what the curvature ℓ of a step takes as well; whether that changes nothing more.
 
     ℓ = e' − e + J Δq. Args: asked, away: e, and after: e', (2,), m, of `entry_rows` and `miss`.
@@ -95,19 +95,19 @@ def solve_levels(
     """`cascade.descend`; where acceleration leaves no point, it gives way."""
     verdict = cascade.descend(task, begins, A, lower, upper, x, multipliers)
     if verdict != qp.SOLVED:
-        verdict = give_way(task, begins, A, lower, upper, box, rates, dt, x, multipliers)
+        verdict = relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, multipliers)
     return verdict
 
 
 @kernel
-def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, room: Room) -> None:
+def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, room: StepBuffers) -> None:
     """`guarded.tick` for a task of several levels, or for an arm with an instrument in an entry point.
 
     Args: begins: the rows at which further levels begin; the others as there.
     """
     n, rates, box, through = at.n, room.rates, room.table[:BOX], arm[SETTING, CARRIER] > 0.0
     poses, axes, x = room.frames[0], room.spots[: at.m], room.table[SOLUTION]
-    w, rows = prepare(arm, at, q, dt, room)
+    w, rows = prepare_step(arm, at, q, dt, room)
     lower, upper, A = room.bounds[0, : n + rows], room.bounds[1, : n + rows], room.table[ROWS : ROWS + rows]
     room.report[PULL] = pulled(task)
     levels, asked, pair, away = begins, rates, box, rates
@@ -120,7 +120,7 @@ def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt
     while share > SMALLEST_SHARE:
         clear, straight = try_step(arm, at, q, x, share, dt, w, room), True
         if through and share == 1.0:
-            straight = bend(task, x, asked, away, miss(arm, room.frames[1], pair))
+            straight = linearise_entry(task, x, asked, away, miss(arm, room.frames[1], pair))
         if clear and not straight and tries == TRIES and halvings < HALVINGS:
             tries, halvings = 0, halvings + 1
             for i in range(task[1].shape[0]):
@@ -131,7 +131,7 @@ def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt
         if tries < (TRIES if through else 1):
             tries += 1
             if not clear:
-                learn(arm, at, x, w, rows, room)
+                add_contact_rows(arm, at, x, w, rows, room)
             again, multipliers_again = np.empty(n), np.empty((levels.shape[0] + 1, n + rows))
             if solve_levels(task, levels, A, lower, upper, box, rates, dt, again, multipliers_again) == qp.SOLVED:
                 x[:], multipliers[:] = again, multipliers_again
@@ -140,5 +140,5 @@ def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt
     pull = entry_pull(task, levels, A, x, multipliers) if through and done else 0.0
     first = parts_of_spots(at)[1]
     near = room.spots[first : first + w]
-    sort_out(at, multipliers, 1 if through else 0, box, near, pull, room.held)
-    take(at, q, share if done else 0.0, dt, room)
+    attribute_multipliers(at, multipliers, 1 if through else 0, box, near, pull, room.held)
+    accept_step(at, q, share if done else 0.0, dt, room)

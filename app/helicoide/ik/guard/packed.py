@@ -12,20 +12,20 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import (
+from helicoide.kinematics.tool_kernels import (
+    ANGLE_OFFSET,
+    ANGLE_RATIO,
     AXIS,
+    AXIS_OFFSET,
     DRIVER,
-    SLIDE,
-    SLIDE_SHIFT,
-    TURN,
-    TURN_SHIFT,
-    WAY,
+    SLIDE_OFFSET,
+    SLIDE_RATIO,
     X,
     Y,
     Z,
-    carried,
     dot,
-    write,
+    row_after_joint,
+    write_pose,
 )
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
@@ -69,7 +69,7 @@ class At(NamedTuple):
 
 
 @kernel_into
-def parts(arm: Array) -> At:
+def array_parts(arm: Array) -> At:
     """Where the parts of a packed arm begin."""
     m, n = int(arm[SETTING, JOINTS]), int(arm[SETTING, VARIABLES])
     k, b = int(arm[SETTING, PLANES]), int(arm[SETTING, PAIRS])
@@ -81,27 +81,27 @@ def parts(arm: Array) -> At:
 
 
 @kernel_into
-def stand(arm: Array, m: int, q: Array, poses: Array, axes: Array) -> None:
+def place_links(arm: Array, m: int, q: Array, poses: Array, axes: Array) -> None:
     """Write where the links of m joints are and which way their axes point, as `forward.link_poses` and `joint_axes`.
 
     Args: q (n,), rad or m; poses (m + 1, 4, 4), m; axes (m, 3).
     """
     x, y, z = X, Y, Z
-    write(poses[0], x, y, z)
+    write_pose(poses[0], x, y, z)
     for i in range(m):
         joint = FIRST + i
         axis = (arm[joint, AXIS], arm[joint, AXIS + 1], arm[joint, AXIS + 2])
-        way = (arm[joint, WAY], arm[joint, WAY + 1], arm[joint, WAY + 2])
+        way = (arm[joint, AXIS_OFFSET], arm[joint, AXIS_OFFSET + 1], arm[joint, AXIS_OFFSET + 2])
         value = q[int(arm[joint, DRIVER])]
-        slid = arm[joint, SLIDE] * value + arm[joint, SLIDE_SHIFT]
-        c, s = cosine_and_sine(arm[joint, TURN] * value + arm[joint, TURN_SHIFT])
+        slid = arm[joint, SLIDE_RATIO] * value + arm[joint, SLIDE_OFFSET]
+        c, s = cosine_and_sine(arm[joint, ANGLE_RATIO] * value + arm[joint, ANGLE_OFFSET])
         axes[i, 0], axes[i, 1], axes[i, 2] = dot(x, axis), dot(y, axis), dot(z, axis)
         x, y, z = (
-            carried(x, axis, way, slid, c, s),
-            carried(y, axis, way, slid, c, s),
-            carried(z, axis, way, slid, c, s),
+            row_after_joint(x, axis, way, slid, c, s),
+            row_after_joint(y, axis, way, slid, c, s),
+            row_after_joint(z, axis, way, slid, c, s),
         )
-        write(poses[i + 1], x, y, z)
+        write_pose(poses[i + 1], x, y, z)
 
 
 def packed_rows(setting: list[float], *rows: Array) -> Array:

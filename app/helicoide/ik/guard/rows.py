@@ -17,7 +17,7 @@ from helicoide.ik.guard.packed import (
     At,
 )
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import DRIVER, SLIDE, TURN
+from helicoide.kinematics.tool_kernels import ANGLE_RATIO, DRIVER, SLIDE_RATIO
 
 Indices = NDArray[np.int64]
 # J (r, n), v (r,), weights (r,), damping d (n,).
@@ -80,13 +80,13 @@ def at_row(points: Array, which: int) -> Vector:
 
 
 @kernel_into
-def moved(arm: Array, i: int, poses: Array, axes: Array, x: float, y: float, z: float) -> Vector:
+def point_displacement(arm: Array, i: int, poses: Array, axes: Array, x: float, y: float, z: float) -> Vector:
     """How fast joint i moves a point behind it, for its variable's q̇ = 1: a sᵢ × (p − pᵢ), or a sᵢ where it slides.
 
     Args: the point, m, world; poses (m + 1, 4, 4) and axes (m, 3) of `packed.stand`.
     """
     joint = FIRST + i
-    turn, slide = arm[joint, TURN], arm[joint, SLIDE]
+    turn, slide = arm[joint, ANGLE_RATIO], arm[joint, SLIDE_RATIO]
     sx, sy, sz = axes[i, 0], axes[i, 1], axes[i, 2]
     rx, ry, rz = x - poses[i + 1, 0, 3], y - poses[i + 1, 1, 3], z - poses[i + 1, 2, 3]
     return (
@@ -105,7 +105,7 @@ def add_point(
     Args: normal, of any length, and point, m, world; first: 0 for all joints; poses and axes of `packed.stand`.
     """
     for i in range(first, link):
-        x, y, z = moved(arm, i, poses, axes, point[0], point[1], point[2])
+        x, y, z = point_displacement(arm, i, poses, axes, point[0], point[1], point[2])
         rows[which, int(arm[FIRST + i, DRIVER])] += normal[0] * x + normal[1] * y + normal[2] * z
 
 
@@ -117,7 +117,7 @@ def from_origin(poses: Array, link: int, x: float, y: float, z: float) -> float:
 
 
 @kernel_into
-def unfelt(arm: Array, at: At, poses: Array, points: Array, dt: float, ways: Array) -> None:
+def unmoved_rows(arm: Array, at: At, poses: Array, points: Array, dt: float, ways: Array) -> None:
     """Write the room beyond which no bound on a point can hold a tick, m, behind its place in points (p, 4).
 
     However the joints turn, a point moves by no more than s = Σ |Δqᵢ| times its distance from axis i, which is at most
@@ -134,10 +134,10 @@ def unfelt(arm: Array, at: At, poses: Array, points: Array, dt: float, ways: Arr
     for i in range(at.m):
         joint = FIRST + i
         most = arm[at.limits + int(arm[joint, DRIVER]), SPEED] * dt
-        slide = abs(arm[joint, SLIDE]) * most
+        slide = abs(arm[joint, SLIDE_RATIO]) * most
         long = from_origin(poses, i, poses[i + 1, 0, 3], poses[i + 1, 1, 3], poses[i + 1, 2, 3])
         way += turned * (long + slide) + slide
-        turned += abs(arm[joint, TURN]) * most
+        turned += abs(arm[joint, ANGLE_RATIO]) * most
         ways[i + 1, 0], ways[i + 1, 1] = way, turned
     for k in range(points.shape[0]):
         link = int(arm[at.points + k, LINK])

@@ -11,9 +11,9 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.guard import qp
 from helicoide.ik.guard.collision import WATCHED
-from helicoide.ik.guard.packed import CRITICAL, SETTING, At, parts
+from helicoide.ik.guard.packed import CRITICAL, SETTING, At, array_parts
 from helicoide.ik.guard.rows import BOX
-from helicoide.kernels import kernel_into, plain
+from helicoide.kernels import kernel_into, python_function
 
 SHARE, PULL, REPORT = 0, 1, 2
 # Rows of the table of what each variable has: its box first, then these, J, the rows that bound it, and last H and g.
@@ -21,7 +21,7 @@ SOLUTION, BEFORE, REACHED, STOOD, DAMPING, JACOBIAN = range(BOX, BOX + 6)
 ROWS = JACOBIAN + 6
 
 
-class Room(NamedTuple):
+class StepBuffers(NamedTuple):
     """An opened work space.
 
     report: the share and the pull; rates (n,) and held as in `Work`; task (2, 6): v and its weights; bounds (4, n + r):
@@ -72,7 +72,7 @@ def most_rows(at: At) -> int:
 
 
 @kernel_into
-def sizes(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
+def row_counts(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
     """How many numbers each part of a work space has, in the order of `Room`."""
     m, n, rows, points = at.m, at.n, most_rows(at), at.planes - at.points
     spots = 2 * m + points + 2 * at.clearances + max(m + 1, n)
@@ -81,9 +81,9 @@ def sizes(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
 
 
 @kernel_into
-def opened(memory: Array, at: At) -> Room:
+def opened(memory: Array, at: At) -> StepBuffers:
     """The parts of a work space."""
-    report, rates, held, task, bounds, spare, frames, spots, table = sizes(at)
+    report, rates, held, task, bounds, spare, frames, spots, table = row_counts(at)
     a = report + rates
     b = a + held
     c = b + task
@@ -91,7 +91,7 @@ def opened(memory: Array, at: At) -> Room:
     e = d + spare
     f = e + frames
     g = f + spots
-    return Room(
+    return StepBuffers(
         memory[:report],
         memory[report:a],
         memory[a:b],
@@ -117,10 +117,10 @@ def _blank(counts: tuple[float, ...]) -> tuple[Array, At, int, int]:
     """The memory of an arm of so many parts before its first step, and where in it `held` and `frames` begin."""
     setting = np.zeros((1, CRITICAL))
     setting[SETTING] = counts
-    at = plain(parts)(setting)
-    many = plain(sizes)(at)
+    at = python_function(array_parts)(setting)
+    many = python_function(row_counts)(at)
     memory = np.zeros(sum(many))
-    room = plain(opened)(memory, at)
+    room = python_function(opened)(memory, at)
     room.table[STOOD], room.frames[:, :, 3, 3] = np.nan, 1.0
     return memory, at, sum(many[:2]), sum(many[:6])
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from helicoide.ik import Problem
 from helicoide.ik.method import Promise, Quantity, Solution, Task
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.text import Text
 
 TITLE = Text(en="damped least squares", pt_BR="mínimos quadrados amortecidos")
@@ -42,6 +42,6 @@ def start(task: Task, options: Options) -> None:
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
     """q̇ = Σ σᵢ/(σᵢ² + λ²) vᵢ uᵢᵀ ν, the least ‖ν − J q̇‖² + λ² ‖q̇‖²; what is zero but for rounding moves nothing."""
     U, sigma, Vt = np.linalg.svd(task.J, full_matrices=False)
-    sigma = np.where(sigma > RANK * sigma[0], sigma, 0.0)
+    sigma = np.where(sigma > RANK_TOLERANCE * sigma[0], sigma, 0.0)
     B = Vt.T * (sigma / (sigma**2 + options.damping**2)) @ U.T
     return Solution(B @ task.rate, inverse=B), None

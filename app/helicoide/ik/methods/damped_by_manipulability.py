@@ -10,7 +10,7 @@ import numpy as np
 
 from helicoide.ik import Problem
 from helicoide.ik.method import OneOf, Promise, Quantity, Solution, Task
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.text import Text
 
 TITLE = Text(en="damped by manipulability", pt_BR="amortecida pela manipulabilidade")
@@ -67,7 +67,9 @@ def damping(w: float, options: Options) -> float:
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
     """q̇ = Σ σᵢ/(σᵢ² + δ) vᵢ uᵢᵀ ν."""
     U, sigma, Vt = np.linalg.svd(task.J, full_matrices=False)
-    sigma = np.where(sigma > RANK * sigma[0], sigma, 0.0)  # rounding must not lead out of an exact singularity
+    sigma = np.where(
+        sigma > RANK_TOLERANCE * sigma[0], sigma, 0.0
+    )  # rounding must not lead out of an exact singularity
     w = float(np.prod(sigma))
     delta = damping(w, options)
     B = Vt.T * (sigma / (sigma**2 + delta)) @ U.T

@@ -11,7 +11,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.method import Promise, Quantity, Solution, Task
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.text import Text
 
 TITLE = Text(en="damped by singular value", pt_BR="amortecida por valor singular")
@@ -61,7 +61,9 @@ def dampings(sigma: Array, options: Options) -> Array:
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
     """q̇ = Σ σᵢ/(σᵢ² + λᵢ²) vᵢ uᵢᵀ ν."""
     U, sigma, Vt = np.linalg.svd(task.J, full_matrices=False)
-    sigma = np.where(sigma > RANK * sigma[0], sigma, 0.0)  # rounding must not lead out of an exact singularity
+    sigma = np.where(
+        sigma > RANK_TOLERANCE * sigma[0], sigma, 0.0
+    )  # rounding must not lead out of an exact singularity
     squares = dampings(sigma, options)
     B = Vt.T * (sigma / (sigma**2 + squares)) @ U.T
     figures = {"σₚ": float(sigma[-1]), "λₚ": float(np.sqrt(squares[-1])), "damped": float(np.sum(squares > 0))}

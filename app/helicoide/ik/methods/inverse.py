@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.ik import Problem
 from helicoide.ik.method import Promise, Solution, Task
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.text import Text
 
 TITLE = Text(en="inverse", pt_BR="inversa")
@@ -54,7 +54,7 @@ def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[
     """q̇ = J⁻¹ ν; where J is singular or not square there is no answer, and the arm stands still instead of guessing."""
     r, n = task.J.shape
     sigma = np.linalg.svd(task.J, compute_uv=False)
-    if r != n or sigma[-1] <= RANK * sigma[0]:
+    if r != n or sigma[-1] <= RANK_TOLERANCE * sigma[0]:
         return Solution(np.zeros(n), {"|det J|": 0.0}, inverse=np.zeros((n, r))), None
     B = np.asarray(np.linalg.inv(task.J))
     return Solution(B @ task.rate, {"|det J|": float(np.prod(sigma))}, inverse=B), None

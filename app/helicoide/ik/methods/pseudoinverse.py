@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.ik import Problem
 from helicoide.ik.method import Promise, Solution, Task
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.text import Text
 
 TITLE = Text(en="pseudoinverse", pt_BR="pseudoinversa")
@@ -36,5 +36,5 @@ def start(task: Task, options: Options) -> None:
 
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
     """q̇ = J† ν."""
-    B = np.asarray(np.linalg.pinv(task.J, rcond=RANK))
+    B = np.asarray(np.linalg.pinv(task.J, rcond=RANK_TOLERANCE))
     return Solution(B @ task.rate, inverse=B), None

@@ -62,5 +62,5 @@ def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
 @lru_cache(maxsize=64)
 def shape(options: Options) -> Array:
     """M_f = R_f D_f⁻¹ R_fᵀ, (3, 3), 1/ℓ²."""
-    R = euler.matrix((options.yaw, options.pitch, options.roll), "zyx")
+    R = euler.euler_matrix((options.yaw, options.pitch, options.roll), "zyx")
     return frozen(R / np.square((options.a, options.b, options.c)) @ R.T)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from helicoide.arrays import Array
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import Triple, dot
+from helicoide.kinematics.tool_kernels import Triple, dot
 
 Error = tuple[float, float, float, float, float, float]
 Symmetric = tuple[float, float, float, float, float, float]  # xx, xy, xz, yy, yz, zz

@@ -61,7 +61,7 @@ def touching(robot: Robot, obstacles: Obstacles) -> Callable[[Array], bool]:
     Source: Campos 1998, s.17 (an obstacle may rule out the nearest posture).
     """
     limits = Limits(robot.lower, robot.upper, robot.speed)
-    problem = Problem(robot, limits, planes_of(()), Zones(between=0.0), obstacles=obstacles)
+    problem = Problem(robot, limits, planes_of(()), Zones(body_clearance=0.0), obstacles=obstacles)
     first = len(robot.self_collision)
 
     def touches(q: Array) -> bool:
@@ -78,7 +78,7 @@ def barrier(problem: Problem, q: Array) -> Reason | None:
 
 def alike(robot: Robot) -> Array:
     """Weights (n,) by which joints count alike: 1/rad, and a slide in units of the reach, 1/m."""
-    return frozen([1.0 / robot.reach if joint.slides else 1.0 for joint in robot.variables])
+    return frozen([1.0 / robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables])
 
 
 def nearest(rows: Sequence[Ranked]) -> Ranked | None:
@@ -87,7 +87,7 @@ def nearest(rows: Sequence[Ranked]) -> Ranked | None:
 
 
 def _row(robot: Robot, branch: Branch, now: Array, weights: Array, collides: Callable[[Array], bool]) -> Ranked:
-    change = np.where(robot.turns_whole, wrap(branch.q - now), branch.q - now)
+    change = np.where(robot.periodic, wrap(branch.q - now), branch.q - now)
     there = now + change
     kept = (there >= robot.lower - ON_LIMIT) & (there <= robot.upper + ON_LIMIT)
     dropped = COLLIDES if branch.within and collides(branch.q) else None

@@ -27,7 +27,7 @@ from helicoide.ik.postures.packed import (
     WAY,
 )
 from helicoide.kernels import kernel_into
-from helicoide.kinematics.tool import Row, Rows, Triple, dot, turn_between
+from helicoide.kinematics.tool_kernels import Row, Rows, Triple, dot, rotation_between
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 ANGLES, COSINES, SINES, COLUMNS = range(4)  # rows of the room; from the last on the columns ∂e/∂q of the variables
@@ -99,7 +99,7 @@ def linearised(table: Array, goal: Goal, q: Array, room: Array) -> Error:
         slid, c, s = joint[SLIDE] * q[j] + joint[SLIDE_SHIFT], cosines[i], sines[i]
         x, y, z = before(x, joint, slid, c, s), before(y, joint, slid, c, s), before(z, joint, slid, c, s)
     (gx, gy, gz), p = goal
-    r = turn_between((x, y, z), gx, gy, gz)
+    r = rotation_between((x, y, z), gx, gy, gz)
     return dot(x, p) + x[3], dot(y, p) + y[3], dot(z, p) + z[3], weight * r[0], weight * r[1], weight * r[2]
 
 

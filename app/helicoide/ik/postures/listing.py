@@ -28,8 +28,8 @@ def listed(robot: Robot) -> Array:
     They count alike, a slide in units of the reach.
     """
     joints = np.zeros((len(robot.variables), COLUMNS))
-    joints[:, LOWER], joints[:, UPPER], joints[:, WHOLE] = robot.lower, robot.upper, robot.turns_whole
-    joints[:, WEIGHT] = [1.0 / robot.reach if joint.slides else 1.0 for joint in robot.variables]
+    joints[:, LOWER], joints[:, UPPER], joints[:, WHOLE] = robot.lower, robot.upper, robot.periodic
+    joints[:, WEIGHT] = [1.0 / robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables]
     return np.concatenate([measured(robot), joints])
 
 

@@ -25,5 +25,5 @@ def nearest(robot: Robot, T_world_goal: Array, q: Array, with_orientation: bool)
 @lru_cache(maxsize=32)
 def _towards(robot: Robot, with_orientation: bool) -> Search:
     ranges = wide(robot)
-    ranges[:, HELD] = [joint.slides for joint in robot.variables]
+    ranges[:, HELD] = [joint.is_prismatic for joint in robot.variables]
     return search_of(robot, ranges, float(with_orientation), WITHIN, STEPS, SEARCHES)

@@ -21,7 +21,7 @@ from helicoide.ik.postures.packed import PERIOD, UNIT, Search, behind_joints, li
 from helicoide.ik.postures.restarts import approach, draw, search
 from helicoide.ik.task import ORIENTATION_LENGTH
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.tool import packed, tool_jacobian
+from helicoide.kinematics.tool_kernels import arm_array, tool_jacobian
 from helicoide.text import Text
 
 TITLE = Text(en="numerical search with restarts", pt_BR="busca numérica com reinícios")
@@ -197,7 +197,7 @@ def _is_endless(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> 
     """Whether a posture (n,) is one of a family: a step along a motion that the tool does not feel leads to another."""
     of = _anywhere(robot, with_orientation)
     units = of.table[behind_joints(of.table) :, UNIT]
-    J = tool_jacobian(packed(robot), q)[: 6 if with_orientation else 3] * units
+    J = tool_jacobian(arm_array(robot), q)[: 6 if with_orientation else 3] * units
     J[:3] /= robot.reach
     _, sigma, Vt = np.linalg.svd(J)
     for way in Vt[np.count_nonzero(sigma > LOST * sigma[0]) :] * units:

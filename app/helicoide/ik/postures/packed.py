@@ -71,19 +71,19 @@ def room_for(m: int, n: int) -> tuple[int, int]:
 
 def limited(robot: Robot) -> Array:
     """The variables of a robot with their limits, which hold them where they are not whole turns: (n, 6)."""
-    n, turns = len(robot.variables), robot.turns_whole
+    n, turns = len(robot.variables), robot.periodic
     ranges = np.empty((n, UNIT + 1))
     ranges[:, LOWER], ranges[:, UPPER] = robot.lower, robot.upper
     ranges[:, PERIOD] = np.where(turns, 2 * np.pi, 0.0)
     ranges[:, HELD] = ~turns | (robot.upper - robot.lower < 2 * np.pi)
     ranges[:, STRIDE] = strides(n)
-    ranges[:, UNIT] = [robot.reach if joint.slides else 1.0 for joint in robot.variables]
+    ranges[:, UNIT] = [robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables]
     return ranges
 
 
 def wide(robot: Robot) -> Array:
     """The same without limits: a joint that turns is searched over a full turn, and none is held."""
-    ranges, turns = limited(robot), robot.turns_whole
+    ranges, turns = limited(robot), robot.periodic
     ranges[turns, LOWER], ranges[turns, UPPER], ranges[:, HELD] = -np.pi, np.pi, 0.0
     return ranges
 

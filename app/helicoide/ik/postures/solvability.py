@@ -121,12 +121,12 @@ def parallel_axes(robot: Robot) -> tuple[int, ...] | None:
 
 
 def _all_turn(robot: Robot, axes: tuple[int, ...]) -> bool:
-    return not any(robot.joints[axis].slides or robot.joints[axis].mimic for axis in axes)
+    return not any(robot.joints[axis].is_prismatic or robot.joints[axis].mimic for axis in axes)
 
 
 def link_lengths(robot: Robot) -> Array:
     """a₁ … aₙ₋₁: the common normals of neighbouring axes, (n − 1,), m."""
-    rows = dh.recovered(robot.joints, robot.T_world_tool_0).rows
+    rows = dh.dh_from_screws(robot.joints, robot.T_world_tool_0).rows
     return frozen([row.a for row in rows[:-1]])
 
 

@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import Array
 from helicoide.confinement import Obstacles, planes_of
 from helicoide.ik import Limits, Problem, closed, methods
-from helicoide.ik.clik import Aiming, asked, to_pose
-from helicoide.ik.converge import Tolerance, by_method, converged
+from helicoide.ik.clik import TaskFunction, task_from, to_pose
+from helicoide.ik.converge import Tolerance, converged, loop_of
 from helicoide.ik.method import Method, Task
 from helicoide.ik.postures import listing, numeric, subspace
 from helicoide.ik.postures.answer import Answer, Form, Found, Said, as_found, in_order
@@ -47,7 +47,7 @@ def solve(
     than six joints gets the nearest goal that it can take. Where no posture within the limits reaches the goal, the
     one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
     """
-    T, q = pose_of(T_world_tool), robot.joints_of(q)
+    T, q = pose_of(T_world_tool), robot.joint_array(q)
     for form in closed.of(robot).values():
         if with_orientation or form.OF_POINTS:
             return _by_form(robot, form, T, q, every, with_orientation)
@@ -141,7 +141,7 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
     why = method.applies(_task(aiming, q))
     if why is not None:
         raise _refused(robot, why, with_orientation)
-    run = by_method(problem, method, method.Options(), FACTOR, dt=PERIOD)
+    run = loop_of(problem, method, method.Options(), FACTOR, dt=PERIOD)
     report = converged(problem, run, aiming, q, EXACT, STEPS)
     told = Said((method.TITLE,), sentences(goal.words, report.words))
     found = Found(report.q[None], goal.T_world_goal, told, goal.moved, goal.turned)
@@ -163,15 +163,15 @@ def chosen(
     return tuple(sorted(rows, key=lambda row: (row.dropped is not None, misses(row))))
 
 
-def _aiming(robot: Robot, T_world_goal: Array, with_orientation: bool) -> tuple[Problem, Aiming]:
+def _aiming(robot: Robot, T_world_goal: Array, with_orientation: bool) -> tuple[Problem, TaskFunction]:
     """How a method aims at a pose (4, 4), m."""
     problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
     return problem, to_pose(problem, T_world_goal, with_orientation)
 
 
-def _task(aiming: Aiming, q: Array) -> Task:
+def _task(aiming: TaskFunction, q: Array) -> Task:
     """What a method is asked first, from q (n,)."""
-    return asked(aiming(q, 0.0), FACTOR / PERIOD, q, PERIOD)
+    return task_from(aiming(q, 0.0), FACTOR / PERIOD, q, PERIOD)
 
 
 def _is_met(answer: Answer) -> bool:

@@ -113,7 +113,7 @@ def _of_two_links(arm: Planar, upright: Array, q: Array) -> Array:
 
 def _keeps_upright(robot: Robot) -> bool:
     """Whether all axes are parallel and at least three joints turn, so that every heading is possible."""
-    turning = sum(not joint.slides for joint in robot.joints)
+    turning = sum(not joint.is_prismatic for joint in robot.joints)
     apart = np.linalg.norm(np.cross(robot.directions[0], robot.directions), axis=1).max()
     return turning >= 3 and bool(apart < PARALLEL) and not any(joint.mimic for joint in robot.joints)
 
@@ -130,7 +130,7 @@ def _without_tilt(robot: Robot, T: Array, q: Array) -> Array:
         sine, cosine = _about(tool_at(robot, q)[:3, :3] @ home[:3, :3].T, z)
     goal = T.copy()
     goal[:3, :3] = rotation.exponential(np.arctan2(sine, cosine) * z) @ home[:3, :3]
-    if not any(joint.slides for joint in robot.joints):
+    if not any(joint.is_prismatic for joint in robot.joints):
         goal[:3, 3] -= ((T[:3, 3] - home[:3, 3]) @ z) * z
     return goal
 

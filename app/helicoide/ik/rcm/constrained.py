@@ -19,9 +19,9 @@ from helicoide.ik.method import Task
 from helicoide.ik.rcm.free_motions import Basis, constraint, null_basis
 from helicoide.ik.rcm.passage import Insertion, Passage, insertion
 from helicoide.kinematics import jacobian
-from helicoide.kinematics.differential import adjoint, turned
+from helicoide.kinematics.differential import adjoint, rotated_twist
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.manipulability import Manipulability, analysed
+from helicoide.kinematics.manipulability import JacobianAnalysis, analyse_jacobian
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,14 +65,14 @@ class Constrained:
         return np.asarray(self.Ad_tool_shaft @ self.push)
 
     @cached_property
-    def of_arm(self) -> Manipulability:
+    def of_arm(self) -> JacobianAnalysis:
         """That of J_i: w_i says whether the arm can give its link any velocity. Source: Coutinho 2015, §3.5."""
-        return analysed(self.J_arm)
+        return analyse_jacobian(self.J_arm)
 
     @cached_property
-    def of_tool(self) -> Manipulability:
+    def of_tool(self) -> JacobianAnalysis:
         """That of J^r: w_r says whether the tool can be moved, given the link. Source: Coutinho 2015, eq. 3.36."""
-        return analysed(self.J)
+        return analyse_jacobian(self.J)
 
     def task(self, command: Array, entry_rate: Array, dt: float) -> Task:
         """What u is asked: J^r u = ν − Jc v_rd, over the characteristic length.
@@ -121,8 +121,8 @@ def constrained(
     axes = jacobian.joint_axes(poses, chain)
     T_shaft = poses[i] @ passage.T_link_shaft
     T_tool = poses[-1] @ problem.robot.T_link_tool
-    J_arm = jacobian.geometric(poses, chain, axes, T_shaft[:3, 3].copy(), i)[:, :i]
-    J_tool = jacobian.geometric(poses, chain, axes, T_tool[:3, 3].copy(), len(chain))[:, i:]
+    J_arm = jacobian.geometric_jacobian(poses, chain, axes, T_shaft[:3, 3].copy(), i)[:, :i]
+    J_tool = jacobian.geometric_jacobian(poses, chain, axes, T_tool[:3, 3].copy(), len(chain))[:, i:]
     place = insertion(passage, T_shaft, entry_world)
     null = null_basis(place, basis)
     Ad = adjoint(_inverse(T_tool) @ T_shaft)
@@ -136,8 +136,8 @@ def constrained(
         T_shaft[:3, :3],
         Ad,
         null,
-        turned(T_shaft[:3, :3].T, J_arm),
-        np.hstack([Ad @ null, turned(T_tool[:3, :3].T, J_tool)]),
+        rotated_twist(T_shaft[:3, :3].T, J_arm),
+        np.hstack([Ad @ null, rotated_twist(T_tool[:3, :3].T, J_tool)]),
         units,
     )
 

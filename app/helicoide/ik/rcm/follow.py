@@ -24,20 +24,20 @@ from helicoide.text import HelicoideError
 
 
 @dataclass(frozen=True, eq=False)
-class Wish:
+class RcmReference:
     """Where the tool and the entry point shall go at one instant.
 
-    T_world_target (4, 4), m; ahead: (v, ω) of the target, (6,), world axes, m/s and rad/s; entry_rate: v_rd (r,), m/s,
+    T_world_target (4, 4), m; feedforward: (v, ω) of the target, (6,), world axes, m/s and rad/s; entry_rate: v_rd (r,), m/s,
     along the forbidden directions.
     """
 
     T_world_target: Array
-    ahead: Array
+    feedforward: Array
     entry_rate: Array
 
 
 @dataclass(frozen=True, eq=False)
-class Inverse:
+class ConfiguredMethod:
     """A method of inverse kinematics with its options, whatever Jacobian it is given."""
 
     method: Method
@@ -49,25 +49,25 @@ class Inverse:
         return self.method.step(problem, task, memory, self.options)
 
 
-def inverse(name: str, **options: Any) -> Inverse:
+def configured_method(name: str, **options: Any) -> ConfiguredMethod:
     """A method by its name, with some of its options set. Raises HelicoideError for an unknown name."""
     method = methods.named(name)
-    return Inverse(method, method.Options(**options))
+    return ConfiguredMethod(method, method.Options(**options))
 
 
-PSEUDOINVERSE = inverse("pseudoinverse")
+PSEUDOINVERSE = configured_method("pseudoinverse")
 
 
 @dataclass(frozen=True, eq=False)
-class Control:
+class RcmControl:
     """How the loop is closed: position, orientation, entry: gains Kp, Ko, Kr, 1/s; of_tool inverts J^r, of_arm J_i.
 
     Damping J^r leaves the entry point exact, damping J_i does not.
     Source: Coutinho 2015, tables 4.1, 4.2, eqs. 3.43, 3.46.
     """
 
-    of_tool: Inverse = PSEUDOINVERSE
-    of_arm: Inverse = PSEUDOINVERSE
+    of_tool: ConfiguredMethod = PSEUDOINVERSE
+    of_arm: ConfiguredMethod = PSEUDOINVERSE
     position: float = 5.0
     orientation: float = 10.0
     entry: float = 0.0
@@ -75,7 +75,7 @@ class Control:
 
 
 @dataclass(frozen=True, eq=False)
-class Moment:
+class RcmStep:
     """One step: time, s; q (n,) and p_rcm (3,), m, before it; what is there, what was missed, what was answered.
 
     error: (e_p, ε̃) (6,), body axes, m and sin(φ/2); asked: v_rd + Kr e_r (r,), m/s; command: ν (6,), body velocity of
@@ -112,7 +112,7 @@ def pose_error(T_world_target: Array, T_world_tool: Array) -> Array:
     return np.concatenate([position, rotation.from_matrix(R.T @ T_world_target[:3, :3])[1:]])
 
 
-def command(R_world_tool: Array, ahead: Array, error: Array, position: float, orientation: float) -> Array:
+def body_velocity(R_world_tool: Array, ahead: Array, error: Array, position: float, orientation: float) -> Array:
     """ν = [v_d + Kp e_p − ω × e_p; ω], ω = ω_d + Ko ε̃: body velocity of the tool under which ė_p = −Kp e_p.
 
     Args: ahead: (v, ω) of the target in world axes (6,); error (6,) of `pose_error`; gains, 1/s. Returns (6,).
@@ -124,27 +124,27 @@ def command(R_world_tool: Array, ahead: Array, error: Array, position: float, or
 
 
 def answered(
-    at: Constrained, control: Control, wish: Wish, error: Array, dt: float, memory: tuple[Any, Any]
+    at: Constrained, control: RcmControl, wish: RcmReference, error: Array, dt: float, memory: tuple[Any, Any]
 ) -> tuple[Array, Array, Solution, Solution, Array, tuple[Any, Any]]:
     """What the entry point is asked, ν, u, the rates of the arm, θ̇ and the memories: one turn of fig. 3.3."""
     asked = wish.entry_rate + control.entry * at.place.lateral
-    nu = command(at.T_world_tool[:3, :3], wish.ahead, error, control.position, control.orientation)
+    nu = body_velocity(at.T_world_tool[:3, :3], wish.feedforward, error, control.position, control.orientation)
     tool, of_tool = control.of_tool.answered(at.problem, at.task(nu, asked, dt), memory[0])
     velocity = at.shaft_velocity(tool.rates, asked)
     arm, of_arm = control.of_arm.answered(at.problem, at.arm_task(velocity, dt), memory[1])
     return asked, nu, tool, arm, at.rates(arm.rates, tool.rates), (of_tool, of_arm)
 
 
-def followed(
+def rcm_loop(
     problem: Problem,
     passage: Passage,
-    control: Control,
-    wished: Callable[[float], Wish],
+    control: RcmControl,
+    wished: Callable[[float], RcmReference],
     q: Array,
     entry_world: Array,
     dt: float,
     memory: tuple[Any, Any] = (None, None),
-) -> Iterator[Moment]:
+) -> Iterator[RcmStep]:
     """The closed loop from q (n,) with the entry point at p_rcm (3,), m, step after step and without end.
 
     Explicit Euler, the entry point too: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. Raises HelicoideError where six ways of the
@@ -160,7 +160,7 @@ def followed(
         wish = wished(t)
         error = pose_error(wish.T_world_target, at.T_world_tool)
         asked, nu, tool, arm, rates, memory = answered(at, control, wish, error, dt, memory)
-        yield Moment(t, q, entry_world, at, error, asked, nu, tool, arm, rates, memory)
+        yield RcmStep(t, q, entry_world, at, error, asked, nu, tool, arm, rates, memory)
         q = q + rates * dt
         entry_world = entry_world + at.R_world_shaft @ (at.place.forbidden.T @ wish.entry_rate) * dt
         t += dt

@@ -10,7 +10,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.rcm.constrained import Constrained
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 
 
 def tool_jacobian(at: Constrained) -> Array:
@@ -67,4 +67,4 @@ def avoiding(
 
 
 def _pinv(J: Array) -> Array:
-    return np.asarray(np.linalg.pinv(J, rcond=RANK))
+    return np.asarray(np.linalg.pinv(J, rcond=RANK_TOLERANCE))

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.rcm.follow import Wish
+from helicoide.ik.rcm.follow import RcmReference
 from helicoide.ik.rcm.passage import SLIT, TROCAR
 
 A = 0.03
@@ -44,17 +44,17 @@ class Path:
     duration: float
     across: Array
 
-    def wished(self, T_world_start: Array) -> Callable[[float], Wish]:
+    def wished(self, T_world_start: Array) -> Callable[[float], RcmReference]:
         """The wishes by time of a tool that starts at T_0 (4, 4), m."""
         R, p = T_world_start[:3, :3], T_world_start[:3, 3]
 
-        def at(t: float) -> Wish:
+        def at(t: float) -> RcmReference:
             way = self.way(t)
             target = np.eye(4)
             target[:3, :3] = R @ _about_x(way.turn)
             target[:3, 3] = p + R @ way.d
             ahead = np.concatenate([R @ way.d_rate, way.turn_rate * R[:, 0]])
-            return Wish(target, ahead, np.array(way.entry_rate[: len(self.across)]))
+            return RcmReference(target, ahead, np.array(way.entry_rate[: len(self.across)]))
 
         return at
 
@@ -86,7 +86,7 @@ class OfTool:
 
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes."""
-        return self.path.wished(self.T_world_start)(s).ahead
+        return self.path.wished(self.T_world_start)(s).feedforward
 
 
 def _about_x(angle: float) -> Array:

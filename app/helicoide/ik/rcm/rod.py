@@ -13,7 +13,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem
-from helicoide.ik.clik import Aim, Aiming
+from helicoide.ik.clik import TaskError, TaskFunction
 from helicoide.ik.rcm.passage import Passage, insertion
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
@@ -45,7 +45,7 @@ def refusal(robot: Robot, passage: Passage) -> Text | None:
     ).format(robot=robot.title, n=n, rows=rows)
 
 
-def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> Aim:
+def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> TaskError:
     """J_a = [J_p(tip); Pᵀ J_p(p_c)], e = [p_d − p; Pᵀ(p_rcm − p_c)], p_c the shaft's point nearest to the entry point.
 
     P holds the forbidden directions in world axes. Rows over ℓ. Args: q (n,), rad or m.
@@ -59,14 +59,14 @@ def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> Aim:
     place = insertion(passage, T_shaft, wish.entry)
     nearest = T_shaft[:3, 3] + place.outside * T_shaft[:3, 1]
     across = place.forbidden @ T_shaft[:3, :3].T
-    of_tip = jacobian.geometric(poses, chain, axes, tip, len(chain))[:3]
-    of_entry = jacobian.geometric(poses, chain, axes, nearest, passage.link)[:3]
+    of_tip = jacobian.geometric_jacobian(poses, chain, axes, tip, len(chain))[:3]
+    of_entry = jacobian.geometric_jacobian(poses, chain, axes, nearest, passage.link)[:3]
     J = np.vstack([of_tip, across @ of_entry]) * problem.joint_units / length
     error = np.concatenate([wish.target - tip, place.lateral]) / length
-    return Aim(J, error, np.concatenate([wish.ahead, wish.entry_rate]) / length)
+    return TaskError(J, error, np.concatenate([wish.ahead, wish.entry_rate]) / length)
 
 
-def to_points(problem: Problem, passage: Passage, wished: Callable[[float], TipWish]) -> Aiming:
+def to_points(problem: Problem, passage: Passage, wished: Callable[[float], TipWish]) -> TaskFunction:
     """What `clik.followed` aims at; raises HelicoideError where the arm has too few joints."""
     refused = refusal(problem.robot, passage)
     if refused:

@@ -1,7 +1,7 @@
 """The formats of point clouds, one module each.
 
 A module has TITLE, the name of the format, ENDINGS of file names, and `coordinates(data)`: the rows x, y, z (k, 3) in
-the bytes of a file as `Raw`, including rows that are not finite. It raises `Broken`, or an exception of its parser.
+the bytes of a file as `RawPoints`, including rows that are not finite. It raises `BrokenFile`, or what its parser does.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Protocol, cast
 
 from helicoide import content
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.perception.units import Unit
 from helicoide.text import Text
 
@@ -22,7 +22,7 @@ MOST_BYTES = 200_000_000
 
 
 @dataclass(frozen=True, eq=False)
-class Raw:
+class RawPoints:
     """The content of a file: rows x, y, z (k, 3), notes on how they were read, and the unit if the file states one."""
 
     rows: Array
@@ -36,26 +36,26 @@ class Format(Protocol):
     TITLE: Text
     ENDINGS: tuple[str, ...]
 
-    def coordinates(self, data: bytes) -> Raw:
+    def coordinates(self, data: bytes) -> RawPoints:
         """Rows x, y, z (k, 3) of the bytes of a file."""
 
 
 @cache
-def found() -> tuple[Format, ...]:
+def cloud_formats() -> tuple[Format, ...]:
     """All formats."""
     return tuple(cast(Format, module) for module in content.modules(__name__).values())
 
 
 @cache
-def endings() -> dict[str, Format]:
+def formats_by_ending() -> dict[str, Format]:
     """The formats by the endings of file names, such as .ply."""
-    return {ending: module for module in found() for ending in module.ENDINGS}
+    return {ending: module for module in cloud_formats() for ending in module.ENDINGS}
 
 
 def check_count(points: int) -> int:
-    """The number of points; raises Broken if there are none, or too many."""
+    """The number of points; raises BrokenFile if there are none, or too many."""
     if points < 1:
-        raise Broken(Text(en="there are no points in it", pt_BR="não há pontos nele"))
+        raise BrokenFile(Text(en="there are no points in it", pt_BR="não há pontos nele"))
     if points > MOST_POINTS:
-        raise Broken(Text(en="it has {n} points", pt_BR="tem {n} pontos").format(n=points))
+        raise BrokenFile(Text(en="it has {n} points", pt_BR="tem {n} pontos").format(n=points))
     return points

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.perception.columns import Column, from_bytes
-from helicoide.perception.formats import Raw, check_count
+from helicoide.perception.formats import RawPoints, check_count
 from helicoide.perception.lines import from_text
-from helicoide.perception.lists import from_lists, walked
+from helicoide.perception.lists import from_lists, walk_rows
 from helicoide.text import Text
 
 TITLE = Text(en="PLY (text or binary)", pt_BR="PLY (texto ou binário)")
@@ -31,11 +31,11 @@ _TYPES = {
 _HEADER = Text(en="its header breaks off or is none of PLY", pt_BR="o cabeçalho está incompleto ou não é de PLY")
 
 
-def coordinates(data: bytes) -> Raw:
+def coordinates(data: bytes) -> RawPoints:
     """Rows x, y, z (k, 3) of the element vertex."""
     ended = _ENDED.search(data)
     if not data.startswith(b"ply") or ended is None:
-        raise Broken(_HEADER)
+        raise BrokenFile(_HEADER)
     order, elements = _parsed(data[: ended.start()].decode("ascii", "replace"))
     rest, skipped = data[ended.end() :], 0
     for name, count, columns in elements:
@@ -44,18 +44,18 @@ def coordinates(data: bytes) -> Raw:
             if not order:
                 return from_text(columns, count, rest, data[: ended.end()], skipped)
             read = from_lists if any(column.length for column in columns) else from_bytes
-            return Raw(read(columns, count, rest[skipped:]))
+            return RawPoints(read(columns, count, rest[skipped:]))
         skipped = _behind(columns, count, rest, skipped) if order else skipped + count
-    raise Broken(Text(en="it has no element vertex", pt_BR="não tem o elemento vertex"))
+    raise BrokenFile(Text(en="it has no element vertex", pt_BR="não tem o elemento vertex"))
 
 
 def _behind(columns: list[Column], count: int, data: bytes, begin: int) -> int:
     """The end of an element that starts at byte `begin`."""
     if not any(column.length for column in columns):
         return begin + count * sum(column.size for column in columns)
-    end, there = walked(columns, count, data, begin)
+    end, there = walk_rows(columns, count, data, begin)
     if there < count:
-        raise Broken(
+        raise BrokenFile(
             Text(
                 en="it ends after {there} of {count} rows before its points",
                 pt_BR="termina após {there} de {count} linhas antes dos pontos",
@@ -85,12 +85,12 @@ def _parsed(header: str) -> tuple[str, list[tuple[str, int, list[Column]]]]:
             case ["comment" | "obj_info", *_] | []:
                 pass
             case _:
-                raise Broken(
+                raise BrokenFile(
                     Text(
                         en="its header has a line that PLY does not know: {line!r}",
                         pt_BR="o cabeçalho tem uma linha que PLY não conhece: {line!r}",
                     ).format(line=line[:80])
                 )
     if order is None:
-        raise Broken(_HEADER)
+        raise BrokenFile(_HEADER)
     return order, elements

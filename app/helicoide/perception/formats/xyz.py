@@ -11,13 +11,13 @@ import io
 import re
 from itertools import islice
 
-from helicoide.perception.broken import Broken
-from helicoide.perception.columns import check_rows
-from helicoide.perception.formats import MOST_POINTS, Raw, check_count
-from helicoide.perception.text.cells import unquoted
-from helicoide.perception.text.decoded import decoded
-from helicoide.perception.text.head import head_of
-from helicoide.perception.text.table import table
+from helicoide.perception.broken import BrokenFile
+from helicoide.perception.columns import check_row_count
+from helicoide.perception.formats import MOST_POINTS, RawPoints, check_count
+from helicoide.perception.text.decoding import decode_text
+from helicoide.perception.text.head import read_head
+from helicoide.perception.text.splitting import unquoted
+from helicoide.perception.text.table import read_rows
 from helicoide.text import Text
 
 ENDINGS = (".xyz", ".txt", ".csv", ".pts", ".asc", ".tsv")
@@ -27,18 +27,18 @@ _HOLES = re.compile(r"[-+]?1[.,]#\w*")
 _SLASHES = re.compile(r"//.*")
 
 
-def coordinates(data: bytes) -> Raw:
+def coordinates(data: bytes) -> RawPoints:
     """Rows x, y, z (k, 3)."""
-    text = decoded(data)
+    text = decode_text(data)
     if (lines := text.count("\n")) > MOST_POINTS:
-        raise Broken(Text(en="it has {n} lines", pt_BR="tem {n} linhas").format(n=lines))
+        raise BrokenFile(Text(en="it has {n} lines", pt_BR="tem {n} linhas").format(n=lines))
     text = unquoted(text)
     if "1.#" in text or "1,#" in text:  # missing values as Windows writes them, not comments
         text = _HOLES.sub("nan", text)
-    head = head_of(text)
-    source = islice(io.StringIO(_SLASHES.sub("", text) if "//" in text else text), head.begin, None)
-    rows, notes, count = table(source, head.places, head.cells, head.begin + 1, comment="#")
+    head = read_head(text)
+    source = islice(io.StringIO(_SLASHES.sub("", text) if "//" in text else text), head.first_row, None)
+    rows, notes, count = read_rows(source, head.columns, head.cells, head.first_row + 1, comment="#")
     check_count(len(rows))
-    if head.promised is not None:
-        check_rows(count, head.promised)
-    return Raw(rows, (*head.notes, *notes), head.unit)
+    if head.row_count is not None:
+        check_row_count(count, head.row_count)
+    return RawPoints(rows, (*head.notes, *notes), head.unit)

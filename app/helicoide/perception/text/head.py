@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.perception.text import names as naming
 from helicoide.perception.text import unnamed
-from helicoide.perception.text.cells import Cells, cells_of, is_number, number, with_decimals
+from helicoide.perception.text.splitting import LineSplitter, detect_splitter, is_number, parse_number, with_decimals
 from helicoide.perception.units import Unit
 from helicoide.text import Text
 
@@ -23,15 +23,15 @@ _BOTH_COMMAS = re.compile(r"0\d+")
 
 
 @dataclass(frozen=True)
-class Head:
+class TableHead:
     """The header: begin, lines above the first row; places, columns of x, y and z; promised, stated number of rows."""
 
-    begin: int
-    cells: Cells
-    places: tuple[int, int, int]
+    first_row: int
+    cells: LineSplitter
+    columns: tuple[int, int, int]
     notes: tuple[Text, ...]
     unit: Unit | None
-    promised: int | None
+    row_count: int | None
 
 
 @dataclass(frozen=True)
@@ -42,25 +42,25 @@ class _Title:
     comment: bool
 
 
-def head_of(text: str) -> Head:
-    """Read the header; raises Broken if there are no rows, or the columns x, y and z cannot be determined."""
+def read_head(text: str) -> TableHead:
+    """Read the header; raises BrokenFile if there are no rows, or the columns x, y and z cannot be determined."""
     lines = text[:_LOOK].split("\n")
     if len(text) > _LOOK:
         lines.pop()
     begin, titles, promised = _above(lines)
     rows = [line for line in lines[begin : begin + _SAMPLE] if line.strip() and not _COMMENT.match(line)]
-    cells = with_decimals(cells_of(lines[begin]), rows)
-    sample = [cells.of(line.partition("#")[0])[:_MOST_CELLS] for line in rows]
+    cells = with_decimals(detect_splitter(lines[begin]), rows)
+    sample = [cells.cells(line.partition("#")[0])[:_MOST_CELLS] for line in rows]
     _check_commas(cells, sample)
     numbers = _numbers(cells, sample, max(map(len, sample)))
     named = _named(titles, cells, numbers)
     unit = next((unit for title in titles if (unit := _unit_line(_split(title, cells))) is not None), None)
     if named is not None:
         places, said = named
-        return Head(begin, cells, places, (), said or unit, promised)
-    spread = [cells.of(line.partition("#")[0])[: numbers.shape[1]] for line in _spread(text)]
-    places, notes = unnamed.places(numbers, _numbers(cells, spread, numbers.shape[1]))
-    return Head(begin, cells, places, notes, unit, promised)
+        return TableHead(begin, cells, places, (), said or unit, promised)
+    spread = [cells.cells(line.partition("#")[0])[: numbers.shape[1]] for line in _spread(text)]
+    places, notes = unnamed.guessed_columns(numbers, _numbers(cells, spread, numbers.shape[1]))
+    return TableHead(begin, cells, places, notes, unit, promised)
 
 
 def _above(lines: list[str]) -> tuple[int, list[_Title], int | None]:
@@ -78,9 +78,9 @@ def _above(lines: list[str]) -> tuple[int, list[_Title], int | None]:
         elif line.strip():
             titles.append(_Title(line, False))
     if not any(not title.comment for title in titles):
-        raise Broken(Text(en="there are no points in it", pt_BR="não há pontos nele"))
+        raise BrokenFile(Text(en="there are no points in it", pt_BR="não há pontos nele"))
     first = next(title.words for title in titles if not title.comment)
-    raise Broken(
+    raise BrokenFile(
         Text(
             en="it has no row of three numbers, and begins “{line}”; there are no points in it",
             pt_BR="não tem linha com três números e começa por “{line}”; não há pontos nele",
@@ -89,7 +89,7 @@ def _above(lines: list[str]) -> tuple[int, list[_Title], int | None]:
 
 
 def _is_row(line: str) -> bool:
-    row = cells_of(line).of(line.partition("#")[0])[:_MOST_CELLS]
+    row = detect_splitter(line).cells(line.partition("#")[0])[:_MOST_CELLS]
     known = [cell for cell in row if cell and is_number(cell)]
     if row and row[0] == "" and known == [str(i) for i in range(len(row) - 1)]:  # pandas numbers unnamed columns
         return False
@@ -103,38 +103,40 @@ def _spread(text: str) -> list[str]:
     return [text[begin:end] for begin, end in ends if end > begin]
 
 
-def _numbers(cells: Cells, sample: list[list[str]], width: int) -> Array:
+def _numbers(cells: LineSplitter, sample: list[list[str]], width: int) -> Array:
     """Rows of cells as numbers (k, width), nan for missing values."""
     numbers = np.full((len(sample), width), np.nan)
     for i, row in enumerate(sample):
         for k, cell in enumerate(row):
             if is_number(cell):
-                numbers[i, k] = number(cells.plain(cell)) if cells.decimal or "," not in cell else np.nan
+                numbers[i, k] = parse_number(cells.plain(cell)) if cells.decimal or "," not in cell else np.nan
     return numbers
 
 
-def _split(title: _Title, cells: Cells) -> list[str]:
+def _split(title: _Title, cells: LineSplitter) -> list[str]:
     """The names in a line, split like the rows if possible, else at any separator."""
     if cells.between and cells.between in title.words:
-        return cells.of(title.words)
+        return cells.cells(title.words)
     return _APART.split(_BEFORE_UNIT.sub("", title.words).strip())
 
 
-def _named(titles: list[_Title], cells: Cells, numbers: Array) -> tuple[tuple[int, int, int], Unit | None] | None:
+def _named(
+    titles: list[_Title], cells: LineSplitter, numbers: Array
+) -> tuple[tuple[int, int, int], Unit | None] | None:
     """The columns of x, y and z by the last line that names them, and their unit; None if no line does."""
     width = numbers.shape[1]
     for title in reversed(titles):
         names = _split(title, cells)
         try:
-            places = naming.places(names)
-        except Broken:
+            places = naming.named_columns(names)
+        except BrokenFile:
             if title.comment or len(names) not in (width - 1, width):
                 continue
             raise
         if places is not None and max(places) < width:
-            labels = len(names) == width - 1 and (unnamed.counts(numbers[:, 0]) or np.isnan(numbers[:, 0]).all())
+            labels = len(names) == width - 1 and (unnamed.is_row_number(numbers[:, 0]) or np.isnan(numbers[:, 0]).all())
             x, y, z = places
-            unit = naming.unit([names[place] for place in places])
+            unit = naming.unit_in_names([names[place] for place in places])
             return ((x + 1, y + 1, z + 1) if labels else places), unit
         if places is None and not title.comment and len(names) == width and not all(map(naming.is_unit, names)):
             _refuse(names)
@@ -142,26 +144,26 @@ def _named(titles: list[_Title], cells: Cells, numbers: Array) -> tuple[tuple[in
 
 
 def _unit_line(names: list[str]) -> Unit | None:
-    return naming.unit(names[:3]) if len(names) >= 3 and all(map(naming.is_unit, names[:3])) else None
+    return naming.unit_in_names(names[:3]) if len(names) >= 3 and all(map(naming.is_unit, names[:3])) else None
 
 
 def _refuse(names: list[str]) -> None:
     if any(is_number(name) for name in names if name):
         return
-    raise Broken(
+    raise BrokenFile(
         Text(
             en="its columns are named {names}; valid are names among which x, y and z stand",
             pt_BR="as colunas se chamam {names}; valem nomes entre os quais estejam x, y e z",
-        ).format(names=naming.listed(names))
+        ).format(names=naming.shortened_list(names))
     )
 
 
-def _check_commas(cells: Cells, sample: list[list[str]]) -> None:
-    """Raise Broken if commas are both separators and decimal marks, which is ambiguous."""
+def _check_commas(cells: LineSplitter, sample: list[list[str]]) -> None:
+    """Raise BrokenFile if commas are both separators and decimal marks, which is ambiguous."""
     if cells.between != "," or any("." in cell for row in sample for cell in row) or len(sample[0]) % 2:
         return
     if len(sample[0]) >= 6 and any(_BOTH_COMMAS.fullmatch(cell) for row in sample for cell in row[1::2]):
-        raise Broken(
+        raise BrokenFile(
             Text(
                 en="commas stand between its numbers and also within them; valid are semicolons or blanks between "
                 "numbers with commas",

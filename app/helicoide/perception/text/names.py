@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.perception.units import Unit
 from helicoide.text import Text
 
@@ -27,8 +27,8 @@ _WORDS = re.compile(r"[^\W\d_]+|\d+")
 _BOUNDARY = re.compile(r"(?<=[a-z])(?=[A-Z])")
 
 
-def places(names: Sequence[str]) -> tuple[int, int, int] | None:
-    """The columns of x, y and z; None if no name is a coordinate; raises Broken unless each is named exactly once."""
+def named_columns(names: Sequence[str]) -> tuple[int, int, int] | None:
+    """The columns of x, y and z; None if no name is a coordinate; raises BrokenFile unless each is named once."""
     words = [_words(name) for name in names]
     found = [[i for i, one in enumerate(words) if _says(one, k)] for k in range(3)]
     if not any(found):
@@ -36,22 +36,24 @@ def places(names: Sequence[str]) -> tuple[int, int, int] | None:
     for axis, columns in zip(AXES, found, strict=True):
         plain = [i for i in columns if words[i] == [axis]] or columns
         if len(plain) != 1:
-            raise Broken((SEVERAL if plain else NONE).format(names=listed(names), n=len(plain), axis=axis))
+            raise BrokenFile(
+                (NAMED_TWICE if plain else NOT_NAMED).format(names=shortened_list(names), n=len(plain), axis=axis)
+            )
         columns[:] = plain
     return found[0][0], found[1][0], found[2][0]
 
 
-NONE = Text(
+NOT_NAMED = Text(
     en="its columns are named {names}, and none of them {axis}; valid are names in which x, y and z stand once each",
     pt_BR="as colunas se chamam {names}, e nenhuma {axis}; valem nomes em que x, y e z apareçam uma vez cada",
 )
-SEVERAL = Text(
+NAMED_TWICE = Text(
     en="its columns are named {names}, and {n} of them {axis}; valid are names in which x, y and z stand once each",
     pt_BR="as colunas se chamam {names}, e {n} delas {axis}; valem nomes em que x, y e z apareçam uma vez cada",
 )
 
 
-def unit(names: Sequence[str]) -> Unit | None:
+def unit_in_names(names: Sequence[str]) -> Unit | None:
     """The one unit in names or cells, such as `x [mm]`; None if there is none or more than one."""
     said = {next((_UNITS[word] for word in _all_words(name) if word in _UNITS), None) for name in names}
     return said.pop() if len(said) == 1 else None
@@ -63,7 +65,7 @@ def is_unit(cell: str) -> bool:
     return len(words) == 1 and words[0] in _UNITS
 
 
-def listed(names: Sequence[str], most: int = 10) -> str:
+def shortened_list(names: Sequence[str], most: int = 10) -> str:
     """A list of names for a message, shortened."""
     return ", ".join(name[:30] or "–" for name in names[:most]) + (" …" if len(names) > most else "")
 

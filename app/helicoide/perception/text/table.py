@@ -10,13 +10,13 @@ from itertools import islice
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
-from helicoide.perception.text.cells import Cells, number
+from helicoide.perception.broken import BrokenFile
+from helicoide.perception.text.splitting import LineSplitter, parse_number
 from helicoide.text import Text
 
 _BLOCK = 10_000
 # Largest share of invalid rows that are skipped; more mean that the format was misunderstood.
-_FORGIVEN = 0.05
+_MAX_SKIPPED = 0.05
 
 
 @dataclass
@@ -32,9 +32,9 @@ class _Bad:
         self.first = self.first or why
 
     def check(self, rows: int) -> None:
-        """Raise Broken if there are too many."""
-        if self.first is not None and self.count > max(_FORGIVEN * rows, 0):
-            raise Broken(
+        """Raise BrokenFile if there are too many."""
+        if self.first is not None and self.count > max(_MAX_SKIPPED * rows, 0):
+            raise BrokenFile(
                 Text(
                     en="{first}; so it is with {n} of {k} rows", pt_BR="{first}; assim estão {n} de {k} linhas"
                 ).format(first=self.first, n=self.count, k=rows)
@@ -48,10 +48,10 @@ class _Bad:
         return (skipped.format(n=self.count, k=rows, first=self.first),)
 
 
-def table(
+def read_rows(
     lines: Iterator[str],
     places: Sequence[int],
-    cells: Cells | None = None,
+    cells: LineSplitter | None = None,
     begin: int = 1,
     most: int | None = None,
     comment: str | None = None,
@@ -60,7 +60,7 @@ def table(
 
     begin: number of the first line; most: largest number of rows; comment: start of a comment.
     """
-    cells, bad = cells or Cells(), _Bad()
+    cells, bad = cells or LineSplitter(), _Bad()
     parts, rows = list[Array](), 0
     while most is None or rows < most:
         block = list(islice(lines, _BLOCK if most is None else min(_BLOCK, most - rows)))
@@ -81,7 +81,7 @@ def table(
     return np.concatenate([np.empty((0, len(places))), *parts]), bad.notes(rows), rows
 
 
-def _quick(block: list[str], places: Sequence[int], cells: Cells, comment: str | None) -> Array:
+def _quick(block: list[str], places: Sequence[int], cells: LineSplitter, comment: str | None) -> Array:
     with warnings.catch_warnings():  # about lines without numbers, which do not count
         warnings.simplefilter("ignore", UserWarning)
         rows = np.loadtxt(block, delimiter=cells.between, usecols=tuple(places), ndmin=2, comments=comment)
@@ -89,7 +89,7 @@ def _quick(block: list[str], places: Sequence[int], cells: Cells, comment: str |
 
 
 def _careful(
-    block: list[str], places: Sequence[int], cells: Cells, comment: str | None, begin: int, bad: _Bad
+    block: list[str], places: Sequence[int], cells: LineSplitter, comment: str | None, begin: int, bad: _Bad
 ) -> Array:
     """The numbers of a block, read line by line; invalid rows are added to `bad`."""
     numbers = list[list[float]]()
@@ -98,9 +98,9 @@ def _careful(
             line = line.partition(comment)[0]
         if not line.strip():
             continue
-        row = cells.of(line)
+        row = cells.cells(line)
         try:
-            numbers.append([number(row[place]) for place in places])
+            numbers.append([parse_number(row[place]) for place in places])
         except (ValueError, IndexError):
             bad.add(_why(n, row, places))
     return np.array(numbers, dtype=np.float64).reshape(-1, len(places))
@@ -122,7 +122,7 @@ def _why(line: int, row: list[str], places: Sequence[int]) -> Text:
 
 def _reads(cell: str) -> bool:
     try:
-        number(cell)
+        parse_number(cell)
     except ValueError:
         return False
     return True

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.perception.broken import Broken
+from helicoide.perception.broken import BrokenFile
 from helicoide.text import Text
 
 # Least number of rows to decide whether a column always grows, or counts.
@@ -14,7 +14,7 @@ _UNIX, _HUGE = 1e8, 1e15
 Places = tuple[int, int, int]
 
 
-def places(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
+def guessed_columns(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
     """The columns of x, y, z, and notes. Raises Broken if they cannot be determined.
 
     sample: the first rows (k, n), nan for missing values; spread: rows from the whole file (m, n).
@@ -23,7 +23,7 @@ def places(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
     if len(columns) < 3:
         columns = list(range(min(3, sample.shape[1])))
     if len(columns) < 3:
-        raise Broken(
+        raise BrokenFile(
             Text(
                 en="its rows have {n} columns; valid are rows of at least three numbers, x, y and z",
                 pt_BR="suas linhas têm {n} colunas; valem linhas de pelo menos três números, x, y e z",
@@ -31,16 +31,16 @@ def places(sample: Array, spread: Array) -> tuple[Places, tuple[Text, ...]]:
         )
     sample, spread = (np.where(np.abs(rows) < _HUGE, rows, np.nan) for rows in (sample, spread))
     first, others = sample[:, columns[0]], sample[:, columns[1:]]
-    if counts(first):
+    if is_row_number(first):
         if len(columns) == 4:
             return _told(columns[1:], COUNTED)
-        raise Broken(DOUBT.format(n=columns[0] + 1, why=COUNTS))
+        raise BrokenFile(DOUBT.format(n=columns[0] + 1, why=COUNTS))
     if len(columns) == 4 and (why := _doubt(first, others, spread[:, columns[0]])) is not None:
-        raise Broken(DOUBT.format(n=columns[0] + 1, why=why))
+        raise BrokenFile(DOUBT.format(n=columns[0] + 1, why=why))
     return _told(columns[:3], TAKEN) if columns[2] != 2 else ((0, 1, 2), ())
 
 
-def counts(column: Array) -> bool:
+def is_row_number(column: Array) -> bool:
     """Whether a column holds row numbers."""
     return len(column) >= COUNTING and bool((np.diff(column) == 1).all()) and float(column[0]).is_integer()
 

@@ -5,15 +5,21 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.studies.cerbaro_runs.chapter6_charts import charts
-from helicoide.studies.cerbaro_runs.chapter6_rows import numbers, sentences
-from helicoide.studies.cerbaro_runs.chapter6_runs import GUARDED, Options, Runs, runs, title
-from helicoide.studies.cerbaro_runs.runs import few
+from helicoide.studies.cerbaro_runs.chapter6_charts import confined_charts
+from helicoide.studies.cerbaro_runs.chapter6_rows import number_rows, sentence_rows
+from helicoide.studies.cerbaro_runs.chapter6_runs import (
+    CONSTRAINED_STEP,
+    ConfinedRuns,
+    Options,
+    confined_runs,
+    run_title,
+)
+from helicoide.studies.cerbaro_runs.runs import subsampled_loop
 from helicoide.studies.study import Motion, Progress, Result
 from helicoide.text import Text
 from helicoide.trajectory import Ellipse
 
-CASES_TOLD = Text(
+ABOUT_CASES = Text(
     en="Case 1 keeps the orientation, so that no freedom is left; case 2 leaves it free and keeps the joints off their "
     "limits with one gain, case 3 with the gains of Algorithm 1. The constrained QP step is not in the source: each "
     "step is the best one within the limits of all joints and distances. The error is the distance of the end effector "
@@ -25,25 +31,27 @@ CASES_TOLD = Text(
 )
 
 
-def study(path: Ellipse, figures: tuple[int, int], options: Options, short: bool, progress: Progress) -> Result:
+def confined_study(
+    path: Ellipse, figures: tuple[int, int], options: Options, short: bool, progress: Progress
+) -> Result:
     """All runs of a path and their result. figures: numbers of the first and last figure of the source.
 
     short: 121 samples by one rule, a third of the run with the constrained step.
     """
-    found = runs(path, options, short, progress)
-    rows = sentences(found, path, options)
+    found = confined_runs(path, options, short, progress)
+    rows = sentence_rows(found, path, options)
     if not short:
-        rows += numbers(found)
-    return Result(rows, charts(found, path, figures), motions(found))
+        rows += number_rows(found)
+    return Result(rows, confined_charts(found, path, figures), confined_motions(found))
 
 
-def motions(found: Runs) -> tuple[Motion, ...]:
+def confined_motions(found: ConfinedRuns) -> tuple[Motion, ...]:
     """The motion of every run."""
-    named = [(title(*run), course.q, found.period) for run, course in found.courses.items()]
-    named.append((GUARDED, found.guard.q, len(found.guard.q) / 100))
+    named = [(run_title(*run), course.q, found.period) for run, course in found.runs.items()]
+    named.append((CONSTRAINED_STEP, found.constrained.q, len(found.constrained.q) / 100))
     return tuple(_motion(name, q, seconds) for name, q, seconds in named)
 
 
 def _motion(name: Text, q: Array, seconds: float) -> Motion:
-    shown = few(q)
+    shown = subsampled_loop(q)
     return Motion("movemaster", np.linspace(0.0, seconds, len(shown)), shown, title=name)

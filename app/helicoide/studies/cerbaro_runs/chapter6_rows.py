@@ -6,11 +6,25 @@ import numpy as np
 
 from helicoide.ik.adaptation import CAP, MARGIN
 from helicoide.ik.limit_gains import GROWTH
-from helicoide.studies.cerbaro_runs.chapter6_runs import CRITICAL, GUARDED, Kind, Options, Runs, title
-from helicoide.studies.cerbaro_runs.confined import CEILING, ELLIPSE, WALLS_AND_BENCH, Course, confined, margins
+from helicoide.studies.cerbaro_runs.chapter6_runs import (
+    CONSTRAINED_STEP,
+    CRITICAL,
+    ConfinedRuns,
+    Options,
+    RuleKind,
+    run_title,
+)
+from helicoide.studies.cerbaro_runs.confined import (
+    CEILING,
+    ELLIPSE,
+    WALLS_AND_BENCH,
+    ConfinedRun,
+    confined_problem,
+    limit_margins,
+)
 from helicoide.studies.cerbaro_runs.runs import FARTHER, NEAREST, mean_cost
-from helicoide.studies.study import CONSTRUCTED, Fitted, Reading, Row, Statement, printed
-from helicoide.text import Text, same
+from helicoide.studies.study import BY_CONSTRUCTION, Fitted, Interpretation, Row, Statement, printed_statement
+from helicoide.text import Text, untranslated
 from helicoide.trajectory import Ellipse
 
 SAID = "§6.2–6.3"
@@ -36,8 +50,8 @@ CASE_1_MORE = Statement(
     0.0,
     ">",
 )
-GAIN = Fitted(same("k₀"), Options().gain, 1300.0, 3000.0, "1/s")
-SAMPLED = Reading(
+GAIN = Fitted(untranslated("k₀"), Options().gain, 1300.0, 3000.0, "1/s")
+SAMPLED = Interpretation(
     Text(en="301 points to 1 mm", pt_BR="301 pontos a 1 mm"),
     Text(
         en="with 30 000 points to 10 mm, as in the source, case 2 passes a limit by 0.4° on the circle, and the other "
@@ -46,25 +60,25 @@ SAMPLED = Reading(
         "frases saem iguais",
     ),
 )
-EQ_36 = Reading(
+EQ_36 = Interpretation(
     Text(en="eq. 36 put right", pt_BR="eq. 36 corrigida"),
     Text(
         en="with its normal inward and its tenth as printed, the arm comes to rest 72.7 mm from the ceiling",
         pt_BR="com a normal para dentro e o décimo como impresso, o braço para a 72,7 mm do teto",
     ),
 )
-EQ_37 = Reading(
+EQ_37 = Interpretation(
     Text(en="eq. 37 by the wanted path", pt_BR="eq. 37 pelo caminho desejado"),
     Text(
         en="with the former target as it ended, a point of the arm is on the border during 0.3 % of the ellipse",
         pt_BR="com o alvo anterior já adaptado, um ponto do braço fica na borda durante 0,3 % da elipse",
     ),
 )
-BORDER = Reading(
+BORDER = Interpretation(
     Text(en="border = 80 to 88 mm", pt_BR="borda = 80 a 88 mm"),
     Text(en="80 to 82 mm during 25 % of the path", pt_BR="de 80 a 82 mm durante 25 % do caminho"),
 )
-RULES, PUSHED = (SAMPLED, EQ_36, EQ_37), (GAIN, SAMPLED, EQ_36, EQ_37)
+RULE_INTERPRETATIONS, GAIN_INTERPRETATIONS = (SAMPLED, EQ_36, EQ_37), (GAIN, SAMPLED, EQ_36, EQ_37)
 BEYOND_REACH = Text(
     en="with the orientation held, part of the path is beyond reach, whatever the gains; what is done there is not "
     "told",
@@ -76,86 +90,92 @@ FOLLOWED = Text(
     pt_BR="com a orientação mantida, o braço fica abaixo do teto e só é recortado nas paredes; livre, o cotovelo sobe "
     "até o teto",
 )
-RATCHET = Text(
+HELD_BACK_TARGET = Text(
     en="in this reading one target holds back all that follow, and the arm stays away from the border",
     pt_BR="nesta leitura um alvo retém todos os seguintes, e o braço fica longe da borda",
 )
 
 
-def sentences(runs: Runs, path: Ellipse, options: Options) -> tuple[Row, ...]:
+def sentence_rows(runs: ConfinedRuns, path: Ellipse, options: Options) -> tuple[Row, ...]:
     """Rows about the sentences of the source, by its rule with eq. 36 corrected, for the points that it monitors."""
     cases, ratchets = runs.cases, options.former == "adapted"
-    least = {case: margins(confined(), course.q) for case, course in cases.items()}
+    least = {case: limit_margins(confined_problem(), course.q) for case, course in cases.items()}
     worst = int(least[1].argmin())
     more = cases[1].deviation - max(cases[2].deviation, cases[3].deviation)
     staying = ON_BORDER if path is ELLIPSE else None
     free = (cases[2], cases[3])
     return (
-        Row(_TOOL_TO_WALLS, min(tool_to_walls(course) for course in free), "mm", NEVER_BELOW, (GAIN, SAMPLED)),
-        Row(_TO_CEILING.format(of=_FREE), min(least_to_ceiling(course) for course in free), "mm", NEVER_BELOW, PUSHED),
-        *(Row(_TO_WALLS.format(case=case), float(cases[case].least[1:].min()), "mm") for case in (2, 3)),
+        Row(_TOOL_TO_WALLS, min(tool_wall_clearance(course) for course in free), "mm", NEVER_BELOW, (GAIN, SAMPLED)),
+        Row(
+            _TO_CEILING.format(of=_FREE),
+            min(ceiling_clearance(course) for course in free),
+            "mm",
+            NEVER_BELOW,
+            GAIN_INTERPRETATIONS,
+        ),
+        *(Row(_TO_WALLS.format(case=case), float(cases[case].least_distances[1:].min()), "mm") for case in (2, 3)),
         _error(Text(en="case 1", pt_BR="caso 1"), float(1000 * cases[1].errors.max()), options),
         _error(_FREE, float(1000 * max(cases[case].errors.max() for case in (2, 3))), options),
-        Row(_MARGIN.format(case=1, joint=f"J{worst + 1}"), float(least[1].min()), "°", OUTSIDE, RULES),
-        Row(_MARGIN.format(case=2, joint=_A_JOINT), float(least[2].min()), "°", INSIDE, PUSHED),
-        Row(_FARTHER_BY, farther(cases[3], cases[2]), "°", FARTHER, (NEAREST, *PUSHED)),
-        Row(_J1, float(np.degrees(np.abs(cases[3].q - cases[2].q)[:, 0].max())), "°", NOT_J1, PUSHED),
+        Row(_MARGIN.format(case=1, joint=f"J{worst + 1}"), float(least[1].min()), "°", OUTSIDE, RULE_INTERPRETATIONS),
+        Row(_MARGIN.format(case=2, joint=_A_JOINT), float(least[2].min()), "°", INSIDE, GAIN_INTERPRETATIONS),
+        Row(_FARTHER_BY, limit_margin_gain(cases[3], cases[2]), "°", FARTHER, (NEAREST, *GAIN_INTERPRETATIONS)),
+        Row(_J1, float(np.degrees(np.abs(cases[3].q - cases[2].q)[:, 0].max())), "°", NOT_J1, GAIN_INTERPRETATIONS),
         Row(
             _SHARE.format(of=_CASE_3),
-            border(cases[3]),
+            border_share(cases[3]),
             "%",
             staying,
-            (BORDER, *PUSHED) if staying else (),
-            why=RATCHET if ratchets else None,
+            (BORDER, *GAIN_INTERPRETATIONS) if staying else (),
+            why=HELD_BACK_TARGET if ratchets else None,
         ),
-        Row(_MORE, more, "mm", CASE_1_MORE, PUSHED, why=RATCHET if ratchets else FOLLOWED),
+        Row(_MORE, more, "mm", CASE_1_MORE, GAIN_INTERPRETATIONS, why=HELD_BACK_TARGET if ratchets else FOLLOWED),
     )
 
 
-def numbers(runs: Runs) -> tuple[Row, ...]:
+def number_rows(runs: ConfinedRuns) -> tuple[Row, ...]:
     """Rows about eq. 36 as printed, and numbers that distinguish the rules."""
     rows: list[Row] = []
-    for (kind, case), course in runs.courses.items():
-        of = title(kind, case)
-        if kind is Kind.PRINTED:
-            least = least_to_ceiling(course)
+    for (kind, case), course in runs.runs.items():
+        of = run_title(kind, case)
+        if kind is RuleKind.PRINTED:
+            least = ceiling_clearance(course)
             rows.append(Row(_TO_CEILING.format(of=of), least, "mm", NEVER_BELOW, erratum="cerbaro-23"))
-            rows.append(Row(_GIVEN_UP, int((course.moved >= CAP).sum())))
-        elif kind is Kind.STEADY:
-            rows.append(Row(_FARTHER_STEADY, farther(course, runs.cases[2]), "°"))
-        elif kind is not Kind.TRIMMED:
+            rows.append(Row(_GIVEN_UP, int((course.target_moves >= CAP).sum())))
+        elif kind is RuleKind.STEADY:
+            rows.append(Row(_FARTHER_STEADY, limit_margin_gain(course, runs.cases[2]), "°"))
+        elif kind is not RuleKind.TRIMMED:
             rows.append(_deviation(of, course))
-        if kind in (Kind.TRIMMED, Kind.PLANES):
-            rows.append(Row(_NEAREST.format(of=of), float(course.least.min()), "mm"))
-    one, grown = (mean_cost(confined(), runs.cases[case].q) for case in (2, 3))
+        if kind in (RuleKind.TRIMMED, RuleKind.PLANES):
+            rows.append(Row(_NEAREST.format(of=of), float(course.least_distances.min()), "mm"))
+    one, grown = (mean_cost(confined_problem(), runs.cases[case].q) for case in (2, 3))
     rows.append(Row(_MEAN, grown / one))
     rows.append(Row(_CLIPS, float(np.log(runs.cases[3].gains / runs.cases[2].gains).sum() / np.log(GROWTH))))
-    rows.append(Row(_SHARE.format(of=title(Kind.OTHER, 3)), border(runs.courses[Kind.OTHER, 3]), "%"))
-    guard = runs.guard
-    rows.append(Row(_NEAREST.format(of=GUARDED), float(guard.least.min()), "mm"))
-    rows.append(Row(_INSIDE.format(of=GUARDED), float(margins(confined(), guard.q).min()), "°"))
-    return (*rows, _deviation(GUARDED, guard))
+    rows.append(Row(_SHARE.format(of=run_title(RuleKind.OTHER, 3)), border_share(runs.runs[RuleKind.OTHER, 3]), "%"))
+    guard = runs.constrained
+    rows.append(Row(_NEAREST.format(of=CONSTRAINED_STEP), float(guard.least_distances.min()), "mm"))
+    rows.append(Row(_INSIDE.format(of=CONSTRAINED_STEP), float(limit_margins(confined_problem(), guard.q).min()), "°"))
+    return (*rows, _deviation(CONSTRAINED_STEP, guard))
 
 
-def tool_to_walls(course: Course) -> float:
+def tool_wall_clearance(course: ConfinedRun) -> float:
     """Least distance of the tool to walls and bench, mm; the source monitors only the tool for them."""
-    planes, others = confined().planes, list(WALLS_AND_BENCH)
+    planes, others = confined_problem().planes, list(WALLS_AND_BENCH)
     return float(1000 * (course.tool @ planes.normals[others].T - planes.offsets[others]).min())
 
 
-def least_to_ceiling(course: Course) -> float:
+def ceiling_clearance(course: ConfinedRun) -> float:
     """Least distance of any point to the ceiling, mm."""
-    return float(course.least[CEILING])
+    return float(course.least_distances[CEILING])
 
 
-def farther(course: Course, other: Course) -> float:
+def limit_margin_gain(course: ConfinedRun, other: ConfinedRun) -> float:
     """The least margin to a joint limit minus that of another run, degrees."""
-    return float(margins(confined(), course.q).min() - margins(confined(), other.q).min())
+    return float(limit_margins(confined_problem(), course.q).min() - limit_margins(confined_problem(), other.q).min())
 
 
-def border(course: Course) -> float:
+def border_share(course: ConfinedRun) -> float:
     """Share of samples, %, whose nearest point is between δ_c and 1.1 δ_c, the distance set by eq. 36."""
-    near = 1000 * course.near.min(axis=1)
+    near = 1000 * course.distances.min(axis=1)
     return float(100 * ((near >= CRITICAL - 1e-6) & (near <= MARGIN * CRITICAL)).mean())
 
 
@@ -206,10 +226,10 @@ _INSIDE = Text(en="{of}: least joint margin", pt_BR="{of}: menor folga de junta"
 def _error(of: Text, largest: float, options: Options) -> Row:
     """The largest position error, mm; no result if all points are reached, as the tolerance then bounds it."""
     quantity = Text(en="{of}: largest position error", pt_BR="{of}: maior erro de posição").format(of=of)
-    given = CONSTRUCTED if largest <= options.tolerance else None
-    return Row(quantity, largest, "mm", printed("< 10", SAID), why=BEYOND_REACH, given=given)
+    given = BY_CONSTRUCTION if largest <= options.tolerance else None
+    return Row(quantity, largest, "mm", printed_statement("< 10", SAID), why=BEYOND_REACH, given=given)
 
 
-def _deviation(of: Text, course: Course) -> Row:
+def _deviation(of: Text, course: ConfinedRun) -> Row:
     quantity = Text(en="{of}: mean deviation from the path", pt_BR="{of}: desvio médio do caminho")
     return Row(quantity.format(of=of), course.deviation, "mm")

@@ -12,27 +12,27 @@ from helicoide.ik.method import OneOf, Quantity
 from helicoide.studies.cerbaro_runs.confined import (
     SAMPLES,
     SAMPLES_SHORT,
-    Course,
+    ConfinedRun,
     Gains,
-    by_rule,
-    confined,
-    guarded,
+    confined_problem,
+    run_by_rule,
+    run_constrained,
     source_rule,
 )
-from helicoide.studies.cerbaro_runs.runs import part
+from helicoide.studies.cerbaro_runs.runs import share_of_runs
 from helicoide.studies.study import Progress
-from helicoide.text import Text, same
+from helicoide.text import Text, untranslated
 from helicoide.trajectory import Ellipse
 
 CASES = (1, 2, 3)
 PLANES = (
-    same("+z"),
+    untranslated("+z"),
     Text(en="+y (−y in the source)", pt_BR="+y (−y na fonte)"),
     Text(en="−y (+y in the source)", pt_BR="−y (+y na fonte)"),
-    same("−z"),
+    untranslated("−z"),
 )
 CRITICAL, WARNING = 80.0, 110.0
-GUARDED = Text(en="constrained QP step, orientation free", pt_BR="passo com restrições (QP), orientação livre")
+CONSTRAINED_STEP = Text(en="constrained QP step, orientation free", pt_BR="passo com restrições (QP), orientação livre")
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class Options:
         return Gains(self.gain, self.factor, self.tolerance * 1e-3)
 
 
-class Kind(Enum):
+class RuleKind(Enum):
     """The rules by which targets are moved away from planes."""
 
     SOURCE = Text(en="by the source’s rule", pt_BR="pela regra da fonte")
@@ -80,59 +80,63 @@ class Kind(Enum):
     PLANES = Text(en="every point monitored for every plane", pt_BR="todo ponto monitorado para todo plano")
 
 
-def title(kind: Kind, case: int) -> Text:
+def run_title(kind: RuleKind, case: int) -> Text:
     """Such as "case 3, without eq. 37"."""
     return Text(en="case {case}, {kind}", pt_BR="caso {case}, {kind}").format(case=case, kind=kind.value)
 
 
-def rule(kind: Kind, options: Options) -> Rule:
+def rule_of(kind: RuleKind, options: Options) -> Rule:
     """The rule of a kind, with eq. 37 as the options read it."""
     source = replace(source_rule(), ratchets=options.former == "adapted")
     match kind:
-        case Kind.PRINTED:
+        case RuleKind.PRINTED:
             return replace(source, corrected=False)
-        case Kind.OTHER:
+        case RuleKind.OTHER:
             return replace(source, ratchets=not source.ratchets)
-        case Kind.UNDAMPED:
+        case RuleKind.UNDAMPED:
             return replace(source, damps=False)
-        case Kind.TRIMMED:
+        case RuleKind.TRIMMED:
             return NONE
-        case Kind.PLANES:
-            return replace(everywhere(confined().planes), ratchets=source.ratchets)
+        case RuleKind.PLANES:
+            return replace(everywhere(confined_problem().planes), ratchets=source.ratchets)
     return source
 
 
-def gains(kind: Kind, options: Options) -> Gains:
+def gains_of(kind: RuleKind, options: Options) -> Gains:
     """The gains that go with a kind of rule."""
-    return replace(options.gains, growth=1.0) if kind is Kind.STEADY else options.gains
+    return replace(options.gains, growth=1.0) if kind is RuleKind.STEADY else options.gains
 
 
 @dataclass(frozen=True, eq=False)
-class Runs:
+class ConfinedRuns:
     """The runs of a path by rule and case, the run with the constrained step, and the period of the path, s."""
 
-    courses: Mapping[tuple[Kind, int], Course]
-    guard: Course
+    runs: Mapping[tuple[RuleKind, int], ConfinedRun]
+    constrained: ConfinedRun
     period: float
 
     @property
-    def cases(self) -> dict[int, Course]:
+    def cases(self) -> dict[int, ConfinedRun]:
         """The three cases by the source's rule."""
-        return {case: self.courses[Kind.SOURCE, case] for case in CASES}
+        return {case: self.runs[RuleKind.SOURCE, case] for case in CASES}
 
 
-SHORT = tuple((Kind.SOURCE, case) for case in CASES)
-WHOLE = (*((kind, case) for kind in (Kind.SOURCE, Kind.OTHER, Kind.TRIMMED) for case in CASES),)
-WHOLE += ((Kind.STEADY, 3), (Kind.PRINTED, 3), (Kind.UNDAMPED, 3), (Kind.PLANES, 3))
+SHORT = tuple((RuleKind.SOURCE, case) for case in CASES)
+WHOLE = (*((kind, case) for kind in (RuleKind.SOURCE, RuleKind.OTHER, RuleKind.TRIMMED) for case in CASES),)
+WHOLE += ((RuleKind.STEADY, 3), (RuleKind.PRINTED, 3), (RuleKind.UNDAMPED, 3), (RuleKind.PLANES, 3))
 
 
-def runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> Runs:
+def confined_runs(path: Ellipse, options: Options, short: bool, progress: Progress) -> ConfinedRuns:
     """All runs; short: one rule, fewer samples, and a third of the run with the constrained step."""
     asked, samples = (SHORT, SAMPLES_SHORT) if short else (WHOLE, SAMPLES)
     count = len(asked) + 1
     courses = {
-        (kind, case): by_rule(path, case, gains(kind, options), rule(kind, options), samples, part(progress, i, count))
+        (kind, case): run_by_rule(
+            path, case, gains_of(kind, options), rule_of(kind, options), samples, share_of_runs(progress, i, count)
+        )
         for i, (kind, case) in enumerate(asked)
     }
     seconds = path.period / 3 if short else path.period
-    return Runs(courses, guarded(path, options.gain, seconds, part(progress, count - 1, count)), path.period)
+    return ConfinedRuns(
+        courses, run_constrained(path, options.gain, seconds, share_of_runs(progress, count - 1, count)), path.period
+    )

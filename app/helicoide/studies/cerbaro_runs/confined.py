@@ -13,19 +13,19 @@ from functools import partial
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.command import Along
+from helicoide.command import FollowPath
 from helicoide.confinement import planes_of
 from helicoide.foresight import lived
 from helicoide.ik import Limits, Problem, limit_gains, objectives
 from helicoide.ik.adaptation import Rule, Track, adapted, nearest, trimmed
-from helicoide.ik.clik import Aiming
-from helicoide.ik.converge import Run, Tolerance, by_method, converged
-from helicoide.ik.drive import Drive, Secondary
-from helicoide.ik.limit_gains import GROWTH, Memory
+from helicoide.ik.clik import TaskFunction
+from helicoide.ik.controller import Controller, SecondaryObjective
+from helicoide.ik.converge import Run, Tolerance, converged, loop_of
+from helicoide.ik.limit_gains import GROWTH, LimitGainMemory
 from helicoide.ik.secondary import push
-from helicoide.kinematics.library import load
-from helicoide.state import State, commanded, initial
-from helicoide.studies.cerbaro_runs import arms
+from helicoide.kinematics.library import load_robot
+from helicoide.state import State, initial_state, with_command
+from helicoide.studies.cerbaro_runs import setups
 from helicoide.studies.study import Progress
 from helicoide.trajectory import EQ_33, Ellipse
 
@@ -36,7 +36,7 @@ CIRCLE = Ellipse(centre=(0.48, 0.1, 0.2), radii=(0.22, 0.22, 0.0), pitch=-1.2217
 
 CEILING, WALLS_AND_BENCH = 0, (1, 2, 3)
 SAMPLES, SAMPLES_SHORT = 301, 121
-TICK, LONGEST = 0.01, 90.0
+CONTROL_PERIOD, LONGEST = 0.01, 90.0
 DT = 1e-3
 
 
@@ -52,22 +52,22 @@ class Gains:
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class ConfinedRun:
     """A run along a path: desired and trimmed points (k, 3), m, and the outcome; q, tool, near as in `Track`."""
 
     desired: Array
     trimmed: Array
     q: Array
     tool: Array
-    near: Array
+    distances: Array
     errors: Array
-    moved: Array
+    target_moves: Array
     gains: Array
 
     @property
-    def least(self) -> Array:
+    def least_distances(self) -> Array:
         """Least distance to each plane, mm."""
-        return np.asarray(1000 * self.near.min(axis=0))
+        return np.asarray(1000 * self.distances.min(axis=0))
 
     @property
     def deviations(self) -> Array:
@@ -80,10 +80,10 @@ class Course:
         return float(self.deviations.mean())
 
 
-def confined() -> Problem:
+def confined_problem() -> Problem:
     """The Movemaster in the measured enclosure, ±90° at the waist, rows in mm."""
-    robot = load("movemaster")
-    return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes), scale=arms.MM)
+    robot = load_robot("movemaster")
+    return Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(robot.panes), scale=setups.MM)
 
 
 def source_rule() -> Rule:
@@ -91,44 +91,44 @@ def source_rule() -> Rule:
     return Rule((CEILING,), level=True)
 
 
-def margins(problem: Problem, q: Array) -> Array:
+def limit_margins(problem: Problem, q: Array) -> Array:
     """The least margin of each joint to its limits, degrees, (n,); negative outside."""
     lower, upper = problem.limits.lower, problem.limits.upper
     return np.asarray(np.degrees(np.minimum(q - lower, upper - q).min(axis=0)))
 
 
-def solver(problem: Problem, case: int, gains: Gains) -> Run:
+def solver_of_case(problem: Problem, case: int, gains: Gains) -> Run:
     """The solver of a case: damped least squares, with the objective in cases 2 and 3 and Algorithm 1 in case 3."""
-    method, options = arms.inverse(gains.damping)
+    method, options = setups.damped_inverse(gains.damping)
     if case == 1:
-        return by_method(problem, method, options, gains.factor)
-    chosen = arms.limit_distance()
+        return loop_of(problem, method, options, gains.factor)
+    chosen = setups.limit_distance()
     if case == 2:
-        return by_method(problem, method, options, gains.factor, push(problem, chosen, gains.k0), DT)
-    first = Memory(np.full(len(problem.limits.lower), gains.k0))
-    return lambda aiming, q, memory: limit_gains.followed(
+        return loop_of(problem, method, options, gains.factor, push(problem, chosen, gains.k0), DT)
+    first = LimitGainMemory(np.full(len(problem.limits.lower), gains.k0))
+    return lambda aiming, q, memory: limit_gains.loop_with_limit_gains(
         problem, method, options, aiming, gains.factor / DT, chosen, memory or first, q, DT, growth=gains.growth
     )
 
 
-def aim_of(problem: Problem, case: int, path: Ellipse, target: Array) -> Aiming:
+def task_of_case(problem: Problem, case: int, path: Ellipse, target: Array) -> TaskFunction:
     """The task of a case for a target (3,), m."""
-    point = arms.standing(*target)
+    point = setups.fixed_point(*target)
     if case == 1:
-        return arms.with_pitch_and_roll(problem, point, path.pitch, path.roll)
-    return arms.position(problem, point)
+        return setups.pitch_and_roll_task(problem, point, path.pitch, path.roll)
+    return setups.position_task(problem, point)
 
 
-def desired(path: Ellipse, samples: int) -> Array:
+def path_samples(path: Ellipse, samples: int) -> Array:
     """Points of one turn, including both ends, (k, 3), m."""
     return np.array([path.point(s) for s in np.linspace(0, path.period, samples)])
 
 
-def by_rule(path: Ellipse, case: int, gains: Gains, rule: Rule, samples: int, progress: Progress) -> Course:
+def run_by_rule(path: Ellipse, case: int, gains: Gains, rule: Rule, samples: int, progress: Progress) -> ConfinedRun:
     """The source's experiment: from home to the first point, then along the path, which is moved away from planes."""
-    problem = confined()
-    run, aimed = solver(problem, case, gains), partial(aim_of, problem, case, path)
-    points = desired(path, samples)
+    problem = confined_problem()
+    run, aimed = solver_of_case(problem, case, gains), partial(task_of_case, problem, case, path)
+    points = path_samples(path, samples)
     targets = trimmed(points, problem.planes, WALLS_AND_BENCH, problem.zones.warning)
     tolerance = Tolerance(gains.tolerance)
     begin = converged(problem, run, aimed(targets[0]), problem.robot.poses["home"], tolerance)
@@ -136,41 +136,41 @@ def by_rule(path: Ellipse, case: int, gains: Gains, rule: Rule, samples: int, pr
     return _course(problem, points, targets, track, gains)
 
 
-def _course(problem: Problem, points: Array, targets: Array, track: Track, gains: Gains) -> Course:
-    tool = np.array([arms.tool(problem, q) for q in track.q])
-    grown = track.memory.gains if isinstance(track.memory, Memory) else np.full(track.q.shape[1], gains.k0)
-    return Course(points, targets, track.q, tool, track.near, track.errors, track.moved, grown)
+def _course(problem: Problem, points: Array, targets: Array, track: Track, gains: Gains) -> ConfinedRun:
+    tool = np.array([setups.tool_position(problem, q) for q in track.q])
+    grown = track.memory.gains if isinstance(track.memory, LimitGainMemory) else np.full(track.q.shape[1], gains.k0)
+    return ConfinedRun(points, targets, track.q, tool, track.near, track.errors, track.moved, grown)
 
 
-def guarded(path: Ellipse, k0: float, seconds: float, progress: Progress) -> Course:
+def run_constrained(path: Ellipse, k0: float, seconds: float, progress: Progress) -> ConfinedRun:
     """The same path with the constrained QP step of the page; the objective has a lower priority than the task.
 
     Joint limits are hard constraints, so Algorithm 1 has nothing to clip and cases 2 and 3 coincide. k0: 1/s; seconds:
     duration along the path, from its start.
     """
-    state, turn = _on_the_path(path, k0), round(seconds / TICK)
+    state, turn = _on_the_path(path, k0), round(seconds / CONTROL_PERIOD)
     points, q, near = [], [], []
     for step in range(turn):
-        state = lived(state, TICK)
+        state = lived(state, CONTROL_PERIOD)
         points.append(path.point(state.request.path_s))
         q.append(state.arm.q)
         near.append(nearest(state.problem, state.arm.q.copy()))
         progress((step + 1) / turn)
-    wished, tool = np.array(points), np.array([arms.tool(state.problem, one) for one in q])
+    wished, tool = np.array(points), np.array([setups.tool_position(state.problem, one) for one in q])
     errors = np.linalg.norm(tool - wished, axis=1)
-    return Course(wished, wished, np.array(q), tool, np.array(near), errors, np.zeros(turn), np.full(5, k0))
+    return ConfinedRun(wished, wished, np.array(q), tool, np.array(near), errors, np.zeros(turn), np.full(5, k0))
 
 
 def _on_the_path(path: Ellipse, k0: float) -> State:
     """The page's state with the arm at the start of the path, or as near to it as the planes allow."""
-    state = initial(load("movemaster"))
-    drive = Drive(secondary=Secondary("limit_distance", objectives.named("limit_distance").Options(), k0))
-    state = commanded(
-        replace(state, request=replace(state.request, drive=drive, with_orientation=False)),
-        Along(path, 0.0, playing=True),
+    state = initial_state(load_robot("movemaster"))
+    drive = Controller(secondary=SecondaryObjective("limit_distance", objectives.named("limit_distance").Options(), k0))
+    state = with_command(
+        replace(state, request=replace(state.request, controller=drive, with_orientation=False)),
+        FollowPath(path, 0.0, playing=True),
     )
-    for _ in range(round(LONGEST / TICK)):
-        if isinstance(state.request.command, Along) and state.request.command.arrived:
+    for _ in range(round(LONGEST / CONTROL_PERIOD)):
+        if isinstance(state.request.command, FollowPath) and state.request.command.arrived:
             break
-        state = lived(state, TICK)
+        state = lived(state, CONTROL_PERIOD)
     return state

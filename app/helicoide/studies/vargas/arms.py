@@ -14,7 +14,7 @@ import numpy as np
 from helicoide.arrays import frozen
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 
 LENGTHS = ("l1=2000", "l2=1000", "l3=1000")
@@ -29,14 +29,14 @@ def _problem(robot: Robot, scale: float) -> Problem:
 
 
 @cache
-def planar() -> Problem:
+def planar_problem() -> Problem:
     """Planar 3R with links (2, 1, 1), unscaled."""
-    return _problem(load("planar3r", settings=LENGTHS), 1.0)
+    return _problem(load_robot("planar3r", settings=LENGTHS), 1.0)
 
 
-def limited(joint: int, lower: float, upper: float) -> Problem:
+def planar_with_limits(joint: int, lower: float, upper: float) -> Problem:
     """The planar arm with other limits, rad, of one joint; the first joint is 0."""
-    arm = planar()
+    arm = planar_problem()
     low, high = arm.limits.lower.copy(), arm.limits.upper.copy()
     low[joint], high[joint] = lower, upper
     return replace(arm, limits=Limits(frozen(low), frozen(high), arm.limits.speed))
@@ -45,14 +45,14 @@ def limited(joint: int, lower: float, upper: float) -> Problem:
 @cache
 def zebra_arm() -> Problem:
     """Zebra-ZERO with its last three joints fixed at 0, in cm."""
-    robot = load("zebra_zero")
+    robot = load_robot("zebra_zero")
     return _problem(replace(robot, joints=robot.joints[:3]), 0.01)
 
 
 @cache
 def zebra_wrist() -> Problem:
     """Zebra-ZERO with the tool frame at the wrist point, in cm."""
-    robot = load("zebra_zero")
+    robot = load_robot("zebra_zero")
     T = np.eye(4)
     T[:3, 3] = 0.2794, 0, 0.2286
     return _problem(replace(robot, T_world_tool_0=T), 0.01)
@@ -61,4 +61,4 @@ def zebra_wrist() -> Problem:
 @cache
 def zebra() -> Problem:
     """Zebra-ZERO with its end effector, in dm."""
-    return _problem(load("zebra_zero"), 0.1)
+    return _problem(load_robot("zebra_zero"), 0.1)

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from helicoide.studies.study import Figure, Row, Statement
-from helicoide.studies.vargas.arm import ERROR_LATER, FASTEST_LATER, SINCE
+from helicoide.studies.vargas.position_arm import ERROR_LATER, FASTEST_LATER, SINCE
 from helicoide.studies.vargas.readings import EXACT_STEP
-from helicoide.studies.vargas.runs import Run, Way, largest
-from helicoide.studies.vargas.table import FASTEST, row
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings, largest_absolute
+from helicoide.studies.vargas.table import FASTEST, run_row
 
 COMPARED = ("filtered", "damping")
 
 
-def crossing_rows(
-    ways: Mapping[str, Way],
-    runs: Mapping[str, Run],
+def axis_crossing_rows(
+    ways: Mapping[str, MethodSettings],
+    runs: Mapping[str, MethodRun],
     figures: str,
     follows: Statement | None = None,
     slow: Statement | None = None,
@@ -30,19 +30,19 @@ def crossing_rows(
         of, run, shown = ways[key].title, runs[key], Figure(figures) if key in COMPARED else None
         later, filtered = run.t >= SINCE, key == "filtered"
         rows += [
-            row(FASTEST, of, largest(run.rates), "rad/s", shown),
-            row(
+            run_row(FASTEST, of, largest_absolute(run.joint_velocities), "rad/s", shown),
+            run_row(
                 FASTEST_LATER,
                 of,
-                largest(run.rates, later),
+                largest_absolute(run.joint_velocities, later),
                 "rad/s",
                 slow or shown,
                 fitted=(EXACT_STEP,) if slow and filtered else (),
             ),
-            row(
+            run_row(
                 ERROR_LATER,
                 of,
-                largest(run.size, later),
+                largest_absolute(run.error_norm, later),
                 "cm",
                 (follows if filtered else None) or shown,
                 fitted=(EXACT_STEP,) if follows and filtered else (),

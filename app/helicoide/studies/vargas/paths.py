@@ -15,10 +15,10 @@ from helicoide.arrays import Array
 from helicoide.trajectory.vargas import VARGAS
 
 Vector = tuple[float, float, float]
-Path = Callable[[float], tuple[Vector, Vector]]
+PathFunction = Callable[[float], tuple[Vector, Vector]]
 
 
-def _path(number: int) -> Path:
+def _path(number: int) -> PathFunction:
     """A trajectory by its number, in the unit of the source."""
     x, y, z = VARGAS[number].x, VARGAS[number].y, VARGAS[number].z
     return lambda t: ((x.at(t), y.at(t), z.at(t)), (x.rate(t), y.rate(t), z.rate(t)))
@@ -28,7 +28,7 @@ path_1, path_2, path_3, path_4, path_5 = (_path(number) for number in range(1, 6
 path_6, path_7, path_8, path_10, path_11 = (_path(number) for number in (6, 7, 8, 10, 11))
 
 
-def faster(path: Path, times: float) -> Path:
+def sped_up(path: PathFunction, times: float) -> PathFunction:
     """The same path, traversed `times` as fast."""
 
     def at(t: float) -> tuple[Vector, Vector]:
@@ -38,6 +38,6 @@ def faster(path: Path, times: float) -> Path:
     return at
 
 
-def places(path: Path, t: Array) -> Array:
+def path_points(path: PathFunction, t: Array) -> Array:
     """The points (k, 3) of a trajectory at times t (k,), s."""
     return np.array([path(now)[0] for now in t])

@@ -12,41 +12,60 @@ from dataclasses import dataclass
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.kinematics.manipulability import analysed
-from helicoide.studies.study import Chart, Fitted, Line, Progress, Reading, Result, Row, Statement, printed
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.paths import Path, places
+from helicoide.kinematics.manipulability import analyse_jacobian
+from helicoide.studies.study import (
+    Chart,
+    ChartLine,
+    Fitted,
+    Interpretation,
+    Progress,
+    Result,
+    Row,
+    Statement,
+    printed_statement,
+)
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.paths import PathFunction, path_points
 from helicoide.studies.vargas.readings import EXPONENT, TRANSPOSE
-from helicoide.studies.vargas.runs import IN_PLANE, Experiment, Run, Way, compared, largest, tracking, way
+from helicoide.studies.vargas.runs import (
+    PLANAR_ROWS,
+    Experiment,
+    MethodRun,
+    MethodSettings,
+    largest_absolute,
+    method_settings,
+    run_methods,
+    tracking,
+)
 from helicoide.studies.vargas.table import (
+    DESIRED,
     ERROR_FROM,
     FASTEST,
     FASTEST_FROM,
-    WISHED,
     Gain,
     Step,
     condition_chart,
     errors_chart,
     fastest_chart,
     figures_chart,
-    finished,
+    joint_velocity_chart,
     joints_chart,
+    path_chart,
     planar_motions,
-    rates_chart,
-    row,
-    settled,
-    titled,
-    way_chart,
+    run_row,
+    runs_by_title,
+    study_result,
+    transient_end,
 )
-from helicoide.text import Text, same
+from helicoide.text import Text, untranslated
 
 SECONDS, LENGTH = 40.0, 4.0
-PSEUDOINVERSE = way("pseudoinverse")
+PSEUDOINVERSE = method_settings("pseudoinverse")
 COMPARED = ("damping", "feedback")
 
 
 @dataclass(frozen=True)
-class Values:
+class OpenValues:
     """Values that the source omits: λ; δ₀ and w₀ of the damping; g, c and α of the feedback inverse."""
 
     rate: float = 1.0
@@ -57,99 +76,110 @@ class Values:
     leak: float = 8.0
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def methods(self) -> dict[str, MethodSettings]:
         """The damped inverse and the feedback inverse with these values."""
         return {
-            "damping": way("damped_by_manipulability", damping=self.damping, threshold=self.threshold),
-            "feedback": way("feedback", gain=self.gain, coupling=self.coupling, leak=self.leak),
+            "damping": method_settings("damped_by_manipulability", damping=self.damping, threshold=self.threshold),
+            "feedback": method_settings("feedback", gain=self.gain, coupling=self.coupling, leak=self.leak),
         }
 
 
-VALUES = Values()
-_RATE = Fitted(same("λ"), VALUES.rate, 0.909, 1.2, "s⁻¹")
-SINCE = settled(VALUES.rate)
-FITTED: dict[str, tuple[Fitted | Reading, ...]] = {
+VALUES = OpenValues()
+_RATE = Fitted(untranslated("λ"), VALUES.rate, 0.909, 1.2, "s⁻¹")
+SINCE = transient_end(VALUES.rate)
+FITTED: dict[str, tuple[Fitted | Interpretation, ...]] = {
     "damping": (
         _RATE,
-        Fitted(same("δ₀"), VALUES.damping, 0.0833, 0.12, "ℓ²"),
-        Fitted(same("w₀"), VALUES.threshold, 0.833, 1.2, "ℓ²"),
+        Fitted(untranslated("δ₀"), VALUES.damping, 0.0833, 0.12, "ℓ²"),
+        Fitted(untranslated("w₀"), VALUES.threshold, 0.833, 1.2, "ℓ²"),
         EXPONENT,
     ),
     "feedback": (
         _RATE,
-        Fitted(same("g"), VALUES.gain, 200.0, 288.0, "ℓ⁻² s⁻¹"),
-        Fitted(same("c"), VALUES.coupling, 0.546, 0.72),
-        Fitted(same("α"), VALUES.leak, 6.67, 9.6, "s⁻¹"),
+        Fitted(untranslated("g"), VALUES.gain, 200.0, 288.0, "ℓ⁻² s⁻¹"),
+        Fitted(untranslated("c"), VALUES.coupling, 0.546, 0.72),
+        Fitted(untranslated("α"), VALUES.leak, 6.67, 9.6, "s⁻¹"),
         TRANSPOSE,
     ),
 }
 
 
-def filters(gains: Sequence[float]) -> dict[str, Way]:
+def filtered_methods(gains: Sequence[float]) -> dict[str, MethodSettings]:
     """The filtered inverse and the modified one, with each γ."""
     kinds = {"filtered": "filtered", "modified": "filtered_modified"}
-    return {f"{kind}_{gain:g}": way(name, f"γ = {gain:g}", gain=gain) for kind, name in kinds.items() for gain in gains}
+    return {
+        f"{kind}_{gain:g}": method_settings(name, f"γ = {gain:g}", gain=gain)
+        for kind, name in kinds.items()
+        for gain in gains
+    }
 
 
 @dataclass(frozen=True)
-class Five:
+class FiveMethods:
     """Settings of five methods. gain: γ of the filtered inverses; dt, s."""
 
     gain: Gain = 5.0
     dt: Step = 1e-3
 
     @property
-    def ways(self) -> dict[str, Way]:
+    def methods(self) -> dict[str, MethodSettings]:
         """The compared methods."""
-        return {"pseudoinverse": PSEUDOINVERSE, **VALUES.ways, **filters([self.gain])}
+        return {"pseudoinverse": PSEUDOINVERSE, **VALUES.methods, **filtered_methods([self.gain])}
 
 
-def followers(
-    path: Path,
+def run_on_planar(
+    path: PathFunction,
     start: Sequence[float],
-    ways: Mapping[str, Way],
+    ways: Mapping[str, MethodSettings],
     dt: float,
     progress: Progress,
     rate: float = VALUES.rate,
-) -> dict[str, Run]:
+) -> dict[str, MethodRun]:
     """A run of each method along a trajectory, with λ."""
-    aiming = tracking(planar(), path, IN_PLANE)
-    return compared(Experiment(planar(), aiming, rate, start, dt, SECONDS), ways, progress)
+    aiming = tracking(planar_problem(), path, PLANAR_ROWS)
+    return run_methods(Experiment(planar_problem(), aiming, rate, start, dt, SECONDS), ways, progress)
 
 
-def of_both(
-    quantity: Text, ours: Mapping[str, float], unit: str, source: Statement, *more: Fitted | Reading
+def rows_of_both(
+    quantity: Text, ours: Mapping[str, float], unit: str, source: Statement, *more: Fitted | Interpretation
 ) -> list[Row]:
     """A row for each of the two methods, with the values chosen for it; more: further chosen values."""
     return [
-        row(quantity, VALUES.ways[key].title, value, unit, source, fitted=(*FITTED[key], *more))
+        run_row(quantity, VALUES.methods[key].title, value, unit, source, fitted=(*FITTED[key], *more))
         for key, value in ours.items()
     ]
 
 
-def below(bound: str, place: str, runs: Mapping[str, Run], *more: Reading) -> list[Row]:
+def velocity_bound_rows(bound: str, place: str, runs: Mapping[str, MethodRun], *more: Interpretation) -> list[Row]:
     """Rows that hold the joint velocities of both methods to a printed bound."""
-    fastest = {key: largest(runs[key].rates) for key in COMPARED}
-    return of_both(FASTEST, fastest, "rad/s", printed(bound, place), *more)
+    fastest = {key: largest_absolute(runs[key].joint_velocities) for key in COMPARED}
+    return rows_of_both(FASTEST, fastest, "rad/s", printed_statement(bound, place), *more)
 
 
-def ours(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> list[Row]:
+def computed_rows(ways: Mapping[str, MethodSettings], runs: Mapping[str, MethodRun]) -> list[Row]:
     """Largest joint velocity and error after the transient, of methods that the source does not apply here."""
     rows = []
     for key in [key for key in runs if key not in COMPARED]:
         later = runs[key].t >= SINCE
         rows += [
-            row(FASTEST_FROM.format(since=SINCE), ways[key].title, largest(runs[key].rates, later), "rad/s"),
-            row(ERROR_FROM.format(since=SINCE), ways[key].title, largest(runs[key].size, later), "ℓ"),
+            run_row(
+                FASTEST_FROM.format(since=SINCE),
+                ways[key].title,
+                largest_absolute(runs[key].joint_velocities, later),
+                "rad/s",
+            ),
+            run_row(
+                ERROR_FROM.format(since=SINCE), ways[key].title, largest_absolute(runs[key].error_norm, later), "ℓ"
+            ),
         ]
     return rows
 
 
-def result(
+def planar_result(
     rows: Sequence[Row],
-    path: Path,
-    ways: Mapping[str, Way],
-    runs: Mapping[str, Run],
+    path: PathFunction,
+    ways: Mapping[str, MethodSettings],
+    runs: Mapping[str, MethodRun],
     figures: str,
     more: tuple[Chart, ...] = (),
 ) -> Result:
@@ -157,35 +187,35 @@ def result(
 
     figures: where the source shows them.
     """
-    names = titled(ways, runs)
-    wished = places(path, next(iter(runs.values())).t)[:, :2]
+    names = runs_by_title(ways, runs)
+    wished = path_points(path, next(iter(runs.values())).t)[:, :2]
     damped, fed_back = (ways[key].title for key in COMPARED)
     charts = (
         errors_chart(names, "ℓ", figures, log=True),
         fastest_chart(names, figures),
-        rates_chart(runs["damping"], damped, figures),
-        rates_chart(runs["feedback"], fed_back, figures),
+        joint_velocity_chart(runs["damping"], damped, figures),
+        joint_velocity_chart(runs["feedback"], fed_back, figures),
         condition_chart({ways[key].title: runs[key] for key in COMPARED}, figures),
         figures_chart(Text(en="damping", pt_BR="amortecimento"), "δ", {damped: runs["damping"]}, "ℓ²", figures),
         *more,
-        way_chart({WISHED: wished, **{name: wished - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
+        path_chart({DESIRED: wished, **{name: wished - run.e for name, run in names.items()}}, "x, ℓ", "y, ℓ"),
         joints_chart(runs["damping"], damped),
     )
-    return finished(rows, charts[:8], planar_motions(names))
+    return study_result(rows, charts[:8], planar_motions(names))
 
 
-def ellipses(path: Path, run: Run, instants: Sequence[float], size: float = 0.3) -> Chart:
+def ellipse_chart(path: PathFunction, run: MethodRun, instants: Sequence[float], size: float = 0.3) -> Chart:
     """The manipulability ellipses at some times, s, drawn at the end effector and scaled by `size`.
 
     Source: Vargas 2013, eq. 3.4: axes uᵢ, semi-lengths σᵢ.
     """
     turn: Array = np.linspace(0, 2 * np.pi, 121)
-    wished, lines = places(path, run.t)[:, :2], []
+    wished, lines = path_points(path, run.t)[:, :2], []
     for at in instants:
         i = int(np.abs(run.t - at).argmin())
-        here = analysed(run.J[i]).velocity_ellipsoid
+        here = analyse_jacobian(run.J[i]).velocity_ellipsoid
         round_it = (here.axes * here.lengths) @ np.stack([np.cos(turn), np.sin(turn)])
         x, y = (wished[i] - run.e[i])[:, None] + size * round_it
-        lines.append(Line(same(f"t = {at:g} s"), x, y))
+        lines.append(ChartLine(untranslated(f"t = {at:g} s"), x, y))
     title = Text(en="manipulability ellipses on the way", pt_BR="elipses de manipulabilidade no percurso")
-    return Chart(title, same("x, ℓ"), same("y, ℓ"), tuple(lines), "fig. 3.1")
+    return Chart(title, untranslated("x, ℓ"), untranslated("y, ℓ"), tuple(lines), "fig. 3.1")

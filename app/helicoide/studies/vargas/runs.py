@@ -14,23 +14,23 @@ from numpy.typing import NDArray
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem, methods
-from helicoide.ik.clik import Aim, Aiming, OrientationError, followed, tool_aim
+from helicoide.ik.clik import OrientationError, TaskError, TaskFunction, closed_loop, tool_task_error
 from helicoide.kinematics.forward import link_poses
-from helicoide.kinematics.manipulability import RANK
+from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.studies.study import Progress
-from helicoide.studies.vargas.paths import Path
+from helicoide.studies.vargas.paths import PathFunction
 from helicoide.text import Text
 
 Key = TypeVar("Key")
-Instants = NDArray[np.bool_]
+TimeMask = NDArray[np.bool_]
 
-IN_PLANE, WITH_ANGLE, IN_SPACE, POSE = [0, 1], [0, 1, 5], [0, 1, 2], [0, 1, 2, 3, 4, 5]
+PLANAR_ROWS, WITH_ANGLE, POSITION_ROWS, POSE = [0, 1], [0, 1, 5], [0, 1, 2], [0, 1, 2, 3, 4, 5]
 # number of times of a run that charts show
-SHOWN = 2000
+MAX_POINTS = 2000
 
 
 @dataclass(frozen=True, eq=False)
-class Way:
+class MethodSettings:
     """A method with options, and its title in tables."""
 
     title: Text
@@ -38,41 +38,41 @@ class Way:
     options: Mapping[str, Any] = field(default_factory=dict)
 
 
-def way(method: str, note: str = "", **options: Any) -> Way:
+def method_settings(method: str, note: str = "", **options: Any) -> MethodSettings:
     """A method with options; its title ends with a note that distinguishes it, such as "γ = 25"."""
-    title, more = methods.named(method).TITLE, digits(note and f", {note}")
-    return Way(Text(en=title.en + more.en, pt_BR=title.pt_BR + more.pt_BR), method, options)
+    title, more = methods.named(method).TITLE, localized(note and f", {note}")
+    return MethodSettings(Text(en=title.en + more.en, pt_BR=title.pt_BR + more.pt_BR), method, options)
 
 
-def digits(note: str) -> Text:
+def localized(note: str) -> Text:
     """A note such as "γ = 2.5" in both languages, with a decimal comma in Portuguese."""
     return Text(en=note, pt_BR=note.replace(".", ","))
 
 
 @dataclass(frozen=True, eq=False)
-class Run:
+class MethodRun:
     """A run step by step: t (k,), s; q (k, n), rad; e (k, r) and J (k, r, n) in the arm's ℓ; q̇ (k, n), rad/s.
 
-    ahead (k, r): ẋ_d, and −f in the last row of an augmented task. figures: what the method
+    feedforward (k, r): ẋ_d, and −f in the last row of an augmented task. figures: what the method
     reports at every `stride`-th step.
     """
 
     t: Array
     q: Array
     e: Array
-    ahead: Array
-    rates: Array
+    feedforward: Array
+    joint_velocities: Array
     J: Array
     stride: int
     figures: tuple[Mapping[str, float], ...]
 
     @cached_property
-    def size(self) -> Array:
+    def error_norm(self) -> Array:
         """‖e‖ (k,)."""
-        return sizes(self.e)
+        return row_norms(self.e)
 
     @property
-    def shown(self) -> Array:
+    def figure_times(self) -> Array:
         """The times of `figures`, s."""
         return self.t[:: self.stride]
 
@@ -93,35 +93,35 @@ class Run:
     @property
     def condition(self) -> Array:
         """Condition number (k,), σ₁/σₚ, at most 1/`RANK`. Source: Vargas 2013, §3.3."""
-        return np.asarray(self.sigma[:, 0] / np.maximum(self.sigma[:, -1], RANK * self.sigma[:, 0]))
+        return np.asarray(self.sigma[:, 0] / np.maximum(self.sigma[:, -1], RANK_TOLERANCE * self.sigma[:, 0]))
 
     @property
-    def push(self) -> Array:
+    def joint_acceleration(self) -> Array:
         """The largest joint acceleration between consecutive steps, (k − 1,), rad/s²."""
-        return np.asarray(np.abs(np.diff(self.rates, axis=0)).max(axis=1) / (self.t[1] - self.t[0]))
+        return np.asarray(np.abs(np.diff(self.joint_velocities, axis=0)).max(axis=1) / (self.t[1] - self.t[0]))
 
 
 def tracking(
     problem: Problem,
-    path: Path,
+    path: PathFunction,
     rows: list[int],
     R_target: Array | None = None,
     measure: OrientationError = "quaternion",
-) -> Aiming:
+) -> TaskFunction:
     """The task of following a trajectory, in the length unit ℓ of the problem, with chosen rows of the tool's twist."""
     T, ahead, first = np.eye(4), np.zeros(6), len(rows) if rows == list(range(len(rows))) else 0
     if R_target is not None:
         T[:3, :3] = R_target
 
-    def aiming(q: Array, t: float) -> Aim:
+    def aiming(q: Array, t: float) -> TaskError:
         x, v = path(t)
         T[:3, 3], ahead[:3] = x, v
         T[:3, 3] *= problem.length
         ahead[:3] *= problem.length
         poses = link_poses(problem.robot.chain, q)
-        aim = tool_aim(problem, poses, T, R_target is not None, ahead, measure)
+        aim = tool_task_error(problem, poses, T, R_target is not None, ahead, measure)
         picked: Any = slice(first) if first else rows
-        return Aim(aim.J[picked], aim.error[picked], aim.ahead[picked])
+        return TaskError(aim.J[picked], aim.error[picked], aim.feedforward[picked])
 
     return aiming
 
@@ -131,62 +131,64 @@ class Experiment:
     """What all methods of a comparison share: arm, task, gains Λ, 1/s, start (n,), rad, step and duration, s."""
 
     problem: Problem
-    aiming: Aiming
+    aiming: TaskFunction
     gains: Array | float
     start: Sequence[float] | Array
     dt: float
     seconds: float
 
 
-def record(experiment: Experiment, by: Way, progress: Progress = lambda share: None) -> Run:
+def run_method(experiment: Experiment, by: MethodSettings, progress: Progress = lambda share: None) -> MethodRun:
     """A run of a method in an experiment."""
     method, steps = methods.named(by.method), round(experiment.seconds / experiment.dt) + 1
-    stride = max(1, steps // SHOWN)
+    stride = max(1, steps // MAX_POINTS)
     problem, aiming, gains = experiment.problem, experiment.aiming, experiment.gains
     start, options = np.array(experiment.start, float), method.Options(**by.options)
-    moments = followed(problem, method, options, aiming, gains, start, experiment.dt)
+    moments = closed_loop(problem, method, options, aiming, gains, start, experiment.dt)
     columns: list[tuple[float, Array, Array, Array, Array, Array]] = []
     figures = []
     for i, now in enumerate(islice(moments, steps)):
-        columns.append((now.t, now.q, now.aim.error, now.aim.ahead, now.solution.rates, now.aim.J))
+        columns.append(
+            (now.t, now.q, now.task_error.error, now.task_error.feedforward, now.solution.rates, now.task_error.J)
+        )
         if i % stride == 0:
             figures.append(now.solution.figures)
             progress(i / steps)
     t, at, e, ahead, rates, J = (np.array(column) for column in zip(*columns, strict=True))
-    return Run(t, at, e, ahead, rates, J, stride, tuple(figures))
+    return MethodRun(t, at, e, ahead, rates, J, stride, tuple(figures))
 
 
-def each(runs: Mapping[Key, Callable[[Progress], Run]], progress: Progress) -> dict[Key, Run]:
+def run_each(runs: Mapping[Key, Callable[[Progress], MethodRun]], progress: Progress) -> dict[Key, MethodRun]:
     """Do runs one after another; progress gets the completed fraction of all."""
-    done: dict[Key, Run] = {}
+    done: dict[Key, MethodRun] = {}
     for key, one in runs.items():
         done[key] = one(lambda share: progress((len(done) + share) / len(runs)))
     progress(1.0)
     return done
 
 
-def compared(experiment: Experiment, ways: Mapping[str, Way], progress: Progress) -> dict[str, Run]:
+def run_methods(experiment: Experiment, ways: Mapping[str, MethodSettings], progress: Progress) -> dict[str, MethodRun]:
     """A run of each of several methods in the same experiment."""
-    return each({key: partial(record, experiment, one) for key, one in ways.items()}, progress)
+    return run_each({key: partial(run_method, experiment, one) for key, one in ways.items()}, progress)
 
 
-def turned(axis: int, angle: float) -> Array:
+def rotation_about(axis: int, angle: float) -> Array:
     """Rotation about y (axis 1) or z (axis 2), (3, 3)."""
     c, s = cos(angle), sin(angle)
     return np.array([[[c, 0, s], [0, 1, 0], [-s, 0, c]], [[c, -s, 0], [s, c, 0], [0, 0, 1]]][axis - 1])
 
 
-def largest(values: Array, when: Instants | slice = slice(None)) -> float:
+def largest_absolute(values: Array, when: TimeMask | slice = slice(None)) -> float:
     """The largest absolute value at the chosen times."""
     return float(np.abs(values[when]).max())
 
 
-def sizes(vectors: Array) -> Array:
+def row_norms(vectors: Array) -> Array:
     """‖e‖ at each time, (k,), of e (k, r)."""
     return np.asarray(np.linalg.norm(vectors, axis=1))
 
 
-def left_at(run: Run, by: float = 0.01) -> float:
+def first_motion_time(run: MethodRun, by: float = 0.01) -> float:
     """The time, s, at which a joint has first moved by an angle, rad, from its start; infinite if none has."""
     moved = np.abs(run.q - run.q[0]).max(axis=1) > by
     return float(run.t[moved.argmax()]) if moved.any() else np.inf

@@ -11,18 +11,18 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import objectives
 from helicoide.ik.arm_points import along_links
-from helicoide.ik.clik import Aiming
+from helicoide.ik.clik import TaskFunction
 from helicoide.ik.secondary import Chosen, augmented
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies.study import Chart, Progress
-from helicoide.studies.vargas.arms import planar
-from helicoide.studies.vargas.paths import Path, path_5, places
-from helicoide.studies.vargas.runs import IN_PLANE, Experiment, Run, record, tracking, way
-from helicoide.studies.vargas.table import ERROR_FROM, FASTEST_FROM, over_time, settled
+from helicoide.studies.vargas.arms import planar_problem
+from helicoide.studies.vargas.paths import PathFunction, path_5, path_points
+from helicoide.studies.vargas.runs import PLANAR_ROWS, Experiment, MethodRun, method_settings, run_method, tracking
+from helicoide.studies.vargas.table import ERROR_FROM, FASTEST_FROM, over_time, transient_end
 from helicoide.text import Text
 
 SECONDS, RATE = 32.0, 5.0
-SINCE = settled(RATE)
+SINCE = transient_end(RATE)
 FASTEST_LATER, ERROR_LATER = FASTEST_FROM.format(since=SINCE), ERROR_FROM.format(since=SINCE)
 NEAREST_LATER = Text(en="least distance from 2 s on", pt_BR="menor distância a partir de 2 s")
 MODIFIED = "filtered_modified"
@@ -30,42 +30,46 @@ LENGTH = 4.0
 COST = Text(en="cost of the additional row", pt_BR="custo da linha adicional")
 
 
-def silent(share: float) -> None:
+def no_progress(share: float) -> None:
     """Ignore progress."""
 
 
-def chosen(name: str, **options: Any) -> Chosen:
+def single_objective(name: str, **options: Any) -> Chosen:
     """One secondary objective with changed options."""
     objective = objectives.named(name)
     return [(objective, replace(objective.Options(), **options))]
 
 
-def follow(path: Path) -> Aiming:
+def planar_tracking(path: PathFunction) -> TaskFunction:
     """The task of following a trajectory with the planar arm; its orientation is free."""
-    return tracking(planar(), path, IN_PLANE)
+    return tracking(planar_problem(), path, PLANAR_ROWS)
 
 
-def filtered(aiming: Aiming, start: Sequence[float], gain: float, dt: float, progress: Progress, seconds: float) -> Run:
+def run_modified_filter(
+    aiming: TaskFunction, start: Sequence[float], gain: float, dt: float, progress: Progress, seconds: float
+) -> MethodRun:
     """A run with the modified law and gain γ."""
-    return record(Experiment(planar(), aiming, RATE, start, dt, seconds), way(MODIFIED, gain=gain), progress)
+    return run_method(
+        Experiment(planar_problem(), aiming, RATE, start, dt, seconds), method_settings(MODIFIED, gain=gain), progress
+    )
 
 
-def cost_chart(runs: Mapping[Text, Run], figure: str) -> Chart:
+def cost_chart(runs: Mapping[Text, MethodRun], figure: str) -> Chart:
     """The cost f; the last row of ν₊ is −f."""
-    return over_time(COST, "f", runs, lambda run: -run.ahead[:, -1], figure)
+    return over_time(COST, "f", runs, lambda run: -run.feedforward[:, -1], figure)
 
 
-def tool(run: Run, path: Path) -> Array:
+def tool_points(run: MethodRun, path: PathFunction) -> Array:
     """The tool position, (k, 2), ℓ: p = p_d − e."""
-    return np.asarray(places(path, run.t)[:, :2] - run.e[:, :2])
+    return np.asarray(path_points(path, run.t)[:, :2] - run.e[:, :2])
 
 
-def distances(run: Run, points: Callable[[float], Array], every: float = 0.05) -> tuple[Array, Array]:
+def link_distances(run: MethodRun, points: Callable[[float], Array], every: float = 0.05) -> tuple[Array, Array]:
     """The least distances, ℓ, between forty points on each link and `points`(t) (k, 3).
 
     Returns times, s, `every` s apart, and the distances.
     """
-    arm, step = planar().robot, max(1, round(every / (run.t[1] - run.t[0])))
+    arm, step = planar_problem().robot, max(1, round(every / (run.t[1] - run.t[0])))
     fine, t = along_links(arm, 40), run.t[::step]
     away = [
         np.linalg.norm(fine.at(link_poses(arm.chain, q))[:, None] - points(now), axis=2).min()
@@ -74,28 +78,28 @@ def distances(run: Run, points: Callable[[float], Array], every: float = 0.05) -
     return t, np.array(away)
 
 
-def nearest(run: Run, points: Callable[[float], Array]) -> float:
+def least_link_distance(run: MethodRun, points: Callable[[float], Array]) -> float:
     """The least distance after the transient, ℓ."""
-    t, away = distances(run, points)
+    t, away = link_distances(run, points)
     return float(away[t >= SINCE - 1e-9].min())
 
 
-def beside_the_links(
+def obstacle_near_links(
     mu: tuple[float, float],
     per_link: int,
     gain: float,
     dt: float,
     seconds: float,
-    progress: Progress = silent,
-) -> tuple[Run, float]:
+    progress: Progress = no_progress,
+) -> tuple[MethodRun, float]:
     """Fig. 4.42: trajectory 5 with an obstacle at μ (x, y), ℓ, whose cost acts on `per_link` points of each link.
 
     Returns the run, and the least distance of the arm from μ after the transient, ℓ. per_link 0: no cost.
     """
-    aiming = follow(path_5)
+    aiming = planar_tracking(path_5)
     if per_link:
         at = {"x": mu[0], "y": mu[1], "z": 0.0, "a": 0.2, "b": 0.2, "c": 0.2}
-        hill = chosen("ellipsoid", weight=2.0, where="links", per_link=per_link, **at)
-        aiming = augmented(planar(), hill, aiming)
-    run = filtered(aiming, (0.9, -1.2, -0.6), gain, dt, progress, seconds)
-    return run, nearest(run, lambda t: np.array([[*mu, 0.0]]))
+        hill = single_objective("ellipsoid", weight=2.0, where="links", per_link=per_link, **at)
+        aiming = augmented(planar_problem(), hill, aiming)
+    run = run_modified_filter(aiming, (0.9, -1.2, -0.6), gain, dt, progress, seconds)
+    return run, least_link_distance(run, lambda t: np.array([[*mu, 0.0]]))

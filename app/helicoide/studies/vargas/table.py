@@ -9,10 +9,10 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.method import Quantity
-from helicoide.studies.study import Chart, Figure, Line, Motion, Relation, Result, Row, Statement
+from helicoide.studies.study import Chart, ChartLine, Figure, Motion, Relation, Result, Row, Statement
 from helicoide.studies.vargas.arms import LENGTHS
-from helicoide.studies.vargas.runs import Run, Way, digits
-from helicoide.text import Text, same
+from helicoide.studies.vargas.runs import MethodRun, MethodSettings, localized
+from helicoide.text import Text, untranslated
 
 # γ counts in the unit of length of the arm, which has no name for the planar one (sources, Vargas 15).
 OF_THE_PLANAR = Text(
@@ -30,24 +30,24 @@ Step = Annotated[float, Quantity(Text(en="step", pt_BR="passo"), 1e-4, 2e-2, "s"
 NULL, TRACKED, SMALL = 0.001, 0.01, 0.05
 MUCH, SIMILAR = 5.0, 0.25
 # the correlation of two curves that look alike
-ALIKE = 0.7
+SIMILAR_CORRELATION = 0.7
 # rad: a joint that moves by more has moved; joints that differ by less are practically identical
-MOVED = 0.01
+MOTION_THRESHOLD = 0.01
 
 SECONDS = Text(en="t, s", pt_BR="t, s")
-WISHED = Text(en="desired", pt_BR="desejado")
+DESIRED = Text(en="desired", pt_BR="desejado")
 ERRORS = Text(en="error", pt_BR="erro")
 FASTEST = Text(en="fastest joint", pt_BR="junta mais rápida")
 FASTEST_FROM = Text(en="fastest joint from {since:g} s on", pt_BR="junta mais rápida a partir de {since:g} s")
 ERROR_FROM = Text(en="largest error from {since:g} s on", pt_BR="maior erro a partir de {since:g} s")
 
 
-def settled(rate: float) -> float:
+def transient_end(rate: float) -> float:
     """The end of the transient, s, when ė = −λe has reduced the initial error to e⁻¹⁰."""
     return 10 / rate
 
 
-def row(
+def run_row(
     quantity: Text, of: Text | None, ours: float, unit: str = "", source: Statement | Figure | None = None, **more: Any
 ) -> Row:
     """A row about one run; more: further fields of the row."""
@@ -55,93 +55,102 @@ def row(
     return Row(title, ours, unit, source, **more)
 
 
-def in_steps(what: Text, dt: float) -> Text:
+def with_step(what: Text, dt: float) -> Text:
     """A quantity that depends on the step dt, s."""
     steps = Text(en="{what}, in steps of {ms:g} ms", pt_BR="{what}, em passos de {ms:g} ms")
     return steps.format(what=what, ms=1e3 * dt)
 
 
-def stated(en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0) -> Statement:
+def sentence_statement(
+    en: str, pt_BR: str, place: str, value: float, relation: Relation = "=", within: float = 0.0
+) -> Statement:
     """A sentence of the source, as a condition on a number."""
     return Statement(Text(en=en, pt_BR=pt_BR), place, value, relation, within)
 
 
-def finished(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
+def study_result(rows: Sequence[Row], charts: Sequence[Chart], motions: Sequence[Motion] = ()) -> Result:
     """The result of a study."""
     return Result(tuple(rows), tuple(charts), tuple(motions))
 
 
 def over_time(
-    title: Text, up: str, runs: Mapping[Text, Run], value: Callable[[Run], Array], figure: str = "", log: bool = False
+    title: Text,
+    up: str,
+    runs: Mapping[Text, MethodRun],
+    value: Callable[[MethodRun], Array],
+    figure: str = "",
+    log: bool = False,
 ) -> Chart:
     """A quantity of several runs, (k,) of each."""
-    lines = tuple(Line(name, thinned(run.t), thinned(value(run))) for name, run in runs.items())
-    return Chart(title, SECONDS, same(up), lines, figure, log)
+    lines = tuple(ChartLine(name, subsampled(run.t), subsampled(value(run))) for name, run in runs.items())
+    return Chart(title, SECONDS, untranslated(up), lines, figure, log)
 
 
-def errors_chart(runs: Mapping[Text, Run], unit: str, figure: str = "", log: bool = False) -> Chart:
+def errors_chart(runs: Mapping[Text, MethodRun], unit: str, figure: str = "", log: bool = False) -> Chart:
     """‖e‖ of several runs."""
-    return over_time(ERRORS, f"‖e‖, {unit}", runs, lambda run: run.size, figure, log)
+    return over_time(ERRORS, f"‖e‖, {unit}", runs, lambda run: run.error_norm, figure, log)
 
 
-def condition_chart(runs: Mapping[Text, Run], figure: str) -> Chart:
+def condition_chart(runs: Mapping[Text, MethodRun], figure: str) -> Chart:
     """The condition number of J of several runs."""
     title = Text(en="condition number", pt_BR="número de condição")
     return over_time(title, "σ₁/σₚ", runs, lambda run: run.condition, figure, log=True)
 
 
-def w_chart(runs: Mapping[Text, Run], unit: str, figure: str = "") -> Chart:
+def w_chart(runs: Mapping[Text, MethodRun], unit: str, figure: str = "") -> Chart:
     """The manipulability of several runs."""
     return over_time(Text(en="manipulability", pt_BR="manipulabilidade"), f"w, {unit}", runs, lambda run: run.w, figure)
 
 
-def fastest_chart(runs: Mapping[Text, Run], figure: str = "") -> Chart:
+def fastest_chart(runs: Mapping[Text, MethodRun], figure: str = "") -> Chart:
     """The largest joint velocity of several runs over time, logarithmic."""
-    return over_time(FASTEST, "max |q̇ᵢ|, rad/s", runs, lambda run: np.abs(run.rates).max(axis=1), figure, log=True)
+    return over_time(
+        FASTEST, "max |q̇ᵢ|, rad/s", runs, lambda run: np.abs(run.joint_velocities).max(axis=1), figure, log=True
+    )
 
 
-def rates_chart(run: Run, of: Text, figure: str = "") -> Chart:
+def joint_velocity_chart(run: MethodRun, of: Text, figure: str = "") -> Chart:
     """The joint velocities of a run."""
     title = Text(en="joint velocities, {of}", pt_BR="velocidades de junta, {of}").format(of=of)
-    return _of_joints(title, run.t, run.rates, "q̇", "rad/s", figure)
+    return _of_joints(title, run.t, run.joint_velocities, "q̇", "rad/s", figure)
 
 
-def joints_chart(run: Run, of: Text, figure: str = "") -> Chart:
+def joints_chart(run: MethodRun, of: Text, figure: str = "") -> Chart:
     """The joint angles of a run."""
     title = Text(en="joint angles, {of}", pt_BR="ângulos de junta, {of}").format(of=of)
     return _of_joints(title, run.t, run.q, "q", "rad", figure)
 
 
 def _of_joints(title: Text, t: Array, values: Array, symbol: str, unit: str, figure: str) -> Chart:
-    columns = enumerate(thinned(values).T, 1)
-    lines = tuple(Line(same(f"{symbol}{i}"), thinned(t), column) for i, column in columns)
-    return Chart(title, SECONDS, same(f"{symbol}, {unit}"), lines, figure)
+    columns = enumerate(subsampled(values).T, 1)
+    lines = tuple(ChartLine(untranslated(f"{symbol}{i}"), subsampled(t), column) for i, column in columns)
+    return Chart(title, SECONDS, untranslated(f"{symbol}, {unit}"), lines, figure)
 
 
-def figures_chart(title: Text, symbol: str, runs: Mapping[Text, Run], unit: str = "", figure: str = "") -> Chart:
+def figures_chart(title: Text, symbol: str, runs: Mapping[Text, MethodRun], unit: str = "", figure: str = "") -> Chart:
     """A quantity that the method reports, such as V_c or δ, of several runs."""
-    lines = tuple(Line(name, run.shown, run.figure(symbol)) for name, run in runs.items())
-    return Chart(title, SECONDS, same(f"{symbol}{unit and ', ' + unit}"), lines, figure)
+    lines = tuple(ChartLine(name, run.figure_times, run.figure(symbol)) for name, run in runs.items())
+    return Chart(title, SECONDS, untranslated(f"{symbol}{unit and ', ' + unit}"), lines, figure)
 
 
-def way_chart(lines: Mapping[Text, Array], across: str, up: str, figure: str = "") -> Chart:
+def path_chart(lines: Mapping[Text, Array], across: str, up: str, figure: str = "") -> Chart:
     """Paths in a plane, (k, 2) each."""
     title = Text(en="path of the end effector", pt_BR="percurso do efetuador")
-    drawn = tuple(Line(name, *thinned(points).T) for name, points in lines.items())
-    return Chart(title, same(across), same(up), drawn, figure)
+    drawn = tuple(ChartLine(name, *subsampled(points).T) for name, points in lines.items())
+    return Chart(title, untranslated(across), untranslated(up), drawn, figure)
 
 
-def titled(ways: Mapping[str, Way], runs: Mapping[str, Run]) -> dict[Text, Run]:
+def runs_by_title(ways: Mapping[str, MethodSettings], runs: Mapping[str, MethodRun]) -> dict[Text, MethodRun]:
     """The runs by their titles."""
     return {ways[key].title: run for key, run in runs.items()}
 
 
-def valued(symbol: str, value: float) -> Text:
+def symbol_value(symbol: str, value: float) -> Text:
     """A symbol with its value, such as "α = 0.5"."""
-    return digits(f"{symbol} = {value:g}")
+    return localized(f"{symbol} = {value:g}")
 
 
-def thinned(values: Array, most: int = 2000) -> Array:
+def subsampled(values: Array, most: int = 2000) -> Array:
     """About `most` of the values, evenly spaced."""
     return values[:: max(1, len(values) // most)]
 
@@ -150,12 +159,12 @@ def thinned(values: Array, most: int = 2000) -> Array:
 POSTURES = 300
 
 
-def planar_motions(runs: Mapping[Text, Run]) -> list[Motion]:
+def planar_motions(runs: Mapping[Text, MethodRun]) -> list[Motion]:
     """The motions of the planar arm."""
     return [Motion("planar3r", *_postures(run), LENGTHS, title) for title, run in runs.items()]
 
 
-def zebra_motions(runs: Mapping[Text, Run]) -> list[Motion]:
+def zebra_motions(runs: Mapping[Text, MethodRun]) -> list[Motion]:
     """The motions of the Zebra-ZERO; joints 4 to 6 are 0 in runs with three joints."""
     moved = {title: _postures(run) for title, run in runs.items()}
     return [
@@ -164,5 +173,5 @@ def zebra_motions(runs: Mapping[Text, Run]) -> list[Motion]:
     ]
 
 
-def _postures(run: Run) -> tuple[Array, Array]:
-    return thinned(run.t, POSTURES), thinned(run.q, POSTURES)
+def _postures(run: MethodRun) -> tuple[Array, Array]:
+    return subsampled(run.t, POSTURES), subsampled(run.q, POSTURES)

@@ -53,14 +53,14 @@ class Layer(Protocol):
 
 
 @cache
-def found() -> tuple[ModuleType, ...]:
+def all_layers() -> tuple[ModuleType, ...]:
     """Every layer there is."""
     return tuple(content.modules(__name__).values())
 
 
 def optional() -> list[ModuleType]:
     """The layers that a person can show and hide."""
-    return [layer for layer in found() if hasattr(layer, "TITLE")]
+    return [layer for layer in all_layers() if hasattr(layer, "TITLE")]
 
 
 class Layers:
@@ -71,7 +71,7 @@ class Layers:
         self.layers: dict[str, Layer] = {}
         self.failed: set[str] = set()
         self.told: set[str] = set()
-        for layer in found():
+        for layer in all_layers():
             if shared == layer.SHARED:
                 try:
                     self.layers[layer.NAME] = layer.build(stage)

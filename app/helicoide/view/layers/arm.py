@@ -9,7 +9,7 @@ import viser
 
 from helicoide.arrays import Array
 from helicoide.view.layers import Stage
-from helicoide.view.pose import stand
+from helicoide.view.pose import place_node
 from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
@@ -17,16 +17,16 @@ NAME = "arm"
 SHARED = True
 
 
-def build(stage: Stage) -> Arm:
+def build(stage: Stage) -> ArmLayer:
     """The solid arm."""
     frames = []
     for shape in stage.shapes:
         frames.append(stage.scene.add_frame(f"/arm/{shape.name}", show_axes=False))
         stage.scene.add_glb(f"/arm/{shape.name}/mesh", shape.glb)
-    return Arm(Placed(stage.shapes, frames))
+    return ArmLayer(LinkNodes(stage.shapes, frames))
 
 
-class Placed:
+class LinkNodes:
     """Frames in the scene that follow the links which carry their shapes."""
 
     def __init__(self, shapes: Sequence[Shape], frames: Sequence[viser.FrameHandle]) -> None:
@@ -41,13 +41,13 @@ class Placed:
         Ts = carriers @ self.Ts_link_shape
         Ts[:, :3, 3:] += gripper * carriers[:, :3, :3] @ self.slides
         for frame, T in zip(self.frames, Ts, strict=True):
-            stand(frame, T)
+            place_node(frame, T)
 
 
-class Arm:
+class ArmLayer:
     """The solid arm's frames."""
 
-    def __init__(self, placed: Placed) -> None:
+    def __init__(self, placed: LinkNodes) -> None:
         self.placed = placed
 
     def update(self, old: View | None, new: View) -> None:

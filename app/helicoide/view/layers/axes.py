@@ -52,7 +52,7 @@ class Axes:
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the joints while shown."""
-        shown = new.seat.shows[NAME]
+        shown = new.seat.visible_layers[NAME]
         if shown and (old is None or old.state.arm.q is not new.state.arm.q or not self.lines.visible):
             axes, points = new.state.axes, new.state.arm.poses[1:, :3, 3]
             heads = points + TIP * self.size * axes

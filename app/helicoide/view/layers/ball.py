@@ -5,7 +5,7 @@ from __future__ import annotations
 import viser
 
 from helicoide.arrays import Array
-from helicoide.kinematics.ball import RADIUS
+from helicoide.kinematics.ball import BALL_RADIUS
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -16,14 +16,14 @@ WHITE, WOOD = (245, 245, 240), (150, 111, 70)
 STAND = 0.014
 
 
-def build(stage: Stage) -> Ball:
+def build(stage: Stage) -> BallLayer:
     """A ball that is not there yet, and no stands."""
-    sphere = stage.scene.add_icosphere("/ball", RADIUS, WHITE, cast_shadow=False)
+    sphere = stage.scene.add_icosphere("/ball", BALL_RADIUS, WHITE, cast_shadow=False)
     sphere.visible = False
-    return Ball(stage, sphere)
+    return BallLayer(stage, sphere)
 
 
-class Ball:
+class BallLayer:
     """The ball, and a column from the floor for each stand; those that are not needed are kept and hidden."""
 
     def __init__(self, stage: Stage, sphere: viser.IcosphereHandle) -> None:
@@ -38,8 +38,8 @@ class Ball:
         self.sphere.visible = ball is not None
         if ball is not None:
             self.sphere.position = ball.centre
-        if before is None or ball is None or ball.stands is not before.stands:
-            self._stand([] if ball is None else list(ball.stands))
+        if before is None or ball is None or ball.supports is not before.supports:
+            self._stand([] if ball is None else list(ball.supports))
 
     def _stand(self, tops: list[Array]) -> None:
         scene, floor = self.stage.scene, self.stage.robot.floor

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import viser
 
-from helicoide.state import Seen
+from helicoide.state import FittedCloud
 from helicoide.text import Text
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
@@ -30,12 +30,12 @@ class Clouds:
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.clouds: dict[str, viser.PointCloudHandle] = {}
-        self.drawn: dict[str, Seen] = {}
+        self.drawn: dict[str, FittedCloud] = {}
 
     def update(self, old: View | None, new: View) -> None:
         """Show what was read since."""
-        seen, shown = new.state.seen, new.seat.shows[NAME]
-        if old is None or old.state.seen is not seen:
+        seen, shown = new.state.clouds, new.seat.visible_layers[NAME]
+        if old is None or old.state.clouds is not seen:
             for name, one in seen.items():
                 if self.drawn.get(name) is not one:
                     self._draw(name, one)
@@ -43,10 +43,10 @@ class Clouds:
             if cloud.visible != (shown and name in seen):
                 cloud.visible = shown and name in seen
 
-    def _draw(self, name: str, seen: Seen) -> None:
+    def _draw(self, name: str, seen: FittedCloud) -> None:
         self.drawn[name] = seen
         kept = np.unique(np.linspace(0, len(seen.points) - 1, min(MOST, len(seen.points))).astype(int))
-        colours = np.where(seen.on_it[kept, None], ON_IT, OFF_IT).astype(np.uint8)
+        colours = np.where(seen.on_plane[kept, None], ON_IT, OFF_IT).astype(np.uint8)
         points = seen.points[kept].astype(np.float32)
         self.clouds[name] = self.stage.scene.add_point_cloud(
             f"/cloud/{name}", points, colours, point_size=SIZE * self.stage.size

@@ -14,15 +14,15 @@ COLOUR = (106, 27, 154)
 RADIUS = 0.014
 
 
-def build(stage: Stage) -> Entry:
+def build(stage: Stage) -> EntryLayer:
     """The ball, hidden until an entry point is held."""
     ball = stage.scene.add_icosphere(
         "/entry", RADIUS * stage.size, COLOUR, opacity=0.7, cast_shadow=False, visible=False
     )
-    return Entry(ball)
+    return EntryLayer(ball)
 
 
-class Entry:
+class EntryLayer:
     """The ball."""
 
     def __init__(self, ball: viser.IcosphereHandle) -> None:

@@ -6,7 +6,7 @@ import viser
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.state import Grasp
+from helicoide.state import Drag
 from helicoide.view import bind
 from helicoide.view.layers import Stage
 from helicoide.view.rows import ForArm, View
@@ -44,5 +44,5 @@ class EntryHandle:
         state, entry = new.state, new.state.problem.entry
         if self.gizmo.visible != (entry is not None):
             self.gizmo.visible = entry is not None
-        if entry is not None and new.rearranged(old) and state.request.grasp != Grasp(self.who, gate.ENTRY):
+        if entry is not None and new.handles_moved(old) and state.request.drag != Drag(self.who, gate.ENTRY):
             self.gizmo.position = entry.point

@@ -6,7 +6,7 @@ import viser
 
 from helicoide.text import Text
 from helicoide.view.layers import Stage
-from helicoide.view.pose import stand
+from helicoide.view.pose import place_node
 from helicoide.view.rows import View
 
 NAME = "frames"
@@ -36,10 +36,10 @@ class Frames:
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the links while shown."""
-        shown = new.seat.shows[NAME]
+        shown = new.seat.visible_layers[NAME]
         for frame in self.frames:
             if frame.visible != shown:
                 frame.visible = shown
         if shown:
             for frame, pose in zip(self.frames, [*new.state.arm.poses, new.state.T_world_tool], strict=True):
-                stand(frame, pose)
+                place_node(frame, pose)

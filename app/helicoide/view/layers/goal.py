@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from helicoide.command import Along, Hold
+from helicoide.command import FollowPath, HoldPosition
 from helicoide.readout import SHORT
 from helicoide.state import State
 from helicoide.view.layers import Stage
@@ -18,12 +18,12 @@ MET, MISSED = (0, 150, 136), (230, 81, 0)
 AWAY = 0.02
 
 
-def build(stage: Stage) -> Goal:
+def build(stage: Stage) -> GoalLayer:
     """The outline of the arm, hidden until there is a goal."""
-    return Goal(Outline(stage, NAME, MET))
+    return GoalLayer(Outline(stage, NAME, MET))
 
 
-class Goal:
+class GoalLayer:
     """The outline at the goal."""
 
     def __init__(self, outline: Outline) -> None:
@@ -38,11 +38,11 @@ class Goal:
         self.outline.show(goal is not None and _is_away(state))
         if goal is not None and self.outline.shown:
             self.outline.write(goal.poses, state.arm.gripper)
-            self.outline.paint(MET if goal.short <= SHORT else MISSED)
+            self.outline.paint(MET if goal.position_error <= SHORT else MISSED)
 
 
 def _is_away(state: State) -> bool:
     """Whether the goal is far enough from the arm to be told apart; a path that plays needs no outline."""
-    if state.request.goal is None or isinstance(state.request.command, Hold | Along):
+    if state.request.goal is None or isinstance(state.request.command, HoldPosition | FollowPath):
         return False
     return bool(np.max(np.abs(state.request.goal.q - state.arm.q)) > AWAY)

@@ -6,7 +6,7 @@ import viser
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.state import Grasp
+from helicoide.state import Drag
 from helicoide.text import Text
 from helicoide.view import bind
 from helicoide.view.layers import Stage
@@ -27,26 +27,26 @@ def build(stage: Stage) -> Handles:
 class Handles:
     """The gizmos, one for each plane that may be moved; each stays under the hand that holds it.
 
-    turns: whether they turn the planes, with rings, and do not move them, with an arrow.
+    rotates: whether they turn the planes, with rings, and do not move them, with an arrow.
     """
 
     def __init__(self, stage: Stage, name: str, turns: bool) -> None:
-        self.stage, self.name, self.turns = stage, name, turns
+        self.stage, self.name, self.rotates = stage, name, turns
         self.gizmos: dict[int, viser.TransformControlsHandle] = {}
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the planes, and hide while they are off."""
         state, planes = new.state, new.state.problem.planes
-        shown = new.seat.shows[self.name] and not state.arm.parked
+        shown = new.seat.visible_layers[self.name] and not state.arm.parked
         movable = {k for k, pane in enumerate(planes.panes) if pane.movable}
         for k in movable - self.gizmos.keys() if shown else ():
             self.gizmos[k] = self._gizmo(k)
             old = None
-        changed = new.rearranged(old)
+        changed = new.handles_moved(old)
         for index, gizmo in self.gizmos.items():
             if gizmo.visible != (shown and index in movable):
                 gizmo.visible = shown and index in movable
-            if changed and index in movable and state.request.grasp != Grasp(self.stage.who, f"plane {index}"):
+            if changed and index in movable and state.request.drag != Drag(self.stage.who, f"plane {index}"):
                 gizmo.position = planes.centres[index]
                 gizmo.wxyz = pane_wxyz(planes.normals[index])
 
@@ -56,10 +56,10 @@ class Handles:
             f"/{self.name}/plane {index}",
             scale=0.2 * stage.weight,
             line_width=4.0 * stage.weight,
-            active_axes=(self.turns, self.turns, True),
-            disable_axes=self.turns,
+            active_axes=(self.rotates, self.rotates, True),
+            disable_axes=self.rotates,
             disable_sliders=True,
-            disable_rotations=not self.turns,
+            disable_rotations=not self.rotates,
         )
 
         def dragged(phase: gate.Phase, position: Array, wxyz: Array) -> None:

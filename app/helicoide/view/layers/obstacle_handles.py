@@ -6,7 +6,7 @@ import viser
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.state import Grasp
+from helicoide.state import Drag
 from helicoide.view import bind
 from helicoide.view.layers import Stage
 from helicoide.view.rows import ForArm, View
@@ -30,7 +30,7 @@ class ObstacleHandles:
     def update(self, old: View | None, new: View) -> None:
         """Follow the obstacles."""
         state, obstacles = new.state, new.state.problem.obstacles
-        if not new.rearranged(old):
+        if not new.handles_moved(old):
             return
         while len(self.gizmos) < len(obstacles.radii):
             self.gizmos.append(self._handle(len(self.gizmos)))
@@ -38,7 +38,7 @@ class ObstacleHandles:
             shown = index < len(obstacles.radii)
             if gizmo.visible != shown:
                 gizmo.visible = shown
-            if shown and state.request.grasp != Grasp(self.stage.who, gate.obstacle_handle(index)):
+            if shown and state.request.drag != Drag(self.stage.who, gate.obstacle_handle(index)):
                 gizmo.position = obstacles.ends[index, 0]
 
     def _handle(self, index: int) -> viser.TransformControlsHandle:

@@ -16,12 +16,12 @@ SHARED = True
 FREE, HOLDS = (120, 110, 95), (211, 47, 47)
 
 
-def build(stage: Stage) -> Obstacles:
+def build(stage: Stage) -> ObstacleLayer:
     """None to begin with."""
-    return Obstacles(stage)
+    return ObstacleLayer(stage)
 
 
-class Obstacles:
+class ObstacleLayer:
     """A sphere of radius 1 m for each obstacle, scaled; more are made when they are needed, then kept."""
 
     def __init__(self, stage: Stage) -> None:
@@ -34,7 +34,7 @@ class Obstacles:
         state = new.state
         if old is None or old.state.problem.obstacles is not state.problem.obstacles:
             self._place(state.problem.obstacles.ends[:, 0], state.problem.obstacles.radii)
-        if len(state.problem.obstacles.radii) and (old is None or old.state.arm.held is not state.arm.held):
+        if len(state.problem.obstacles.radii) and (old is None or old.state.arm.active_set is not state.arm.active_set):
             holding = {reason.obstacle for reason in held_by(state) if isinstance(reason, ObstacleContact)}
             self._paint(holding)
 

@@ -6,7 +6,7 @@ import numpy as np
 import viser
 
 from helicoide import gate
-from helicoide.command import Along, Course
+from helicoide.command import FollowPath, PathChoice
 from helicoide.text import Text
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
@@ -20,25 +20,25 @@ COLOUR = (194, 24, 91)
 PIECES = 200
 
 
-def build(stage: Stage) -> Path:
+def build(stage: Stage) -> PathLayer:
     """A line without a course yet."""
     line = stage.scene.add_line_segments("/path", np.zeros((1, 2, 3)), COLOUR, thickness=0.002 * stage.size)
     line.visible = False
-    return Path(stage, line)
+    return PathLayer(stage, line)
 
 
-class Path:
+class PathLayer:
     """The curve."""
 
     def __init__(self, stage: Stage, line: viser.LineSegmentsHandle) -> None:
         self.stage, self.line = stage, line
-        self.course: Course | None = None
+        self.course: PathChoice | None = None
 
     def update(self, old: View | None, new: View) -> None:
         """Show on request, and whenever the arm follows it."""
-        shown = new.seat.shows[NAME] or isinstance(new.state.request.command, Along)
-        if shown and self.course != new.state.request.course:
-            self.course = new.state.request.course
+        shown = new.seat.visible_layers[NAME] or isinstance(new.state.request.command, FollowPath)
+        if shown and self.course != new.state.request.path_choice:
+            self.course = new.state.request.path_choice
             path = gate.path_of(self.stage.robot, self.course)
             points = np.array([path.pose(s)[:3, 3] for s in np.linspace(0, path.duration, PIECES + 1)])
             self.line.points = np.stack([points[:-1], points[1:]], axis=1).astype(np.float32)

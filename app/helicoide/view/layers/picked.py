@@ -9,7 +9,7 @@ import viser
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.perception.pointing import pointed_at
+from helicoide.perception.pointing import point_under_ray
 from helicoide.view import bind
 from helicoide.view.layers import Stage
 from helicoide.view.rows import ForArm, ForSeat, View
@@ -36,9 +36,9 @@ class Picked:
 
     def update(self, old: View | None, new: View) -> None:
         """Listen to clicks while the person picks, and show what was clicked."""
-        before = None if old is None else old.seat.picked
+        before = None if old is None else old.seat.picked_points
         self.view = new
-        picked = new.seat.picked
+        picked = new.seat.picked_points
         if before == picked:
             return
         if before is None:
@@ -58,13 +58,13 @@ class Picked:
 
     def _clicked(self, eye: Array, ray: Array) -> None:
         """One more point; the third makes the plane."""
-        if self.view is None or self.view.seat.picked is None:
+        if self.view is None or self.view.seat.picked_points is None:
             return
-        point = pointed_at(self.view.state, eye, ray)
+        point = point_under_ray(self.view.state, eye, ray)
         if point is None:
             return
-        picked = (*self.view.seat.picked, tuple(map(float, point)))
+        picked = (*self.view.seat.picked_points, tuple(map(float, point)))
         ended = len(picked) == NEEDED
-        self.stage.act(ForSeat(lambda seat: replace(seat, picked=None if ended else picked)))
+        self.stage.act(ForSeat(lambda seat: replace(seat, picked_points=None if ended else picked)))
         if ended:
             self.stage.act(ForArm(gate.add_plane_through(picked)))

@@ -98,7 +98,7 @@ class Panes:
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.panes: list[Pane] = []
-        self.shown: tuple[robot_parts.Pane, ...] = ()
+        self.shown: tuple[robot_parts.PlanePane, ...] = ()
 
     def update(self, old: View | None, new: View) -> None:
         """Follow the planes and the zone that each is in."""
@@ -111,7 +111,7 @@ class Panes:
             for pane, zone in zip(self.panes, zones(state), strict=False):
                 pane.paint(OFF if state.arm.parked else COLOURS[zone])
 
-    def _make(self, panes: tuple[robot_parts.Pane, ...]) -> None:
+    def _make(self, panes: tuple[robot_parts.PlanePane, ...]) -> None:
         for index, pane in enumerate(panes):
             if index >= len(self.panes):
                 self.panes.append(_pane(self.stage, index, pane.size))

@@ -9,12 +9,12 @@ import viser
 
 from helicoide import gate
 from helicoide.arrays import Array
-from helicoide.command import ToPose
+from helicoide.command import MoveToPose
 from helicoide.readout import SHORT
-from helicoide.state import Grasp, State
+from helicoide.state import Drag, State
 from helicoide.view import bind
 from helicoide.view.layers import Stage
-from helicoide.view.pose import stand
+from helicoide.view.pose import place_node
 from helicoide.view.rows import ForArm, View
 
 NAME = "target"
@@ -41,7 +41,7 @@ def build(stage: Stage) -> Target:
 
 def _shown_pose(state: State) -> Array:
     """Where the gizmo stands when nobody holds it: on the wish for a pose, else on the tool."""
-    return state.request.command.T_world_target if isinstance(state.request.command, ToPose) else state.T_world_tool
+    return state.request.command.T_world_target if isinstance(state.request.command, MoveToPose) else state.T_world_tool
 
 
 class Target:
@@ -57,9 +57,9 @@ class Target:
             return
         if self.gizmo.visible == state.arm.parked:
             self.gizmo.visible = not state.arm.parked
-        if state.request.grasp != Grasp(self.who, "target"):
+        if state.request.drag != Drag(self.who, "target"):
             pose = _shown_pose(state)
-            stand(self.gizmo, pose)
+            place_node(self.gizmo, pose)
             # Under the hand, it would lose the end of the drag.
             if self.gizmo.disable_rotations == state.request.with_orientation:
                 self.gizmo.disable_rotations = not state.request.with_orientation
@@ -72,7 +72,7 @@ class Target:
         away = dist(wished, tool) > SHORT
         if away:
             self.line.points = np.array([[tool, wished]], dtype=np.float32)
-            colour = FAR if state.request.goal is not None and state.request.goal.short > SHORT else NEAR
+            colour = FAR if state.request.goal is not None and state.request.goal.position_error > SHORT else NEAR
             self.line.colors = np.array(colour, dtype=np.uint8)
         if away != self.line.visible:
             self.line.visible = away
@@ -81,4 +81,4 @@ class Target:
 def _shown_of(state: State) -> tuple[object, ...]:
     """What the target is drawn from; equal only where nothing of it was replaced."""
     arm, request = state.arm, state.request
-    return id(arm.q), id(request.command), request.grasp, request.with_orientation, arm.parked
+    return id(arm.q), id(request.command), request.drag, request.with_orientation, arm.parked

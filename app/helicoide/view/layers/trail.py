@@ -36,7 +36,7 @@ class Trail:
 
     def update(self, old: View | None, new: View) -> None:
         """Add where the tool is now."""
-        shown = new.seat.shows[NAME]
+        shown = new.seat.visible_layers[NAME]
         if self.line.visible != shown:
             self.line.visible = shown
         if old is not None and old.state.arm.q is new.state.arm.q:

@@ -6,15 +6,15 @@ import numpy as np
 import viser
 
 from helicoide.arrays import Array
-from helicoide.kinematics.cells import Counts, Mask
+from helicoide.kinematics.grid import Counts, Mask
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.workspace import Map, normal_of
-from helicoide.state import initial
+from helicoide.kinematics.workspace import WorkspaceMap, plane_normal
+from helicoide.state import initial_state
 from helicoide.text import Text
 from helicoide.view.layers import Stage
-from helicoide.view.mapping import middles, scale_of, values
 from helicoide.view.rows import View
 from helicoide.view.scene import outlook
+from helicoide.view.workspace_rows import middles, scale_of, values
 
 NAME = "workspace"
 SHARED = False
@@ -25,9 +25,9 @@ SHOWN = True
 SIZE, FINE, MOST = 1.05, 66, 30_000
 
 
-def build(stage: Stage) -> Workspace:
+def build(stage: Stage) -> WorkspaceLayer:
     """Nothing to begin with."""
-    return Workspace(stage)
+    return WorkspaceLayer(stage)
 
 
 def away(robot: Robot) -> tuple[int, int]:
@@ -43,12 +43,12 @@ def behind(stage: Stage) -> Array:
 
     Nothing for an arm in space.
     """
-    robot, normal = stage.robot, normal_of(stage.robot)
+    robot, normal = stage.robot, plane_normal(stage.robot)
     if normal is None:
         return np.zeros(3)
     position, centre = outlook(robot)
     back = normal if normal @ (centre - position) > 0 else -normal
-    poses = initial(robot).arm.poses
+    poses = initial_state(robot).arm.poses
     moving = [
         (shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3] - robot.T_world_tool_0[:3, 3]) @ back
         for shape in stage.shapes
@@ -63,7 +63,7 @@ def beyond(cut: float, count: int) -> int:
     return int(np.clip(np.ceil(count / 2 * (1 + cut) - 0.5 - 1e-9), 0, count))
 
 
-def divided(found: Map, parts: int) -> Mask:
+def divided(found: WorkspaceMap, parts: int) -> Mask:
     """What is reached, in so many parts of each cell each way: large cells are drawn as the cubes that they are."""
     mask = found.reached.reshape(found.cells.shape)
     for axis in range(mask.ndim):
@@ -90,7 +90,7 @@ def visible(mask: Mask) -> Counts:
     return np.argwhere(mask & ~within[1:-1, 1:-1, 1:-1])
 
 
-class Workspace:
+class WorkspaceLayer:
     """The map as a cloud of points."""
 
     def __init__(self, stage: Stage) -> None:
@@ -98,19 +98,19 @@ class Workspace:
         self.axis, self.way = away(stage.robot)
         self.behind = behind(stage)
         self.cloud: viser.PointCloudHandle | None = None
-        self.drawn: tuple[Map, int] | None = None
+        self.drawn: tuple[WorkspaceMap, int] | None = None
 
     def update(self, old: View | None, new: View) -> None:
         """Draw another map, or another part of it, once it is to be seen."""
         found = new.state.workspace.map
-        shown = found is not None and new.seat.shows[NAME]
+        shown = found is not None and new.seat.visible_layers[NAME]
         if found is not None and shown:
             parts = max(1, FINE // max(found.cells.shape))
             self._draw(found, parts, beyond(new.seat.cut, parts * found.cells.shape[self.axis]))
         if self.cloud is not None and self.cloud.visible != shown:
             self.cloud.visible = shown
 
-    def _draw(self, found: Map, parts: int, hidden: int) -> None:
+    def _draw(self, found: WorkspaceMap, parts: int, hidden: int) -> None:
         if self.drawn is not None and self.drawn[0] is found and self.drawn[1] == hidden:
             return
         self.drawn = found, hidden

@@ -7,6 +7,6 @@ from types import ModuleType
 from helicoide import content
 
 
-def found() -> list[ModuleType]:
+def all_panels() -> list[ModuleType]:
     """Every panel there is, in its order."""
     return sorted(content.modules(__name__).values(), key=lambda panel: panel.ORDER)

@@ -15,9 +15,9 @@ from helicoide.readout import Reading
 from helicoide.state import State
 from helicoide.text import Language, Text
 from helicoide.view import html
-from helicoide.view.formula import coefficient_grid, mathml
-from helicoide.view.rows import Choice, Folder, ForSeat, Row, View, Words
-from helicoide.view.stages import stage_rows
+from helicoide.view.formula import coefficient_grid, formula_html
+from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, Row, View
+from helicoide.view.stage_rows import stage_rows
 
 TITLE = Text(en="Algebra", pt_BR="Álgebra")
 ORDER = 2
@@ -42,17 +42,17 @@ GRADES = (
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
-        Words(lambda view: html.note(INTRODUCTION[view.seat.language]) + _legend(view)),
-        Choice(
+        HtmlRow(lambda view: html.note(INTRODUCTION[view.seat.language]) + _legend(view)),
+        Dropdown(
             Text(en="Light up", pt_BR="Destacar"),
             lambda view: [("", NOTHING), *((one.key, one.title) for one in readout.readings(view.state))],
             lambda view: _key(view) or "",
             lambda key: ForSeat(lambda seat: replace(seat, selected=key or None)),
         ),
-        Words(_selected, computed=True),
-        *([Folder(DISTANCE, [Words(_distance, computed=True)])] if robot.panes else []),
+        HtmlRow(_selected, computed=True),
+        *([Folder(DISTANCE, [HtmlRow(_distance, computed=True)])] if robot.panes else []),
         *(
-            Folder(title, [Words(partial(_all, kind), computed=True)], open=kind == "tool")
+            Folder(title, [HtmlRow(partial(_all, kind), computed=True)], open=kind == "tool")
             for kind, title in KINDS.items()
             if robot.panes or kind != "plane"
         ),
@@ -73,7 +73,7 @@ FORMULAS = {
     "point": r"p = e_1e_2e_3 + x\, e_2e_3e + y\, e_3e_1e + z\, e_1e_2e",
 }
 
-SAID = {kind: mathml(formula) for kind, formula in FORMULAS.items()}
+SAID = {kind: formula_html(formula) for kind, formula in FORMULAS.items()}
 READING = Markup('<div class="helicoide-reading"><header>%s</header>%s</div>')
 
 
@@ -88,7 +88,7 @@ def _shown(view: View, reading: Reading) -> Markup:
 
 @lru_cache(maxsize=1024)  # panels say it several times a second, and it never changes
 def _header(reading: Reading, language: Language) -> Markup:
-    return Markup("{}<span>{}</span>").format(mathml(reading.symbol, reading.index), reading.title[language])
+    return Markup("{}<span>{}</span>").format(formula_html(reading.symbol, reading.index), reading.title[language])
 
 
 def _key(view: View) -> str | None:
@@ -123,9 +123,9 @@ def _pair(view: View) -> Contact:
 def _distance(view: View) -> Markup:
     state: State = view.state
     pair = _pair(view)
-    pane, point = state.problem.planes.panes[pair.plane], state.robot.guarded[pair.point]
+    pane, point = state.problem.planes.panes[pair.plane], state.robot.monitored[pair.point]
     product = readout.distance_product(state, pair.point, pair.plane)
     pair_said = BETWEEN.format(point=point.title, name=pane.name, pane=pane.title)[view.seat.language]
-    return mathml(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e") + Markup(
+    return formula_html(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e") + Markup(
         '<div class="helicoide-reading"><p>{}: <b>{:.1f} mm</b></p>{}</div>'
     ).format(pair_said, 500 * product[-1], coefficient_grid(product))

@@ -11,13 +11,13 @@ from viser import Icon
 
 from helicoide import content
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import Lesson, Prose, entered, load
-from helicoide.markup import markdown
+from helicoide.lesson import Lesson, Prose, entered, load_lesson
+from helicoide.markup import markdown_to_html
 from helicoide.seat import Seat
 from helicoide.text import HelicoideError, Text
 from helicoide.view import html
 from helicoide.view.panels.robot import joint_row
-from helicoide.view.rows import Button, Choice, ForArm, ForSeat, Row, View, Wish, Words
+from helicoide.view.rows import Button, Dropdown, ForArm, ForSeat, HtmlRow, PageRequest, Row, View
 
 TITLE = Text(en="Lesson", pt_BR="Lição")
 ORDER = 0
@@ -37,32 +37,32 @@ log = logging.getLogger("helicoide")
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
-        Choice(
+        Dropdown(
             Text(en="Lesson", pt_BR="Lição"),
             [("", FREE), *((lesson.id, lesson.title) for lesson in lessons())],
             lambda view: view.seat.lesson or "",
             lambda name: ForSeat(lambda seat: entered(seat, name or None)),
         ),
-        Words(_free),
+        HtmlRow(_free),
     ]
 
 
 def lessons() -> list[Lesson]:
     """Every lesson whose files are whole."""
-    return [lesson for name in content.found("lessons") if (lesson := _readable(name))]
+    return [lesson for name in content.content_folders("lessons") if (lesson := _readable(name))]
 
 
 def _readable(name: str) -> Lesson | None:
     """A lesson, or nothing when its files are broken: the others stay usable."""
     try:
-        return load(name)
+        return load_lesson(name)
     except HelicoideError as error:
         log.warning("%s", error)
         return None
 
 
 def _lesson(view: View) -> Lesson | None:
-    return load(view.seat.lesson) if view.seat.lesson else None
+    return load_lesson(view.seat.lesson) if view.seat.lesson else None
 
 
 def _in_lesson(view: View) -> bool:
@@ -82,13 +82,13 @@ def _hinted(seat: Seat) -> Seat:
     return replace(seat, hint_open=not seat.hint_open)
 
 
-def _reset(view: View) -> Wish:
+def _reset(view: View) -> PageRequest:
     lesson = _lesson(view)
     return ForArm(lesson.steps[view.seat.step].setup if lesson else lambda state: state)
 
 
-def _turn(by: int) -> Callable[[View], Wish]:
-    def wish(view: View) -> Wish:
+def _turn(by: int) -> Callable[[View], PageRequest]:
+    def wish(view: View) -> PageRequest:
         return ForSeat(lambda seat: replace(seat, step=seat.step + by, hint_open=False))
 
     return wish
@@ -106,7 +106,7 @@ def _free(view: View) -> Markup:
 def step_rows(robot: Robot, joints: Sequence[int]) -> list[Row]:
     """A step of a lesson: its text, the joints that it needs, its hint, its start, and the steps beside it."""
     return [
-        Words(_step),
+        HtmlRow(_step),
         *(joint_row(robot, index) for index in joints),
         Button(lambda _: Text(en="Hint", pt_BR="Dica"), lambda _: ForSeat(_hinted), Icon.BULB),
         Button(lambda _: Text(en="Reset step", pt_BR="Reiniciar o passo"), _reset, Icon.REFRESH),
@@ -131,7 +131,7 @@ def _step(view: View) -> Markup:
         _dots(lesson, view.seat),
         view.seat.step + 1,
         prose.title[language],
-        markdown(prose.body[language]),
+        markdown_to_html(prose.body[language]),
         _verdict(lesson, view),
         _hint(prose, view),
     )
@@ -140,7 +140,7 @@ def _step(view: View) -> Markup:
 def _hint(prose: Prose, view: View) -> Markup:
     if not view.seat.hint_open:
         return Markup("")
-    return Markup("<blockquote>{}</blockquote>").format(markdown(prose.hint[view.seat.language]))
+    return Markup("<blockquote>{}</blockquote>").format(markdown_to_html(prose.hint[view.seat.language]))
 
 
 def _dots(lesson: Lesson, seat: Seat) -> Markup:

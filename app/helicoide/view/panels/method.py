@@ -11,7 +11,7 @@ from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate
-from helicoide.ik.drive import GUARDED
+from helicoide.ik.controller import GUARDED
 from helicoide.ik.method import Promise, settings
 from helicoide.ik.methods import named, names
 from helicoide.kinematics.robot import Robot
@@ -20,7 +20,7 @@ from helicoide.view import html
 from helicoide.view.instruments import instrument_table
 from helicoide.view.modes import MODES, mode_table
 from helicoide.view.objective import objective_rows
-from helicoide.view.rows import Changing, Choice, Folder, ForArm, Row, Slider, View, Words
+from helicoide.view.rows import DependentRows, Dropdown, Folder, ForArm, HtmlRow, Row, Slider, View
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
 TITLE = Text(en="Method", pt_BR="Método")
@@ -31,42 +31,42 @@ ICON = Icon.ROUTE
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
-        Choice(
+        Dropdown(
             Text(en="Method", pt_BR="Método"),
             [(name, named(name).TITLE) for name in names()],
-            lambda view: view.state.request.drive.method,
+            lambda view: view.state.request.controller.method,
             lambda name: ForArm(gate.choose_method(name)),
         ),
-        Choice(
+        Dropdown(
             Text(en="Side by side with", pt_BR="Lado a lado com"),
             [("", NONE), *((name, named(name).TITLE) for name in names())],
             _beside,
             lambda name: ForArm(gate.compare_with(name or None)),
         ),
-        Words(instrument_table, computed=True),
+        HtmlRow(instrument_table, computed=True),
         Folder(
             Text(en="Settings", pt_BR="Ajustes"),
-            Changing(lambda view: view.state.request.drive.method, partial(_settings, robot)),
+            DependentRows(lambda view: view.state.request.controller.method, partial(_settings, robot)),
         ),
-        Folder(MODES, [Words(mode_table, computed=True)], open=False),
+        Folder(MODES, [HtmlRow(mode_table, computed=True)], open=False),
         Folder(
             Text(en="Settings of the other one", pt_BR="Ajustes do outro"),
-            Changing(_beside, partial(_settings, robot)),
+            DependentRows(_beside, partial(_settings, robot)),
             open=False,
         ),
         Folder(Text(en="Gains", pt_BR="Ganhos"), [*map(_gain, range(4))], open=False),
         Folder(Text(en="Secondary objective", pt_BR="Objetivo secundário"), objective_rows(robot), open=False),
-        Folder(Text(en="About the method", pt_BR="Sobre o método"), [Words(_about), Words(_listing)], open=False),
+        Folder(Text(en="About the method", pt_BR="Sobre o método"), [HtmlRow(_about), HtmlRow(_listing)], open=False),
     ]
 
 
 def _beside(view: View) -> str:
-    return "" if view.state.compared is None else view.state.compared.drive.method
+    return "" if view.state.compared is None else view.state.compared.controller.method
 
 
 def _about(view: View) -> Markup:
     """The source, the promises and the memory of the method."""
-    method, language = named(view.state.request.drive.method), view.seat.language
+    method, language = named(view.state.request.controller.method), view.seat.language
     said = [promise.value for promise in _in_order(method.PROMISES)]
     if method.REMEMBERS:
         said.append(REMEMBERS.format(what=method.REMEMBERS))
@@ -87,11 +87,11 @@ def _in_order(promises: frozenset[Promise]) -> list[Promise]:
 def _settings(robot: Robot, method: str) -> list[Row]:
     """A row for each setting of a method."""
     if not method or not settings(named(method).Options):
-        return [Words(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
+        return [HtmlRow(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
     return rows_of(
         named(method).Options,
         robot.reach,
-        lambda view: view.state.request.drive.options(method),
+        lambda view: view.state.request.controller.options(method),
         lambda name, value: ForArm(gate.set_option(method, name, value)),
     )
 
@@ -110,15 +110,15 @@ def _gain(index: int) -> Slider:
         gate.LEAST_GAIN,
         gate.LARGEST_GAIN,
         0.5,
-        lambda view: view.state.request.drive.gains[index],
+        lambda view: view.state.request.controller.gains[index],
         lambda value: ForArm(gate.set_gain(index, value)),
-        lambda view: view.state.request.drive.method != GUARDED,
+        lambda view: view.state.request.controller.method != GUARDED,
     )
 
 
 def _listing(view: View) -> Markup:
     """The source of the method's step, as it runs."""
-    return Markup("<pre class='helicoide-listing'>{}</pre>").format(listing(view.state.request.drive.method))
+    return Markup("<pre class='helicoide-listing'>{}</pre>").format(listing(view.state.request.controller.method))
 
 
 @cache

@@ -7,34 +7,34 @@ from markupsafe import Markup
 from viser import Icon
 
 from helicoide import gate, readout
-from helicoide.command import ToJoints
+from helicoide.command import MoveToJoints
 from helicoide.geometry import rotation
-from helicoide.kinematics.library import titles
+from helicoide.kinematics.library import robot_titles
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_faults import remarks_and_faults
-from helicoide.text import Text, same
+from helicoide.text import Text, untranslated
 from helicoide.view import html, layers
-from helicoide.view.enclosure import plane_rows
-from helicoide.view.followed import path_rows
-from helicoide.view.mapping import workspace_rows
-from helicoide.view.postures import posture_rows
+from helicoide.view.obstacle_rows import entry_rows, obstacle_rows
+from helicoide.view.path_rows import path_rows
+from helicoide.view.plane_rows import plane_rows
+from helicoide.view.posture_rows import posture_rows
 from helicoide.view.rows import (
     Button,
-    Choice,
+    Checkbox,
+    Dropdown,
     Folder,
     ForArm,
     ForLab,
     ForSeat,
+    HtmlRow,
+    PageRequest,
     Row,
     Slider,
-    Tick,
-    Triple,
+    VectorRow,
     View,
-    Wish,
-    Words,
 )
-from helicoide.view.surroundings import entry_rows, obstacle_rows
-from helicoide.view.teaching import ball_rows, teaching_rows
+from helicoide.view.teaching_rows import ball_rows, teaching_rows
+from helicoide.view.workspace_rows import workspace_rows
 
 TITLE = Text(en="Robot", pt_BR="Robô")
 ORDER = 1
@@ -48,7 +48,7 @@ def rows(robot: Robot) -> list[Row]:
     """The panel for one robot."""
     return [
         _choice(robot),
-        Words(_remarks),
+        HtmlRow(_remarks),
         Button(lambda _: READY, lambda _: ForArm(gate.get_ready()), Icon.PLAYER_TRACK_NEXT, weight="primary"),
         *([Button(lambda _: PARK, lambda _: ForArm(gate.park()), Icon.PARKING)] if robot.panes else []),
         _poses(robot),
@@ -67,13 +67,13 @@ def rows(robot: Robot) -> list[Row]:
     ]
 
 
-def _choice(robot: Robot) -> Choice:
+def _choice(robot: Robot) -> Dropdown:
     """Every robot with a folder, and the one that was asked for at the start."""
-    return Choice(
+    return Dropdown(
         label=Text(en="Arm", pt_BR="Braço"),
-        options=list({robot.name: robot.title, **titles()}.items()),
+        options=list({robot.name: robot.title, **robot_titles()}.items()),
         value=lambda view: view.state.robot.name,
-        wish=ForLab,
+        request=ForLab,
     )
 
 
@@ -90,32 +90,32 @@ def _driving(view: View) -> bool:
 def joint_row(robot: Robot, index: int) -> Slider:
     """A joint, in degrees or millimetres."""
     joint = robot.variables[index]
-    scale, unit = (1000.0, " [mm]") if joint.slides else (180 / np.pi, "")
+    scale, unit = (1000.0, " [mm]") if joint.is_prismatic else (180 / np.pi, "")
 
     def value(view: View) -> float:
         command = view.state.request.command
-        q = command.q if isinstance(command, ToJoints) else view.state.arm.q
+        q = command.q if isinstance(command, MoveToJoints) else view.state.arm.q
         return float(scale * q[index])
 
     return Slider(
-        label=same("{n} {title}{unit}").format(n=index + 1, title=joint.title, unit=unit),
+        label=untranslated("{n} {title}{unit}").format(n=index + 1, title=joint.title, unit=unit),
         lower=float(np.ceil(10 * scale * joint.lower - 1e-6)) / 10,
         upper=float(np.floor(10 * scale * joint.upper + 1e-6)) / 10,
         step=0.1,
         value=value,
-        wish=lambda shown: ForArm(gate.set_joint(index, shown / scale)),
+        request=lambda shown: ForArm(gate.set_joint(index, shown / scale)),
         enabled=_driving,
     )
 
 
-def _poses(robot: Robot) -> Choice:
+def _poses(robot: Robot) -> Dropdown:
     """Named poses: choosing one goes there; the row then shows the neutral entry again."""
     none = Text(en="choose …", pt_BR="escolha …")
-    return Choice(
+    return Dropdown(
         label=Text(en="Go to pose", pt_BR="Ir para a pose"),
         options=[("", none), *robot.pose_titles.items()],
         value=lambda _: "",
-        wish=lambda name: ForArm(gate.go_to(name) if name else lambda state: state),
+        request=lambda name: ForArm(gate.go_to(name) if name else lambda state: state),
     )
 
 
@@ -126,15 +126,15 @@ def _gripper() -> Slider:
         upper=100.0,
         step=1.0,
         value=lambda view: 100 * view.state.request.gripper,
-        wish=lambda percent: ForArm(gate.set_gripper(percent / 100)),
+        request=lambda percent: ForArm(gate.set_gripper(percent / 100)),
     )
 
 
 def _target() -> list[Row]:
     return [
-        Triple(Text(en="x y z [mm]", pt_BR="x y z [mm]"), 1.0, _position, _set_position),
-        Triple(Text(en="turn about z, y, x [°]", pt_BR="giro em z, y, x [°]"), 1.0, _angles, _set_angles),
-        Tick(
+        VectorRow(Text(en="x y z [mm]", pt_BR="x y z [mm]"), 1.0, _position, _set_position),
+        VectorRow(Text(en="turn about z, y, x [°]", pt_BR="giro em z, y, x [°]"), 1.0, _angles, _set_angles),
+        Checkbox(
             Text(en="Hold the orientation", pt_BR="Manter a orientação"),
             lambda view: view.state.request.with_orientation,
             lambda on: ForArm(gate.hold_orientation(on)),
@@ -154,12 +154,12 @@ def _angles(view: View) -> tuple[float, float, float]:
     return z, y, x
 
 
-def _set_position(view: View, millimetres: tuple[float, float, float]) -> Wish:
+def _set_position(view: View, millimetres: tuple[float, float, float]) -> PageRequest:
     quat = rotation.from_matrix(readout.target_pose(view.state)[:3, :3])
     return ForArm(gate.set_target(np.asarray(millimetres) / 1000, quat))
 
 
-def _set_angles(view: View, degrees: tuple[float, float, float]) -> Wish:
+def _set_angles(view: View, degrees: tuple[float, float, float]) -> PageRequest:
     z, y, x = (
         rotation.from_axis_angle(axis, np.radians(angle)) for axis, angle in zip(np.eye(3)[::-1], degrees, strict=True)
     )
@@ -171,5 +171,7 @@ def _shows() -> list[Row]:
     return [_show(layer.NAME, layer.TITLE) for layer in layers.optional()]
 
 
-def _show(name: str, title: Text) -> Tick:
-    return Tick(title, lambda view: view.seat.shows[name], lambda on: ForSeat(lambda seat: seat.showing(name, on)))
+def _show(name: str, title: Text) -> Checkbox:
+    return Checkbox(
+        title, lambda view: view.seat.visible_layers[name], lambda on: ForSeat(lambda seat: seat.with_layer(name, on))
+    )

@@ -13,17 +13,38 @@ from viser import Icon
 from helicoide import studies
 from helicoide.command import Replay
 from helicoide.export import errata
-from helicoide.export.readable import readable
-from helicoide.export.study_table import HEADINGS, NOTHING, fitted, in_order, ours, source, verdict
+from helicoide.export.chart_scale import scaled_chart
+from helicoide.export.study_table import (
+    HEADINGS,
+    NOTHING,
+    computed_cell,
+    fitted_line,
+    sorted_by_verdict,
+    source_cell,
+    verdict_cell,
+)
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
-from helicoide.studies import desk as desks
-from helicoide.studies.desk import Desk, Run
-from helicoide.studies.study import Chart, Line, Motion, Verdict
+from helicoide.studies import panel_state as desks
+from helicoide.studies.panel_state import CompletedRun, StudyPanelState
+from helicoide.studies.study import Chart, ChartLine, Motion, Verdict
 from helicoide.studies.study import Row as Quantity
-from helicoide.text import Language, Text, same
+from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
-from helicoide.view.rows import Bar, Button, Changing, Choice, Folder, ForDesk, Play, Plot, Row, Tick, View, Words
+from helicoide.view.rows import (
+    Bar,
+    Button,
+    Checkbox,
+    DependentRows,
+    Dropdown,
+    Folder,
+    ForDesk,
+    HtmlRow,
+    Play,
+    Plot,
+    Row,
+    View,
+)
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
 TITLE = Text(en="Study", pt_BR="Estudo")
@@ -48,47 +69,49 @@ TONES = {found: f"helicoide-{found.name.lower()}" for found in Verdict}
 def rows(robot: Robot) -> list[Row]:
     """The panel for one robot; the studies are the same for all."""
     return [
-        Choice(
+        Dropdown(
             Text(en="Study", pt_BR="Estudo"),
             [("", NONE), *studies_by_source()],
             lambda view: view.desk.study,
-            lambda name: ForDesk(desks.choose(name)),
+            lambda name: ForDesk(desks.with_study(name)),
         ),
-        Words(_about),
-        Folder(Text(en="Settings", pt_BR="Ajustes"), Changing(lambda view: view.desk.study, _settings), open=False),
-        Tick(
+        HtmlRow(_about),
+        Folder(
+            Text(en="Settings", pt_BR="Ajustes"), DependentRows(lambda view: view.desk.study, _settings), open=False
+        ),
+        Checkbox(
             Text(en="Quick run", pt_BR="Execução rápida"),
             lambda view: view.desk.short,
             lambda on: ForDesk(lambda desk: replace(desk, short=bool(on))),
         ),
         Button(
             lambda view: RUN if view.desk.progress is None else STOP,
-            lambda view: ForDesk(desks.start if view.desk.progress is None else desks.end),
+            lambda view: ForDesk(desks.with_run_started if view.desk.progress is None else desks.with_run_ended),
             Icon.FLASK,
             lambda view: bool(view.desk.study),
             weight="primary",
         ),
         Bar(lambda view: view.desk.progress),
-        *(Plot(charts, index) for index in range(MOST_CHARTS)),
+        *(Plot(shown_charts, index) for index in range(MOST_CHARTS)),
         Folder(
             Text(en="Play it on the arm", pt_BR="Reproduzir no braço"),
-            Changing(lambda view: tuple(motion.title for motion in _motions(view)), _players),
+            DependentRows(lambda view: tuple(motion.title for motion in _motions(view)), _players),
         ),
-        Tick(
+        Checkbox(
             Text(en="Compare with previous run", pt_BR="Comparar com a execução anterior"),
-            lambda view: view.desk.compared,
-            lambda on: ForDesk(lambda desk: replace(desk, compared=bool(on))),
+            lambda view: view.desk.compares_previous,
+            lambda on: ForDesk(lambda desk: replace(desk, compares_previous=bool(on))),
         ),
-        Words(_table),
+        HtmlRow(_table),
     ]
 
 
 def studies_by_source() -> list[tuple[str, Text]]:
     """Every study by name, the source before its title, those of a source together."""
-    sources = {name: studies.named(name).SOURCE.partition(",")[0] for name in studies.names()}
-    title = same("{source}: {title}")
+    sources = {name: studies.study_named(name).SOURCE.partition(",")[0] for name in studies.study_names()}
+    title = untranslated("{source}: {title}")
     return [
-        (name, title.format(source=sources[name], title=studies.named(name).TITLE))
+        (name, title.format(source=sources[name], title=studies.study_named(name).TITLE))
         for name in sorted(sources, key=lambda name: (sources[name], name))
     ]
 
@@ -98,9 +121,9 @@ def _about(view: View) -> Markup:
     desk, language = view.desk, view.seat.language
     if not desk.study:
         return html.note(CHOOSE[language])
-    study = studies.named(desk.study)
+    study = studies.study_named(desk.study)
     anchor = study.SOURCE.partition(",")[0].lower().replace(" ", "-")
-    has_page = f'id="{anchor}"' in errata.page(language)
+    has_page = f'id="{anchor}"' in errata.sources_page(language)
     of_source = PAGE.format(language, anchor, OPEN[language]) if has_page else Markup("")
     about = Markup("<div class='helicoide-note'><p>{}</p><p>{}. {}</p></div>").format(
         study.ABOUT[language], study.SOURCE, of_source
@@ -118,24 +141,24 @@ CHOOSE = Text(
 
 
 def _settings(name: str) -> Sequence[Row]:
-    if not name or not settings(studies.named(name).Options):
-        return [Words(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
-    options = studies.named(name).Options
+    if not name or not settings(studies.study_named(name).Options):
+        return [HtmlRow(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
+    options = studies.study_named(name).Options
 
     def chosen(view: View) -> object:
         return view.desk.options.get(name) or options()
 
-    return rows_of(options, 1.0, chosen, lambda setting, value: ForDesk(desks.set_option(setting, value)))
+    return rows_of(options, 1.0, chosen, lambda setting, value: ForDesk(desks.with_study_option(setting, value)))
 
 
 def _motions(view: View) -> tuple[Motion, ...]:
-    return view.desk.shown[0].result.motions if view.desk.shown else ()
+    return view.desk.shown_runs[0].result.motions if view.desk.shown_runs else ()
 
 
 def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
     """A button for each run whose motion there is."""
     if not titles:
-        return [Words(lambda view: html.note(NO_MOTION[view.seat.language]))]
+        return [HtmlRow(lambda view: html.note(NO_MOTION[view.seat.language]))]
     return [_player(index, title) for index, title in enumerate(titles)]
 
 
@@ -148,21 +171,21 @@ NO_MOTION = Text(en="This study has no motion to play.", pt_BR="Este estudo não
 
 def _table(view: View) -> Markup:
     """The rows of the runs shown: what the source prints, and ours."""
-    runs, language = view.desk.shown, view.seat.language
+    runs, language = view.desk.shown_runs, view.seat.language
     if not runs:
         return Markup("")
     return _written(runs, language)
 
 
 @lru_cache(maxsize=8)
-def _written(runs: tuple[Run, ...], language: Language) -> Markup:
+def _written(runs: tuple[CompletedRun, ...], language: Language) -> Markup:
     heads = [head[language] for head in (HEADINGS[1:3] if len(runs) == 1 else (HEADINGS[2], BEFORE))]
     others = [{row.quantity: row for row in run.result.rows} for run in runs[1:]]
-    rows = in_order(runs[0].result.rows)
+    rows = sorted_by_verdict(runs[0].result.rows)
     body = Markup("").join(_lines(row, [other.get(row.quantity) for other in others], language) for row in rows)
     named = Markup("").join(Markup("<th>{}</th>").format(head) for head in heads)
     table = Markup("<table class='helicoide-study'><tr>{}</tr>{}</table>").format(named, body)
-    chosen = fitted(runs[0].result)
+    chosen = fitted_line(runs[0].result)
     return _counted(rows, language) + table + (html.note(chosen[language]) if chosen else Markup(""))
 
 
@@ -180,10 +203,10 @@ def _counted(rows: Sequence[Quantity], language: Language) -> Markup:
 def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> Markup:
     """A quantity over its numbers, and under them its verdict. A run before takes the place of the source."""
     tone, head = TONES[row.verdict], Markup("<tr class='quantity {}'><td colspan='2'>{} {}</td></tr>")
-    here = ours(row, DIGITS)[language]
-    before = [NOTHING if other is None else ours(other, DIGITS)[language] for other in others]
-    numbers = [here, *before] if others else [source(row)[language], here]
-    said: str = verdict(row)[language]
+    here = computed_cell(row, DIGITS)[language]
+    before = [NOTHING if other is None else computed_cell(other, DIGITS)[language] for other in others]
+    numbers = [here, *before] if others else [source_cell(row)[language], here]
+    said: str = verdict_cell(row)[language]
     if row.verdict is Verdict.ERRATUM:
         said = PAGE.format(language, row.erratum, said)
     shown = row.verdict in (Verdict.FIGURE, Verdict.OURS)
@@ -192,37 +215,37 @@ def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> 
     return head.format(tone, SIGNS[row.verdict], row.quantity[language]) + Markup("<tr>{}</tr>{}").format(cells, why)
 
 
-def charts(view: View) -> Sequence[Chart]:
+def shown_charts(view: View) -> Sequence[Chart]:
     """The charts of the runs shown; those over time end where the motion that is played is."""
     desk, command = view.desk, view.state.request.command
-    merged = _merged(desk.shown)[:MOST_CHARTS]
+    merged = _merged(desk.shown_runs)[:MOST_CHARTS]
     if not (isinstance(command, Replay) and command.arrived and _is_played(desk, command)):
         return merged
     return tuple(_until(chart, round(command.s, 1)) if _is_timed(chart) else chart for chart in merged)
 
 
-def _is_played(desk: Desk, command: Replay) -> bool:
-    motions = desk.shown[0].result.motions if desk.shown else ()
+def _is_played(desk: StudyPanelState, command: Replay) -> bool:
+    motions = desk.shown_runs[0].result.motions if desk.shown_runs else ()
     return any(abs(motion.times[-1] - motion.times[0] - command.path.duration) < 1e-9 for motion in motions)
 
 
 def _is_timed(chart: Chart) -> bool:
-    return chart.across.en.startswith(("time", "t [", "t (", "t,"))
+    return chart.x_label.en.startswith(("time", "t [", "t (", "t,"))
 
 
 @lru_cache(maxsize=8)
-def _merged(runs: tuple[Run, ...]) -> tuple[Chart, ...]:
+def _merged(runs: tuple[CompletedRun, ...]) -> tuple[Chart, ...]:
     """Each chart of the last run, with the curves of the one before where both have it."""
     if not runs:
         return ()
     first, *rest = (run.result.charts for run in runs)
     return tuple(
-        readable(replace(chart, lines=(*chart.lines, *(line for other in rest for line in _before(chart, other)))))
+        scaled_chart(replace(chart, lines=(*chart.lines, *(line for other in rest for line in _before(chart, other)))))
         for chart in first
     )
 
 
-def _before(chart: Chart, others: tuple[Chart, ...]) -> list[Line]:
+def _before(chart: Chart, others: tuple[Chart, ...]) -> list[ChartLine]:
     return [
         replace(line, title=Text(en="{title}, previous", pt_BR="{title}, anterior").format(title=line.title))
         for other in others

@@ -1,0 +1,102 @@
+"""An entry point under the methods of the sources: what is asked of them while the instrument stays in it.
+
+With the orientation held, the method inverts the constrained Jacobian, and the pseudoinverse gives the arm the velocity
+of its shaft. Without it, the tip and the entry point are one task for the method.
+Source: Coutinho 2015, §3.4, fig. 3.3.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from helicoide.arrays import Array
+from helicoide.ik import EntryPoint, Problem, methods
+from helicoide.ik.clik import TaskError
+from helicoide.ik.controller import Controller, Gains, reference_velocity, step
+from helicoide.ik.guard.entry import GAIN
+from helicoide.ik.method import Task
+from helicoide.ik.rcm import rod
+from helicoide.ik.rcm.constrained import Constrained, constrained
+from helicoide.ik.rcm.follow import PSEUDOINVERSE, pose_error
+from helicoide.ik.rcm.passage import Passage, refusal, through
+from helicoide.ik.rcm.rod import TipWish
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+
+NOTHING_FREE = Text(
+    en="The entry point and a held orientation leave no joint free for an objective: let one of them go.",
+    pt_BR="O ponto de entrada e a orientação mantida não deixam junta livre para um objetivo: solte um deles.",
+)
+
+
+def passage_of(robot: Robot, entry: EntryPoint) -> Passage:
+    """The passage of the link that carries the instrument."""
+    return through(robot, entry.link)
+
+
+def refused(problem: Problem, with_orientation: bool, drive: Controller) -> Text | None:
+    """Why no method is asked; None where one is."""
+    assert problem.entry is not None
+    passage = passage_of(problem.robot, problem.entry)
+    if not with_orientation:
+        return rod.refusal(problem.robot, passage)
+    return refusal(problem.robot, passage) or (NOTHING_FREE if drive.secondary is not None else None)
+
+
+def tip_task(
+    problem: Problem, entry: EntryPoint, q: Array, T_world_target: Array, ahead: Array, gains: Gains, dt: float
+) -> Task:
+    """The tip to its point and the shaft to the entry point, (5, n): ν = ẋ_d + Λ e.
+
+    Args: q (n,), rad or m; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
+    """
+    wish = TipWish(T_world_target[:3, 3], ahead, entry.point, np.zeros(2))
+    aim = rod.aim(problem, passage_of(problem.robot, entry), q, wish)
+    nu = reference_velocity(replace(aim, error=aim.error[:3], feedforward=aim.feedforward[:3]), gains)
+    return Task(q, aim.J, np.concatenate([nu, GAIN * aim.error[3:]]), dt)
+
+
+def tool_velocity(at: Constrained, T_world_target: Array, ahead: Array, gains: Gains) -> Array:
+    """ν (6,), body velocity of the tool, m/s and rad/s: `follow.command` with a gain for each axis of the world.
+
+    No faster than the tool may be. Args: T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s.
+    """
+    R, length = at.T_world_tool[:3, :3], at.problem.length
+    error = pose_error(T_world_target, at.T_world_tool)
+    wished = np.concatenate([(R @ error[:3]) / length, 2.0 * error[3:]])
+    nu = reference_velocity(TaskError(np.empty((6, 0)), wished, np.concatenate([ahead / length, np.zeros(3)])), gains)
+    return np.concatenate([R.T @ nu[:3] * length - np.cross(nu[3:], error[:3]), nu[3:]])
+
+
+def rcm_step(
+    problem: Problem,
+    q: Array,
+    poses: Array,
+    T_world_target: Array,
+    with_orientation: bool,
+    ahead: Array,
+    drive: Controller,
+    dt: float,
+) -> tuple[Array, Controller]:
+    """The joint displacement Δq (n,), rad or m, that the method wishes, and the drive after it.
+
+    poses (m + 1, 4, 4) at q (n,); T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
+    """
+    entry = problem.entry
+    assert entry is not None
+    if (why := refused(problem, with_orientation, drive)) is not None:
+        return np.zeros(len(q)), replace(drive, memory=None, solution=None, refusal=why)
+    if not with_orientation:
+        return step(problem, tip_task(problem, entry, q, T_world_target, ahead, drive.gains, dt), poses, drive)
+    at = constrained(problem, passage_of(problem.robot, entry), q, entry.point)
+    asked = GAIN * at.place.lateral
+    task = at.task(tool_velocity(at, T_world_target, ahead, drive.gains), asked, dt)
+    method, options = methods.named(drive.method), drive.options(drive.method)
+    if (why := method.applies(task)) is not None:
+        return np.zeros(len(q)), replace(drive, memory=None, solution=None, refusal=why)
+    memory = method.start(task, options) if drive.memory is None else drive.memory
+    tool, memory = method.step(problem, task, memory, options)
+    arm, _ = PSEUDOINVERSE.answered(problem, at.arm_task(at.shaft_velocity(tool.rates, asked), dt), None)
+    return at.rates(arm.rates, tool.rates) * dt, replace(drive, memory=memory, solution=tool, refusal=None)

@@ -1,0 +1,33 @@
+"""The arm beside: the outline of a second one that follows the same target by another method."""
+
+from __future__ import annotations
+
+from helicoide.view.layers import Stage
+from helicoide.view.outline import Outline
+from helicoide.view.rows import View
+
+NAME = "beside"
+SHARED = True
+
+COLOUR = (106, 27, 154)
+
+
+def build(stage: Stage) -> ComparedOutline:
+    """The outline of the second arm, hidden until there is one."""
+    return ComparedOutline(Outline(stage, NAME, COLOUR))
+
+
+class ComparedOutline:
+    """The second arm's outline."""
+
+    def __init__(self, outline: Outline) -> None:
+        self.outline = outline
+
+    def update(self, old: View | None, new: View) -> None:
+        """Follow the second arm."""
+        beside = new.state.compared
+        if old is not None and old.state.compared is beside:
+            return
+        self.outline.show(beside is not None)
+        if beside is not None:
+            self.outline.write(beside.arm.poses, new.state.arm.gripper)

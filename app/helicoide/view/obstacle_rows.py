@@ -1,0 +1,111 @@
+"""Rows for what stands around the arm: obstacles in its way, and the entry point of its instrument."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from viser import Icon
+
+from helicoide import gate
+from helicoide.arrays import Array
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text
+from helicoide.view.rows import (
+    Button,
+    Checkbox,
+    DependentRows,
+    Folder,
+    ForArm,
+    PageRequest,
+    Row,
+    Slider,
+    VectorRow,
+    View,
+)
+
+ADD = Text(en="Add a sphere", pt_BR="Acrescentar uma esfera")
+
+
+def obstacle_rows(robot: Robot) -> Folder:
+    """Spheres: one more, and for each its centre, its radius, and its end."""
+    return Folder(Text(en="Obstacles", pt_BR="Obstáculos"), DependentRows(_count, partial(_spheres, robot)), open=False)
+
+
+def _count(view: View) -> int:
+    return len(view.state.problem.obstacles.radii)
+
+
+def _spheres(robot: Robot, count: int) -> list[Row]:
+    add = Button(
+        lambda _: ADD, lambda _: ForArm(gate.add_obstacle()), Icon.PLUS, lambda view: not view.state.arm.parked
+    )
+    return [add, *(row for index in range(count) for row in _sphere(robot, index))]
+
+
+def _sphere(robot: Robot, index: int) -> list[Row]:
+    n = index + 1
+    remove = Text(en="Take sphere {n} away", pt_BR="Tirar a esfera {n}").format(n=n)
+
+    def centre(view: View) -> Array:
+        ends = view.state.problem.obstacles.ends
+        return ends[index, 0] if index < len(ends) else np.zeros(3)
+
+    def radius(view: View) -> float:
+        radii = view.state.problem.obstacles.radii
+        return 1000 * float(radii[index]) if index < len(radii) else 0.0
+
+    return [
+        VectorRow(
+            Text(en="sphere {n}: x y z [mm]", pt_BR="esfera {n}: x y z [mm]").format(n=n),
+            1.0,
+            lambda view: _millimetres(centre(view)),
+            lambda view, shown: ForArm(gate.set_obstacle(index, np.asarray(shown) / 1000)),
+        ),
+        Slider(
+            Text(en="sphere {n}: radius [mm]", pt_BR="esfera {n}: raio [mm]").format(n=n),
+            float(np.ceil(1000 * gate.SMALLEST * robot.reach)),
+            float(np.floor(1000 * gate.LARGEST * robot.reach)),
+            1.0,
+            radius,
+            lambda shown: ForArm(gate.set_obstacle_radius(index, shown / 1000)),
+        ),
+        Button(lambda _: remove, lambda _: ForArm(gate.remove_obstacle(index)), Icon.TRASH, weight="destructive"),
+    ]
+
+
+def entry_rows() -> Folder:
+    """The entry point: whether it is held, and where."""
+    return Folder(
+        Text(en="Entry point (remote centre of motion)", pt_BR="Ponto de entrada (centro remoto de movimento)"),
+        DependentRows(_held, _entry),
+        open=False,
+    )
+
+
+def _held(view: View) -> bool:
+    return view.state.problem.entry is not None
+
+
+def _entry(held: bool) -> list[Row]:
+    hold = Checkbox(
+        Text(en="Keep the instrument in the entry point", pt_BR="Manter o instrumento no ponto de entrada"),
+        _held,
+        lambda on: ForArm(gate.hold_entry(on)),
+    )
+    where = VectorRow(Text(en="entry x y z [mm]", pt_BR="entrada x y z [mm]"), 1.0, _point, _set_point)
+    return [hold, where] if held else [hold]
+
+
+def _point(view: View) -> tuple[float, float, float]:
+    entry = view.state.problem.entry
+    return (0.0, 0.0, 0.0) if entry is None else _millimetres(entry.point)
+
+
+def _set_point(view: View, shown: tuple[float, float, float]) -> PageRequest:
+    return ForArm(gate.set_entry(np.asarray(shown) / 1000))
+
+
+def _millimetres(point: Array) -> tuple[float, float, float]:
+    x, y, z = (round(1000 * float(value), 1) for value in point)
+    return x, y, z

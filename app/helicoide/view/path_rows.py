@@ -1,0 +1,88 @@
+"""Rows for the path that the target follows: which one, in what time, where on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from viser import Icon
+
+from helicoide import gate
+from helicoide.command import FollowPath
+from helicoide.kinematics.robot import Robot
+from helicoide.state import Update
+from helicoide.text import Text
+from helicoide.trajectory import Path
+from helicoide.trajectory.time_optimal import TimingShape
+from helicoide.view.rows import Button, Dropdown, Folder, ForArm, PlayFastest, Row, Slider, View
+
+PLAY = Text(en="Play", pt_BR="Iniciar")
+PAUSE = Text(en="Pause", pt_BR="Pausar")
+PLACE = Text(en="{s:.1f} of {end:g} s [%]", pt_BR="{s:.1f} de {end:g} s [%]")
+
+
+def path_rows(robot: Robot) -> Folder:
+    """Every path that the arm has ready, and what can be done with one."""
+    known = gate.presets(robot)
+    rows: list[Row] = [
+        Dropdown(
+            Text(en="path", pt_BR="trajetória"),
+            [(key, preset.title) for key, preset in known.items()],
+            lambda view: view.state.request.path_choice.name or next(iter(known)),
+            lambda key: ForArm(gate.choose_path(key)),
+        ),
+        Button(
+            lambda view: PAUSE if _playing(view) else PLAY,
+            lambda view: ForArm(gate.pause() if _playing(view) else gate.play()),
+            enabled=_free,
+            weight="primary",
+        ),
+        Slider(
+            label=lambda view: PLACE.format(s=view.state.request.path_s, end=_path(view).duration),
+            lower=0.0,
+            upper=100.0,
+            step=0.1,
+            value=lambda view: 100 * view.state.request.path_s / _path(view).duration,
+            request=lambda percent: ForArm(gate.scrub(percent / 100)),
+            enabled=_free,
+        ),
+        scaling(lambda view: view.state.request.path_choice.shape, gate.choose_scaling),
+        Slider(
+            Text(en="duration [s]", pt_BR="duração [s]"),
+            gate.SHORTEST,
+            gate.LONGEST,
+            1.0,
+            lambda view: _path(view).duration,
+            lambda seconds: ForArm(gate.set_duration(seconds)),
+            _free,
+        ),
+        Button(
+            lambda _: Text(en="Time-optimal", pt_BR="Tempo mínimo"),
+            lambda _: PlayFastest(),
+            Icon.BOLT,
+            _free,
+        ),
+    ]
+    return Folder(Text(en="Path", pt_BR="Trajetória"), rows)
+
+
+def scaling(shape: Callable[[View], TimingShape], choose: Callable[[TimingShape], Update]) -> Dropdown:
+    """The choice of a time scaling."""
+    shapes: dict[str, TimingShape] = {shape: shape for shape in gate.LAWS}
+    return Dropdown(
+        Text(en="time scaling", pt_BR="lei de tempo"),
+        [(key, title) for key, (title, _) in gate.LAWS.items()],
+        shape,
+        lambda key: ForArm(choose(shapes[key])),
+    )
+
+
+def _free(view: View) -> bool:
+    return not view.state.arm.parked
+
+
+def _playing(view: View) -> bool:
+    return isinstance(view.state.request.command, FollowPath) and view.state.request.command.playing
+
+
+def _path(view: View) -> Path:
+    return gate.path_of(view.state.robot, view.state.request.path_choice)

@@ -1,0 +1,254 @@
+"""Rows for the planes: where they come from, how near is near, and files of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from markupsafe import Markup
+from viser import Icon
+
+from helicoide import gate
+from helicoide.arrays import Array
+from helicoide.confinement.plane_file import encode_planes
+from helicoide.confinement.zones import LEAST_CRITICAL, LEAST_DEPTH, MOST_CRITICAL, MOST_WARNING
+from helicoide.kinematics.robot import Robot
+from helicoide.perception import realsense
+from helicoide.perception.enclosure_reading import PLANE_READINGS, PlaneReading, available_readings
+from helicoide.perception.units import TITLES as UNIT_TITLES
+from helicoide.perception.units import UNITS
+from helicoide.readout import WHY_PRINTED_DIFFERS, printed_planes
+from helicoide.state import Update
+from helicoide.text import Text
+from helicoide.view.layers.cloud import OFF_IT, ON_IT
+from helicoide.view.rows import (
+    Button,
+    DependentRows,
+    Dropdown,
+    Folder,
+    ForArm,
+    ForSeat,
+    HtmlRow,
+    PageRequest,
+    ReadCloud,
+    Row,
+    Save,
+    Slider,
+    TextEntry,
+    Tour,
+    Upload,
+    View,
+)
+
+FILE = "planes.toml"
+PRINTED = Text(en="As the source prints them", pt_BR="Como a fonte os imprime")
+NUMBERS = Text(en="Give {n} numbers with blanks between them.", pt_BR="Dê {n} números separados por espaços.")
+
+
+def plane_rows(robot: Robot) -> Folder:
+    """Everything about the planes of an arm."""
+    restore = Text(en="Back to the measured planes", pt_BR="Planos de volta aos medidos")
+    rows: list[Row] = [
+        Button(lambda _: restore, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _free, _has(robot.panes)),
+        *(_tours() if available_readings(robot) else []),
+        HtmlRow(_read),
+        *([Folder(PRINTED, [HtmlRow(_printed)], open=False)] if printed_planes(robot) else []),
+        Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
+        Folder(
+            Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"),
+            [
+                _units(),
+                *map(_upload, PLANE_READINGS),
+                HtmlRow(_legend),
+                Button(
+                    lambda _: Text(en="Remove the clouds", pt_BR="Remover as nuvens"),
+                    lambda _: ForArm(gate.clear_clouds()),
+                    Icon.TRASH,
+                    shown=_has_clouds,
+                    weight="destructive",
+                ),
+            ],
+            open=False,
+        ),
+        Folder(Text(en="Zones", pt_BR="Zonas"), _zones(), open=False),
+        Folder(Text(en="Take away", pt_BR="Tirar"), DependentRows(_movable, _removable), open=False),
+        Button(lambda _: Text(en="Save the planes", pt_BR="Salvar os planos"), _save, Icon.DOWNLOAD),
+        Upload(
+            Text(en="Load planes", pt_BR="Carregar planos"),
+            lambda _, name, content: ForArm(gate.take_planes_of(content, name)),
+        ),
+    ]
+    return Folder(Text(en="Planes", pt_BR="Planos"), rows, open=False)
+
+
+def _tours() -> list[Row]:
+    """The tour with the simulated camera, and with the real one where its package is installed."""
+    simulated = Text(en="Measure with the camera", pt_BR="Medir com a câmera")
+    real = Text(en="Measure with the RealSense", pt_BR="Medir com a RealSense")
+    rows: list[Row] = [Button(lambda _: simulated, lambda _: Tour(), Icon.CAMERA, _free)]
+    if realsense.installed():
+        rows.append(Button(lambda _: real, lambda _: Tour(real=True), Icon.CAMERA, _free))
+    return rows
+
+
+def _has(things: Sequence[object]) -> Callable[[View], bool]:
+    return lambda _: bool(things)
+
+
+def _free(view: View) -> bool:
+    return not view.state.arm.parked
+
+
+def _read(view: View) -> Markup:
+    """What the last readings found."""
+    line, language = Markup("<li>{}</li>"), view.seat.language
+    lines = Markup("").join(line.format(seen.words[language]) for seen in view.state.clouds.values())
+    return lines and Markup("<ul class='helicoide-note'>{}</ul>").format(lines)
+
+
+def _has_clouds(view: View) -> bool:
+    return bool(view.state.clouds)
+
+
+def _legend(view: View) -> Markup:
+    """What the colours of the clouds stand for."""
+    if not view.state.clouds:
+        return Markup("")
+    marks = ((ON_IT, POINTS_ON[view.seat.language]), (OFF_IT, POINTS_OFF[view.seat.language]))
+    rows = (Markup("<li><i style='color: rgb{}'>●</i> {}</li>").format(str(colour), words) for colour, words in marks)
+    return Markup("<ul class='helicoide-note'>{}</ul>").format(Markup("").join(rows))
+
+
+POINTS_ON = Text(en="points on the plane that was found", pt_BR="pontos no plano encontrado")
+POINTS_OFF = Text(en="other points of the cloud", pt_BR="outros pontos da nuvem")
+
+
+def _printed(view: View) -> Markup:
+    """The planes of the robot's file beside what the source prints, and why the two differ."""
+    line, language = Markup("<li>{}</li>"), view.seat.language
+    lines = Markup("").join(line.format(said[language]) for said in printed_planes(view.state.robot))
+    why = WHY_PRINTED_DIFFERS[language]
+    return Markup("<div class='helicoide-note'><ul>{}</ul><p>{}</p></div>").format(lines, why)
+
+
+def numbers(text: str, count: int) -> list[float] | None:
+    """So many numbers from a line; None where it holds anything else."""
+    words = text.replace(",", " ").replace(";", " ").split()
+    try:
+        found = [float(word) for word in words]
+    except ValueError:
+        return None
+    return found if len(found) == count else None
+
+
+def _typed(count: int, wish: Callable[[Array], Update]) -> Callable[[str], PageRequest]:
+    def act(text: str) -> PageRequest:
+        found = numbers(text, count)
+        return ForArm(gate.say(NUMBERS.format(n=count)) if found is None else wish(np.array(found)))
+
+    return act
+
+
+def _given() -> list[Row]:
+    put = Text(en="Put it there", pt_BR="Colocar")
+    return [
+        Button(_pick_label, _pick, Icon.POINTER, _free),
+        TextEntry(
+            Text(en="a b c d: ax + by + cz = d [mm]", pt_BR="a b c d: ax + by + cz = d [mm]"),
+            lambda _: "0 0 -1 -600",
+            put,
+            _typed(4, lambda v: gate.add_plane([*v[:3], v[3] / 1000])),
+        ),
+        TextEntry(
+            Text(en="three points, x y z each [mm]", pt_BR="três pontos, x y z cada [mm]"),
+            lambda _: "500 300 0  700 300 0  500 300 400",
+            put,
+            _typed(9, lambda v: gate.add_plane_through(v.reshape(3, 3) / 1000)),
+        ),
+        TextEntry(
+            Text(en="box: two corners, x y z each [mm]", pt_BR="caixa: dois vértices, x y z cada [mm]"),
+            lambda _: "200 -320 0  900 320 640",
+            Text(en="Put the box there", pt_BR="Colocar a caixa"),
+            _typed(6, lambda v: gate.set_box(v[:3] / 1000, v[3:] / 1000)),
+        ),
+    ]
+
+
+PICK = Text(en="Click three points", pt_BR="Clicar três pontos")
+PICKING = Text(en="Point {n} of 3 … or cancel", pt_BR="Ponto {n} de 3 … ou cancelar")
+
+
+def _pick_label(view: View) -> Text:
+    picked = view.seat.picked_points
+    return PICK if picked is None else PICKING.format(n=len(picked) + 1)
+
+
+def _pick(view: View) -> PageRequest:
+    picked = () if view.seat.picked_points is None else None
+    return ForSeat(lambda seat: replace(seat, picked_points=picked))
+
+
+def _units() -> Dropdown:
+    """What the numbers of a file count, where it does not say so itself."""
+    return Dropdown(
+        Text(en="unit of the file", pt_BR="unidade do arquivo"),
+        [("", Text(en="as it looks", pt_BR="ao que parece")), *((unit, UNIT_TITLES[unit]) for unit in UNITS)],
+        lambda view: view.seat.cloud_unit,
+        lambda unit: ForSeat(lambda seat: replace(seat, cloud_unit=unit if unit in UNITS else "")),
+    )
+
+
+def _upload(reading: PlaneReading) -> Upload:
+    def wish(view: View, name: str, content: bytes) -> PageRequest:
+        unit = next((unit for unit in UNITS if unit == view.seat.cloud_unit), None)
+        return ReadCloud(name, content, reading.name, unit)
+
+    return Upload(Text(en="Look for: {title}", pt_BR="Procurar: {title}").format(title=reading.title), wish)
+
+
+def _zones() -> list[Row]:
+    def critical(mm: float) -> PageRequest:
+        near = mm / 1000
+        return ForArm(lambda state: gate.set_zones(near, max(state.problem.zones.warning, near + LEAST_DEPTH))(state))
+
+    def warning(mm: float) -> PageRequest:
+        return ForArm(lambda state: gate.set_zones(state.problem.zones.critical, mm / 1000)(state))
+
+    return [
+        Slider(
+            Text(en="critical [mm]", pt_BR="crítica [mm]"),
+            1000 * LEAST_CRITICAL,
+            1000 * MOST_CRITICAL,
+            1.0,
+            lambda view: 1000 * view.state.problem.zones.critical,
+            critical,
+        ),
+        Slider(
+            Text(en="warning [mm]", pt_BR="aviso [mm]"),
+            1000 * (LEAST_CRITICAL + LEAST_DEPTH),
+            1000 * MOST_WARNING,
+            1.0,
+            lambda view: 1000 * view.state.problem.zones.warning,
+            warning,
+        ),
+    ]
+
+
+def _movable(view: View) -> tuple[tuple[int, str], ...]:
+    """The number and the name of each plane that can be taken away."""
+    return tuple((k, pane.name) for k, pane in enumerate(view.state.problem.planes.panes) if pane.movable)
+
+
+def _removable(planes: tuple[tuple[int, str], ...]) -> list[Row]:
+    return [_remove(k, name) for k, name in planes]
+
+
+def _remove(index: int, name: str) -> Button:
+    label = Text(en="Take plane {name} away", pt_BR="Tirar o plano {name}").format(name=name)
+    return Button(lambda _: label, lambda _: ForArm(gate.remove_plane(index)), Icon.TRASH, _free, weight="destructive")
+
+
+def _save(view: View) -> Save:
+    planes = view.state.problem.planes
+    return Save(FILE, encode_planes(planes.names, planes).encode())

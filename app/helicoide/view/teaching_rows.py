@@ -1,0 +1,156 @@
+"""Rows for teaching by showing: record where the arm stands, put the points in order, go through them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+
+from viser import Icon
+
+from helicoide import gate
+from helicoide.kinematics.robot import Robot
+from helicoide.text import Text, untranslated
+from helicoide.trajectory.waypoint_file import encode_waypoints
+from helicoide.trajectory.waypoints import GRIPPER_ACTIONS, MOVE_TYPES, Waypoint
+from helicoide.view.path_rows import scaling
+from helicoide.view.rows import (
+    Button,
+    DependentRows,
+    Dropdown,
+    Folder,
+    ForArm,
+    ForSeat,
+    PageRequest,
+    PlayTaught,
+    Row,
+    Save,
+    Slider,
+    TextEntry,
+    Upload,
+    VectorRow,
+    View,
+)
+
+FILE, LONGEST_STAY = "waypoints.toml", 60.0
+ADD = Text(en="Add waypoint", pt_BR="Adicionar ponto")
+
+
+def teaching_rows(robot: Robot) -> Folder:
+    """Record where the arm stands, the points themselves, and what can be done with all of them."""
+    rows: list[Row] = [
+        Dropdown(
+            Text(en="reached by", pt_BR="chega por"),
+            list(MOVE_TYPES.items()),
+            lambda view: view.seat.way,
+            lambda way: ForSeat(lambda seat: replace(seat, way=way)),
+        ),
+        Button(lambda _: ADD, lambda view: ForArm(gate.record(view.seat.way)), Icon.PLUS),
+        Folder(Text(en="Points", pt_BR="Pontos"), DependentRows(_names, partial(_points, robot.gripper is not None))),
+        scaling(lambda view: view.state.taught.shape, gate.choose_leg_shape),
+        Button(
+            lambda _: Text(en="Go through the points", pt_BR="Percorrer os pontos"),
+            lambda _: PlayTaught(),
+            Icon.PLAYER_PLAY,
+            lambda view: bool(view.state.taught.waypoints) and not view.state.arm.parked,
+            weight="primary",
+        ),
+        Button(
+            lambda _: Text(en="Save the points", pt_BR="Salvar os pontos"),
+            lambda view: Save(FILE, encode_waypoints(view.state.taught)),
+            Icon.DOWNLOAD,
+            lambda view: bool(view.state.taught.waypoints),
+        ),
+        Upload(
+            Text(en="Load points", pt_BR="Carregar pontos"), lambda _, __, content: ForArm(gate.take_waypoints(content))
+        ),
+    ]
+    return Folder(Text(en="Teach a path", pt_BR="Ensinar uma trajetória"), rows, open=False)
+
+
+def _names(view: View) -> tuple[str, ...]:
+    return tuple(waypoint.name for waypoint in view.state.taught.waypoints)
+
+
+def _points(grips: bool, names: tuple[str, ...]) -> Sequence[Row]:
+    return [Folder(untranslated(name), _point(place, name, grips), open=False) for place, name in enumerate(names)]
+
+
+def _point(place: int, name: str, grips: bool) -> list[Row]:
+    def here(view: View) -> Waypoint:
+        return view.state.taught.waypoints[place]
+
+    earlier = Text(en="{name}: one place earlier", pt_BR="{name}: uma posição antes").format(name=name)
+    again = Text(en="{name}: as the arm stands now", pt_BR="{name}: como o braço está agora").format(name=name)
+    away = Text(en="{name}: take away", pt_BR="{name}: tirar").format(name=name)
+    return [
+        TextEntry(
+            Text(en="name", pt_BR="nome"),
+            lambda _: name,
+            Text(en="Rename", pt_BR="Renomear"),
+            lambda typed: ForArm(gate.rename_waypoint(name, typed)),
+        ),
+        Dropdown(
+            Text(en="reached by", pt_BR="chega por"),
+            list(MOVE_TYPES.items()),
+            lambda view: here(view).move_type,
+            lambda way: ForArm(gate.set_way(name, way)),
+        ),
+        Slider(
+            Text(en="stay [s]", pt_BR="espera [s]"),
+            0.0,
+            LONGEST_STAY,
+            0.1,
+            lambda view: here(view).dwell,
+            lambda seconds: ForArm(gate.set_dwell(name, seconds)),
+        ),
+        *([_grip(name, here)] if grips else []),
+        Button(lambda _: again, lambda _: ForArm(gate.teach_again(name)), Icon.TARGET),
+        *(
+            [Button(lambda _: earlier, lambda _: ForArm(gate.move_waypoint(name, place - 1)), Icon.ARROW_UP)]
+            if place
+            else []
+        ),
+        Button(lambda _: away, lambda _: ForArm(gate.delete_waypoint(name)), Icon.TRASH, weight="destructive"),
+    ]
+
+
+def _grip(name: str, here: Callable[[View], Waypoint]) -> Dropdown:
+    return Dropdown(
+        Text(en="gripper", pt_BR="garra"),
+        list(GRIPPER_ACTIONS.items()),
+        lambda view: here(view).gripper,
+        lambda gripper: ForArm(gate.set_grip(name, gripper)),
+    )
+
+
+def ball_rows(robot: Robot) -> Folder:
+    """Something to grasp: the ball put somewhere, or on its stand with the points that carry it to another."""
+    carried = Text(
+        en="Golf ball, from stand to stand: teach the points (Cerbaro 2022, fig. 21)",
+        pt_BR="Bola de golfe, de um suporte a outro: ensinar os pontos (Cerbaro 2022, fig. 21)",
+    )
+    away = Text(en="Take the ball away", pt_BR="Tirar a bola")
+    rows: list[Row] = [
+        *([Button(lambda _: carried, lambda _: ForArm(gate.pick_and_place()))] if robot.name in gate.POINTS else []),
+        VectorRow(Text(en="ball, x y z [mm]", pt_BR="bola, x y z [mm]"), 1.0, _ball, _put),
+        Button(
+            lambda _: away,
+            lambda _: ForArm(gate.take_ball_away()),
+            Icon.TRASH,
+            lambda view: view.state.ball is not None,
+            weight="destructive",
+        ),
+    ]
+    return Folder(Text(en="A ball to grasp", pt_BR="Uma bola para pegar"), rows, open=False)
+
+
+def _ball(view: View) -> tuple[float, float, float]:
+    """Where the ball is, mm; the origin where there is none."""
+    ball = view.state.ball
+    x, y, z = (0.0, 0.0, 0.0) if ball is None else (round(1000 * float(value), 1) for value in ball.centre)
+    return x, y, z
+
+
+def _put(view: View, millimetres: tuple[float, float, float]) -> PageRequest:
+    return ForArm(gate.put_ball([value / 1000 for value in millimetres]))

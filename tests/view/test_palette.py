@@ -1,0 +1,37 @@
+"""The palette has everything that the tabs lead to, by name, in both languages."""
+
+from __future__ import annotations
+
+import pytest
+
+from helicoide import content, studies
+from helicoide.ik import methods
+from helicoide.kinematics.library import load, titles
+from helicoide.text import LANGUAGES
+from helicoide.view import layers, panels
+from helicoide.view.rows import ForArm, ForDesk, ForLab, ShowTab
+from helicoide.view.window import ARM, LAYER, LESSON, METHOD, POSE, STUDY, TAB, _commands
+
+
+@pytest.mark.parametrize("name", titles())
+def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: str) -> None:
+    robot = load(name)
+    known = list(_commands(robot))
+    there = {text.en for text, _ in known}
+    kinds = {
+        TAB: len(panels.found()),
+        LAYER: len(layers.optional()),
+        LESSON: len(list(content.found("lessons"))),
+        STUDY: len(list(studies.names())),
+        POSE: len(robot.poses),
+        METHOD: len(list(methods.names())),
+        ARM: len(titles()),
+    }
+    for form, number in kinds.items():
+        assert sum(words.startswith(form.en.partition("{")[0]) for words in there) == number, form.en
+    for language in LANGUAGES:
+        assert len({text[language] for text, _ in known}) == len(known)
+    assert sum(isinstance(wish, ShowTab) for _, wish in known) == kinds[TAB]
+    assert sum(isinstance(wish, ForLab) for _, wish in known) == kinds[ARM]
+    assert sum(isinstance(wish, ForDesk) for _, wish in known) == kinds[STUDY]
+    assert sum(isinstance(wish, ForArm) for _, wish in known) >= kinds[POSE] + kinds[METHOD]

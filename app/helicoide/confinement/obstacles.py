@@ -61,8 +61,8 @@ def segment_distances(points: Array, ends: Array) -> Array:
 def last_free_point(start: Array, requested: Array, ends: Array, clearances: Array) -> Array:
     """Where a point that is moved straight from start to asked, (3,), m, comes to rest before bodies in its way.
 
-    The way is looked at in steps of at most `LOOKED_AT`. Args: ends (k, 2, 3), m: the axes of the bodies; clearances (k,),
-    m: the distance to be kept from each, unless it is nearer than that at the start.
+    The way is looked at in steps of at most `PATH_STEP`. Args: ends (k, 2, 3), m: the axes of the bodies; clearances
+    (k,), m: the distance to be kept from each, unless it is nearer than that at the start.
     """
     steps = 1 + int(np.ceil(np.linalg.norm(requested - start) / PATH_STEP))
     way = start + np.linspace(0.0, 1.0, steps + 1)[:, None] * (requested - start)

@@ -28,7 +28,7 @@ MOST = 60
 
 
 def record(way: str = "joints") -> Update:
-    """One more waypoint where the arm stands, reached from the one before in a way of `waypoints.WAYS`."""
+    """One more waypoint where the arm stands, reached from the one before in a way of `waypoints.MOVE_TYPES`."""
 
     def change(state: State) -> WaypointList:
         taught = state.taught
@@ -58,7 +58,7 @@ def delete_waypoint(name: str) -> Update:
 
 
 def set_way(name: str, way: str) -> Update:
-    """Another way to a waypoint, one of `waypoints.WAYS`."""
+    """Another way to a waypoint, one of `waypoints.MOVE_TYPES`."""
     return _changed(lambda state: with_move_type(state.taught, name, way))
 
 
@@ -73,7 +73,7 @@ def set_dwell(name: str, seconds: float) -> Update:
 
 
 def set_grip(name: str, gripper: str) -> Update:
-    """What the gripper does at a waypoint, one of `waypoints.GRIPS`."""
+    """What the gripper does at a waypoint, one of `waypoints.GRIPPER_ACTIONS`."""
     return _changed(lambda state: with_gripper_action(state.taught, name, gripper))
 
 

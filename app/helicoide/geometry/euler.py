@@ -127,7 +127,7 @@ def velocity_matrix(angles: ArrayLike, convention: str) -> Array:
 def velocity_determinant(angles: ArrayLike, convention: str) -> Array:
     """Determinant of E with ω = E φ̇, that is 1/det J_R: ±cos φ₂ for three different axes, else ±sin φ₂.
 
-    Its size is the sine of the margin of `Angles`, zero where the convention is singular.
+    Its size is the sine of the margin of `EulerAngles`, zero where the convention is singular.
     angles: (..., 3), rad; returns (...).
     Raises HelicoideError for an unknown convention. Source: Vargas 2013, eq. 2.26 (representation singularities).
     """

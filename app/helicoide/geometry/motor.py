@@ -111,8 +111,8 @@ def sclerp(M0: Array, M1: Array, s: ArrayLike) -> Array:
 def screw_from_motor(M: Array) -> ScrewDisplacement:
     """Screw of a motor (Chasles): log M = ½(α + εd)(n + ε r×n), so n = v/‖v‖, α = 2‖v‖, d = 2 n·u, r = v×u/‖v‖².
 
-    M: unit motor (..., 16), M and −M give the same; returns fields of shape (..., 3) and (...). Turns below `STRAIGHT`
-    count as translations. Source: Selig 2005, ch. 2 (Chasles); Cerbaro 2022, eq. 62.
+    M: unit motor (..., 16), M and −M give the same; returns fields of shape (..., 3) and (...). Turns below
+    `SMALLEST_ROTATION` count as translations. Source: Selig 2005, ch. 2 (Chasles); Cerbaro 2022, eq. 62.
     """
     v, u = rigid.direction_and_moment(log(M))
     half = _length(v)
@@ -124,7 +124,7 @@ def screw_from_motor(M: Array) -> ScrewDisplacement:
 
 
 def motor_from_screw(screw: ScrewDisplacement) -> Array:
-    """Motor of a screw, inverse of `screw_of`: (1 + ½ d n e) exp(αL/2), of shape (..., 16).
+    """Motor of a screw, inverse of `screw_from_motor`: (1 + ½ d n e) exp(αL/2), of shape (..., 16).
 
     Source: Cerbaro 2022, eqs. 17, 96–98.
     """

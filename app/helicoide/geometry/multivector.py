@@ -82,7 +82,7 @@ class Multivector:
             return self._make(self._number(other) * self._own)
         if other._algebra is not algebra:
             return self._combined(algebra.product_unchecked, other)
-        # What `_into` does, without the calls: formulas are made of this.
+        # What `_combined` does, without the calls: formulas are made of this.
         made = _new(Multivector)
         made._algebra = algebra
         made._own = out = empty(algebra.count)

@@ -12,7 +12,7 @@ from numba.core import event, sigutils, types
 
 from helicoide.kernels import cache_folder
 from helicoide.kernels.cache import KernelCache, NotCached, only_cached, read_sealed
-from helicoide.kernels.interpreted import Interpretable, run_interpreted, by_machine_code
+from helicoide.kernels.interpreted import Interpretable, run_compiled, run_interpreted
 
 __all__ = [
     "CACHE_FOLDER",
@@ -21,14 +21,14 @@ __all__ = [
     "Kernel",
     "KernelCache",
     "NotCached",
-    "run_interpreted",
-    "by_machine_code",
     "count_compiled",
     "is_cached",
     "kernel",
     "kernel_into",
     "only_cached",
     "python_function",
+    "run_compiled",
+    "run_interpreted",
     "typed_entry",
 ]
 

@@ -39,7 +39,7 @@ class NotCached(Exception):
 
 @contextmanager
 def only_cached() -> Iterator[None]:
-    """Within, in this thread, kernels are loaded and not compiled: one that is not on disk raises `NotKept`."""
+    """Within, in this thread, kernels are loaded and not compiled: one that is not on disk raises `NotCached`."""
     before = _only_kept.set(True)
     try:
         yield

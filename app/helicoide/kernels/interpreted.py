@@ -23,7 +23,7 @@ class Interpretable(CPUDispatcher):
 
     @staticmethod
     def interpret(enabled: bool) -> None:
-        """Run every kernel as Python from now on, but in threads that are `by_machine_code`; or as ever again."""
+        """Run every kernel as Python from now on, but in threads that are `run_compiled`; or as ever again."""
         if enabled and not Interpretable.interpreted():
             Interpretable.__call__ = _interpreted  # type: ignore[method-assign, assignment]
         elif not enabled and Interpretable.interpreted():

@@ -34,8 +34,8 @@ POINT = Text(en="the tool's point", pt_BR="o ponto do efetuador")
 class MotionRank:
     """Rank of a Jacobian in this posture, and its usual rank, that in almost every posture.
 
-    relative_singular_value: the smallest of its `generic_rank` largest singular values, divided by the largest such value of any sampled
-    posture; 0 at a singularity, 1 if no joint moves it.
+    relative_singular_value: the smallest of its `generic_rank` largest singular values, divided by the largest such
+    value of any sampled posture; 0 at a singularity, 1 if no joint moves it.
     """
 
     what: Text
@@ -57,9 +57,9 @@ class Singularity:
     """How near a posture is to a singularity.
 
     factors: of det J, for six joints with a spherical wrist; empty for other arms. tool: rank of its J; point: rank of
-    the position rows alone, which an arm with few joints may lose while the tool still rotates. lost_velocities: columns y
-    (6, 6 − rank) with yᵀ J = 0: velocities (v, ω) that no q̇ gives. An arm with fewer than six joints, or a planar arm,
-    has a usual rank below 6 and so always loses some; at a singularity it loses more.
+    the position rows alone, which an arm with few joints may lose while the tool still rotates. lost_velocities:
+    columns y (6, 6 − rank) with yᵀ J = 0: velocities (v, ω) that no q̇ gives. An arm with fewer than six joints, or a
+    planar arm, has a usual rank below 6 and so always loses some; at a singularity it loses more.
     """
 
     factors: tuple[DeterminantFactor, ...]

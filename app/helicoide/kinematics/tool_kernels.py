@@ -1,8 +1,8 @@
 """The tool's pose and Jacobian in one call, for scripts.
 
-The functions take the arm as one array, made by `packed`. The kernels whose names end in `_into` write into an array of
-the caller, as numba takes longer to return a new array than to compute its numbers. Shapes are not checked. A frame is
-three rows (R, p) of four numbers, which stay in registers.
+The functions take the arm as one array, made by `packed`. The kernels whose names end in `_combined` write into an
+array of the caller, as numba takes longer to return a new array than to compute its numbers. Shapes are not checked. A
+frame is three rows (R, p) of four numbers, which stay in registers.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ def joint_twist(p: Triple, s: Triple, turn: float, slide: float) -> tuple[Triple
 
 @kernel
 def rotation_to(goal: Array, x: Row, y: Row, z: Row) -> Triple:
-    """Rotation vector of `turn_between` for a goal (4, 4), m."""
+    """Rotation vector of `rotation_between` for a goal (4, 4), m."""
     gx, gy = (goal[0, 0], goal[0, 1], goal[0, 2]), (goal[1, 0], goal[1, 1], goal[1, 2])
     return rotation_between((gx, gy, (goal[2, 0], goal[2, 1], goal[2, 2])), x, y, z)
 

@@ -70,7 +70,9 @@ class MapPlan:
 
 @dataclass(frozen=True, eq=False)
 class MapPart:
-    """The result of one or more chunks: hits (count,), orientations (count, k), best (count,); the last two may be empty."""
+    """The result of one or more chunks: hits (count,), orientations (count, k), best (count,); the last two may be
+    empty.
+    """
 
     hits: Counts
     orientations: Flags

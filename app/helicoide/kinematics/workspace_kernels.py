@@ -78,9 +78,9 @@ def count_into_cells(
 ) -> None:
     """Count postures into the cells that hold their tool points: hits, and optionally orientation bins or the best w.
 
-    Args: postures (k, n), rad or m; the grid as in `Cells`; counts (count,); orientations (count, orientation bins) and best
-    (count,), each empty if not wanted. The last three are changed. The orientation is that of the last link, from which
-    the tool's differs by a constant rotation.
+    Args: postures (k, n), rad or m; the grid as in `Cells`; counts (count,); orientations (count, orientation bins) and
+    best (count,), each empty if not wanted. The last three are changed. The orientation is that of the last link, from
+    which the tool's differs by a constant rotation.
     """
     for k in range(postures.shape[0]):
         poses = link_poses(chain, postures[k])

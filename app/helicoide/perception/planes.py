@@ -36,8 +36,8 @@ NARROW = 3.0
 class FoundPlane:
     """A plane in a cloud of k points.
 
-    on_plane (k,): which points lie within the distance asked for; share of them; rms of their distances, m; angle of the
-    normal to the one asked for, rad; centre of the points on it, (3,), m.
+    on_plane (k,): which points lie within the distance asked for; share of them; rms of their distances, m; angle of
+    the normal to the one asked for, rad; centre of the points on it, (3,), m.
     """
 
     plane: Plane

@@ -63,7 +63,7 @@ class PathChain(PathSequence[Path]):
 
 @dataclass(frozen=True, eq=False)
 class JointPathChain(PathSequence[JointPath]):
-    """Paths of the joints one after another; `joint_chain` makes one of paths that meet."""
+    """Paths of the joints one after another; `chain_joint_paths` makes one of paths that meet."""
 
     @property
     def is_closed(self) -> bool:

@@ -29,8 +29,9 @@ ENDPOINT_TOLERANCE = 1e-6
 class Leg:
     """The way to one waypoint.
 
-    tool_path: that of the tool where it is asked to go straight or on a screw, with the parameter from 0 to 1 s; joint_path:
-    that of the joints by time, None where nothing moves, or where the arm cannot follow and so `blocked` is true.
+    tool_path: that of the tool where it is asked to go straight or on a screw, with the parameter from 0 to 1 s;
+    joint_path: that of the joints by time, None where nothing moves, or where the arm cannot follow and so `blocked` is
+    true.
     """
 
     waypoint: Waypoint

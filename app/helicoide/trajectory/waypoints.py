@@ -219,7 +219,7 @@ def with_dwell(taught: WaypointList, name: str, dwell: float) -> WaypointList:
 
 
 def with_gripper_action(taught: WaypointList, name: str, gripper: str) -> WaypointList:
-    """The list with what the gripper does at a waypoint, one of `GRIPS`."""
+    """The list with what the gripper does at a waypoint, one of `GRIPPER_ACTIONS`."""
     return _changed(
         taught, name, lambda old: waypoint(taught.robot, old.name, old.q, old.move_type, old.dwell, gripper)
     )

@@ -1,7 +1,8 @@
 """The formats of point clouds, a file each.
 
 A module has TITLE, the format in words, ENDINGS of file names, and `coordinates(data)`: the rows x, y, z (k, 3) of a
-file's bytes, as they are, with what is not finite, as `Raw`. It raises `Broken`, or what the parser below it raises.
+file's bytes, as they are, with what is not finite, as `RawPoints`. It raises `BrokenFile`, or what the parser below it
+raises.
 """
 
 from __future__ import annotations

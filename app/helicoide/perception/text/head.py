@@ -24,7 +24,9 @@ _BOTH_COMMAS = re.compile(r"0\d+")
 
 @dataclass(frozen=True)
 class TableHead:
-    """first_row: lines above the first row; columns: the columns of x, y and z; row_count: how many rows there are to be."""
+    """first_row: lines above the first row; columns: the columns of x, y and z; row_count: how many rows there are to
+    be.
+    """
 
     first_row: int
     cells: LineSplitter

@@ -148,13 +148,13 @@ def test_a_stop_that_closes_something_stops_too_and_says_so_where_something_move
     before = after(asked, 0.2 if moves else 10.0)
     assert before.arm.moving == moves
     stopped = gate.stop(closing=True)(before)
-    assert stopped.request.command == Hold(stopped=moves)
+    assert stopped.request.command == HoldPosition(stopped=moves)
     assert after(stopped, 0.1).arm.q is stopped.arm.q
     assert gate.while_asked(before, gate.play())(stopped) is stopped
 
 
 def test_a_stop_that_closes_something_leaves_an_earlier_stop_said(state: State) -> None:
-    assert gate.stop(closing=True)(gate.stop()(state)).request.command == Hold(stopped=True)
+    assert gate.stop(closing=True)(gate.stop()(state)).request.command == HoldPosition(stopped=True)
 
 
 @pytest.mark.parametrize("phase", ["update", "end"])

@@ -75,8 +75,8 @@ class FollowPath:
 class Replay:
     """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
 
-    slows_down: whether its time slows down where the arm cannot keep up; gripper_events: what the gripper is asked to be, 0 closed to
-    1 open, from which s on.
+    slows_down: whether its time slows down where the arm cannot keep up; gripper_events: what the gripper is asked to
+    be, 0 closed to 1 open, from which s on.
     """
 
     path: JointPath

@@ -15,12 +15,11 @@ from helicoide.text import Language
 class Seat:
     """One person: language, where they are in a lesson, what they selected and what they want to see.
 
-    done: the steps whose goal has been reached; picked_points: the points, m, world, that they have clicked for a plane, None
-    while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1 of the
-    arm's reach; stages: in which way the arm is written joint by joint, None in none; cloud_unit: what the numbers in
-    files of clouds count, "" as it looks;
-    projector: whether words and handles are large enough for the back row; way: how the next waypoint is
-    reached from the one before.
+    done: the steps whose goal has been reached; picked_points: the points, m, world, that they have clicked for a
+    plane, None while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1
+    of the arm's reach; stages: in which way the arm is written joint by joint, None in none; cloud_unit: what the
+    numbers in files of clouds count, "" as it looks; projector: whether words and handles are large enough for the back
+    row; way: how the next waypoint is reached from the one before.
     """
 
     token: str

@@ -47,7 +47,8 @@ class ActiveSet:
 class ArmState:
     """Where an arm is: q (n,), rad; velocities (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m.
 
-    gripper: 0 closed to 1 open; parked: planes off, between `home` and `ready`; active_set: what held the last step back.
+    gripper: 0 closed to 1 open; parked: planes off, between `home` and `ready`; active_set: what held the last step
+    back.
     """
 
     q: Array
@@ -69,8 +70,8 @@ class Request:
 
     controller: the method that brings the tool to poses; gripper: what its gripper is asked to be, 0 closed to 1 open;
     path_choice: the path that Play follows, and path_s, where on it the target stands, s; drag: what somebody holds;
-    unchanged: s since the wish last changed; searched: whether another posture was looked for, and detour, its joints to
-    pass through; goal: where the command leads.
+    unchanged: s since the wish last changed; searched: whether another posture was looked for, and detour, its joints
+    to pass through; goal: where the command leads.
     """
 
     command: Command = field(default_factory=HoldPosition)

@@ -9,7 +9,7 @@ from tests.browser.conftest import window
 from tests.browser.lab import Lab, press, speak, status, tab, until
 
 from helicoide import gate
-from helicoide.command import Hold, ToPose
+from helicoide.command import HoldPosition, MoveToPose
 from helicoide.text import LANGUAGES
 from helicoide.view import panels
 from helicoide.view.page import STEPS
@@ -34,7 +34,7 @@ def page(shared_page: Page, lab: Lab) -> Page:
 def asked(lab: Lab) -> float:
     """How far along x the target is, mm."""
     command = lab.state.request.command
-    return 1000 * float(command.T_world_target[0, 3]) if isinstance(command, ToPose) else np.nan
+    return 1000 * float(command.T_world_target[0, 3]) if isinstance(command, MoveToPose) else np.nan
 
 
 def test_every_control_has_a_name_and_every_folder_is_a_tab_stop(lab: Lab, page: Page) -> None:
@@ -73,7 +73,7 @@ def test_the_target_moves_in_the_steps_of_a_pendant(lab: Lab, page: Page) -> Non
     for keys, step in (("Shift+ArrowDown", -10.0), ("ArrowDown", -11.0), ("Alt+ArrowUp", -10.9)):
         page.keyboard.press(keys)
         until(page, lambda step=step: abs(asked(lab) - start - step) < 0.01)  # type: ignore[misc]
-        until(page, lambda: lab.state.request.grasp is None and not lab.state.arm.moving)
+        until(page, lambda: lab.state.request.drag is None and not lab.state.arm.moving)
 
 
 def test_a_held_key_is_dead_after_a_stop_until_it_is_pressed_anew(lab: Lab, page: Page) -> None:
@@ -82,19 +82,19 @@ def test_a_held_key_is_dead_after_a_stop_until_it_is_pressed_anew(lab: Lab, page
     page.keyboard.down("ArrowDown")
     until(page, lambda: lab.state.arm.moving)
     page.keyboard.press("Escape")
-    until(page, lambda: lab.state.request.command == Hold(stopped=True))
+    until(page, lambda: lab.state.request.command == HoldPosition(stopped=True))
     q = lab.state.arm.q
     for _ in range(10):
         page.keyboard.down("ArrowDown")
         page.wait_for_timeout(50)
-    assert lab.state.request.command == Hold(stopped=True)
+    assert lab.state.request.command == HoldPosition(stopped=True)
     assert (lab.state.arm.q == q).all()
     page.keyboard.up("ArrowDown")
     page.keyboard.up("Shift")
     page.wait_for_timeout(500)
     assert (lab.state.arm.q == q).all()
     page.keyboard.press("ArrowDown")
-    until(page, lambda: isinstance(lab.state.request.command, ToPose))
+    until(page, lambda: isinstance(lab.state.request.command, MoveToPose))
 
 
 def test_escape_closes_a_list_and_says_no_more_where_nothing_moved(lab: Lab, page: Page) -> None:
@@ -104,13 +104,13 @@ def test_escape_closes_a_list_and_says_no_more_where_nothing_moved(lab: Lab, pag
         if not moves:
             lab.reset(page)
             lab.post(gate.set_target([0.6, 0.0, 0.2], [1.0, 0.0, 0.0, 0.0]))
-            until(page, lambda: isinstance(lab.state.request.command, ToPose) and not lab.state.arm.moving)
+            until(page, lambda: isinstance(lab.state.request.command, MoveToPose) and not lab.state.arm.moving)
             lab.ticks(page, 300)
         page.get_by_label("path", exact=True).click()
         page.get_by_role("option", name="circle").wait_for()
         page.keyboard.press("Escape")
         page.get_by_role("option", name="circle").wait_for(state="hidden")
-        until(page, lambda moves=moves: lab.state.request.command == Hold(stopped=moves))  # type: ignore[misc]
+        until(page, lambda moves=moves: lab.state.request.command == HoldPosition(stopped=moves))  # type: ignore[misc]
         until(page, lambda moves=moves: ("Stopped" in status(page)) == moves)  # type: ignore[misc]
 
 

@@ -116,7 +116,7 @@ def test_degrees_are_read_and_printed(monkeypatch: pytest.MonkeyPatch, capsys: p
     out = printed(monkeypatch, capsys, *goal)
     assert "reached" in out.splitlines()[0]
     assert "J1 10.00000°, J2 -80.00000°, J3 20.00000°, J4 30.00000°, J5 50.00000°, J6 -40.00000°" in out
-    assert "0.0000 mm and 0.0000°; within the joint limits" in out
+    assert "0.0000 mm and 0.0000° from the target; within the joint limits" in out
     assert answered(monkeypatch, capsys, *goal)["branches"][0]["q"] == pytest.approx(np.radians(q), abs=1e-6)
 
 
@@ -173,7 +173,7 @@ def test_what_is_not_reached_is_said_and_ends_with_three(
 def test_the_answer_is_there_in_portuguese(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setenv("LC_ALL", "pt_BR.UTF-8")
     out = printed(monkeypatch, capsys, "puma560", "--position", "0.4", "0.2", "0.3")
-    for words in ("alcançado", "postura 1:", "para o alvo; dentro dos limites das juntas"):
+    for words in ("alcançado", "postura 1:", "do alvo; dentro dos limites das juntas"):
         assert words in out
 
 

@@ -107,7 +107,9 @@ def test_a_difference_whose_cause_is_known_ends_well(
     put(monkeypatch, Result((Row(untranslated("height"), 2.0, "m", printed_statement("1,0", "§1"), why=why),)))
     said = study(NAME)[0]
     assert "differs: the gains are unknown" in said
-    assert "the source says 1.0 m (§1); ours is 2.00 m; the gains are unknown" in said.partition("What differs")[2]
+    assert (
+        "the source says 1.0 m (§1); computed here: 2.00 m; the gains are unknown" in said.partition("What differs")[2]
+    )
     (row,) = json.loads(study(NAME, "--json")[0])[0]["rows"]
     assert row["source"]["words"] == {"en": "1.0", "pt_BR": "1,0"}
     assert (row["verdict"], row["why"]["en"]) == ("differs", why.en)

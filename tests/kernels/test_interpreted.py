@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from helicoide.kernels import Kernel, NotCached, by_machine_code, kernel, only_cached
+from helicoide.kernels import Kernel, NotCached, kernel, only_cached, run_compiled
 
 Array = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ def test_nothing_is_compiled() -> None:
 
 def test_a_thread_loads_and_compiles_meanwhile() -> None:
     half, halves = made()
-    with by_machine_code():
+    with run_compiled():
         with only_cached(), pytest.raises(NotCached):
             halves(np.arange(4.0))
         assert halves(np.arange(4.0)) == 3.0

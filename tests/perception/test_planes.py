@@ -58,7 +58,7 @@ def test_what_is_said_of_a_plane_is_so(state: State, name: str) -> None:
 
 
 def by_algebra(triples: Array, judges: Array, cone: Array, inside: Array, distance: float) -> Array:
-    """`best_draw` through the algebra: planes of eqs. 25 and 26 judged by the distances of eq. 20."""
+    """`best_plane` through the algebra: planes of eqs. 25 and 26 judged by the distances of eq. 20."""
     corners = rigid.point(triples)
     planes = rigid.plane_through(corners[:, 0], corners[:, 1], corners[:, 2])
     planes = planes[planes.any(axis=1)]

@@ -18,7 +18,7 @@ def test_a_map_that_is_killed_has_failed(
     state: State, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(mapping, "counted", dies)
-    monkeypatch.setattr("helicoide.jobs.chunks.kept", lambda plan: None)
+    monkeypatch.setattr("helicoide.jobs.chunks.cached_map", lambda plan: None)
 
     def post(update: Update) -> None:
         nonlocal state

@@ -15,12 +15,13 @@ from tests.pages import Hand
 from tests.session.labs import after_ticks, eventually, running, state, window
 from tests.session.turns import Turns, counted
 
-from helicoide import gate, studies
+from helicoide import gate
 from helicoide.command import HoldPosition
 from helicoide.jobs import chunks
 from helicoide.kinematics.workspace import MAP_KINDS
 from helicoide.session import mapping
 from helicoide.session.lab import Lab
+from helicoide.view.panels.study import studies_by_source
 from helicoide.view.workspace_rows import TITLES
 
 LONGEST = 0.1
@@ -64,7 +65,7 @@ def drawn(lab: Lab) -> str:
 def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
     (visitor,) = lab.visitors.values()
     before = visitor.place.desk.last
-    hand.do(hand.page.give("Study", studies.study_named(name).TITLE.en))
+    hand.do(hand.page.give("Study", dict(studies_by_source())[name].en))
     assert eventually(lambda: visitor.place.desk.study == name)
 
     def begun() -> bool:

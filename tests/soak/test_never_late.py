@@ -21,6 +21,7 @@ from tests.session.turns import counted
 
 from helicoide import studies
 from helicoide.session.lab import Lab
+from helicoide.view.panels.study import studies_by_source
 
 pytestmark = pytest.mark.soak
 
@@ -40,7 +41,7 @@ def lab() -> Iterator[Lab]:
 def test_no_study_holds_anything_up(lab: Lab, name: str) -> None:
     hand = window(lab)
     (visitor,) = lab.visitors.values()
-    hand.do(hand.page.give("Study", studies.study_named(name).TITLE.en))
+    hand.do(hand.page.give("Study", dict(studies_by_source())[name].en))
     assert eventually(lambda: visitor.place.desk.study == name)
 
     def begun() -> bool:

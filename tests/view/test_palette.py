@@ -6,16 +6,16 @@ import pytest
 
 from helicoide import content, studies
 from helicoide.ik import methods
-from helicoide.kinematics.library import load, titles
+from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.text import LANGUAGES
 from helicoide.view import layers, panels
 from helicoide.view.rows import ForArm, ForDesk, ForLab, ShowTab
 from helicoide.view.window import ARM, LAYER, LESSON, METHOD, POSE, STUDY, TAB, _commands
 
 
-@pytest.mark.parametrize("name", titles())
+@pytest.mark.parametrize("name", robot_titles())
 def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: str) -> None:
-    robot = load(name)
+    robot = load_robot(name)
     known = list(_commands(robot))
     there = {text.en for text, _ in known}
     kinds = {
@@ -25,7 +25,7 @@ def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: 
         STUDY: len(list(studies.names())),
         POSE: len(robot.poses),
         METHOD: len(list(methods.names())),
-        ARM: len(titles()),
+        ARM: len(robot_titles()),
     }
     for form, number in kinds.items():
         assert sum(words.startswith(form.en.partition("{")[0]) for words in there) == number, form.en

@@ -109,7 +109,7 @@ def test_a_table_of_an_arm_that_has_not_moved_is_not_written_again(
     rows = folder(algebra.rows(puma.robot), "Joint by joint")
     view = View(puma, replace(Seat("", "en"), stages="screws"))
     once = written(rows, view)
-    monkeypatch.setattr("helicoide.view.stage_rows.table", None)
+    monkeypatch.setattr("helicoide.view.stage_rows.text_table", None)
     assert written(rows, replace(view, state=replace(puma, t=1.0))) == once
 
 

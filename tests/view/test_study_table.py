@@ -94,7 +94,7 @@ def test_what_nobody_printed_stands_at_the_end() -> None:
 def test_the_run_before_stands_in_the_place_of_the_source() -> None:
     before = run(Row(ROWS[0].quantity, 7e-14), Row(untranslated("gone"), 1.0))
     heads, _, numbers, _, _, others, *_ = lines(_written((run(*ROWS[:2]), before), "en"))
-    assert heads == ["here", "before"]
+    assert heads == ["here", "previous"]
     assert numbers == ["6.0526×10⁻¹⁴ mm/s", "7×10⁻¹⁴"]
     assert others == ["2", "–"]
 

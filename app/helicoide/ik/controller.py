@@ -118,7 +118,7 @@ def closed_loop_task(
     gains: Gains,
     dt: float,
 ) -> Task:
-    """What the closed loop asks at a posture: the rows of `clik.tool_aim` that the tool can move along at all.
+    """What the closed loop asks at a posture: the rows of `clik.tool_task_error` that the tool can move along at all.
 
     An arm with fewer than six joints is asked for the nearest pose of its subspace, which does not set the rows of the
     task against each other.

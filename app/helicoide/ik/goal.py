@@ -28,7 +28,8 @@ class Goal:
     """Where a wish leads.
 
     q (n,), rad, and T_world_tool (4, 4), m, there; whether the tool comes to the nearest point that the planes leave to
-    it; what is missing between the tool and the wish: `position_error`, m, and `orientation_error`, rad; and why, when something is.
+    it; what is missing between the tool and the wish: `position_error`, m, and `orientation_error`, rad; and why, when
+    something is.
     """
 
     q: Array

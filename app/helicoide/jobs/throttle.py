@@ -14,7 +14,8 @@ Tell = Callable[[Any], None]
 
 
 def throttled(tell: Tell, clock: Callable[[], float] = time.monotonic) -> Tell:
-    """Report a fraction only if it changed by `STEP`, or `OFTEN` s passed, since the last report; 1 is always reported.
+    """Report a fraction only if it changed by `STEP`, or `MAX_PERIOD` s passed, since the last report; 1 is always
+    reported.
 
     Reports that are not floats, such as a count or a word, always pass. clock: returns the time, s.
     """

@@ -163,7 +163,7 @@ class Robot:
 
     @cached_property
     def reach(self) -> float:
-        """Size of the arm, m, never zero: `stretched_length`, or the largest distance of joints and tool from the base."""
+        """Size of the arm, m, not zero: `stretched_length`, or the largest distance of joints or tool from the base."""
         if self.stretched_length >= SMALLEST_REACH:
             return self.stretched_length
         far = float(np.linalg.norm([*self.points, self.T_world_tool_0[:3, 3]], axis=1).max())

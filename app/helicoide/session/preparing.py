@@ -165,14 +165,14 @@ def _prepare(robot: Robot, compilation: ProcessJob, say: Say, live: Meanwhile) -
         if not _loaded():
             live(False)
             _compile_here(say)
-    with kernels.by_machine_code():
+    with kernels.run_compiled():
         rehearse(robot)
 
 
 def _loaded() -> bool:
     """Load every kernel; false as soon as one is not on disk, or damaged there."""
     try:
-        with kernels.by_machine_code(), kernels.only_cached():
+        with kernels.run_compiled(), kernels.only_cached():
             exercise()
     except kernels.NotCached:
         return False
@@ -200,7 +200,7 @@ def _compile_here(say: Say) -> None:
     def told(done: int) -> None:
         say(compiling(done, HERE if kernels.KernelCache.refusal is None else NOT_KEPT))
 
-    with kernels.by_machine_code(), kernels.count_compiled(told):
+    with kernels.run_compiled(), kernels.count_compiled(told):
         exercise()
     if kernels.KernelCache.refusal is not None:
         log.warning("the kernels cannot be kept: %s", kernels.KernelCache.refusal)

@@ -30,8 +30,8 @@ class StudyPanelState:
     """The study panel: selection, options, progress and results.
 
     study: its name, empty at first; options: by study name, where they differ from the defaults; short: whether a quick
-    run is requested; progress: the completed fraction, None while nothing runs; last and previous: the last two completed
-    runs; compares_previous: whether the previous run is shown too; failure: why there is no result.
+    run is requested; progress: the completed fraction, None while nothing runs; last and previous: the last two
+    completed runs; compares_previous: whether the previous run is shown too; failure: why there is no result.
     """
 
     study: str = ""

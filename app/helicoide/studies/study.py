@@ -121,8 +121,8 @@ class Row:
     """A quantity: what the source prints, if anything, and what is computed here (`computed`), in the same unit.
 
     fitted: the chosen values and interpretations under which the statement holds; erratum: the error of the source that
-    explains a difference, such as "vargas-2"; why: another explanation of a difference, if known; given: why `computed` is
-    not a result and gets no verdict, such as `PUT_IN`.
+    explains a difference, such as "vargas-2"; why: another explanation of a difference, if known; given: why `computed`
+    is not a result and gets no verdict, such as `INPUT_VALUE`.
     """
 
     quantity: Text

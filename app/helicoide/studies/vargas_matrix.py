@@ -116,11 +116,10 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     of_matrix = filter_path(wide, gain * MATRIX, "composite", seconds)
     unequal = filter_path(wide, gain, UNEQUAL, seconds)
     rows = [
-        *_converged({"2 × 3": largest_remaining_error(wide, gain, seconds), "3 × 2": largest_remaining_error(wide.T, gain, seconds)}, of_matrix),
-        _growth(spare["composite"]),
-        *_modes(spare["composite"], gain),
-        *_kept(spare["right"], many["left"], stuck, gain),
-        run_row(Text(en="‖Θ − K†‖ at the end, Γ_r = 2Γ, Γ_ℓ = Γ/2", pt_BR="‖Θ − K†‖ no fim, Γ_r = 2Γ, Γ_ℓ = Γ/2"), None,
+        *_converged({"2 × 3": largest_remaining_error(wide, gain, seconds), "3 × 2": largest_remaining_error(wide.T,
+        gain, seconds)}, of_matrix), _growth(spare["composite"]), *_modes(spare["composite"], gain),
+        *_kept(spare["right"], many["left"], stuck, gain), run_row(Text(en="‖Θ − K†‖ at the end, Γ_r = 2Γ, Γ_ℓ = Γ/2",
+        pt_BR="‖Θ − K†‖ no fim, Γ_r = 2Γ, Γ_ℓ = Γ/2"), None,
             float(unequal.off[-1])),
     ]  # fmt: skip
     crossings = [_crossing(k * gain, 4e-3 if short else 1e-3) for k in (10.0, 100.0, 1000.0)]

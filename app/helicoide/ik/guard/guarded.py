@@ -223,7 +223,7 @@ def solve_one(
 def relax_and_solve(
     task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array, multipliers: Array
 ) -> int:
-    """`give_way` for a task of one level."""
+    """`relax_bounds` for a task of one level."""
     begins, one = np.empty(0, dtype=np.int64), multipliers.reshape(1, multipliers.shape[0])
     return relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, one)
 
@@ -248,7 +248,7 @@ def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: Step
     """One guarded tick from q towards a task of one level, in place: q and the work space are those after it.
 
     Args: q (n,), rad or m; task: J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,); dt, s; room:
-    after `arrive` at q, with the rates of the tick before.
+    after `update_poses` at q, with the rates of the tick before.
     """
     n, table, rates, spare = at.n, room.table, room.rates, room.spare
     w, rows = prepare_step(arm, at, q, dt, room)

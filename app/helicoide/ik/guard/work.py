@@ -73,7 +73,7 @@ def most_rows(at: At) -> int:
 
 @kernel_into
 def row_counts(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
-    """How many numbers each part of a work space has, in the order of `Room`."""
+    """How many numbers each part of a work space has, in the order of `StepBuffers`."""
     m, n, rows, points = at.m, at.n, most_rows(at), at.planes - at.points
     spots = 2 * m + points + 2 * at.clearances + max(m + 1, n)
     held, table = 6 * n + at.clearances + 1, ROWS + rows + n + 1

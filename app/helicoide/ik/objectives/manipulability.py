@@ -67,7 +67,7 @@ def usual_rank(problem: Problem, rows: int) -> int:
 
 
 def tool_jacobian(problem: Problem, poses: Array, rows: int) -> tuple[Array, Array]:
-    """The tool's J (rows, n) without lengths, as in `clik.tool_aim`, and its derivative ∂J/∂q (rows, n, n).
+    """The tool's J (rows, n) without lengths, as in `clik.tool_task_error`, and its derivative ∂J/∂q (rows, n, n).
 
     With joint columns (vᵢ, ωᵢ), v̇ᵢ = ω_min(i,j) × v_max(i,j) and ω̇ᵢ = ωⱼ × ωᵢ for j < i, else 0, when joint j moves.
     """

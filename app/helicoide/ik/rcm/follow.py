@@ -27,8 +27,8 @@ from helicoide.text import HelicoideError
 class RcmReference:
     """Where the tool and the entry point shall go at one instant.
 
-    T_world_target (4, 4), m; feedforward: (v, ω) of the target, (6,), world axes, m/s and rad/s; entry_rate: v_rd (r,), m/s,
-    along the forbidden directions.
+    T_world_target (4, 4), m; feedforward: (v, ω) of the target, (6,), world axes, m/s and rad/s; entry_rate: v_rd (r,),
+    m/s, along the forbidden directions.
     """
 
     T_world_target: Array

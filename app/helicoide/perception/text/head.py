@@ -24,7 +24,7 @@ _BOTH_COMMAS = re.compile(r"0\d+")
 
 @dataclass(frozen=True)
 class TableHead:
-    """The header: begin, lines above the first row; places, columns of x, y and z; promised, stated number of rows."""
+    """The header: first_row, lines above the first row; columns of x, y and z; row_count, stated number of rows."""
 
     first_row: int
     cells: LineSplitter

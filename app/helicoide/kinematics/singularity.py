@@ -113,9 +113,9 @@ def singularity(robot: Robot, q: ArrayLike) -> Singularity:
     )
 
 
-def generic_rank(robot: Robot) -> int:
-    """The rank of the tool's Jacobian in almost every posture, such as a random one within the limits."""
-    return _generic(robot)[0][0]
+def generic_rank(robot: Robot, rows: int = 6) -> int:
+    """Rank of the tool's Jacobian in almost every posture: of all six rows, or of the three of its position."""
+    return dict(zip((6, 3), _generic(robot), strict=True))[rows][0]
 
 
 @lru_cache(maxsize=32)

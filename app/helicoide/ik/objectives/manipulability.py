@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Annotated
 
 import numpy as np
@@ -12,10 +11,10 @@ from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.method import OneOf
 from helicoide.ik.objective import Cost, Posture
-from helicoide.ik.objective import posture as posture_at
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.singularity import generic_rank
 from helicoide.text import Text
 
 TITLE = Text(en="manipulability", pt_BR="manipulabilidade")
@@ -52,18 +51,10 @@ def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
     At a singular posture w has a kink, and what is given leads out of it, to one side.
     """
     J, rates = tool_jacobian(problem, posture.poses, 3 if options.of == "position" else 6)
-    found, r = analyse_jacobian(J), usual_rank(problem, len(J))
+    found, r = analyse_jacobian(J), generic_rank(problem.robot, len(J))
     sigma, U, V = found.sigma[:r], found.U[:, :r], found.V[:, :r]
     others = np.array([np.prod(np.delete(sigma, i)) for i in range(r)])
     return Cost(-float(np.prod(sigma)), -np.einsum("i,ai,abk,bi->k", others, U, rates, V, optimize=True))
-
-
-@lru_cache(maxsize=64)
-def usual_rank(problem: Problem, rows: int) -> int:
-    """The rank of the tool's Jacobian at a posture without symmetry: its rank in general."""
-    lower, upper = problem.robot.lower, problem.robot.upper
-    q = lower + (upper - lower) * np.random.default_rng(0).uniform(0.2, 0.8, lower.size)
-    return analyse_jacobian(tool_jacobian(problem, posture_at(problem, q).poses, rows)[0]).rank
 
 
 def tool_jacobian(problem: Problem, poses: Array, rows: int) -> tuple[Array, Array]:

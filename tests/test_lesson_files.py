@@ -15,8 +15,8 @@ from helicoide.text import LANGUAGES, HelicoideError, untranslated
 
 GOOD = """
 from helicoide.lesson import Step
-from helicoide.text import same
-TITLE = same("Tour")
+from helicoide.text import untranslated
+TITLE = untranslated("Tour")
 ROBOT = "movemaster"
 STEPS = (
     Step("first", lambda state: state, lambda state, seat: True, ()),

@@ -40,7 +40,7 @@ def asked(lab: Lab) -> float:
 def test_every_control_has_a_name_and_every_folder_is_a_tab_stop(lab: Lab, page: Page) -> None:
     for language in (*LANGUAGES, "en"):
         speak(lab, page, language)
-        for panel in panels.found():
+        for panel in panels.all_panels():
             tab(page, panel.TITLE[language])
             page.wait_for_timeout(700)  # names are given a moment after the rows are there
             assert page.evaluate(NAMELESS) == [], (language, panel.TITLE.en)

@@ -33,13 +33,13 @@ from helicoide.session import preparing, studies
 from helicoide.session.lab import Lab
 from helicoide.session.seats import Place
 from helicoide.seat import Seat
-from helicoide.studies import panel_state, names
+from helicoide.studies import panel_state, study_names
 
 opened, place = Lab.open, Place(Seat("", "en"))
 
 def opened_with_a_study(session, *address):
     port = opened(session, *address)
-    for update in (panel_state.choose(names()[0]), panel_state.start):
+    for update in (panel_state.with_study(study_names()[0]), panel_state.with_run_started):
         session.loop.call_soon_threadsafe(session.studies.redesk, place, update)
     return port
 

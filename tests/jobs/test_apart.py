@@ -89,12 +89,12 @@ def test_every_process_is_ended_together(tmp_path: Path) -> None:
 
 
 ORPHANED = """
-from helicoide.jobs.process import Apart
+from helicoide.jobs.process import ProcessJob
 from tests.jobs.works import waits
 
 if __name__ == "__main__":
-    job = Apart(waits, "")
-    for _ in job.progress():
+    job = ProcessJob(waits, "")
+    for _ in job.reports():
         print(job._child.pid, flush=True)
 """
 

@@ -130,14 +130,14 @@ import numpy as np
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.ik import methods
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.session.preparing import exercise
 from helicoide.session.workcell import TICK
-from helicoide.state import initial
+from helicoide.state import initial_state
 
 exercise()
 for name in ("movemaster", "dia10_rod", "polar_rp"):
-    start = initial(load(name))
+    start = initial_state(load_robot(name))
     begun = [gate.add_obstacle(), gate.get_ready(), gate.set_joint(0, start.arm.q[0] + 0.1)]
     begun += [gate.choose_path(path) for path in gate.presets(start.robot)]
     if "rcm" in start.robot.frames:

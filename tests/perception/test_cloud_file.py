@@ -17,7 +17,7 @@ from tests.perception.cloud_bytes import WRITERS, by_trimesh, npy, npz, packed, 
 from helicoide.arrays import Array
 from helicoide.kernels import python_function
 from helicoide.perception import cloud_file, formats
-from helicoide.perception.cloud import FARTHEST
+from helicoide.perception.cloud import FARTHEST, PointCloud
 from helicoide.perception.lzf import unpack_kernel
 from helicoide.text import HelicoideError
 
@@ -27,7 +27,7 @@ HOLES[3:40, 1], HOLES[50], HOLES[60, 2], HOLES[70, 0] = np.nan, np.inf, -np.inf,
 every = pytest.mark.parametrize("name", WRITERS)
 
 
-def read(name: str, points: Array) -> cloud_file.PointCloud:
+def read(name: str, points: Array) -> PointCloud:
     ending, writer = WRITERS[name]
     return cloud_file.read_cloud(f"cloud{ending}", writer(points))
 

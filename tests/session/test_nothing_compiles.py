@@ -21,8 +21,8 @@ from numba.core import event
 
 from helicoide import kernels
 from helicoide.commands import serve
-from helicoide.jobs.process import Apart
-from helicoide.kinematics.library import load
+from helicoide.jobs.process import ProcessJob
+from helicoide.kinematics.library import load_robot
 from helicoide.session.preparing import compiled, prepare
 from tests.pressing import everything
 
@@ -39,7 +39,7 @@ class Listener(event.Listener):
 
 if __name__ == "__main__":
     with event.install_listener("numba:compile", Listener()):
-        asyncio.run(prepare(load("movemaster"), Apart(compiled), lambda text: None, lambda alive: None))
+        asyncio.run(prepare(load_robot("movemaster"), ProcessJob(compiled), lambda text: None, lambda alive: None))
         print("left out:", *[name for name in kernels.KERNELS if not kernels.is_cached(name)])
         server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
         for name in sys.argv[1:]:

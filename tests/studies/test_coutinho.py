@@ -14,7 +14,7 @@ from tests.studies.coutinho_numbers import CIRCLED, FOUND, SAMPLED, at, digits
 from helicoide import studies
 from helicoide.geometry import rotation
 from helicoide.ik.method import settings
-from helicoide.ik.rcm import constrained, follow, older
+from helicoide.ik.rcm import constrained, follow, older, passage
 from helicoide.studies import (
     _coutinho_rows,
     coutinho_e1,
@@ -75,8 +75,8 @@ def test_a_wrong_lever_moves_the_entry_point(monkeypatch: pytest.MonkeyPatch) ->
     assert "how fast the shaft leaves" in found[0]
 
 
-def _deeper(place: constrained.Insertion) -> constrained.Insertion:
-    return constrained.Insertion(2 * place.outside, place.inside, place.forbidden, place.lateral)
+def _deeper(place: passage.Insertion) -> passage.Insertion:
+    return passage.Insertion(2 * place.outside, place.inside, place.forbidden, place.lateral)
 
 
 def test_without_the_velocity_of_the_target_the_tool_lags(monkeypatch: pytest.MonkeyPatch) -> None:

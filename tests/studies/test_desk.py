@@ -46,7 +46,7 @@ def test_a_run_begins_tells_and_ends(chosen: StudyPanelState) -> None:
 
 def test_two_runs_of_one_study_are_compared(chosen: StudyPanelState) -> None:
     first, second = ended(chosen.study, 1.0), ended(chosen.study, 2.0)
-    both = replace(desks.with_result(second)(desks.with_result(first)(chosen)), compared=True)
+    both = replace(desks.with_result(second)(desks.with_result(first)(chosen)), compares_previous=True)
     assert both.shown_runs == (second, first)
     other = desks.with_study(study_names()[1])(both)
     assert other.shown_runs == ()

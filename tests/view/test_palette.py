@@ -19,10 +19,10 @@ def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: 
     known = list(_commands(robot))
     there = {text.en for text, _ in known}
     kinds = {
-        TAB: len(panels.found()),
+        TAB: len(panels.all_panels()),
         LAYER: len(layers.optional()),
-        LESSON: len(list(content.found("lessons"))),
-        STUDY: len(list(studies.names())),
+        LESSON: len(list(content.content_folders("lessons"))),
+        STUDY: len(list(studies.study_names())),
         POSE: len(robot.poses),
         METHOD: len(list(methods.names())),
         ARM: len(robot_titles()),

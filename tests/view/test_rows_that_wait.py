@@ -13,12 +13,12 @@ from dataclasses import replace
 from types import SimpleNamespace as Thing
 import viser
 from numba.core import event
-from helicoide.kinematics.library import load
+from helicoide.kinematics.library import load_robot
 from helicoide.kernels import KERNELS
 from helicoide.seat import Seat
-from helicoide.state import initial
+from helicoide.state import initial_state
 from helicoide.view import layers, panels
-from helicoide.view.placed_rows import place
+from helicoide.view.placed_rows import place_rows
 from helicoide.view.rows import View
 
 compiled = []
@@ -29,12 +29,12 @@ class Listener(event.Listener):
     def on_end(self, event):
         pass
 
-robot = load("movemaster")
+robot = load_robot("movemaster")
 server = viser.ViserServer(host="127.0.0.1", port=0, verbose=False)
 shows = {layer.NAME: layer.SHOWN for layer in layers.optional()}
-view = View(initial(robot), replace(Seat("", "en"), shows=shows, selected="plane 0"), ready=False)
+view = View(initial_state(robot), replace(Seat("", "en"), shows=shows, selected="plane 0"), ready=False)
 with event.install_listener("numba:compile", Listener()):
-    placed = [row for panel in panels.found() for row in place(server.gui, panel.rows(robot), view, print)]
+    placed = [row for panel in panels.all_panels() for row in place_rows(server.gui, panel.rows(robot), view, print)]
     print("=", len(placed), compiled)
     for row in placed:
         row.refresh(replace(view, ready=True))

@@ -13,9 +13,9 @@ OURS = {"HelicoideError", "Broken", "NotDrawn"}
 # What may be asked of an error, and who may have it: those who put it into words of both languages.
 ASKED = {"errno", "code", "lineno", "offset", "start", "end", "object", "text"}
 LOG = {"log.warning", "log.error"}
-TRANSLATORS = {"isinstance", "type", "why", "stopped", "raised"}
+TRANSLATORS = {"isinstance", "type", "os_error_reason", "stopped", "raised"}
 # These put what a package says into our words, take an error through to another process, and write the log.
-EXCEPT = {PACKAGE / "files" / "toml.py", PACKAGE / "jobs" / "several.py", PACKAGE / "view" / "news.py"}
+EXCEPT = {PACKAGE / "files" / "toml.py", PACKAGE / "jobs" / "parallel.py", PACKAGE / "view" / "news.py"}
 USUAL = {"error", "failure", "exception"}
 
 

@@ -80,7 +80,9 @@ def test_people_read_joints_limits_source_and_agreement(
 def test_the_whole_list_ends_with_the_names_of_packages(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(content, "found", lambda kind: {"movemaster": content.SHIPPED / "robots" / "movemaster"})
+    monkeypatch.setattr(
+        content, "content_folders", lambda kind: {"movemaster": content.SHIPPED / "robots" / "movemaster"}
+    )
     last = words(monkeypatch, capsys).splitlines()[-1]
     assert [name for name in packaged_urdfs() if name not in last] == []
 

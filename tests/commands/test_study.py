@@ -47,7 +47,7 @@ def put(monkeypatch: pytest.MonkeyPatch, result: Result | Exception) -> None:
     stand_in = SimpleNamespace(
         TITLE=quick.TITLE, SOURCE=quick.SOURCE, ABOUT=quick.ABOUT, ROBOT=quick.ROBOT, Options=quick.Options, run=run
     )
-    monkeypatch.setattr(studies, "named", lambda name: stand_in)
+    monkeypatch.setattr(studies, "study_named", lambda name: stand_in)
 
 
 def test_the_list_has_every_study_and_its_options(study: Callable[..., Said]) -> None:
@@ -158,7 +158,7 @@ def test_all_are_run_in_processes_and_reported(
     study: Callable[..., Said], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     names = (NAME, "cerbaro_movemaster_convergence")
-    monkeypatch.setattr(studies, "names", lambda: names)
+    monkeypatch.setattr(studies, "study_names", lambda: names)
     said, bar = study("--all", "--short", "--report", str(tmp_path / "report.html"), "--lang", "pt_BR")
     page = (tmp_path / "report.html").read_text("utf-8")
     for name in names:

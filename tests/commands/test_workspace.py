@@ -85,7 +85,7 @@ def test_what_was_counted_is_kept(
     def counted(plan: MapPlan, chunk: int) -> workspace.MapPart:
         raise AssertionError("counted again")
 
-    monkeypatch.setattr(workspace, "counted", counted)
+    monkeypatch.setattr(workspace, "count_chunk", counted)
     shares: list[float] = []
     assert same(chunks.workspace_map(plan, progress=shares.append), expected)
     assert shares == [1.0]

@@ -124,7 +124,7 @@ def test_a_name_or_a_place_that_is_taken_is_refused(home: Path) -> None:
     for kind, name in (("robot", "scara"), ("method", "damped"), ("lesson", "drive_the_arm"), ("study", "vargas_01")):
         with pytest.raises(HelicoideError, match=f"already a {kind} named {name}"):
             made(kind, name, own=True)  # type: ignore[arg-type]
-    for kind, name in (("study", "desk"), ("study", "vargas")):
+    for kind, name in (("study", "panel_state"), ("study", "vargas")):
         with pytest.raises(HelicoideError, match="is there already"):
             made(kind, name, own=True)  # type: ignore[arg-type]
     (home / "robots" / "mine").mkdir(parents=True)
@@ -139,12 +139,12 @@ def test_a_folder_that_cannot_be_written_is_said(home: Path) -> None:
 
 
 def test_a_broken_file_of_ones_own_stops_nothing(home: Path, caplog: pytest.LogCaptureFixture) -> None:
-    for package in (methods, studies):
+    for package, names in ((methods, methods.names), (studies, studies.study_names)):
         folder = Path(package.__path__[-1])
         folder.mkdir()
         (folder / f"broken_{folder.name}.py").write_text("import nothing_of_the_kind")
         look_again()
-        assert f"broken_{folder.name}" not in package.names()
+        assert f"broken_{folder.name}" not in names()
         assert f"helicoide check broken_{folder.name}" in caplog.text
 
 

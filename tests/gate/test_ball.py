@@ -152,7 +152,7 @@ def test_the_ball_and_its_stands_are_drawn_where_they_are(server: viser.ViserSer
     assert some.state.ball is not None
     for column, top in zip(layer.columns, some.state.ball.supports, strict=True):
         assert column.position[2] + column.height / 2 == pytest.approx(top[2])
-    alone = View(replace(some.state, ball=replace(some.state.ball, stands=some.state.ball.supports[:0])), seat)
+    alone = View(replace(some.state, ball=replace(some.state.ball, supports=some.state.ball.supports[:0])), seat)
     layer.update(some, alone)
     assert layer.columns == []
     layer.update(alone, none)

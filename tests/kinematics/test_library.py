@@ -43,13 +43,13 @@ def test_every_folder_has_its_title() -> None:
 def test_a_broken_folder_has_no_title(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "robot.toml").write_text("broken", "utf-8")
     folders = {"broken": tmp_path, "movemaster": content.content_folder("robots", "movemaster")}
-    monkeypatch.setattr(content, "found", lambda kind: folders)
+    monkeypatch.setattr(content, "content_folders", lambda kind: folders)
     monkeypatch.setattr(library, "_titles_of_folders", library._titles_of_folders.__wrapped__)
     assert list(robot_titles()) == ["movemaster"]
 
 
 def test_a_guest_is_had_by_its_name_and_title(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(library, "_guests", {})
+    monkeypatch.setattr(library, "_registered", {})
     long = load_robot("planar3r", settings=["l1=3000"])
     register_robot(long)
     assert load_robot("planar3r") is long

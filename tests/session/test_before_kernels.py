@@ -61,7 +61,7 @@ def preparing_lab(monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[Lab, Slow]]
         exercise_all()
 
     monkeypatch.setattr(preparing, "exercise", exercise)
-    monkeypatch.setattr(labs, "Apart", Slow)
+    monkeypatch.setattr(labs, "ProcessJob", Slow)
     lab = Lab(load_robot("movemaster"), None, None)
     lab.open("127.0.0.1", 0)
     try:

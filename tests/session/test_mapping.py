@@ -112,7 +112,7 @@ def test_the_map_is_the_one_that_the_postures_make(arm: _Arm, monkeypatch: pytes
 def test_a_kept_map_appears_without_a_process(arm: _Arm, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, TINY)
     kept = chunks.workspace_map(plan_of(arm.state.robot, "reachable"))
-    monkeypatch.delattr(mapping, "Apart")
+    monkeypatch.delattr(mapping, "ProcessJob")
 
     async def run() -> None:
         arm.mapping.begin("reachable")

@@ -78,7 +78,7 @@ def play_on_another_arm(monkeypatch: pytest.MonkeyPatch, workcell: Workcell) -> 
         assert fetched.wait(60)
         return load(*arguments)
 
-    monkeypatch.setattr(arms, "load", slowly)
+    monkeypatch.setattr(arms, "load_robot", slowly)
     motion = Motion("puma560", np.array([0.0, 1.0]), np.zeros((2, 6)))
 
     def play(meanwhile: Meanwhile) -> State:

@@ -81,7 +81,7 @@ def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
 
 @pytest.mark.parametrize("kind", MAP_KINDS)
 def test_a_map_holds_nothing_up(lab: Lab, hand: Hand, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chunks, "kept", lambda plan: None)
+    monkeypatch.setattr(chunks, "cached_map", lambda plan: None)
     monkeypatch.setattr(mapping, "SAMPLES", {one: {2: 150_000, 3: 700_000} for one in MAP_KINDS})
     hand.do(hand.page.give("Map", TITLES[kind].en))
     assert eventually(lambda: kind in {place.seat.map_kind for place in lab.seats.places.values()})

@@ -158,7 +158,7 @@ def test_a_process_that_is_killed_before_it_says_anything_is_said(running: Calla
 def test_a_pipe_that_breaks_and_a_process_that_does_not_start_are_said(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture, way: type[ProcessJob], words: str
 ) -> None:
-    monkeypatch.setattr(studies, "Apart", way)
+    monkeypatch.setattr(studies, "ProcessJob", way)
 
     async def run(person: Person) -> None:
         person.begin()

@@ -201,7 +201,7 @@ MUTATIONS = [
     ("campos_puma", puma560, "joint_values", without_flip, "postures of ten poses that only one"),
     ("campos_projection", subspace, "project", no_projection, "random goals that the arm takes as they are"),
     ("campos_workspaces", elbow.Annulus, "elbows", two_everywhere, "postures on the outer edge"),
-    ("campos_dexterous", campos_dexterous, "share_of_two", short_of_two, "dexterous points of two equal links"),
+    ("campos_dexterous", campos_dexterous, "two_link_share", short_of_two, "dexterous points of two equal links"),
     ("campos_l3", motoman_l3, "pointed", turned_further, "how much farther the goal would be turned"),
 ]
 

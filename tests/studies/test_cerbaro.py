@@ -249,7 +249,7 @@ def test_with_the_sign_of_the_objective_turned_the_orca_goes_to_its_limits(monke
 def test_without_the_projector_the_tool_leaves_its_path(monkeypatch: pytest.MonkeyPatch) -> None:
     q = tracking.start_of_ellipse()
     usual = tracking.run_free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).position_error.max()
-    monkeypatch.setattr(clik, "answered", no_projector)
+    monkeypatch.setattr(clik, "solve_with_null_space", no_projector)
     assert tracking.run_free_ellipse(q, LimitGain(500.0), 0.01, seconds=1.0).position_error.max() > 10 * usual
 
 
@@ -261,7 +261,7 @@ def test_with_a_wrong_row_of_j_the_heading_of_the_orca_is_not_held(monkeypatch: 
 
         return clik.closed_loop(problem, method, options, skewed, *others)
 
-    monkeypatch.setattr(tracking, "followed", followed)
+    monkeypatch.setattr(tracking, "closed_loop", followed)
     assert broken(short("cerbaro_orca_circle").rows) == {"largest error of φ"}
 
 
@@ -272,7 +272,7 @@ def test_without_the_projector_more_than_rows_2_to_4_are_not_zero(monkeypatch: p
 
 def test_with_half_of_each_step_the_count_of_iterations_is_another(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = convergence.loop_of
-    monkeypatch.setattr(convergence, "by_method", lambda *first: whole(*first[:3], first[3] / 2))
+    monkeypatch.setattr(convergence, "loop_of", lambda *first: whole(*first[:3], first[3] / 2))
     assert broken(short("cerbaro_orca_convergence").rows) == {"iterations, step factor 0.56"}
     assert broken(short("cerbaro_movemaster_convergence").rows) == {"iterations, step factor 0.3"}
 

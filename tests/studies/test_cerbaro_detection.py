@@ -33,7 +33,9 @@ def test_three_points_tilt_a_plane_and_a_fit_to_all_does_not() -> None:
 def test_a_search_that_asks_for_no_angle_finds_all_three(monkeypatch: pytest.MonkeyPatch) -> None:
     wide = partial(planes.find_plane, distance=planes.DISTANCE)
     monkeypatch.setattr(
-        cerbaro_detection, "find", lambda points, towards, inside, angle, seed: wide(points, towards, inside, seed=seed)
+        cerbaro_detection,
+        "find_plane",
+        lambda points, towards, inside, angle, seed: wide(points, towards, inside, seed=seed),
     )
     assert rows()[WITHIN_4].computed == 3
 

@@ -82,7 +82,7 @@ def _deeper(place: passage.Insertion) -> passage.Insertion:
 def test_without_the_velocity_of_the_target_the_tool_lags(monkeypatch: pytest.MonkeyPatch) -> None:
     """ν without v_d: S1 misses its path near l_b = 0."""
     right = follow.body_velocity
-    monkeypatch.setattr(follow, "command", lambda R, ahead, *others: right(R, 0 * ahead, *others))
+    monkeypatch.setattr(follow, "body_velocity", lambda R, ahead, *others: right(R, 0 * ahead, *others))
     assert any(
         "error of the tip" in quantity
         for quantity in red(coutinho_s1.s1_rows(run_path("S1", source_control(), COARSE), COARSE))

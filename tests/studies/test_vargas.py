@@ -118,13 +118,13 @@ MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
     "vargas_scalar": (scalar_filter, "stepped", lambda k, theta, beta, dt: SCALED(k, theta, 2 * beta, dt)),
     "vargas_matrix": (filtered_inverse, "slope", without_left),
     "vargas_05": (damped_by_manipulability, "damping", lambda w, options: 0.0),
-    "vargas_14": (clik, "asked", one_gain_for_all),
+    "vargas_14": (clik, "task_from", one_gain_for_all),
     "vargas_15": (joint_barrier, "cost", dropped(joint_barrier.cost)),
 }
 SLOW_MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
-    "vargas_01": (clik, "asked", twice_the_error),
-    "vargas_02": (clik, "asked", twice_the_error),
-    "vargas_03": (clik, "asked", twice_the_error),
+    "vargas_01": (clik, "task_from", twice_the_error),
+    "vargas_02": (clik, "task_from", twice_the_error),
+    "vargas_03": (clik, "task_from", twice_the_error),
     "vargas_04": (damped_by_manipulability, "damping", lambda w, options: 0.1),
     "vargas_06": (feedback, "compensator", lambda rows, options: options.gain * np.eye(rows)),
     "vargas_07": (damped_by_manipulability, "damping", lambda w, options: 0.0),

@@ -67,10 +67,10 @@ def named(monkeypatch: pytest.MonkeyPatch, robot: Robot, request: pytest.Fixture
     """A scene, a lesson and a study, all of that name."""
     name = request.param
     guided = renamed(lesson.load_lesson("drive_the_arm"), name)
-    monkeypatch.setattr(lesson_panel, "load", lambda _: guided)
-    monkeypatch.setattr(robot_panel, "titles", dict)
-    monkeypatch.setattr(studies, "named", lambda _: study_named(name))
-    monkeypatch.setattr(studies, "names", lambda: ["a study"])
+    monkeypatch.setattr(lesson_panel, "load_lesson", lambda _: guided)
+    monkeypatch.setattr(robot_panel, "robot_titles", dict)
+    monkeypatch.setattr(studies, "study_named", lambda _: study_named(name))
+    monkeypatch.setattr(studies, "study_names", lambda: ["a study"])
     return state_named(robot, name)
 
 

@@ -134,7 +134,7 @@ def _charts(result: Result) -> Iterator[Text]:
     if not result.charts:
         yield NO_CHARTS
     for chart in result.charts:
-        for name in ("title", "across", "up"):
+        for name in ("title", "x_label", "y_label"):
             yield from untold(untranslated(name), getattr(chart, name))
         for line in chart.lines:
             yield from untold(untranslated("line.title"), line.title)

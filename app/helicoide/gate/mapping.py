@@ -23,27 +23,27 @@ def choose_map(kind: str) -> SeatUpdate:
 
 def start_map(robot: Robot, kind: MapKind) -> Update:
     """A map of this arm begins to be counted."""
-    return _of(robot, lambda state: _with(state, counting=MapProgress(kind)))
+    return _of(robot, lambda state: _with(state, progress=MapProgress(kind)))
 
 
 def tell_map(robot: Robot, share: float) -> Update:
     """What is counted tells how far it is, 0 to 1."""
-    return _while_counted(robot, lambda state, counting: _with(state, counting=replace(counting, share=share)))
+    return _while_counted(robot, lambda state, counting: _with(state, progress=replace(counting, share=share)))
 
 
 def show_map(robot: Robot, found: WorkspaceMap) -> Update:
     """The map of this arm is there, in place of the one before."""
-    return _while_counted(robot, lambda state, _: _with(state, counting=None, map=found))
+    return _while_counted(robot, lambda state, _: _with(state, progress=None, map=found))
 
 
 def fail_map(robot: Robot, why: Text) -> Update:
     """What was counted has ended without a map."""
-    return _while_counted(robot, lambda state, _: replace(_with(state, counting=None), notice=why))
+    return _while_counted(robot, lambda state, _: replace(_with(state, progress=None), notice=why))
 
 
 def end_map() -> Update:
     """End what is counted."""
-    return lambda state: _with(state, counting=None)
+    return lambda state: _with(state, progress=None)
 
 
 def clear_map() -> Update:

@@ -14,7 +14,7 @@ from helicoide.studies.study import Progress, Result, Study, without_statements
 from helicoide.text import Text
 
 NEEDS = ("TITLE", "SOURCE", "ABOUT", "ROBOT", "Options", "run")
-_FRAME = ("desk", "study")
+_FRAME = ("panel_state", "study")
 __path__.append(str(content.user_folder() / "studies"))
 
 

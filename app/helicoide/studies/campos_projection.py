@@ -57,15 +57,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     found = [closed.solve(motoman_l3, robot, T, robot.poses["ready"]).branches for T in goals]
     progress(0.8)
     rows = [
-        *(
-            Row(
-                TAKEN.format(robot=arm.title),
-                goals_in_subspace(arm, goals),
-                "",
-                slide_statement(*FEWER, "s.13, s.27", 0),
-            )
-            for arm in (robot, polar, flat)
-        ),
+        *(_taken(arm, goals) for arm in (robot, polar, flat)),
         Row(
             NEARER,
             nearer,
@@ -106,6 +98,13 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     progress(1.0)
     shown = [branches[0].q for branches in found[:SHOWN] if branches]
     return campos_result(rows, _charts(angles), [posture_motion(ROBOT, shown)])
+
+
+def _taken(arm: Robot, goals: list[Array]) -> Row:
+    """How many goals an arm reaches as they are."""
+    return Row(
+        TAKEN.format(robot=arm.title), goals_in_subspace(arm, goals), "", slide_statement(*FEWER, "s.13, s.27", 0)
+    )
 
 
 def _goal(draw: Array) -> Array:

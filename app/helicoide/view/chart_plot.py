@@ -82,9 +82,9 @@ class ChartPlot:
         self.handle = None
         with self.place:
             if turns_back(chart):
-                self.words = html.add_html(self.gui, CHART.format(figure(chart, language, SIZE)))
+                self.words = html.put_html(self.gui, CHART.format(figure(chart, language, SIZE)))
                 return
-            self.words = html.add_html(self.gui, CHART.format(CAPTION.format(caption(chart, language))))
+            self.words = html.put_html(self.gui, CHART.format(CAPTION.format(caption(chart, language))))
             self.handle = self._lines(chart, language)
 
     def _lines(self, chart: Chart, language: Language) -> viser.GuiUplotHandle:

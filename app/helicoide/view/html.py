@@ -9,7 +9,7 @@ import viser
 from markupsafe import Markup, escape
 
 
-def add_html(gui: viser.GuiApi, html: str, visible: bool = True) -> viser.GuiHtmlHandle:
+def put_html(gui: viser.GuiApi, html: str, visible: bool = True) -> viser.GuiHtmlHandle:
     """Put HTML where the GUI stands."""
     return gui.add_html(str(escape(html)), visible=visible)
 

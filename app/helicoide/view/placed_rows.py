@@ -57,7 +57,7 @@ class _IsolatedRow:
         self.row, self.act, self.failed = row, act, False
         self.mark: viser.GuiHtmlHandle | None = None
         self.placed = self._try(lambda: _placed(gui, row, view, act, self._ask))
-        self.mark = html.add_html(gui, html.note(FAILED[view.seat.language]), visible=self.failed)
+        self.mark = html.put_html(gui, html.note(FAILED[view.seat.language]), visible=self.failed)
 
     def _try(self, do: Callable[[], Done]) -> Done | None:
         """Do it; None where that raises."""
@@ -123,7 +123,7 @@ class _Folder:
 class _Words:
     def __init__(self, gui: viser.GuiApi, row: HtmlRow, view: View) -> None:
         self.row = row
-        self.handle = html.add_html(gui, self._html(view))
+        self.handle = html.put_html(gui, self._html(view))
 
     def _html(self, view: View) -> str:
         return self.row.html(view) if view.ready or not self.row.computed else ""

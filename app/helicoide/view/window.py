@@ -59,10 +59,10 @@ PROJECTOR = Text(en="Projector", pt_BR="Projetor")
 NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
 SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
 LATE = Text(
-    en="That took more than a second to arrive and counted for nothing: this computer or the network is busy. "
-    "Please do it again.",
-    pt_BR="Isso levou mais de um segundo para chegar e não valeu: o computador ou a rede está ocupado. "
-    "Faça de novo, por favor.",
+    en="That took more than a second to arrive, so it was ignored: the computer or the network is slow. "
+    "Please try again.",
+    pt_BR="Isso demorou mais de um segundo para chegar e foi ignorado: o computador ou a rede está lento. "
+    "Tente de novo.",
 )
 TOLD_FOR = 10.0
 AT_A_TIME = 0.004  # s of rows that are written before others may come in between

@@ -38,7 +38,7 @@ Task = tuple[Array, Array, Array, Array]
 
 
 def advance(state: State, dt: float) -> State:
-    """The state dt seconds later; joints, planes and speeds stay within what `guarded.tick` promises."""
+    """The state dt seconds later; joints, planes and speeds stay within what `guarded.guarded_tick` promises."""
     moved = _advanced(_with_time(state, dt), dt)
     if moved.ball is not None and moved.ball.grasp_offset is not None:
         moved = replace(moved, ball=moved.ball.moved_with_tool(moved.T_world_tool))

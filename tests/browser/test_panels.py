@@ -249,7 +249,7 @@ def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_pa
                 until(page, lambda: bool(page.evaluate("'/arm/waist' in window.__viserMutable.nodeRefFromName")))
                 until(page, lambda: "Preparando" not in status(page), 600)
                 assert status(page).startswith("Pronto")
-            assert any(tmp_path.rglob("*.guarded.tick-*")), "it will not be compiled a second time"
+            assert any(tmp_path.rglob("*.guarded.guarded_tick-*")), "it will not be compiled a second time"
         finally:
             lab.send_signal(signal.SIGTERM)
             assert lab.wait(60) == 0

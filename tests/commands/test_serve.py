@@ -110,7 +110,7 @@ def test_it_ends_while_kernels_are_compiled(tmp_path: Path, number: int) -> None
         assert ended(process, number) == 0
         assert process.stderr is not None
         assert process.stderr.read() == ""
-    assert not any(tmp_path.rglob("*guarded.tick-*")), "it was not waited for the last kernels"
+    assert not any(tmp_path.rglob("*guarded.guarded_tick-*")), "it was not waited for the last kernels"
 
 
 @pytest.mark.parametrize("code", [BUSY, STUDY], ids=["a thread that is busy", "a study"])

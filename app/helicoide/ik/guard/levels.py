@@ -101,7 +101,7 @@ def solve_levels(
 
 @kernel
 def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, room: StepBuffers) -> None:
-    """`guarded.tick` for a task of several levels, or for an arm with an instrument in an entry point.
+    """`guarded.guarded_tick` for a task of several levels, or for an arm with an instrument in an entry point.
 
     Args: begins: the rows at which further levels begin; the others as there.
     """

@@ -98,7 +98,7 @@ def test_the_watch_sees_an_error_that_was_caught_elsewhere() -> None:
     "source",
     [
         "raise HelicoideError(TEXT) from error",
-        "raise HelicoideError(TEXT.format(line=error.lineno, why=why(error))) from error",
+        "raise HelicoideError(TEXT.format(line=error.lineno, why=os_error_reason(error))) from error",
         "say(TEXT.format(kind=type(error).__name__))",
         "log.error('it stopped', exc_info=error)",
     ],

@@ -40,7 +40,7 @@ class Slow:
     def __init__(self, *_: object) -> None:
         self.may_end = threading.Event()
 
-    def progress(self) -> Iterator[int]:
+    def reports(self) -> Iterator[int]:
         yield 1
         self.may_end.wait(120)
 

@@ -37,7 +37,7 @@ def breaks(report: Report, name: str, options: Any, short: bool) -> object:
 class Torn(ProcessJob):
     """A run whose pipe breaks in the middle of a message."""
 
-    def progress(self) -> Iterator[Any]:
+    def reports(self) -> Iterator[Any]:
         yield 0.5
         raise OSError("got end of file during message")
 
@@ -45,7 +45,7 @@ class Torn(ProcessJob):
 class Unstarted(ProcessJob):
     """A run for which the system has no process left."""
 
-    def progress(self) -> Iterator[Any]:
+    def reports(self) -> Iterator[Any]:
         raise OSError("Cannot allocate memory")
 
 

@@ -15,6 +15,7 @@ from helicoide.command import Replay
 from helicoide.studies.panel_state import CompletedRun, StudyPanelState
 from helicoide.text import LANGUAGES
 from helicoide.view.panels import study
+from helicoide.view.panels.study import studies_by_source
 
 NAME = "cerbaro_orca_circle"
 
@@ -32,7 +33,7 @@ def desk(lab: Lab) -> StudyPanelState:
 
 
 def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
-    choose(page, "Study", studies.study_named(NAME).TITLE.en)
+    choose(page, "Study", dict(studies_by_source())[NAME].en)
     until(page, lambda: desk(lab).study == NAME)
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).last is not None, 300)
@@ -43,7 +44,7 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).previous is not None, 300)
     page.get_by_label("Compare with previous run").click()
-    until(page, lambda: "before" in page.locator(".helicoide-study").inner_text())
+    until(page, lambda: "previous" in page.locator(".helicoide-study").inner_text())
     last = desk(lab).last
     assert last is not None
     page.get_by_role("button", name=last.result.motions[0].title.en).click()
@@ -56,7 +57,7 @@ def test_a_study_is_run_read_compared_and_played(lab: Lab, page: Page) -> None:
 
 
 def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
-    choose(page, "Study", studies.study_named("cerbaro_confined_circle").TITLE.en)
+    choose(page, "Study", dict(studies_by_source())["cerbaro_confined_circle"].en)
     page.get_by_label("Quick run").click()
     until(page, lambda: not desk(lab).short)
     page.get_by_role("button", name="Run", exact=True).click()

@@ -99,35 +99,6 @@
     send({ tab: front });
   }
 
-  // What is docked beside the canvas, or lies below it on a phone, leaves the rest of the page to Stop and status.
-  function place() {
-    const canvas = document.querySelector("canvas")?.getBoundingClientRect();
-    if (!canvas) return;
-    const sheet = document.querySelector('.mantine-Paper-root[style*="position: fixed"]')?.getBoundingClientRect();
-    const style = document.documentElement.style;
-    style.setProperty("--canvas-left", `${Math.max(canvas.left, 0)}px`);
-    style.setProperty("--sheet", sheet ? `${innerHeight - sheet.top}px` : "0px");
-  }
-
-  // A formula that is wider than its panel is drawn smaller, as far as it stays legible.
-  function fit() {
-    for (const box of document.querySelectorAll(".helicoide-formula")) {
-      const wide = `${box.clientWidth}`;
-      if (box.clientWidth === 0 || box.dataset.fits === wide) continue;
-      box.style.fontSize = "";
-      const share = box.clientWidth / box.scrollWidth;
-      if (share < 1) box.style.fontSize = `${Math.max(share * 0.98, 0.7)}em`;
-      box.dataset.fits = wide;
-    }
-  }
-
-  // A slider through powers of ten shows its value in its label: its own number and ends would be exponents.
-  function markDecades() {
-    for (const label of document.querySelectorAll("label")) {
-      if (label.textContent.endsWith("\u2063")) label.closest(".mantine-Flex-root")?.classList.add("helicoide-decades");
-    }
-  }
-
   function remembered() {
     try {
       return localStorage.getItem(SEAT);
@@ -270,7 +241,4 @@
   setInterval(beat, BEAT_MS);
   setInterval(stand, 50);
   setInterval(look, 100);
-  setInterval(fit, 200);
-  setInterval(place, 200);
-  setInterval(markDecades, 200);
 })();

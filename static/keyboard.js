@@ -18,6 +18,7 @@
   const FOLDER = '.mantine-Paper-root[style*="cursor: pointer"]';
   const FOLDED = ".tabler-icon-chevron-down";
   const SHORT_RANGE = 20; // of a slider whose own steps are as large as they need be
+  const OWN_STEPS = 10; // of viser, 0.1 each, make one
 
   function set(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
@@ -44,19 +45,18 @@
     return event.altKey ? 0.1 : event.shiftKey ? 10 : 1;
   }
 
-  // The number goes into the box beside the slider, as if it were typed there.
+  // viser's sliders take a key as one of their own small steps, once a turn of the page's loop.
   function stepSlider(event) {
     const thumb = event.target.closest?.("[role=slider]");
-    const way = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
-    const box = thumb?.closest(".mantine-Slider-root").parentElement.querySelector("input.mantine-NumberInput-input");
-    if (!box || box.disabled || !way) return;
-    const [least, now, most] = ["min", "now", "max"].map((name) => Number(thumb.getAttribute(`aria-value${name}`)));
+    if (!thumb || !event.isTrusted || !event.key.startsWith("Arrow")) return;
+    const [least, most] = ["min", "max"].map((name) => Number(thumb.getAttribute(`aria-value${name}`)));
     if (most - least < SHORT_RANGE) return;
     event.preventDefault();
     event.stopPropagation();
-    const wanted = Math.min(Math.max(now + way * factor(event), least), most);
-    Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(box, String(Number(wanted.toFixed(3))));
-    box.dispatchEvent(new Event("input", { bubbles: true }));
+    const key = { key: event.key, bubbles: true, cancelable: true };
+    for (let k = 0; k < factor(event) * OWN_STEPS; k += 1) {
+      setTimeout(() => thumb.dispatchEvent(new KeyboardEvent("keydown", key)));
+    }
   }
 
   // The target is dragged by keys along the axes of the base, from the press of a key until it is let go.
@@ -121,6 +121,6 @@
   window.addEventListener("blur", endDrag);
   window.addEventListener("helicoide-deaf", () => (drag = null)); // the key is dead until it is pressed anew
   window.addEventListener("keydown", openFolder, true);
-  setInterval(nameControls, 300);
-  setInterval(nameScene, 300);
+  window.helicoideOnChange(nameControls);
+  window.helicoideOnChange(nameScene);
 })();

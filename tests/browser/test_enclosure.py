@@ -17,6 +17,7 @@ from helicoide.command import HoldPosition, MoveToJoints, Replay
 from helicoide.confinement import pane_axes, planes_of
 from helicoide.confinement.plane_file import encode_planes
 from helicoide.readout import plane_distances
+from helicoide.trajectory.waypoints import MOVE_TYPES
 
 SHOWN = "(name) => Boolean(window.__viserMutable.nodeRefFromName[name]?.visible)"
 RING = 0.65 * 0.2  # where a gizmo of this size has its rings
@@ -158,8 +159,8 @@ def test_a_taught_path_is_gone_through(lab: Lab, page: Page) -> None:
     until(page, lambda: len(lab.state.taught.waypoints) == 1)
     lab.post(gate.set_joint(0, 0.3))
     until(page, lambda: abs(lab.state.arm.q[0] - 0.3) < 1e-4)
-    page.get_by_label("reached by").first.click()
-    page.get_by_role("option", name="straight line", exact=True).click()
+    page.get_by_label("move type").first.click()
+    page.get_by_role("option", name=MOVE_TYPES["line"].en, exact=True).click()
     page.get_by_role("button", name="Add waypoint").click()
     until(page, lambda: len(lab.state.taught.waypoints) == 2)
     page.get_by_role("button", name="Go through the points").click()

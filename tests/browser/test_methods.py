@@ -74,15 +74,18 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
     choose(page, "integration", "explicit Euler")
     until(page, lambda: lab.state.request.controller.options("filtered").step == "euler")
     choose(page, "Method", "damped least squares")
-    page.get_by_text("damping λ").first.wait_for()
-    damping = page.locator(".mantine-NumberInput-input:visible").first
-    damping.fill("2")
-    damping.press("Enter")
+    damping = page.get_by_role("slider", name="damping λ")
+    damping.focus()
+    page.keyboard.press("End")  # ten to the power of what the slider says, in mm/rad
+    until(page, lambda: damping.get_attribute("aria-valuenow") == damping.get_attribute("aria-valuemax"))
+    shown = 10 ** float(damping.get_attribute("aria-valuenow") or "nan")
     until(
         page,
-        lambda: abs(lab.state.request.controller.options("damped").damping * 1000 * lab.state.robot.reach - 100) < 1e-6,
+        lambda: np.isclose(
+            lab.state.request.controller.options("damped").damping * 1000 * lab.state.robot.reach, shown
+        ),
     )
-    page.get_by_text("damping λ: 100 mm/rad").first.wait_for()
+    page.get_by_text(f"damping λ: {shown:.3g} mm/rad").first.wait_for()
 
 
 def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:

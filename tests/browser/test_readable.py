@@ -13,7 +13,7 @@ from tests.browser.lab import Lab, pixels, speak, tab, until
 from helicoide import gate
 from helicoide.text import LANGUAGES
 from helicoide.view import panels
-from helicoide.view.window import PROJECTOR
+from helicoide.view.top_rows import PROJECTOR
 
 FINDINGS = Path(__file__).with_name("readable.js").read_text("utf-8")
 IN_VIEW = """element => { const spot = element.getBoundingClientRect();

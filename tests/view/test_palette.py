@@ -9,14 +9,14 @@ from helicoide.ik import methods
 from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.text import LANGUAGES
 from helicoide.view import layers, panels
+from helicoide.view.palette import ARM, LAYER, LESSON, METHOD, POSE, STUDY, TAB, palette
 from helicoide.view.rows import ForArm, ForDesk, ForLab, ShowTab
-from helicoide.view.window import ARM, LAYER, LESSON, METHOD, POSE, STUDY, TAB, _commands
 
 
 @pytest.mark.parametrize("name", robot_titles())
 def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: str) -> None:
     robot = load_robot(name)
-    known = list(_commands(robot))
+    known = list(palette(robot))
     there = {text.en for text, _ in known}
     kinds = {
         TAB: len(panels.all_panels()),

@@ -118,7 +118,7 @@ def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
     """Level, or in the plane of an arm that has only one; the loops lie on the side of the base.
 
     With five joints a tool keeps its orientation only in the plane through the first axis and itself: there they lie,
-    the longer axis level.
+    the longer axis upright.
     """
     T, normal = _ready(robot), plane_normal(robot)
     n = np.array([0.0, 0.0, 1.0]) if normal is None else normal

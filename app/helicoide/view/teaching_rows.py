@@ -40,7 +40,7 @@ def teaching_rows(robot: Robot) -> Folder:
     """Record where the arm stands, the points themselves, and what can be done with all of them."""
     rows: list[Row] = [
         Dropdown(
-            Text(en="reached by", pt_BR="chega por"),
+            Text(en="move type", pt_BR="tipo de movimento"),
             list(MOVE_TYPES.items()),
             lambda view: view.seat.way,
             lambda way: ForSeat(lambda seat: replace(seat, way=way)),
@@ -91,7 +91,7 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
             lambda typed: ForArm(gate.rename_waypoint(name, typed)),
         ),
         Dropdown(
-            Text(en="reached by", pt_BR="chega por"),
+            Text(en="move type", pt_BR="tipo de movimento"),
             list(MOVE_TYPES.items()),
             lambda view: here(view).move_type,
             lambda way: ForArm(gate.set_way(name, way)),

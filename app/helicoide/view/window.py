@@ -3,61 +3,37 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Iterator
-from dataclasses import replace
+from collections.abc import Callable
 from functools import partial
 from itertools import chain
 from time import monotonic, perf_counter
 from types import MappingProxyType
 
 import viser
-from viser import Icon
 from viser._messages import GuiUpdateMessage, SetOrientationMessage, SetPositionMessage
 
-from helicoide import gate
-from helicoide.ik import methods
-from helicoide.kinematics.library import robot_titles
 from helicoide.kinematics.robot import Robot
-from helicoide.lesson import entered
 from helicoide.seat import Seat
-from helicoide.studies import panel_state as desks
-from helicoide.text import LANGUAGES, Language, Text, untranslated
+from helicoide.text import Language, Text, untranslated
 from helicoide.view import bind, layers, panels
 from helicoide.view.channel import show_tab
 from helicoide.view.docked import DockedLesson
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
-from helicoide.view.page import STOP
-from helicoide.view.panels.lesson import lessons
-from helicoide.view.panels.robot import PARK, READY
-from helicoide.view.panels.study import studies_by_source
+from helicoide.view.palette import palette
 from helicoide.view.placed_rows import PlacedRow, place_rows
 from helicoide.view.rows import (
-    Button,
-    Checkbox,
-    Dropdown,
-    ForArm,
-    ForDesk,
-    ForLab,
-    ForSeat,
-    OwnArm,
     PageRequest,
-    Row,
     ShowTab,
-    Stop,
     View,
 )
 from helicoide.view.scene import outlook
 from helicoide.view.shapes import Shape
+from helicoide.view.top_rows import top_rows
 from helicoide.view.uploads import Uploads
 
 Client = viser.ClientHandle
-LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
 PANEL = untranslated("Helicoide")
-OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
-PROJECTOR = Text(en="Projector", pt_BR="Projetor")
-NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
-SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
 LATE = Text(
     en="That took more than a second to arrive, so it was ignored: the computer or the network is slow. "
     "Please try again.",
@@ -140,7 +116,7 @@ class Window:
         """Put up this window's own layers for the arm of a view, and look at it."""
         self.view, robot = view, view.state.robot
         who = str(self.client.client_id)
-        self.shapes, self.weight = shapes, WEIGHT if view.seat.projector else 1.0
+        self.shapes, self.weight = shapes, _weight(view.seat)
         self.layers = Layers(Stage(self.client.scene, robot, shapes, self.act, who, self.weight), shared=False)
         if self.looks_at is not robot:
             self.looks_at, camera = robot, self.client.camera
@@ -174,7 +150,7 @@ class Window:
             gui.reset()
             gui.set_panel_label(PANEL[language])
             self.placed, self.commands = [], []
-            self.top = place_rows(gui, _top(), view, self.act)
+            self.top = place_rows(gui, top_rows(), view, self.act)
             self.docked = DockedLesson(gui, self.act)
             tabs = gui.add_tab_group()
             self.tabs = [tabs.add_tab(panel.TITLE[language], panel.ICON) for panel in panels.all_panels()]
@@ -192,7 +168,7 @@ class Window:
     async def _fill(self, view: View) -> None:
         robot = self.robot = view.state.robot
         self.view, self.written = view, None
-        self.placed, self.commands = [], [self._command(text, wish) for text, wish in _commands(robot)]
+        self.placed, self.commands = [], [self._command(text, wish) for text, wish in palette(robot)]
         for tab, panel in zip(self.tabs, panels.all_panels(), strict=True):
             self.placed.append([])
             for row in panel.rows(robot):
@@ -216,7 +192,7 @@ class Window:
             return 0.0
         if self.view.seat.language != view.seat.language:
             await self.furnish(view)
-        if self.layers is not None and self.weight != (WEIGHT if view.seat.projector else 1.0):
+        if self.layers is not None and self.weight != _weight(view.seat):
             await self._restage(view)
         self.view = self.written = view
         took, began = 0.0, perf_counter()
@@ -255,73 +231,12 @@ class Window:
         return command
 
 
+def _weight(seat: Seat) -> float:
+    return WEIGHT if seat.projector else 1.0
+
+
 def _same(old: View, new: View) -> bool:
     """Whether two views of a window say the same."""
     return (
         old.state is new.state and old.seat is new.seat and old.desk is new.desk and old.ready == new.ready
     ) and old.own == new.own
-
-
-def _commands(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
-    """The palette: what the panels and the page have as buttons, by name, and every arm."""
-    yield STOP, Stop()
-    yield READY, ForArm(gate.get_ready())
-    if robot.panes:
-        yield PARK, ForArm(gate.park())
-    yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
-    yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
-    for on, words in ((True, PROJECTOR), (False, NO_PROJECTOR)):
-        yield words, ForSeat(partial(_projected, on))
-    yield OWN, OwnArm(True)
-    yield SHARED, OwnArm(False)
-    for index, panel in enumerate(panels.all_panels()):
-        yield TAB.format(title=panel.TITLE), ShowTab(index)
-    for name, title in robot.pose_titles.items():
-        yield POSE.format(title=title), ForArm(gate.go_to(name))
-    for name in methods.names():
-        yield METHOD.format(title=methods.named(name).TITLE), ForArm(gate.choose_method(name))
-    for layer in layers.optional():
-        yield LAYER.format(title=layer.TITLE), ForSeat(partial(_toggled, layer.NAME))
-    for lesson in lessons():
-        yield LESSON.format(title=lesson.title), ForSeat(partial(entered, name=lesson.id))
-    for name, title in studies_by_source():
-        yield STUDY.format(title=title), ForDesk(desks.with_study(name))
-    for name, title in robot_titles().items():
-        yield ARM.format(title=title), ForLab(name)
-
-
-TAB = Text(en="Tab: {title}", pt_BR="Aba: {title}")
-POSE = Text(en="Go to pose: {title}", pt_BR="Ir para a pose: {title}")
-METHOD = Text(en="Method: {title}", pt_BR="Método: {title}")
-LAYER = Text(en="Show or hide: {title}", pt_BR="Mostrar ou ocultar: {title}")
-LESSON = Text(en="Lesson: {title}", pt_BR="Lição: {title}")
-STUDY = Text(en="Study: {title}", pt_BR="Estudo: {title}")
-ARM = Text(en="Arm: {title}", pt_BR="Braço: {title}")
-
-
-def _toggled(name: str, seat: Seat) -> Seat:
-    """The same person with a layer shown that was hidden, or hidden."""
-    return seat.with_layer(name, not seat.visible_layers[name])
-
-
-def _projected(on: bool, seat: Seat) -> Seat:
-    """The same person in front of a projector, or no longer."""
-    return replace(seat, projector=on)
-
-
-def _top() -> list[Row]:
-    """What stands above the tabs: the language, and whose arm it is."""
-    return [
-        Dropdown(
-            Text(en="Language · Idioma", pt_BR="Idioma · Language"),
-            [(language, untranslated(LANGUAGE_NAMES[language])) for language in LANGUAGES],
-            lambda view: view.seat.language,
-            lambda key: ForSeat(lambda seat: replace(seat, language="pt_BR" if key == "pt_BR" else "en")),
-        ),
-        Button(lambda view: SHARED if view.own else OWN, lambda view: OwnArm(not view.own), Icon.USER),
-        Checkbox(
-            PROJECTOR,
-            lambda view: view.seat.projector,
-            lambda on: ForSeat(partial(_projected, on)),
-        ),
-    ]

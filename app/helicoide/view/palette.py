@@ -1,0 +1,64 @@
+"""The palette (Ctrl+K): the buttons of the panels, and every tab, pose, method, layer, lesson, study and arm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from helicoide import gate
+from helicoide.ik import methods
+from helicoide.kinematics.library import robot_titles
+from helicoide.kinematics.robot import Robot
+from helicoide.lesson import entered
+from helicoide.seat import Seat
+from helicoide.studies import panel_state
+from helicoide.text import Text
+from helicoide.view import layers, panels
+from helicoide.view.page import STOP
+from helicoide.view.panels.lesson import lessons
+from helicoide.view.panels.robot import PARK, READY
+from helicoide.view.panels.study import studies_by_source
+from helicoide.view.rows import ForArm, ForDesk, ForLab, ForSeat, OwnArm, PageRequest, ShowTab, Stop
+from helicoide.view.top_rows import OWN, PROJECTOR, SHARED, with_projector
+
+NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
+TAB = Text(en="Tab: {title}", pt_BR="Aba: {title}")
+POSE = Text(en="Go to pose: {title}", pt_BR="Ir para a pose: {title}")
+METHOD = Text(en="Method: {title}", pt_BR="Método: {title}")
+LAYER = Text(en="Show or hide: {title}", pt_BR="Mostrar ou ocultar: {title}")
+LESSON = Text(en="Lesson: {title}", pt_BR="Lição: {title}")
+STUDY = Text(en="Study: {title}", pt_BR="Estudo: {title}")
+ARM = Text(en="Arm: {title}", pt_BR="Braço: {title}")
+
+
+def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
+    """Every command by its name, with what it asks for."""
+    yield STOP, Stop()
+    yield READY, ForArm(gate.get_ready())
+    if robot.panes:
+        yield PARK, ForArm(gate.park())
+    yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
+    yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
+    for on, words in ((True, PROJECTOR), (False, NO_PROJECTOR)):
+        yield words, ForSeat(partial(with_projector, on))
+    yield OWN, OwnArm(True)
+    yield SHARED, OwnArm(False)
+    for index, panel in enumerate(panels.all_panels()):
+        yield TAB.format(title=panel.TITLE), ShowTab(index)
+    for name, title in robot.pose_titles.items():
+        yield POSE.format(title=title), ForArm(gate.go_to(name))
+    for name in methods.names():
+        yield METHOD.format(title=methods.named(name).TITLE), ForArm(gate.choose_method(name))
+    for layer in layers.optional():
+        yield LAYER.format(title=layer.TITLE), ForSeat(partial(_toggled, layer.NAME))
+    for lesson in lessons():
+        yield LESSON.format(title=lesson.title), ForSeat(partial(entered, name=lesson.id))
+    for name, title in studies_by_source():
+        yield STUDY.format(title=title), ForDesk(panel_state.with_study(name))
+    for name, title in robot_titles().items():
+        yield ARM.format(title=title), ForLab(name)
+
+
+def _toggled(name: str, seat: Seat) -> Seat:
+    """The same person with a layer shown that was hidden, or hidden."""
+    return seat.with_layer(name, not seat.visible_layers[name])

@@ -1,0 +1,58 @@
+// What the style sheets alone cannot do: it follows viser's page, and rests while that does not change.
+"use strict";
+
+(() => {
+  const SOON_MS = 150; // words that follow a moving arm change several times a second
+  const tidies = [];
+  let planned = null;
+
+  function tidy() {
+    planned = null;
+    for (const one of tidies) one();
+  }
+
+  function soon() {
+    planned ??= setTimeout(tidy, SOON_MS);
+  }
+
+  // Calls a function now and whenever the page has changed.
+  window.helicoideOnChange = (one) => {
+    tidies.push(one);
+    soon();
+  };
+
+  // What is docked beside the canvas, or lies below it on a phone, leaves the rest of the page to Stop and status.
+  function place() {
+    const canvas = document.querySelector("canvas")?.getBoundingClientRect();
+    if (!canvas) return;
+    const sheet = document.querySelector('.mantine-Paper-root[style*="position: fixed"]')?.getBoundingClientRect();
+    const style = document.documentElement.style;
+    style.setProperty("--canvas-left", `${Math.max(canvas.left, 0)}px`);
+    style.setProperty("--sheet", sheet ? `${innerHeight - sheet.top}px` : "0px");
+  }
+
+  // A formula that is wider than its panel is drawn smaller, as far as it stays legible.
+  function fit() {
+    for (const box of document.querySelectorAll(".helicoide-formula")) {
+      const wide = `${box.clientWidth}`;
+      if (box.clientWidth === 0 || box.dataset.fits === wide) continue;
+      box.style.fontSize = "";
+      const share = box.clientWidth / box.scrollWidth;
+      if (share < 1) box.style.fontSize = `${Math.max(share * 0.98, 0.7)}em`;
+      box.dataset.fits = wide;
+    }
+  }
+
+  // A slider through powers of ten shows its value in its label: its own number and ends would be exponents.
+  function markDecades() {
+    for (const label of document.querySelectorAll("label")) {
+      if (label.textContent.endsWith("\u2063")) label.closest(".mantine-Flex-root")?.classList.add("helicoide-decades");
+    }
+  }
+
+  for (const one of [place, fit, markDecades]) window.helicoideOnChange(one);
+  const all = { subtree: true, childList: true, attributes: true, attributeFilter: ["style", "class", "hidden"] };
+  new MutationObserver(soon).observe(document.body, all);
+  new MutationObserver(soon).observe(document.documentElement, { attributeFilter: ["data-projector", "lang"] });
+  for (const event of ["resize", "load", "transitionend"]) window.addEventListener(event, soon, true);
+})();

@@ -1,18 +1,18 @@
-// Helicoide's own part of the page: the Stop button, the status line, the channel behind both, and what keeps a hand
-// from driving what it cannot stop.
+// Helicoide's own part of the page: the Stop button, the status line, their control channel, and the check that nobody
+// drives an arm without being able to stop it.
 "use strict";
 
 (() => {
   const words = JSON.parse(document.currentScript.dataset.words);
-  const channel = new URL("../helicoide/control", document.currentScript.src); // the page may stand behind a sub-path
+  const channel = new URL("../helicoide/control", document.currentScript.src); // the page may be behind a sub-path
   channel.protocol = channel.protocol.replace("http", "ws");
   const BEAT_MS = 1000;
   const SILENT_BEATS = 2;
   const BEATS_KEPT = 30;
-  const SETTLED_MS = 120; // viser holds the last value of a slider back for up to 50 ms
+  const SETTLED_MS = 120; // viser delays the last value of a slider by up to 50 ms
   const SEAT = "helicoide-seat";
   const OPEN = '[role="dialog"], [role="listbox"]';
-  // What a page sends that no hand has made, and the parts of a file whose beginning was let through.
+  // Messages that no user action makes, and the parts of a file whose first message was sent.
   const NOT_BY_HAND = new Set([
     "ViewerCameraMessage",
     "FileTransferPart",
@@ -25,13 +25,13 @@
   let notice = { status: "", tone: "ok" };
   let link = "opening"; // then "up" or "lost"
   let socket = null;
-  let silence = 0; // beats since the server last said anything
+  let silence = 0; // heartbeats since the last message from the server
   let retryMs = 100;
   let stopUnheard = false;
-  let fence = null; // the stop that this page has been told of, and has not yet let go of everything since
+  let fence = null; // number of a stop, until all pointers and keys were released after it
   let settling = null;
-  let offsets = []; // the server's clock minus ours, by the last beats; an answer that was slow makes it too small
-  let shown = -1; // the tab in front, as the server knows it
+  let offsets = []; // the server's clock minus the page's, ms, at the last heartbeats; a slow answer makes it too small
+  let shown = -1; // the tab in front that the server was told of
   const held = new Set(); // pointers and keys that are down
 
   function element(tag, id, attributes = {}) {
@@ -49,7 +49,7 @@
   button.append(label, key);
 
   function write(place, text) {
-    if (place.textContent !== text) place.textContent = text; // the same words again would be read aloud again
+    if (place.textContent !== text) place.textContent = text; // a screen reader would read the same text again
   }
 
   function draw() {
@@ -65,14 +65,14 @@
     if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
   }
 
-  // A stop counts only when the server has said that it heard it; until then every new connection repeats it.
+  // A stop is sent again on every new connection until the server has confirmed it.
   function stop(closing = false) {
     stopUnheard = true;
-    deafen(fence); // what this hand does from now on waits for the server's word, too
+    deafen(fence); // also ignores this user's actions until the server has confirmed the stop
     send({ stop: true, closing });
   }
 
-  // Whether Escape closes something as well: where nothing moved, that is all that is said of it.
+  // Whether Escape also closes a dialog or a list. Then the stop is shown only if something moved.
   function closes() {
     return [...document.querySelectorAll(OPEN)].some((element) => element.checkVisibility({ visibilityProperty: true }));
   }
@@ -85,12 +85,12 @@
 
   function tabsOfPanel() {
     const lists = [...document.querySelectorAll("[role=tablist]")].map((list) => [...list.querySelectorAll("[role=tab]")]);
-    return lists.find((list) => list.length > 1) ?? []; // a docked lesson has one
+    return lists.find((list) => list.length > 1) ?? []; // a docked lesson has one tab
   }
 
   window.helicoideShowTab = (index) => tabsOfPanel()[index]?.click();
 
-  // Words in tabs that nobody looks at need not be written: which one is in front, of those at the top of the panel.
+  // Tells the server which tab of the panel is in front: only its rows need updates.
   function look() {
     const tabs = tabsOfPanel();
     const front = tabs.findIndex((tab) => tab.getAttribute("aria-selected") === "true");
@@ -103,7 +103,7 @@
     try {
       return localStorage.getItem(SEAT);
     } catch {
-      return null; // a browser may keep its storage shut
+      return null; // a browser may refuse access to its storage
     }
   }
 
@@ -111,7 +111,7 @@
     try {
       localStorage.setItem(SEAT, seat);
     } catch {
-      // then every visit is a new one
+      // then every visit gets a new seat
     }
   }
 
@@ -153,7 +153,7 @@
     retryMs = Math.min(2 * retryMs, 1000);
   }
 
-  // A cut cable or a stuck server closes nothing: silence is what tells.
+  // A cut cable or a stuck server does not close the socket, so unanswered heartbeats are counted.
   function beat() {
     if (socket.readyState > WebSocket.OPEN) return;
     if (silence >= SILENT_BEATS) return lose();
@@ -161,10 +161,10 @@
     send({ beat: true });
   }
 
-  // From a stop on nothing that a hand does counts until it has let go of everything. Then the page says so where all
-  // else that it sends has gone before: what comes after that was made by someone who could know of the stop.
+  // After a stop, no user action is sent until all pointers and keys are released. Then the page sends a fence on
+  // viser's socket, which keeps the order: all later messages are made by a user who could know of the stop.
   let deaf = true;
-  let passOn = null; // viser's own way of sending
+  let passOn = null; // viser's own sendMessage
 
   function deafen(number) {
     deaf = true;
@@ -192,7 +192,7 @@
     return passOn(message);
   }
 
-  // viser replaces its way of sending at every connection: ours stays in front of each.
+  // viser sets a new sendMessage at every connection; `sendOfViser` is put before each of them.
   function stand() {
     const viser = window.__viserMutable;
     if (!viser || Object.getOwnPropertyDescriptor(viser, "sendMessage").get) return;
@@ -229,10 +229,10 @@
   window.addEventListener("keydown", (event) => event.isTrusted && press(event.code), true);
   window.addEventListener("keyup", (event) => release(event.code), true);
   window.addEventListener("pointermove", (event) => event.buttons === 0 && release(event.pointerId), true);
-  window.addEventListener("blur", releaseAll); // a key that goes up elsewhere is not told of
+  window.addEventListener("blur", releaseAll); // the page gets no event for a key that is released elsewhere
   for (const end of ["pointerup", "pointercancel"]) {
     window.addEventListener(end, (event) => release(event.pointerId), true);
-    window.addEventListener(end, () => send({ released: true }), true); // what was dragged is let go, come what may
+    window.addEventListener(end, () => send({ released: true }), true); // ends the drag even if viser's message is lost
   }
 
   document.body.append(line, button);

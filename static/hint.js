@@ -1,4 +1,4 @@
-// What to do first, on the canvas, until somebody closes it: then this browser knows it.
+// The first steps, shown over the canvas until the user closes them. The browser stores that they were closed.
 "use strict";
 
 (() => {
@@ -9,7 +9,7 @@
     try {
       return localStorage.getItem(CLOSED) !== null;
     } catch {
-      return false; // a browser may keep its storage shut
+      return false; // a browser may refuse access to its storage
     }
   }
 
@@ -36,7 +36,7 @@
     try {
       localStorage.setItem(CLOSED, "yes");
     } catch {
-      // then it is there again next time
+      // then they are shown again next time
     }
   }
 

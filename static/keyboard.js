@@ -1,5 +1,5 @@
-// The page by keyboard and by ear: names and tab stops for what viser leaves without them, and arrow keys in the steps
-// of a teach pendant: 1 (degree, millimetre), a tenth of it with Alt, ten of it with Shift.
+// Keyboard and screen reader: names and tab stops that viser does not set, and arrow keys with the steps of a teach
+// pendant: 1 (degree, millimetre), 0.1 with Alt, 10 with Shift.
 "use strict";
 
 (() => {
@@ -14,11 +14,11 @@
     PageUp: [2, 1],
     PageDown: [2, -1],
   };
-  const ICONS = { "list-search": "commands", adjustments: "settings" }; // buttons of viser without words
+  const ICONS = { "list-search": "commands", adjustments: "settings" }; // buttons of viser without text
   const FOLDER = '.mantine-Paper-root[style*="cursor: pointer"]';
   const FOLDED = ".tabler-icon-chevron-down";
-  const SHORT_RANGE = 20; // of a slider whose own steps are as large as they need be
-  const OWN_STEPS = 10; // of viser, 0.1 each, make one
+  const SHORT_RANGE = 20; // sliders with a smaller range keep viser's own steps
+  const OWN_STEPS = 10; // steps of viser, 0.1 each, in one step of 1
 
   function set(element, name, value) {
     if (element.getAttribute(name) !== value) element.setAttribute(name, value);
@@ -45,7 +45,7 @@
     return event.altKey ? 0.1 : event.shiftKey ? 10 : 1;
   }
 
-  // viser's sliders take a key as one of their own small steps, once a turn of the page's loop.
+  // viser's sliders take one of their own small steps for a key event, and one event per turn of the event loop.
   function stepSlider(event) {
     const thumb = event.target.closest?.("[role=slider]");
     if (!thumb || !event.isTrusted || !event.key.startsWith("Arrow")) return;
@@ -59,7 +59,7 @@
     }
   }
 
-  // The target is dragged by keys along the axes of the base, from the press of a key until it is let go.
+  // Keys drag the target along the axes of the base, from the press of a key to its release.
   let drag = null;
 
   function tellTarget(kind, fields = {}) {
@@ -71,7 +71,7 @@
     const along = ALONG[event.key];
     if (!along || event.target !== window.__viserMutable?.canvas || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    event.stopPropagation(); // else viser moves the camera
+    event.stopPropagation(); // otherwise viser moves the camera
     if (!event.repeat) takeTarget(event.code);
     if (drag?.code !== event.code) return;
     drag.position[along[0]] += along[1] * factor(event) * MILLIMETRE;
@@ -119,7 +119,7 @@
   window.addEventListener("keydown", stepTarget, true);
   window.addEventListener("keyup", (event) => drag?.code === event.code && endDrag(), true);
   window.addEventListener("blur", endDrag);
-  window.addEventListener("helicoide-deaf", () => (drag = null)); // the key is dead until it is pressed anew
+  window.addEventListener("helicoide-deaf", () => (drag = null)); // the key has no effect until it is pressed again
   window.addEventListener("keydown", openFolder, true);
   window.helicoideOnChange(nameControls);
   window.helicoideOnChange(nameScene);

@@ -1,8 +1,8 @@
-// What the style sheets alone cannot do: it follows viser's page, and rests while that does not change.
+// Layout that style sheets alone cannot do. It is computed again whenever viser's page changes.
 "use strict";
 
 (() => {
-  const SOON_MS = 150; // words that follow a moving arm change several times a second
+  const SOON_MS = 150; // texts about a moving arm change several times a second
   const tidies = [];
   let planned = null;
 
@@ -21,7 +21,7 @@
     soon();
   };
 
-  // What is docked beside the canvas, or lies below it on a phone, leaves the rest of the page to Stop and status.
+  // Stop and the status line are placed beside a docked panel, and on a phone above the sheet.
   function place() {
     const canvas = document.querySelector("canvas")?.getBoundingClientRect();
     if (!canvas) return;
@@ -31,7 +31,7 @@
     style.setProperty("--sheet", sheet ? `${innerHeight - sheet.top}px` : "0px");
   }
 
-  // A formula that is wider than its panel is drawn smaller, as far as it stays legible.
+  // A formula that is wider than its panel is drawn smaller, but not below 0.7em.
   function fit() {
     for (const box of document.querySelectorAll(".helicoide-formula")) {
       const wide = `${box.clientWidth}`;
@@ -43,7 +43,7 @@
     }
   }
 
-  // A slider through powers of ten shows its value in its label: its own number and ends would be exponents.
+  // A logarithmic slider shows its value in its label; viser's own numbers are exponents and are hidden.
   function markDecades() {
     for (const label of document.querySelectorAll("label")) {
       if (label.textContent.endsWith("\u2063")) label.closest(".mantine-Flex-root")?.classList.add("helicoide-decades");

@@ -1,4 +1,4 @@
-"""The arm that most tests drive, fresh at `ready`; which tests run, and on how many examples."""
+"""The arm of most tests, at `ready`; and options for which tests run, and on how many examples."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.state import State, initial_state
 from helicoide.view.news import tell_once
 
-# No clock may fail a test: the first call of a kernel compiles it, which takes longer than any example may.
+# No time limits: the first call of a kernel compiles it, which takes longer than any limit of an example.
 CLOCKLESS = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow], print_blob=True)
 settings.register_profile("test", CLOCKLESS, derandomize=True, database=None)
 settings.register_profile("search", CLOCKLESS, derandomize=False)
@@ -32,7 +32,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_configure() -> None:
-    """Hypothesis also tries numbers from the modules imported so far: examples would depend on what else runs."""
+    """Turn off numbers from imported modules, which Hypothesis also tries: examples would depend on other tests."""
     if settings().derandomize:
         providers._get_local_constants = lambda: providers._local_constants
 
@@ -46,7 +46,7 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """What the other options have left: sampled, or searched for counter-examples."""
+    """Keep a sample of the tests, or give them more examples."""
     if most := config.getoption("sample"):
         kept = sampled(items, most)
         config.stash[SAMPLE] = len(kept), len(items)
@@ -58,12 +58,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_runtest_setup() -> None:
-    """What another test has seen fail is news again."""
+    """Log failures again that an earlier test has logged already."""
     tell_once()
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    """A process of pytest-xdist tells of its sample to the one that started it."""
+    """Send the size of the sample from a process of pytest-xdist to the one that started it."""
     if hasattr(session.config, "workeroutput") and SAMPLE in session.config.stash:
         session.config.workeroutput["sample"] = session.config.stash[SAMPLE]
 

@@ -1,4 +1,4 @@
-"""Driving the arm as people do: random wishes through the gate, time through `lived`, every promise watched."""
+"""Drive the arm as users do: random requests through the gate, ticks through `lived`, and a check of every promise."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ from helicoide.state import State, Update
 Random = np.random.Generator
 Wish = Callable[[Random, State], Update]
 ROUNDING = 1e-9
-ON_THE_WAY = 2e-3  # parking begins up to 1e-3 rad beside `ready`
+ON_THE_WAY = 2e-3  # parking begins up to 1e-3 rad from `ready`
 
 
 def after(state: State, seconds: float, dt: float = 0.01) -> State:
-    """The state after some seconds in which nobody wishes anything."""
+    """The state after some seconds without requests."""
     for _ in range(round(seconds / dt)):
         state = lived(state, dt)
     return state
 
 
 def quaternion(rng: Random) -> Array:
-    """Any orientation, wxyz."""
+    """A random orientation, wxyz."""
     wxyz = rng.normal(size=4)
     return np.asarray(wxyz / np.linalg.norm(wxyz))
 
 
 def clear_posture(rng: Random, state: State, clearance: float) -> Array:
-    """Joint values within the limits, guarded points that far from every plane and bodies free of each other."""
+    """Random joint values within the limits, without collision, guarded points at least `clearance` m from planes."""
     limits = state.problem.limits
     while True:
         q = frozen(rng.uniform(limits.lower, limits.upper))
@@ -48,13 +48,13 @@ def clear_posture(rng: Random, state: State, clearance: float) -> Array:
 
 
 def apart(state: State) -> float:
-    """What is left until two bodies of the arm are too near, m."""
+    """The smallest clearance between two bodies of the arm, m; negative if they are too near."""
     left = clearances(packed(state.problem), state.arm.q)
     return float(left[len(state.guarded_points) * len(state.problem.planes.normals) :].min(initial=np.inf))
 
 
 def place(rng: Random) -> Array:
-    """Mostly where the arm can go, sometimes behind planes or below the bench, sometimes far away."""
+    """A random position (3,), m: mostly reachable, sometimes behind planes or below the bench, sometimes far away."""
     reach = rng.choice([0.5, 1.0, 2.9], p=[0.6, 0.3, 0.1])
     centre = np.array([0, 0, 0.3 if reach < 2 else 0.0])
     return np.asarray(centre + rng.uniform(-reach, reach, 3))
@@ -70,7 +70,7 @@ def dragged_target(rng: Random, state: State) -> Update:
 
 
 def dragged_plane(rng: Random, state: State) -> Update:
-    """Pushed, turned a little, or put anywhere at all."""
+    """A drag that pushes a plane, rotates it a little, or puts it anywhere."""
     index = int(rng.integers(len(state.robot.panes)))
     planes = state.problem.planes
     wxyz = quaternion(rng)
@@ -81,7 +81,7 @@ def dragged_plane(rng: Random, state: State) -> Update:
 
 
 def turning_z_to(direction: Array) -> Array:
-    """A quaternion that turns z to a direction, the short way."""
+    """A quaternion that rotates z to a direction by the smallest angle."""
     n = direction / np.linalg.norm(direction)
     wxyz = np.array([1 + n[2], -n[1], n[0], 0.0])
     return wxyz / np.linalg.norm(wxyz) if n[2] > -1 + 1e-9 else np.array([0.0, 1, 0, 0])
@@ -98,7 +98,7 @@ def posture(rng: Random, state: State) -> Update:
 
 
 def limits(rng: Random, state: State) -> Update:
-    """Narrower or wider than the robot's own, also so that the arm stands outside; slower or faster."""
+    """Narrower or wider limits than the robot's own, perhaps with the arm outside; lower or higher speeds."""
     robot = state.robot
     if rng.random() < 0.3:
         changed = Limits(robot.lower, robot.upper, robot.speed)
@@ -134,7 +134,7 @@ SHARES = np.array([weight for weight, _ in WISHES]) / sum(weight for weight, _ i
 
 @dataclass
 class Worst:
-    """The nearest that anything came to breaking a promise."""
+    """The worst value of each checked quantity so far."""
 
     ticks: int = 0
     clearance: float = np.inf
@@ -156,7 +156,7 @@ def beside(robot: Robot, q: Array) -> float:
 
 
 def watch(worst: Worst, old: State, new: State, dt: float) -> None:
-    """Every promise of one tick."""
+    """Check every promise for one tick."""
     worst.ticks += 1
     arrays = (new.arm.q, new.arm.velocities, new.arm.poses, new.problem.planes.normals, new.problem.planes.centres)
     assert all(np.isfinite(array).all() and not array.flags.writeable for array in arrays)
@@ -177,7 +177,7 @@ def watch(worst: Worst, old: State, new: State, dt: float) -> None:
 
 
 def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
-    """Wishes at random moments, ticks of random length, and every promise watched."""
+    """Requests at random times, ticks of random length, and a check of every promise."""
     worst = Worst()
     while worst.ticks < ticks:
         _, wish = WISHES[rng.choice(len(WISHES), p=SHARES)]
@@ -191,13 +191,13 @@ def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
 
 
 def clear_goal(rng: Random, state: State, clearance: float = 0.110) -> tuple[State, Array]:
-    """The arm in a clear posture, and the tool pose of another; the straight line between two clear points is clear."""
+    """The arm in a clear posture, and the tool pose of another one; the straight path between them is clear too."""
     start = at(state, clear_posture(rng, state, clearance))
     return start, at(state, clear_posture(rng, state, clearance)).T_world_tool
 
 
 def misses(start: State, T_world_target: Array, with_orientation: bool, seconds: float = 12.0) -> float:
-    """How far the tool is from a target when it has had its time, m; a target met to a tenth of a millimetre is met."""
+    """The distance of the tool from a target after at most `seconds`, m; it ends early at 0.1 mm."""
     position = T_world_target[:3, 3]
     state = gate.hold_orientation(with_orientation)(start)
     state = gate.set_target(position, rotation.from_matrix(T_world_target[:3, :3]))(state)

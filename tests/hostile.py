@@ -1,4 +1,4 @@
-"""Names that a person, a file or a robot may bring along, put into every sentence, and what a page makes of them."""
+"""Hostile names, as users or files may give them, in every text of a study; and a parser for the HTML made of them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ AROUND = np.linspace(0, 2 * np.pi, 50)
 
 
 def renamed(thing: Any, name: str) -> Any:
-    """The same thing, in which every sentence is that name, however deep it lies."""
+    """A copy of `thing` in which every Text, at any depth, is that name."""
     if isinstance(thing, Text):
         return untranslated(name)
     if isinstance(thing, Mapping):
@@ -48,14 +48,14 @@ def renamed(thing: Any, name: str) -> Any:
 
 
 def study_named(name: str) -> Any:
-    """A study and its choice, all of that name."""
+    """A study and its option, with that name as every text."""
     way = Annotated[str, OneOf(untranslated(name), {name: untranslated(name), "other": untranslated("other")})]
     options = make_dataclass("Options", [("way", way, name)], frozen=True)
     return SimpleNamespace(TITLE=untranslated(name), ABOUT=untranslated(name), SOURCE=name, ROBOT=name, Options=options)
 
 
 def result_named(name: str) -> Result:
-    """A row of each kind, a chart of each kind, all of that name."""
+    """A row and a chart of each kind, with that name as every text."""
     said, chosen = Statement(untranslated(name), name, 1.0), Fitted(untranslated(name), 1.0, 0.5, 1.5, name)
     row = Row(untranslated(name), 1.0, name, said, (chosen,))
     rows = (
@@ -90,7 +90,7 @@ class Page(HTMLParser):
 
     @property
     def active(self) -> set[str]:
-        """The attributes that fetch or run something."""
+        """The attributes that load or run something."""
         return {name for name in self.attributes if name == "src" or name.startswith("on")}
 
     def handle_data(self, data: str) -> None:

@@ -1,4 +1,4 @@
-"""Files that have gone wrong as files do: a word exchanged, a line lost or doubled, a character too many, a cut."""
+"""Mutated files: a value replaced, a line lost or doubled, a character inserted, a part cut out."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 
 from helicoide.text import HelicoideError, Text
 
-# What may stand where something else stood.
+# Replacements for values.
 WORDS = (
     "nan", "inf", "-inf", "1e999", "1e308", "-1e308", "1e-320", "0", "-1", "-0.0", "true", '""', '"x"', '"\\u0000"',
     '"J1"', '"l1 + l1"', "[]", "{}", "[[1]]", "[0, 0, 0]", "[[0,0,0],[0,0,0],[0,0,0]]", '["a", "a"]', "1979-05-27",
@@ -17,13 +17,13 @@ WORDS = (
 )  # fmt: skip
 NOISE = ("\0", "[", "]", '"', "\n", "=", "é", "#", "{", ",", ".", "\ud800", "a." * 3000)
 VALUE = re.compile(r'-?\b[\d.]+\b|"[^"\n]*"|\[[^\[\]\n]*\]|true|false')
-# Words of Python and its packages, which say nothing to who wrote the file.
+# Words of Python and its packages, which mean nothing to the author of the file.
 FOREIGN = re.compile(r"Errno|codec|sys\.|Traceback|object|Object|NoneType|`|Error|argument|recursion|datetime")
 LONGEST = 10.0
 
 
 def mutated(text: str, chance: random.Random) -> str:
-    """The same file after one to three accidents."""
+    """The file after one to three random mutations."""
     for _ in range(chance.choice((1, 1, 1, 2, 3))):
         lines, at = text.split("\n"), chance.randrange(len(text) + 1)
         match chance.randrange(7):
@@ -44,12 +44,12 @@ def mutated(text: str, chance: random.Random) -> str:
 
 
 def bytes_of(text: str) -> bytes:
-    """Halves of a pair of UTF-16 become bytes that are no text."""
+    """The text in UTF-8; a lone surrogate becomes bytes that are not valid text."""
     return text.encode("utf-8", "surrogatepass")
 
 
 def refused(read: Callable[[bytes], object], content: bytes) -> Text | None:
-    """Why a file is refused; None where it has a value. Any other exception fails the test."""
+    """Why a file is refused; None if it can be read. Any other exception fails the test."""
     try:
         read(content)
     except HelicoideError as error:
@@ -58,7 +58,7 @@ def refused(read: Callable[[bytes], object], content: bytes) -> Text | None:
 
 
 def hold(read: Callable[[bytes], object], good: Sequence[str], count: int, seed: int) -> tuple[int, int]:
-    """Read mutated files; each has a value, or is refused in both languages and in time. Returns how many of each."""
+    """Read mutated files. Each is read, or refused in both languages, within `LONGEST` s. Returns how many of each."""
     chance, refusals = random.Random(seed), 0
     for _ in range(count):
         text = mutated(chance.choice(good), chance)

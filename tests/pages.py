@@ -1,4 +1,4 @@
-"""What a browser page says to the server and hears from it, without a browser: viser 1.1.1's messages by hand."""
+"""A page without a browser: it exchanges the messages of viser 1.1.1 and of our script with the server."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ Result = TypeVar("Result")
 
 
 def single(position: ArrayLike) -> Point:
-    """A point as it is after a journey in single precision, so that the sent and the shown one are the same."""
+    """A point rounded to single precision, so that sent and received points are equal."""
     return tuple(np.asarray(position, np.float32).tolist())
 
 
@@ -65,7 +65,7 @@ def _messages(frame: bytes) -> Iterator[tuple[Message, list[bytes]]]:
 
 
 def _points(message: Message, arrays: list[bytes]) -> Iterator[Point]:
-    """The points that a change of the scene carries: the position of a node, or a few vertices."""
+    """The points in a message of the scene: the position of a node, or a few vertices."""
     if message["type"] == "SetPositionMessage":
         yield single(message["position"])
     if message["type"] == "SceneNodeUpdateMessage":
@@ -77,11 +77,11 @@ def _points(message: Message, arrays: list[bytes]) -> Iterator[Point]:
 
 
 class Page:
-    """One connected page: what viser's client and our script do, and a hand that sends anything.
+    """One connected page, which acts as viser's client and our script, and can send any message.
 
-    shown: called with the time and each point that a scene message carries; heard: with each message of viser; made:
-    the controls by their first label; labels: what each reads now; frames: how many times the scene has changed;
-    notice: what the status line says; told: what was said to its person alone.
+    shown: called with the time, s, and each point in a scene message; heard: called with each message of viser; made:
+    the controls by their first label; labels: the current label of each control; frames: number of frames of messages
+    received; notice: the last notice of the status line; told: the notifications of this page alone.
     """
 
     def __init__(self, socket: ClientConnection, port: int, ahead: float = 0.0) -> None:
@@ -99,25 +99,25 @@ class Page:
         self.labels: dict[str, str] = {}
         self.told: list[str] = []
         self.frames = 0
-        self.offset, self.old = float("-inf"), 0.0  # ms; old: how long ago its hand made what it sends
+        self.offset, self.old = float("-inf"), 0.0  # ms; old: age of the actions that it sends
         self.shown: Callable[[float, Point], None] = lambda when, point: None
         self.heard: Callable[[Message], None] = lambda message: None
 
     @property
     def now(self) -> float:
-        """What the page's clock shows, ms; nobody has set it."""
+        """The page's clock, ms, which is not synchronized."""
         return 1000 * (perf_counter() + self.ahead)
 
     async def hang_up(self) -> None:
-        """Lose the page's own channel."""
+        """Close the control channel."""
         await (await self.control).close()
 
     async def send(self, message: Message) -> None:
-        """Send a message as it is, as no page of ours would."""
+        """Send a message without the time at which it was made, unlike our page."""
         await self.socket.send(msgspec.msgpack.encode(message))
 
     async def say(self, kind: str, **fields: object) -> None:
-        """Send what a hand has made, with the time when it was made."""
+        """Send a user action, with the time at which it was made."""
         await self.send({"type": "HelicoideMadeAt", "at": self.now + self.offset - self.old})
         await self.send({"type": kind, **fields})
 
@@ -126,19 +126,19 @@ class Page:
         await self.say(f"TransformControls{event}Message", name=name, owner=await self.owner, **pose)
 
     async def give(self, label: str, value: object) -> None:
-        """Set the value of a control, as its slider, box or button would; it may still be on its way."""
+        """Set the value of a control, as soon as the page has the control."""
         while label not in self.made:
             await asyncio.sleep(0.01)
         await self.say("GuiUpdateMessage", uuid=self.made[label]["uuid"], updates={"value": value})
 
     async def press(self, label: str) -> None:
-        """Press a button once it reads like this."""
+        """Press a button, as soon as it has this label."""
         while (uuid := next((uuid for uuid, said in self.labels.items() if said == label), None)) is None:
             await asyncio.sleep(0.01)
         await self.say("GuiUpdateMessage", uuid=uuid, updates={"value": True})
 
     async def stop(self) -> float:
-        """Press Stop; returns how long it took until it was heard, s."""
+        """Press Stop; returns the time until the server has confirmed it, s."""
         began = perf_counter()
         self.stop_heard.clear()
         await self.tell(stop=True)
@@ -146,11 +146,11 @@ class Page:
         return perf_counter() - began
 
     async def tell(self, **message: object) -> None:
-        """Say something on the page's own channel."""
+        """Send a message on the control channel."""
         await (await self.control).send(json.dumps(message))
 
     async def listen(self) -> None:
-        with suppress(ConnectionClosed):  # viser drops whoever sends junk
+        with suppress(ConnectionClosed):  # viser closes the connection after an invalid message
             async for frame in self.socket:
                 when = perf_counter()
                 assert isinstance(frame, bytes)
@@ -176,7 +176,7 @@ class Page:
                 self.labels[message["uuid"]] = message["updates"]["label"]
 
     async def drive(self, languages: tuple[str, ...] = ()) -> None:
-        """Keep the page's own channel, as our script does."""
+        """Serve the control channel, as our script does."""
         key = await self.window
         address = f"ws://127.0.0.1:{self.port}{PATH}"
         async with connect(address, origin=_origin(self.port)) as control:
@@ -191,7 +191,7 @@ class Page:
                 beating.cancel()
 
     async def _beat(self) -> None:
-        """Ask for the server's clock again and again: an answer that was slow says little."""
+        """Ask for the server's clock repeatedly, since a slow answer gives a wrong offset."""
         with suppress(ConnectionClosed):
             while True:
                 await asyncio.sleep(0.5)
@@ -210,7 +210,7 @@ class Page:
             self.notice = message
 
     async def ready(self) -> None:
-        """Wait until the status line says that all is well: every kernel is there, and the arm runs."""
+        """Wait until the tone of the status line is ok: the kernels are compiled, and the arm is advanced."""
         async with asyncio.timeout(PATIENCE):
             while self.notice.get("tone") != "ok":
                 await asyncio.sleep(0.01)
@@ -224,7 +224,7 @@ def _origin(port: int) -> Origin:
 async def opened(
     port: int, seat: str | None = None, languages: tuple[str, ...] = (), ahead: float = 0.0, silent: bool = False
 ) -> AsyncIterator[Page]:
-    """A page on a port, listening while it is open; silent: it never says which window it is, as without our script."""
+    """An open page on a port. silent: it opens no control channel, as if our script were missing."""
     async with connect(
         f"ws://127.0.0.1:{port}/",
         origin=_origin(port),
@@ -246,7 +246,7 @@ async def opened(
 
 
 class Hand:
-    """A page whose calls wait until they are done, for tests that are no coroutines."""
+    """A page with blocking calls, for tests that are not coroutines."""
 
     def __init__(self, port: int, **options: Any) -> None:
         self._loop = asyncio.new_event_loop()
@@ -256,7 +256,7 @@ class Hand:
         self.page = self.do(self._open.__aenter__())
 
     def do(self, work: Coroutine[Any, Any, Result]) -> Result:
-        """Let the page do something, and wait for it."""
+        """Run a coroutine of the page, and wait for its result."""
         return asyncio.run_coroutine_threadsafe(work, self._loop).result(PATIENCE)
 
     def close(self) -> None:

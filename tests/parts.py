@@ -1,7 +1,7 @@
-"""The parts of `make check` and `make test`: each runs to its end, and the last lines say how each of them ended.
+"""The parts of `make check` and `make test`: each one is run, and the last lines say how each ended.
 
-Tests that need a package of the system carry its mark (`system.py`). Where it is missing all others run, these are
-listed, and the end is an error.
+Tests that need a system package have its mark (`system.py`). If the package is missing, all other tests run, these are
+listed, and the exit code is an error.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ CODE: Parts = {
     "types": ["mypy", "--strict", "app", "lessons", "robots"],
 }
 PYTEST = ["pytest", "-n", "2", "--dist", "loadfile"]
-NO_TEST_CHOSEN = 5  # the exit code of pytest whose arguments leave it nothing to run
+NO_TEST_CHOSEN = 5  # the exit code of pytest if its arguments select no test
 
 
 def to_check(arguments: list[str]) -> Parts:
-    """At most six tests of every file; none in a browser, none that compiles everything."""
+    """The checks of the code, and at most six tests of a file; none in a browser, none that compiles all kernels."""
     return {**CODE, "tests": [*PYTEST, "-m", "not soak and not browser and not compiles", "--sample", "6", *arguments]}
 
 
 def to_test(arguments: list[str], lacking: dict[str, str]) -> Parts:
-    """Everything that can run; the browser apart, because two of them keep two processors busy."""
+    """Everything that can run. The browser tests run apart, because two browsers use two processors fully."""
     others = " and ".join(f"not {mark}" for mark in sorted({"soak", "browser", *lacking}))
     parts = {**CODE, "tests": [*PYTEST, "-m", others, *arguments]}
     if "browser" not in lacking:

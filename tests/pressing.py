@@ -1,4 +1,4 @@
-"""Every control of the page pressed, as a person would, on one arm without a page."""
+"""Use every control of the page on one arm, without a page."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ from helicoide.perception.enclosure_reading import available_readings, camera_cl
 from helicoide.seat import Seat
 from helicoide.session.mapping import plan_of
 from helicoide.session.postures import list_postures as every_posture
+from helicoide.session.postures import to_singular_posture
 from helicoide.session.preparing import rehearse
 from helicoide.session.replaying import along_fastest, replay_through
 from helicoide.session.workcell import TICK
@@ -48,6 +49,7 @@ from helicoide.view.rows import (
     Slider,
     TextEntry,
     Tour,
+    TrySingular,
     VectorRow,
     View,
 )
@@ -57,7 +59,7 @@ FAR = 3.0
 
 @dataclass
 class Lab:
-    """An arm with one person before it."""
+    """An arm with one seat."""
 
     state: State
     seat: Seat
@@ -69,7 +71,7 @@ class Lab:
         return View(self.state, self.seat)
 
     def act(self, wish: PageRequest) -> None:
-        """What the lab makes of a wish; what it does in other processes is left out."""
+        """Carry out a request as the lab does, but without other processes."""
         match wish:
             case ForArm(update):
                 self.post(update)
@@ -81,6 +83,8 @@ class Lab:
                 self.post(along_fastest(self.state))
             case ListPostures():
                 self.post(every_posture(self.state))
+            case TrySingular():
+                self.post(to_singular_posture(self.state))
             case CountMap(kind):
                 workspace.count_chunk(replace(plan_of(self.state.robot, kind), samples=1), 0)
             case Tour():
@@ -93,7 +97,7 @@ class Lab:
         self.state = update(self.state)
 
     def pass_time(self, ticks: int) -> None:
-        """The arm moves, and its goal is foreseen and drawn as often as the lab does that."""
+        """Advance the arm, with its goal computed and drawn about as often as in the lab."""
         for tick in range(ticks):
             self.state = lived(self.state, TICK)
             if tick % 10 == 0:
@@ -101,7 +105,7 @@ class Lab:
                 self.draw()
 
     def draw(self) -> None:
-        """All layers and words."""
+        """Update all layers, and compute all rows."""
         view = self.view()
         for layer in self.layers:
             layer.update(self.shown, view)
@@ -122,7 +126,7 @@ class Lab:
 
 
 def leaves(rows: Sequence[Any], view: View) -> Iterator[Any]:
-    """The rows that are shown now, also those in folders."""
+    """The rows that are shown now, including those in folders."""
     for row in rows:
         if isinstance(row, list):
             yield from leaves(row, view)
@@ -134,7 +138,7 @@ def leaves(rows: Sequence[Any], view: View) -> Iterator[Any]:
 
 
 def wishes(row: Row, view: View) -> list[Callable[[], PageRequest]]:
-    """What a person may ask of a row: ends and middle of a slider, every choice, far away and back."""
+    """The requests that a user can make with a row: ends and middle of a slider, every option, a far vector."""
     match row:
         case Slider(lower=low, upper=high, value=value):
             return [lambda x=x: row.request(x) for x in (low, high, (low + high) / 2, value(view))]
@@ -154,7 +158,7 @@ def wishes(row: Row, view: View) -> list[Callable[[], PageRequest]]:
 
 
 def press(lab: Lab, rows: Sequence[Row]) -> None:
-    """Every row once; what a press brings is pressed as well, once."""
+    """Use every row once, also those that appear meanwhile."""
     pressed: set[str] = set()
     while fresh := [row for row in leaves(rows, lab.view()) if _name(row, lab.view()) not in pressed]:
         row, view = fresh[0], lab.view()
@@ -170,7 +174,7 @@ def _name(row: Any, view: View) -> str:
 
 
 def opened(name: str, server: viser.ViserServer) -> Lab:
-    """An arm at `ready` before a person who sees every layer."""
+    """An arm at `ready`, with a seat that shows every layer."""
     robot = load_robot(name)
     rehearse(robot)
     shows = MappingProxyType({layer.NAME: True for layer in layers.optional()})
@@ -187,7 +191,7 @@ def opened(name: str, server: viser.ViserServer) -> Lab:
 
 
 def drags(lab: Lab) -> None:
-    """The target dragged far out in every direction, through each plane and under the bench, by every phase."""
+    """Drag the target far out in every direction, through planes and under the bench, and drag each plane."""
     reach, wxyz = FAR * lab.state.robot.reach, [1.0, 0.0, 0.0, 0.0]
     for way in (*np.eye(3), *-np.eye(3)):
         here = lab.state.T_world_tool[:3, 3]
@@ -204,7 +208,7 @@ def drags(lab: Lab) -> None:
 
 
 def paths(lab: Lab) -> None:
-    """Every path that the arm has: played, paused, scrubbed, and in the least time."""
+    """Play, pause and scrub every path of the arm, and follow it in the least time."""
     for name in gate.presets(lab.state.robot):
         for update in (gate.choose_path(name), gate.play(), gate.pause(), gate.scrub(0.4), gate.play()):
             lab.post(update)
@@ -214,7 +218,7 @@ def paths(lab: Lab) -> None:
 
 
 def waypoints(lab: Lab) -> None:
-    """Waypoints of every way, and the way through them."""
+    """Record waypoints of every move type, and follow them."""
     for way, posture in zip(MOVE_TYPES, [*lab.state.robot.poses, *MOVE_TYPES], strict=False):
         lab.post(gate.record(way))
         lab.post(gate.go_to(posture if posture in lab.state.robot.poses else "ready"))
@@ -224,7 +228,7 @@ def waypoints(lab: Lab) -> None:
 
 
 def postures(lab: Lab) -> None:
-    """Every posture, parked and ready again."""
+    """Go to every named posture, park, and get ready again."""
     for posture in lab.state.robot.poses:
         lab.post(gate.go_to(posture))
         lab.pass_time(100)
@@ -234,7 +238,7 @@ def postures(lab: Lab) -> None:
 
 
 def surroundings(lab: Lab) -> None:
-    """An obstacle in the way, a second arm beside, and where there is one an entry point that is kept."""
+    """Drag with obstacles, with a compared arm, and, if the arm has an instrument, with the entry point held."""
     for update in (gate.add_obstacle(), gate.add_obstacle(), gate.compare_with("damped")):
         lab.post(update)
         drags(lab)
@@ -246,7 +250,7 @@ def surroundings(lab: Lab) -> None:
 
 
 def ways_to_drive(lab: Lab) -> None:
-    """Every method, with every setting of it, and every objective beside; alone and with an entry point."""
+    """Drive with every method, every setting of it, and every secondary objective."""
     (rows,) = [panel.rows(lab.state.robot) for panel in panels.all_panels() if panel.__name__.endswith(".method")]
     for name in methods.names():
         lab.post(gate.choose_method(name))
@@ -259,7 +263,7 @@ def ways_to_drive(lab: Lab) -> None:
 
 
 def lessons(lab: Lab) -> None:
-    """Every step of every lesson with this arm, begun and judged."""
+    """Set up every step of every lesson with this arm, and check its goal."""
     for name in content.content_folders("lessons"):
         read = lesson.load_lesson(name)
         if read.robot == lab.state.robot.name:
@@ -270,17 +274,17 @@ def lessons(lab: Lab) -> None:
 
 
 def panels_pressed(lab: Lab) -> None:
-    """Every row of every panel."""
+    """Use every row of every panel."""
     press(lab, [row for panel in lab.panels for row in panel])
 
 
 def ride(lab: Lab) -> None:
-    """Wishes at random moments, also limits that change; of an arm with planes that can be dragged."""
+    """Random requests, also changes of limits, on an arm with planes."""
     if lab.state.robot.panes:
         rough_ride(lab.state, np.random.default_rng(0), 500)
 
 
 def everything(name: str, server: viser.ViserServer) -> None:
-    """All of it with one arm."""
+    """Run all of these with one arm, each from `ready`."""
     for do in (drags, paths, waypoints, postures, surroundings, ways_to_drive, lessons, panels_pressed, ride):
         do(opened(name, server))

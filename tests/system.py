@@ -1,6 +1,6 @@
-"""Packages of the system that some tests need; a test that needs one carries its mark.
+"""System packages that some tests need. Such a test has the mark of its package.
 
-`python -m tests.system browser` installs what is missing where that is allowed, and names it where it is not.
+`python -m tests.system browser` installs a missing package if it may, or else names it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class System:
-    """Commands, any one of which shows that it is there, and the Debian packages that bring it."""
+    """Commands, any one of which shows that the package is installed, and the Debian packages with them."""
 
     commands: tuple[str, ...]
     packages: tuple[str, ...]
@@ -31,7 +31,7 @@ MARKS = {
 
 
 def install(packages: tuple[str, ...]) -> None:
-    """By apt-get, as root or by a sudo that asks for no password; elsewhere nothing happens."""
+    """Install by apt-get, as root or by sudo without a password; otherwise do nothing."""
     root = [] if os.geteuid() == 0 else ["sudo", "-n"]
     if shutil.which("apt-get") is None or (root and subprocess.run([*root, "true"], capture_output=True).returncode):
         return
@@ -44,7 +44,7 @@ def install(packages: tuple[str, ...]) -> None:
 
 
 def missing(*marks: str) -> dict[str, str]:
-    """The marks whose package is not there and cannot be installed, each with what is to be installed."""
+    """The marks whose packages are missing and cannot be installed here, with the names of the packages."""
     for mark in marks:
         if not MARKS[mark].is_there():
             install(MARKS[mark].packages)

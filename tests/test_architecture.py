@@ -1,4 +1,4 @@
-"""The rooms: who may import whom, who may print, and how large files and functions may be."""
+"""The architecture: which part may import which, what may print, and how large files and functions may be."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "app" / "helicoide"
 
-# Who may import whom: a room may import those of the rows above its own.
+# A room is a module or a package directly in `helicoide`. It may import the rooms in the rows above its own.
 ROWS = """
 text
 arrays · content · files · kernels · markup · solids
@@ -23,7 +23,7 @@ geometry
 kinematics
 confinement · trajectory
 ik
-command · seat
+command · seat · comparison
 state
 advance
 foresight · readout · gate · lesson
@@ -36,9 +36,9 @@ contributions
 commands
 __main__
 """
-# Rooms of the rows above that a room may nevertheless not import.
+# Exceptions: rooms in the rows above that a room must not import.
 NOT = {"view": {"jobs"}}
-# Packages from outside, and the only rooms that may import them.
+# External packages, and the only rooms that may import them.
 OUTSIDE = {"viser": {"view"}}
 BUILDS = {"solids"}
 LESSONS = {
@@ -58,7 +58,7 @@ def tree(file: Path) -> ast.Module:
 
 
 def module(file: Path) -> str:
-    """`helicoide.ik.goal` of app/helicoide/ik/goal.py; a package has the name of its folder."""
+    """`helicoide.ik.goal` for the file app/helicoide/ik/goal.py; a package has the name of its folder."""
     parts = file.relative_to(PACKAGE.parent).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
@@ -67,7 +67,7 @@ MODULES = {module(file): file for file in FILES}
 
 
 def room(name: str) -> str:
-    """The room of a module of the package; "" for the package itself, which holds the version only."""
+    """The room of a module; "" for the package itself, which contains only the version."""
     return name.partition(".")[2].partition(".")[0]
 
 
@@ -96,7 +96,7 @@ def test_every_room_has_a_place_in_the_table() -> None:
 
 
 def test_the_table_of_the_page_is_this_one() -> None:
-    """Row by row; what a row may not import, and the rows of files outside the package, stand beside them."""
+    """The table in CONTRIBUTING.md agrees row by row; it adds exceptions, and rows for files outside the package."""
     page = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
     (table,) = re.findall(r"(?s)## Who may import whom.*?```\n(.*?)```", page)
     rows = [re.sub(r"\s{2,}\(.*", "", row) for row in table.splitlines()]
@@ -139,7 +139,7 @@ def lines_with(found: Callable[[ast.AST], bool], files: list[Path]) -> list[str]
 
 
 def writes_to_the_terminal(node: ast.AST) -> bool:
-    """`print(...)`, `sys.stdout`, `sys.stderr`, also their hidden twins."""
+    """`print(...)`, `sys.stdout`, `sys.stderr`, `sys.__stdout__`, `sys.__stderr__`."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         return node.func.id == "print"
     return isinstance(node, ast.Attribute) and node.attr in {"stdout", "stderr", "__stdout__", "__stderr__"}
@@ -158,7 +158,7 @@ def test_no_bare_except() -> None:
     assert lines_with(is_a_bare_except, FILES + LESSON_FILES + BUILD_FILES) == []
 
 
-# HTML: whatever is shown may hold a name that a person, a file or a robot gave, so that all of it is made of Markup.
+# HTML is made with Markup only, since a text may contain a name from a user or a file.
 TRUSTS, WRITES = PACKAGE / "markup.py", PACKAGE / "view" / "html.py"
 HTML_ROOMS = [file for file in FILES if room(module(file)) in {"view", "export"}]
 TAG = re.compile(r"</?\w|<!|</?$")
@@ -171,7 +171,7 @@ def is_markup(node: ast.AST) -> bool:
 
 
 def trusts_what_is_no_literal(node: ast.AST) -> bool:
-    """`Markup(text)`, which takes whatever it is given as HTML; also another name for it."""
+    """`Markup(text)` with anything but a literal, which makes HTML of it unescaped; also another name for Markup."""
     if isinstance(node, ast.ImportFrom | ast.Import):
         return any("markupsafe" in (alias.name, getattr(node, "module", "")) and alias.asname for alias in node.names)
     if isinstance(node, ast.Attribute):
@@ -187,7 +187,7 @@ def writes_to_the_page(node: ast.AST) -> bool:
 
 
 def tags_outside_markup(source: ast.Module) -> list[int]:
-    """The lines of strings that hold a tag, but for docstrings and literals in `Markup(...)`."""
+    """The lines of strings with a tag, except docstrings and literals in `Markup(...)`."""
     nodes = list(ast.walk(source))
     inside = {id(argument) for node in nodes if is_markup(node) for argument in node.args}  # type: ignore[attr-defined]
     said = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
@@ -251,7 +251,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def length(function: Function) -> int:
-    """Lines of a function, with its decorators, without its docstring and blank lines."""
+    """Lines of a function, with its decorators, without its docstring."""
     start = min([function.lineno, *(node.lineno for node in function.decorator_list)])
     end = function.end_lineno or start
     first = function.body[0]

@@ -1,4 +1,4 @@
-"""Planes, zones, and where a plane that is moved comes to rest."""
+"""Planes, zones, and where a moved plane or obstacle stops."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
     np.testing.assert_allclose(moved.problem.planes.normals[index], normal, rtol=0, atol=1e-12)
     assert plane_distances(moved)[:, index].min() == pytest.approx(max(0.080, asked), abs=1e-9)
     assert moved.request.drag is None
-    # along its normal only: what was asked sideways is kept
+    # only the motion along the normal is limited, not the motion sideways
     sideways = moved.problem.planes.centres[index] - centre
     np.testing.assert_allclose(sideways - (sideways @ normal) * normal, 0, atol=1e-12)
 
@@ -142,7 +142,7 @@ def test_what_is_moved_rests_before_the_first_body_in_its_way(seed: int) -> None
     length = np.linalg.norm(asked - start)
     share = np.linalg.norm(rests - start) / length
     assert (segment_distances(rests[None], ends)[0] >= apart - 1e-9).all()
-    # it may pass where it only grazes a body between two looks, and may rest there
+    # between two checked points it may graze a body, and may pass or stop there
     touched, entered = (np.append(np.flatnonzero(left < depth), 4000)[0] / 4000 for depth in (1e-3, -1e-3))
     assert touched - PATH_STEP / length - 1e-9 <= share <= entered + 1e-9
 

@@ -1,4 +1,4 @@
-"""Where robots and lessons are found, and where compiled kernels are kept."""
+"""Where robots and lessons are found, and where compiled kernels are cached."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_a_child_process_keeps_its_parents_folder(tmp_path: Path) -> None:
 def test_a_cache_that_cannot_be_written_is_replaced_and_told_in_one_line(
     tmp_path: Path, names: tuple[str, ...]
 ) -> None:
-    """A file stands in the folder's place: that stops root, too."""
+    """A file is in the place of the folder, which also stops root."""
     blocked = tmp_path / "blocked"
     blocked.write_text("a file")
     temporary = tmp_path / "temporary"

@@ -1,4 +1,4 @@
-"""The measurement of other people's URDF files tells right answers from wrong ones."""
+"""The benchmark on other projects' URDF files distinguishes right answers from wrong ones."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ AMPLE = 600.0
 
 
 def lying(robot: Robot, T: Array, q: Array) -> Answer:
-    """Calls the posture where the arm is an answer that misses nothing."""
+    """A wrong solver: it returns the current posture as an exact answer."""
     answer = solve(robot, T, q)
     rows = answer.rows[:1].copy()
     rows[:, : len(q)] = q
@@ -58,7 +58,7 @@ def test_our_own_reading_is_that_of_the_parser(tmp_path: Path) -> None:
 
 
 def test_our_own_reading_takes_what_others_write(tmp_path: Path) -> None:
-    """Undeclared prefixes, a declaration that is not the beginning, commas between numbers."""
+    """Undeclared prefixes, an XML declaration that is not at the start, commas between numbers."""
     plain = Tree.of(path := write(tmp_path))
     text = "\n" + path.read_text("utf-8").replace('"0 1 0"', '"0, 1, 0"').replace("<limit ", '<limit drake:a="1" ')
     other = Tree(text.replace("</robot>", '<ros2:control name="a:b"><ros2:joint/></ros2:control></robot>'))

@@ -1,4 +1,4 @@
-"""The property tests draw the same examples every time, whatever else runs."""
+"""Property tests draw the same examples every time, whichever other tests run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Robots, planes and waypoints from files that have gone wrong: a value, or a refusal in words, and in time."""
+"""Mutated files of robots, planes and waypoints are read, or refused with a reason, in limited time."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ GOOD = {
 
 
 def reader(kind: str, folder: Path) -> Callable[[bytes], object]:
-    """What reads a file of a kind, and holds its value to be made of numbers."""
+    """The reader of a kind of file, which also checks that all numbers are finite."""
 
     def robot(content: bytes) -> None:
         (folder / "robot.toml").write_bytes(content)

@@ -1,4 +1,4 @@
-"""No word of the system, of Python or of a package becomes a reason: those are in one language, for programmers."""
+"""No text of an exception of Python, of a package or of the system reaches the user: it is in one language only."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ import pytest
 from tests.test_architecture import FILES, LESSON_FILES, PACKAGE, name_of, tree
 
 OURS = {"HelicoideError", "Broken", "NotDrawn"}
-# What may be asked of an error, and who may have it: those who put it into words of both languages.
+# Attributes of an error that may be read, and functions that may take it: those that give texts in both languages.
 ASKED = {"errno", "code", "lineno", "offset", "start", "end", "object", "text"}
 LOG = {"log.warning", "log.error"}
 TRANSLATORS = {"isinstance", "type", "os_error_reason", "stopped", "raised"}
-# These put what a package says into our words, take an error through to another process, and write the log.
+# These translate errors of a package, pass an error to another process, and write the log.
 EXCEPT = {PACKAGE / "files" / "toml.py", PACKAGE / "jobs" / "parallel.py", PACKAGE / "view" / "news.py"}
 USUAL = {"error", "failure", "exception"}
 
 
 def caught(handler: ast.ExceptHandler) -> set[str]:
-    """The names of the errors that a handler takes."""
+    """The names of the exceptions that a handler catches."""
     kinds = handler.type.elts if isinstance(handler.type, ast.Tuple) else [handler.type]
     return {kind.id if isinstance(kind, ast.Name) else "?" for kind in kinds}
 
 
 def is_harmless(parent: ast.AST) -> bool:
-    """Whether nothing of what an error says gets out by a use of it."""
+    """Whether a use of an error cannot bring its text to the user."""
     match parent:
         case ast.Raise() | ast.Assign():
             return True
@@ -40,7 +40,7 @@ def is_harmless(parent: ast.AST) -> bool:
 
 
 def writes(node: ast.AST) -> Iterator[ast.expr]:
-    """What is put into a text: by an f-string, `str(...)` or `.format(...)`."""
+    """The expressions that are put into a text by an f-string, `str(...)` or `.format(...)`."""
     if isinstance(node, ast.FormattedValue):
         yield node.value
     elif isinstance(node, ast.Call) and (
@@ -51,7 +51,7 @@ def writes(node: ast.AST) -> Iterator[ast.expr]:
 
 
 def foreign(source: ast.Module) -> set[int]:
-    """The lines where words of an error that is not ours may become part of a text."""
+    """The lines where the text of an error that is not ours may become part of a text."""
     lines = set[int]()
     for node in ast.walk(source):
         lines |= {value.lineno for value in writes(node) if isinstance(value, ast.Name) and value.id in USUAL}

@@ -1,4 +1,4 @@
-"""The gate: what is wrong changes nothing but the notice; stop, drags, parking."""
+"""The gate: an invalid request changes only the notice; stop, drags, parking."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ OTHERS: dict[str, Wrong] = {
 
 
 def unchanged(update: Update, state: State) -> State:
-    """The state after a refused wish: the same objects in every field but the notice, said in both languages."""
+    """The state after a refused request: all fields unchanged except the notice, which is in both languages."""
     after_it = update(state)
     changed = [f.name for f in fields(State) if getattr(after_it, f.name) is not getattr(state, f.name)]
     assert changed == ["notice"]
@@ -100,7 +100,7 @@ def test_a_drag_is_held_by_one_seat(state: State) -> None:
 
 
 def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
-    """Beyond the reach the handle is put on the accepted goal."""
+    """Beyond the reach, the target moves to the accepted goal."""
     held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
     assert wants_search(released)
@@ -198,14 +198,14 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
     np.testing.assert_array_equal(state.arm.q, robot.poses["home"])
     assert state.request.command == HoldPosition()
     assert state.arm.parked
-    # recomputed from Cerbaro 2022, §6.2.1: at home the elbow is 21.09 mm from the ceiling, and the way is nearer
+    # recomputed from Cerbaro 2022, §6.2.1: at home the elbow is 21.09 mm from the ceiling, and nearer on the way there
     assert nearest[-1] == pytest.approx(0.02109, abs=3e-5)
     assert min(nearest) < nearest[-1]
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
-    """The ceiling touches the arm a thousandth of a radian beside `ready`, which may lie on its wrong side."""
+    """The ceiling is at its critical distance from an arm 0.0009 rad beside `ready`; `ready` may be too near to it."""
     beside_ready = at(state, state.arm.q + side * np.array([0, 0.9e-3, 0.9e-3, 0, 0]))
     ceiling = state.problem.planes
     wxyz = turning_z_to(ceiling.normals[0])

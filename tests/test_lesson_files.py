@@ -1,3 +1,5 @@
+"""Lesson files: a valid lesson is found, and each fault gives one error that names the file."""
+
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -32,7 +34,7 @@ PAGE = "## first: One\n\nText.\n\nMore.\n\n> Hint\n> on two lines.\n\n## second:
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A sound lesson named `tour` among the user's own."""
+    """A valid lesson named `tour` in the user's folder."""
     monkeypatch.setattr(content, "user_folder", lambda: tmp_path)
     tour = tmp_path / "lessons" / "tour"
     tour.mkdir(parents=True)

@@ -1,4 +1,4 @@
-"""Every lesson, played on its own robot; and what the first one counts as done."""
+"""Every lesson, played on its own robot; and what the goals of the first one accept."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ NAMES = sorted(content.content_folders("lessons"))
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_lesson_is_what_is_asked_of_one(name: str) -> None:
-    """Its words, its setups from anywhere, its goals and its solutions, on its own robot."""
+    """Texts, setups from several starts, goals and solutions, on its own robot."""
     assert [fault.en for fault in lessons.faults(name)] == []
 
 
-# Drive the arm: from where it begins, what a hand does in the scene, and what must not count.
+# Lesson "Drive the arm": its starts, the drags that its goals accept, and those that they must not accept.
 
 FIRST = "drive_the_arm"
 STEPS = [step.id for step in lesson.load_lesson(FIRST).steps]
 
 
 def settled(state: State) -> State:
-    """The state when a setup has been played out: the arm rests, and nothing is asked any more."""
+    """The state after a setup: the arm is at rest and has no command."""
     rested = lessons.settled(state)
     assert rested is not None, f"the setup never came to rest: {state.request.command}"
     return rested
@@ -79,7 +79,7 @@ def settled_at_home() -> State:
 
 @cache
 def under_a_raised_ceiling() -> State:
-    """The arm higher than the measured ceiling lets it come."""
+    """The arm higher than the measured ceiling allows."""
     state = initial_state(robot())
     pose = state.problem.planes.centres[0] + [0, 0, 0.3], [0.0, 1.0, 0.0, 0.0]
     for phase in PHASES:
@@ -100,7 +100,7 @@ def drive(step_id: str) -> Callable[[Update, float], bool]:
 
 
 def dragged(position: Sequence[float], axis: Sequence[float] = (0, 0, 1), degrees: float = 0.0) -> Update:
-    """The target held in a hand, turned about an axis of the tool."""
+    """A drag of the target that is not released, with a rotation about an axis of the tool."""
 
     def wish(state: State) -> State:
         T = state.T_world_tool

@@ -1,4 +1,4 @@
-"""What `make test` runs and tells: a failure hides nothing, and neither does a package that is missing."""
+"""What `make test` runs and prints: after a failure, and with a missing package, all other parts run."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LACKING = {"browser": "chromium"}
 
 @pytest.fixture
 def ends(monkeypatch: pytest.MonkeyPatch) -> dict[str, int]:
-    """Exit codes by the second word of a command, 0 where there is none; nothing is really run."""
+    """Exit codes by the name of the module that is run, otherwise 0; no command is really run."""
     codes: dict[str, int] = {}
     monkeypatch.setattr(
         subprocess, "run", lambda words, check: subprocess.CompletedProcess(words, codes.get(words[2], 0))

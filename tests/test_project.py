@@ -1,4 +1,4 @@
-"""What the project promises around its code: true pages, pinned dependencies, nothing of one machine."""
+"""The project around the code: correct pages, pinned dependencies, nothing that holds on one machine only."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ ROOT = Path(__file__).parents[1]
 PAGES = ("README.md", "README.pt-BR.md", "CONTRIBUTING.md")
 FOLDERS = ("app", "robots", "lessons", "static", "tests", ".ci")
 SINGLE_FILES = (*PAGES, "LICENSE", "Makefile", "constraints.txt", "pyproject.toml", ".gitignore")
-# Character classes keep the patterns from finding themselves.
+# Character classes, so that the patterns do not match themselves.
 OF_ONE_MACHINE = re.compile(
-    r"/[h]ome/\w|/[U]sers/\w|/[r]oot/|[A-Z]:\\[U]sers"  # somebody's folder
+    r"/[h]ome/\w|/[U]sers/\w|/[r]oot/|[A-Z]:\\[U]sers"  # a user's folder
     r"|[p]ythonhosted|[p]ypi\.|--[i]ndex-url|--[f]ind-links|[r]egistry\.\w+\.\w"  # where packages came from
 )
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
@@ -42,7 +42,7 @@ def text_files() -> Iterator[tuple[Path, str]]:
 
 
 def code_blocks(page: str) -> list[str]:
-    """The commands of a page, without the words beside them."""
+    """The commands of a page, without the explanations beside them."""
     blocks = re.findall(r"(?ms)^```\w*\n(.*?)^```", (ROOT / page).read_text("utf-8"))
     return [re.split(r"\s{2,}", line)[0] for block in blocks for line in block.splitlines()]
 
@@ -122,7 +122,7 @@ def imported(file: Path) -> Iterator[str]:
 
 def test_what_the_app_imports_is_declared() -> None:
     names = {canonicalize_name(requirement.name) for requirement in declared()}
-    makers = metadata.packages_distributions()  # knows no package that is one compiled file; those bear its name
+    makers = metadata.packages_distributions()  # lacks packages that are one compiled file; these have its name
     for file in (ROOT / "app").rglob("*.py"):
         for module in set(imported(file)) - sys.stdlib_module_names - {"helicoide"}:
             assert names & {canonicalize_name(maker) for maker in makers.get(module, [module])}, (

@@ -1,4 +1,4 @@
-"""What the README shows of Python runs as it stands there, and comes to what it says."""
+"""The Python example of the README runs as printed, and gives the results that the README states."""
 
 from __future__ import annotations
 

@@ -1,9 +1,12 @@
-"""What the state says of itself: multivectors, distances, words."""
+"""The readout of a state: multivectors, distances, status texts, instruments."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -14,15 +17,19 @@ from helicoide.command import MoveToJoints, MoveToPose
 from helicoide.confinement import Zone
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
-from helicoide.ik import Contact
+from helicoide.ik import Contact, methods
 from helicoide.ik.goal import goal_at_joints, goal_at_pose
-from helicoide.state import State
+from helicoide.kinematics.library import load_robot
+from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.urdf_chain import robot_from_urdf
+from helicoide.state import State, initial_state
 
+ALL_ROWS = "x, y, z, ωx, ωy, ωz"
 UP = [1.0, 0.0, 0.0, 0.0]
 
 
 def foreseen(state: State) -> State:
-    """The state with the goal of its command, as the loop keeps it."""
+    """The state with the goal of its command, as the clock computes it."""
     match state.request.command:
         case MoveToPose(T):
             goal = goal_at_pose(state.problem, state.arm.q, T, state.request.with_orientation)
@@ -60,8 +67,8 @@ DISTANCES = {
 
 @pytest.mark.parametrize("name", DISTANCES)
 def test_plane_distances_in_four_postures(state: State, name: str) -> None:
-    """To 0.03 mm: the table is of the printed planes, whose normals are up to 4e-5 short of or beyond length one; the
-    robot's planes are made unit, which changes a distance l by 4e-5 l at most (0.02 mm), and the table is rounded."""
+    """To 0.03 mm: the table uses the printed normals, whose length differs from 1 by up to 4e-5. The robot's normals
+    are unit vectors, which changes a distance l by up to 4e-5 l (0.02 mm), and the table is rounded."""
     table = 1000 * readout.plane_distances(at(state, state.robot.poses[name]))
     np.testing.assert_allclose(table[1:, :3].T, DISTANCES[name], rtol=0, atol=0.03)
     printed = np.array([[-0.0522, -0.0104, -0.9986], [-0.0577, -0.9954, -0.0763], [0.0479, 0.9968, -0.0634]])
@@ -126,7 +133,7 @@ def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None
 
 
 def test_the_nearest_point_and_the_zones(state: State) -> None:
-    """Home: the elbow, 21.09 mm from the ceiling, so the ceiling alone is critical."""
+    """At home the elbow is 21.09 mm from the ceiling, so only the ceiling is critical."""
     home = at(state, state.robot.poses["home"])
     assert readout.nearest(home) == Contact(plane=0, point=2)
     assert readout.zones(home) == (Zone.CRITICAL, Zone.FREE, Zone.FREE, Zone.FREE)
@@ -141,49 +148,49 @@ def with_position_only(update: Callable[[State], State]) -> Callable[[State], St
     return lambda state: update(gate.hold_orientation(False)(state))
 
 
-# how the state comes about; the tone; words that must be there in English and in Portuguese
+# how the state is made; the tone; words that the status must contain in English and in Portuguese
 CASES: dict[str, tuple[Callable[[State], State], readout.Tone, list[str], list[str]]] = {
     "at rest": (lambda state: state, "ok", ["Ready"], ["Pronto"]),
     "moving": (
         lambda state: foreseen(after(gate.go_to("zero")(state), 0.1)), "ok", ["Moving"], ["movimento"]
     ),
-    "there": (rests(gate.go_to("path_start")), "ok", ["At the goal"], ["No objetivo"]),
+    "there": (rests(gate.go_to("path_start")), "ok", ["Goal reached"], ["Objetivo alcançado"]),
     "beyond the ceiling": (
         rests(with_position_only(gate.set_target([0.45, 0.0, 0.75], UP))),
         "blocked",
-        ["+z", "ceiling", "80 mm", "mm short"],
-        ["+z", "teto", "80 mm", "faltam"],
+        ["+z", "ceiling", "80 mm", "mm from the target"],
+        ["+z", "teto", "80 mm", "mm do alvo"],
     ),
     "beyond the left wall": (
         rests(with_position_only(gate.set_target([0.5, 0.6, 0.3], UP))),
         "blocked",
-        ["+y", "left wall", "tool at 80 mm", "mm short"],
-        ["+y", "parede esquerda", "efetuador a 80 mm", "faltam"],
+        ["+y", "left wall", "end effector at 80 mm", "mm from the target"],
+        ["+y", "parede esquerda", "efetuador a 80 mm", "mm do alvo"],
     ),
     "below the bench": (
         rests(with_position_only(gate.set_target([0.5, 0.0, -0.1], UP))),
         "blocked",
-        ["-z", "bench", "tool at 80 mm", "180 mm short"],
-        ["-z", "bancada", "efetuador a 80 mm", "faltam 180 mm"],
+        ["-z", "bench", "end effector at 80 mm", "180 mm from the target"],
+        ["-z", "bancada", "efetuador a 80 mm", "a 180 mm do alvo"],
     ),
     "out of reach": (
         rests(with_position_only(gate.set_target([0.9, 0.0, 0.4], UP))),
         "blocked",
-        ["Out of reach by 80 mm", "nearest point shown"],
-        ["Fora de alcance por 80 mm", "ponto mais próximo"],
+        ["Out of reach by 80 mm", "closest reachable point shown"],
+        ["Fora do alcance por 80 mm", "ponto alcançável mais próximo"],
     ),
     "turned too far": (
         rests(gate.set_target([0.6, 0.0, 0.3], [np.cos(np.pi / 12), 0, 0, np.sin(np.pi / 12)])),
         "warn",
-        ["Position held", "30° off", "with 5 joints the position decides the heading"],
-        ["Posição mantida", "a 30°", "com 5 juntas a posição decide a direção"],
+        ["Position reached", "30° from target", "with 5 joints the position fixes the yaw"],
+        ["Posição alcançada", "a 30° do alvo", "com 5 juntas a posição determina a guinada"],
     ),
     "refused": (gate.go_to("nowhere"), "warn", ["nowhere", "ready"], ["nowhere", "ready"]),
     "stopped": (lambda state: gate.stop()(gate.play()(state)), "stopped", ["Stopped"], ["Parado"]),
     "parking": (lambda state: after(gate.park()(state), 0.5), "ok", ["park"], ["estacionar"]),
     "parked": (lambda state: after(gate.park()(state), 15), "warn", ["Parked", "off"], ["Estacionado", "desligados"]),
     "getting ready": (
-        lambda state: after(gate.get_ready()(after(gate.park()(state), 15)), 0.5), "ok", ["ready pose"], ["pose pronta"]
+        lambda state: after(gate.get_ready()(after(gate.park()(state), 15)), 0.5), "ok", ["ready pose"], ["pose inicial"]
     ),
 }  # fmt: skip
 
@@ -210,7 +217,7 @@ CHANGES = {
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("case", CASES)
 def test_the_status_can_be_read_whatever_is_around_the_arm_now(state: State, case: str, change: str) -> None:
-    """What was foreseen among other planes and obstacles is not looked up among these."""
+    """A goal that was computed for other planes and obstacles does not refer to the current ones."""
     made, *_ = CASES[case]
     changed = CHANGES[change](made(gate.add_obstacle()(state)))
     for _ in range(2):
@@ -219,7 +226,7 @@ def test_the_status_can_be_read_whatever_is_around_the_arm_now(state: State, cas
 
 
 def test_a_joint_at_its_limit_is_named(state: State) -> None:
-    """With the waist kept to 10 degrees a target at 20 is missed, inside every plane."""
+    """With the waist limited to 10°, a target at 20° is missed, although every plane allows it."""
     robot = state.robot
     upper = robot.upper.copy()
     upper[0] = np.radians(10)
@@ -238,3 +245,60 @@ def test_a_singular_posture_is_named_in_the_readout(state: State) -> None:
     assert stretched is not None
     assert "4 of its 5" in stretched.en
     assert "4 das suas 5" in stretched.pt_BR
+
+
+@pytest.mark.parametrize(("name", "rows"), [("planar2r", "x, y"), ("planar3r", "x, y, ωz"), ("movemaster", ALL_ROWS)])
+def test_the_rows_that_count_are_named(name: str, rows: str) -> None:
+    state = initial_state(load_robot(name))
+    assert readout.counted_names(state) == rows
+    assert readout.counted_names(gate.hold_orientation(False)(state)) == ("x, y" if "planar" in name else "x, y, z")
+
+
+@pytest.mark.parametrize("with_orientation", [True, False])
+def test_a_stretched_arm_of_two_joints_reads_singular(with_orientation: bool) -> None:
+    """Its orientation follows from its position: task rows that it cannot follow do not hide the singularity."""
+    state = at(initial_state(load_robot("planar2r")), np.array([0.4, 0.0]))
+    state = gate.hold_orientation(with_orientation)(state)
+    values = {instrument.symbol: instrument.value for instrument in readout.instruments(state)}
+    assert values["w"] < 1e-9
+    assert values[r"\kappa"] > 1e9
+    assert "e_o" not in values
+    assert "1 of its 2" in readout.status(state).text.en
+    assert "1 das suas 2" in readout.status(state).text.pt_BR
+
+
+@pytest.mark.parametrize("method", methods.names())
+@pytest.mark.parametrize("with_orientation", [True, False])
+def test_a_camera_on_two_crossing_axes_is_driven_by_every_method(method: str, with_orientation: bool) -> None:
+    """Its joints rotate the tool but cannot move it: without orientation no task row is left, which the status says."""
+    state = gate.hold_orientation(with_orientation)(initial_state(pan_tilt()))
+    state = gate.set_target([0.1, 0.0, 0.3], [0.9, 0.1, 0.3, 0.2])(gate.choose_method(method)(state))
+    before = state.arm.q
+    state = after(state, 0.3)
+    assert np.isfinite(state.arm.q).all()
+    symbols = {instrument.symbol for instrument in readout.instruments(state)}
+    if with_orientation:
+        assert readout.counted_names(state) == "ωx, ωy, ωz"
+        assert symbols > {"e_p", "e_o", "w"}
+    else:
+        assert readout.counted_names(state) == ""
+        assert symbols.isdisjoint({"e_o", "w"})
+        assert (state.arm.q == before).all()
+        if method != "guarded":
+            assert "not asked for" in readout.status(state).text.en
+
+
+@lru_cache
+def pan_tilt() -> Robot:
+    """A camera on two axes that intersect at the camera."""
+    joint = (
+        "<joint name='{name}' type='revolute'><parent link='{parent}'/><child link='{child}'/><axis xyz='{axis}'/>"
+        "<limit lower='-1.5' upper='1.5' velocity='1' effort='1'/></joint>"
+    )
+    pan = joint.format(name="pan", parent="base", child="pan", axis="0 0 1")
+    tilt = joint.format(name="tilt", parent="pan", child="camera", axis="0 1 0")
+    links = "<link name='base'/><link name='pan'/><link name='camera'/>"
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "pan_tilt.urdf"
+        path.write_text(f"<robot name='pan_tilt'>{links}{pan}{tilt}</robot>", "utf-8")
+        return robot_from_urdf(path)

@@ -1,4 +1,4 @@
-"""One tick: the promises of the guarded step, and that the arm gets where it is asked to go."""
+"""One tick: the promises of the guarded step, and that the arm reaches its targets."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ GOALS = 300
 
 @pytest.mark.parametrize("seed", range(RIDES))
 def test_no_promise_is_broken_in_a_rough_ride(state: State, seed: int) -> None:
-    """Six rides of 5,000 ticks; the million of them is in tests/soak."""
+    """Six rides of 5,000 ticks; tests/soak runs a million."""
     worst = rough_ride(state, np.random.default_rng(seed), TICKS)
     assert worst.ticks >= TICKS
     assert worst.clearance < 1e-3, "the ride never came near a plane: it shows nothing"
@@ -35,7 +35,7 @@ def test_no_promise_is_broken_in_a_rough_ride(state: State, seed: int) -> None:
 
 @pytest.mark.parametrize("with_orientation", [True, False])
 def test_the_arm_gets_where_the_way_is_clear(robot: Robot, with_orientation: bool) -> None:
-    """At least 99 of 100 goals that have a clear posture and a clear straight way are met to 1 mm within 12 s."""
+    """At least 99 % of goals with a clear posture and a clear straight path are reached to 1 mm within 12 s."""
     rng = np.random.default_rng(7)
     left = [misses(*clear_goal(rng, initial_state(robot)), with_orientation) for _ in range(GOALS)]
     assert np.mean(np.array(left) < 1e-3) >= 0.99
@@ -88,14 +88,14 @@ def test_a_joint_outside_its_limits_comes_back_in_and_never_goes_further(robot: 
 
 
 def test_a_target_out_of_reach_brings_the_arm_to_rest(state: State) -> None:
-    """The stretched arm is singular and the rest of the way is long: it must not tremble there."""
+    """The stretched arm is singular and still far from the target: it must not oscillate."""
     state = after(gate.set_target([0.9, 0.0, 0.4], [1, 0, 0, 0])(state), 8)
     assert not state.arm.moving
     np.testing.assert_allclose(state.T_world_tool[:3, 3], [0.82, 0, 0.4], atol=2e-3)
 
 
 def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
-    """Ellipse of eq. 33: once it has arrived the tool keeps to it where no plane is in the way."""
+    """Ellipse of eq. 33: once the tool is on it, the tool stays on it where no plane limits the arm."""
     state = after(gate.hold_orientation(False)(gate.play()(gate.choose_path("eq33")(state))), 1.2)
     assert state.request.command.arrived
     apart = []
@@ -118,7 +118,7 @@ def test_a_paused_path_stays_and_plays_on(state: State) -> None:
 
 @pytest.mark.parametrize("method", ["guarded", "pseudoinverse"])
 def test_a_path_that_begins_out_of_reach_is_followed_all_the_same(state: State, method: str) -> None:
-    """The target goes on once the arm can come no nearer to where it begins."""
+    """The target moves on once the arm can come no nearer to the start of the path."""
     far = state.T_world_tool.copy()
     far[:3, 3] += [0.5, 0.0, 0.3]
     path = LinePath(far, state.T_world_tool, 2.0)
@@ -129,7 +129,7 @@ def test_a_path_that_begins_out_of_reach_is_followed_all_the_same(state: State, 
 
 
 def test_an_open_path_is_followed_to_its_end(state: State) -> None:
-    """There the arm rests, and is not driven on by the speed of the path."""
+    """At the end the arm stops; the feedforward does not drive it on."""
     end = state.T_world_tool.copy()
     end[:3, 3] += [-0.05, 0.08, 0.04]
     path = LinePath(state.T_world_tool, end, 2.0)

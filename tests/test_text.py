@@ -1,4 +1,4 @@
-"""Sentences in both languages."""
+"""Texts in both languages."""
 
 from __future__ import annotations
 

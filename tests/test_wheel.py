@@ -1,4 +1,4 @@
-"""The wheel: what it carries, and that it works from another folder than the checkout."""
+"""The wheel: which files it contains, and that it works outside the checkout."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ import pytest
 from helicoide import content
 
 CHECKOUT = Path(__file__).parents[1]
-PATIENCE = 60  # seconds, for what takes one or two
+PATIENCE = 60  # s, for what takes one or two
 PIP = (sys.executable, "-m", "pip", "--disable-pip-version-check", "-qq")
 
 
 @dataclass(frozen=True)
 class Installed:
-    """A virtual environment with the wheel in it, and a folder far from the checkout."""
+    """A virtual environment with the wheel installed, and a folder outside the checkout."""
 
     bin: Path
     elsewhere: Path
@@ -61,8 +61,8 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Installed:
     """The package comes from the wheel; its dependencies, to save minutes, from the environment that runs the tests.
 
-    A .pth file lends them. Python does not follow the .pth files inside a folder lent in this way, so the checkout
-    itself, which is installed there as editable, stays out of sight.
+    A .pth file adds their folder. Python ignores .pth files in a folder that is added in this way, so the checkout,
+    which is installed there as editable, is not found.
     """
     root = tmp_path_factory.mktemp("installed")
     venv.create(root, with_pip=False)
@@ -110,7 +110,7 @@ def test_fk_from_another_folder(installed: Installed) -> None:
 
 
 def test_what_is_new_goes_into_the_users_folder(installed: Installed) -> None:
-    """There is no checkout."""
+    """Without a checkout, `helicoide new` writes there."""
     for kind in ("robot", "lesson", "method", "study"):
         *files, _ = installed.run("helicoide", "new", kind, f"new_{kind}").splitlines()
         assert all(Path(file).is_relative_to(installed.environment["XDG_DATA_HOME"]) for file in files)
@@ -133,7 +133,7 @@ def test_serves_and_stops_cleanly(installed: Installed) -> None:
         stderr=subprocess.PIPE,
         encoding="utf-8",
     )
-    guard = threading.Timer(PATIENCE, server.kill)  # whatever waits for the server then ends
+    guard = threading.Timer(PATIENCE, server.kill)  # ends all calls that wait for the server
     guard.start()
     try:
         assert server.stdout is not None

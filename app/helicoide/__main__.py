@@ -1,6 +1,6 @@
-"""The command line: a subcommand for each file of commands/; without one the lab is served.
+"""The command line: a subcommand for each module of commands/. Without a subcommand, `serve` runs.
 
-It ends with 2 for wrong input, and with 141 when the reader of what it prints has gone; commands/ has all codes.
+Exit code 2 means wrong input, 141 that the reader of the output has closed the pipe; commands/ lists all codes.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ABOUT = f"Helicoide {__version__}, a lab for robot arms. Without a subcommand, s
 
 
 def main() -> None:
-    """Run a subcommand; a HelicoideError is one line on the error output."""
+    """Run a subcommand. A HelicoideError is printed as one line to the error output."""
     arguments = sys.argv[1:]
     if not arguments or (arguments[0].startswith("-") and arguments[0] not in ("-h", "--help")):
         arguments = ["serve", *arguments]
@@ -32,14 +32,14 @@ def main() -> None:
 
 
 def _run(arguments: list[str]) -> None:
-    """Import the command that is asked for, and no other: fk needs no browser, and --help none of them."""
+    """Run the command that is asked for. No other command module is imported, and --help imports none."""
     names = content.module_names(commands.__name__)
     functions = {name: _run_of(name) if name == arguments[0] else _told(name) for name in names}
     tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", description=ABOUT, args=arguments)
 
 
 def _run_of(name: str) -> Callable[..., None]:
-    """What runs a command. Nothing of what is imported is garbage, and looking for it takes a sixth of the time."""
+    """The `run` function of a command module. Garbage collection is off meanwhile: it takes a sixth of import time."""
     gc.disable()
     try:
         run: Callable[..., None] = importlib.import_module(f"{commands.__name__}.{name}").run
@@ -50,7 +50,7 @@ def _run_of(name: str) -> Callable[..., None]:
 
 
 def _told(name: str) -> Callable[[], None]:
-    """What --help says of a command: the docstring of its `run`, read and not imported."""
+    """A function with the docstring of the command's `run` for --help, read from the source without an import."""
     text = (Path(commands.__path__[0]) / f"{name}.py").read_text("utf-8")
     (run,) = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name == "run")
 

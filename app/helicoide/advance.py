@@ -1,4 +1,4 @@
-"""One tick of the arm, from a State and a time step to the next State, and where it leads. Pure."""
+"""One tick of the arm: from a State and a time step to the next State. Pure."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 
 from helicoide.arrays import Array, frozen
 from helicoide.command import Command, FollowPath, GetReady, HoldPosition, MoveToJoints, MoveToPose, Park, Replay
+from helicoide.comparison import Effort
 from helicoide.ik import controller as drives
 from helicoide.ik.controller import GUARDED
 from helicoide.ik.guard.collision import clearances
@@ -26,10 +27,10 @@ from helicoide.trajectory.waypoints import GRIPPER_TIME
 ARRIVED_JOINTS = 1e-3
 ARRIVED_PATH = 0.010
 RESTS = 0.1
-# What comes no nearer to the path, as a share of the reach, in so many seconds has come as near as it can.
+# An arm that comes no nearer to its path by NEARER times the reach within PATIENCE, s, is as near as it can come.
 NEARER, PATIENCE = 1e-3, 2.0
 IMPERCEPTIBLE = 1e-10
-# How near to its path an arm is that follows it, rad or m, and the shares of the time that are tried for that.
+# In a replay: the largest distance of a joint from the path, rad or m, and the fractions of dt tried to keep to it.
 ON_PATH = 2e-4
 SLOWER = (1.0, 0.5, 0.25, 0.12, 0.06, 0.03)
 
@@ -38,7 +39,7 @@ Task = tuple[Array, Array, Array, Array]
 
 
 def advance(state: State, dt: float) -> State:
-    """The state dt seconds later; joints, planes and speeds stay within what `guarded.guarded_tick` promises."""
+    """The state dt seconds later, under the limits that `guarded.guarded_tick` keeps."""
     moved = _advanced(_with_time(state, dt), dt)
     if moved.ball is not None and moved.ball.grasp_offset is not None:
         moved = replace(moved, ball=moved.ball.moved_with_tool(moved.T_world_tool))
@@ -64,12 +65,15 @@ def _advanced(state: State, dt: float) -> State:
 
 
 def _under(state: State, command: Command) -> State:
-    """The same request, a step further."""
+    """The state with another command in the same request."""
     return replace(state, request=replace(state.request, command=command))
 
 
 def _with_time(state: State, dt: float) -> State:
-    """Time goes on; the gripper closes or opens at its own speed, unless the arm was stopped or a ball stops it."""
+    """The state with time and gripper advanced. The gripper takes `GRIPPER_TIME` to open or close.
+
+    It does not move after a stop, and a ball between the fingers limits it.
+    """
     arm, request, ball = state.arm, state.request, state.ball
     if not (isinstance(request.command, HoldPosition) and request.command.stopped) and request.gripper != arm.gripper:
         most = dt / GRIPPER_TIME
@@ -82,23 +86,35 @@ def _with_time(state: State, dt: float) -> State:
 
 
 def _compared(state: State, moved: State, dt: float) -> ComparedArm:
-    """The second arm: after the same target by its own method, else back to where the first arm is."""
+    """The second arm after a tick. It follows the target by its own method, or the first arm if there is no target."""
     second = state.compared_state
+    assert state.compared is not None
     assert second is not None
     second = replace(second, arm=replace(second.arm, gripper=moved.arm.gripper))
     if state.arm.parked or moved.arm.parked:
-        return ComparedArm(moved.arm, second.request.controller)
-    match moved.request.command:
+        return replace(state.compared, arm=moved.arm)
+    command = moved.request.command
+    match command:
         case MoveToPose(T):
             second = _to_pose(second, T, _STILL, dt)
         case FollowPath(path, s, playing, arrived):
-            ahead = frozen(path.twist(s)[:3]) if playing and arrived else _STILL
-            second = _to_pose(second, frozen(path.pose(s)), ahead, dt)
+            T, ahead = frozen(path.pose(s)), frozen(path.twist(s)[:3]) if playing and arrived else _STILL
+            second = _to_pose(second, T, ahead, dt)
         case HoldPosition():
             second = _still(second)
         case _:
             second = _stepped(second, joint_task(second.arm.q, moved.arm.q, EVERY, dt), dt)
-    return ComparedArm(second.arm, second.request.controller)
+    trace = state.compared.trace
+    if isinstance(command, MoveToPose | FollowPath) and (moved.arm.moving or second.arm.moving):
+        trace = trace.with_tick(_effort(moved, T), _effort(second, T), dt)
+    return ComparedArm(second.arm, second.request.controller, trace)
+
+
+def _effort(state: State, T_world_target: Array) -> Effort:
+    """Asked and actual joint speed and the position error. Without a solution the asked speed is the actual one."""
+    solution, speed = state.request.controller.solution, float(np.linalg.norm(state.arm.velocities))
+    asked = speed if solution is None else float(np.linalg.norm(state.problem.joint_units * solution.rates))
+    return Effort(asked, speed, dist(state.T_world_tool[:3, 3], T_world_target[:3, 3]))
 
 
 def _still(state: State) -> State:
@@ -107,7 +123,7 @@ def _still(state: State) -> State:
 
 
 def _stepped(state: State, task: Task, dt: float) -> State:
-    """The guarded tick towards a task in the joints."""
+    """The state after a guarded step for a task: J, v, weights and damping."""
     q, arm = state.arm.q.copy(), drives.packed_arm(state.problem, state.request.controller)
     work = _from_here(state, arm)
     step_task(arm, q, *task, ONE_LEVEL, dt, work.memory)
@@ -115,14 +131,14 @@ def _stepped(state: State, task: Task, dt: float) -> State:
 
 
 def _from_here(state: State, arm: Array) -> Work:
-    """A work space for the tick."""
+    """The buffers of a guarded step, with the present joint velocities."""
     work = work_for(arm)
     work.rates[:] = state.arm.velocities
     return work
 
 
 def _after(state: State, q: Array, work: Work) -> State:
-    """The state after a tick."""
+    """The state with the results of a guarded step; the arm is at rest if no joint moved by `IMPERCEPTIBLE`."""
     arm, held = state.arm, ActiveSet(work.held, work.pull)
     if np.abs(q - arm.q).max() < IMPERCEPTIBLE:
         return _still(replace(state, arm=replace(arm, active_set=held)))
@@ -132,7 +148,7 @@ def _after(state: State, q: Array, work: Work) -> State:
 
 
 def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
-    """Towards a tool pose; a detour through another posture comes first."""
+    """One tick towards a tool pose, after the detour through another posture if there is one."""
     arm, request = state.arm, state.request
     if request.detour is not None:
         blocked = request.unchanged > RESTS and not arm.moving
@@ -157,7 +173,7 @@ def _to_pose(state: State, T_world_target: Array, ahead: Array, dt: float) -> St
 
 
 def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> State:
-    """By a method that knows of no limits: the guard lets through what it may of the rates that it wishes."""
+    """One tick by a method without limits; the guarded step limits the joint displacement that it asks for."""
     problem, request, posture = state.problem, state.request, (state.arm.q, state.arm.poses)
     drive, with_orientation = request.controller, request.with_orientation
     if problem.entry is not None:
@@ -169,9 +185,9 @@ def _by_method(state: State, T_world_target: Array, ahead: Array, dt: float) -> 
 
 
 def _along(state: State, command: FollowPath, dt: float) -> State:
-    """Along a path: the parameter runs once the arm has come to the path, or can come no nearer.
+    """One tick along a path. The parameter advances once the arm is at the path or cannot come nearer.
 
-    At the end of a path that is open it rests.
+    An open path stops at its end.
     """
     target = frozen(command.path.pose(command.s))
     running = command.playing and command.arrived
@@ -186,7 +202,10 @@ def _along(state: State, command: FollowPath, dt: float) -> State:
 
 
 def _approached(state: State, command: FollowPath, target: Array, dt: float) -> FollowPath:
-    """Whether the arm has come to the path, or can come no nearer: there a method of the sources may tremble."""
+    """The command with `arrived` set once the arm is at the path or cannot come nearer.
+
+    Methods other than the guarded step may oscillate there, so the distance decides for them instead of the motion.
+    """
     if command.arrived:
         return command
     away = dist(state.T_world_tool[:3, 3], target[:3, 3])
@@ -199,10 +218,11 @@ def _approached(state: State, command: FollowPath, target: Array, dt: float) -> 
 
 
 def _replayed(state: State, command: Replay, dt: float) -> State:
-    """Along a path of the joints, after the way to where it begins.
+    """One tick along a joint path, after a motion to its start.
 
-    Where the guard holds the arm back, the time slows down until the arm is on the path all the same, if it `waits`;
-    where that is in vain, or else, the arm goes on beside the path, as near as it may.
+    If the command `slows_down`, the time step is reduced until the arm can stay on the path. If no fraction of
+    `SLOWER` is small enough, or without `slows_down`, time runs at its full rate and the arm follows as near as the
+    limits allow.
     """
     path, q = command.path, state.arm.q
     here = path.q(command.s)
@@ -225,7 +245,7 @@ def _replayed(state: State, command: Replay, dt: float) -> State:
 
 
 def _to_ready(state: State, dt: float) -> State:
-    """Guarded to `ready`; there a Park command turns the planes off, and a GetReady command ends."""
+    """One guarded tick towards `ready`. There a Park command switches the planes off, and a GetReady command ends."""
     ready, arm = state.robot.poses["ready"], state.arm
     if np.max(np.abs(ready - arm.q)) < ARRIVED_JOINTS:
         if isinstance(state.request.command, GetReady):
@@ -236,12 +256,12 @@ def _to_ready(state: State, dt: float) -> State:
 
 
 def _is_clear(state: State, q: Array) -> bool:
-    """Whether everything keeps its distance at q: the way back from home ends there exactly."""
+    """Whether all clearances hold at q, where the motion back from `home` ends."""
     return bool((clearances(packed(state.problem), q) > -1e-9).all())
 
 
 def _parked(state: State, dt: float) -> State:
-    """With the planes off, on the straight joint path between `home` and `ready`."""
+    """One tick with the planes off, on the straight line in joint space between `home` and `ready`."""
     arm, command = state.arm, state.request.command
     if not isinstance(command, Park | GetReady):
         return _still(state)

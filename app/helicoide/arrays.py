@@ -1,4 +1,4 @@
-"""Arrays of numbers, and how they are made read-only."""
+"""The array type of the package, and read-only arrays."""
 
 from __future__ import annotations
 

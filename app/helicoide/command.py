@@ -1,4 +1,4 @@
-"""What an arm may be asked to do."""
+"""The commands of an arm."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ THE_PATH = Text(en="the path", pt_BR="a trajetória")
 
 @dataclass(frozen=True)
 class HoldPosition:
-    """Nothing moves."""
+    """Hold the present position. stopped: after a stop, which also holds the gripper."""
 
     stopped: bool = False
 
@@ -27,7 +27,7 @@ class HoldPosition:
 class MoveToPose:
     """Bring the tool to T_world_target (4, 4), m.
 
-    snaps: whether the target goes to where the arm can come, once that has been searched for.
+    snaps: whether the target moves to the accepted goal after the search for another posture.
     """
 
     T_world_target: Array
@@ -36,7 +36,7 @@ class MoveToPose:
 
 @dataclass(frozen=True, eq=False)
 class MoveToJoints:
-    """Bring the joints to q (n,), rad; `first_to_stop`: the joint that stops first at a plane, or every one alike."""
+    """Bring the joints to q (n,), rad or m. first_to_stop: the joint that yields first to a constraint, or EVERY."""
 
     q: Array
     first_to_stop: int = EVERY
@@ -44,9 +44,10 @@ class MoveToJoints:
 
 @dataclass(frozen=True)
 class PathChoice:
-    """The path that Play follows: its key among those of the arm, its time scaling, and how long it takes, s.
+    """The path that Play follows.
 
-    None: the first of the arm, and as long as it takes of its own.
+    name: its key among the paths of the arm, None for the first; shape: its time scaling; duration, s, None for its own
+    duration.
     """
 
     name: str | None = None
@@ -56,10 +57,10 @@ class PathChoice:
 
 @dataclass(frozen=True)
 class FollowPath:
-    """Follow a path from its parameter s, s; the parameter waits until the arm has come to the path.
+    """Follow a path from its parameter s, s.
 
-    nearest: how near it has come so far, m; waiting_since: since when it has come no nearer, s;
-    title: what the path is called.
+    The parameter waits until the arm has arrived at the path, or cannot come nearer. nearest: smallest distance to the
+    path so far, m; waiting_since: time without coming nearer, s.
     """
 
     path: Path
@@ -73,10 +74,10 @@ class FollowPath:
 
 @dataclass(frozen=True, eq=False)
 class Replay:
-    """Go along a path of the joints from s on, after coming to where it begins; title: what is said of it.
+    """Replay a joint path from its parameter s, s, after a motion to its start.
 
-    slows_down: whether its time slows down where the arm cannot keep up; gripper_events: what the gripper is asked to
-    be, 0 closed to 1 open, from which s on.
+    title: shown in the status; slows_down: whether time slows down where the arm cannot keep up; gripper_events: pairs
+    of a parameter s, s, and the target opening of the gripper from there on, 0 closed to 1 open.
     """
 
     path: JointPath
@@ -89,12 +90,12 @@ class Replay:
 
 @dataclass(frozen=True)
 class Park:
-    """Go to `ready`, then with the planes off to `home`."""
+    """Go to `ready`, then to `home` with the planes off."""
 
 
 @dataclass(frozen=True)
 class GetReady:
-    """Go to `ready`; from `home` with the planes off."""
+    """Go to `ready`; if the arm is parked, with the planes off."""
 
 
 Command = HoldPosition | MoveToPose | MoveToJoints | FollowPath | Replay | Park | GetReady

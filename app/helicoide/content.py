@@ -1,6 +1,6 @@
-"""Finds robots, lessons and static files, shipped or in the user's folder, and the modules of a package's folder.
+"""Finds robots, lessons and static files, shipped or in the user's folder, and the modules of a package.
 
-The user's folder may hold robots/, lessons/, methods/ and studies/.
+The user's folder may contain robots/, lessons/, methods/ and studies/.
 """
 
 from __future__ import annotations
@@ -32,18 +32,18 @@ _MARKER_FILE: dict[ContentKind, str] = {"robots": "robot.toml", "lessons": "less
 
 
 def user_folder() -> Path:
-    """Where a user's own robots, lessons, methods and studies are looked for."""
+    """The folder of the user's own robots, lessons, methods and studies."""
     return user_data_path("helicoide")
 
 
 def content_folders(kind: ContentKind) -> dict[str, Path]:
-    """Folders of one kind by name; the user's own come before the shipped ones of the same name."""
+    """Folders of one kind by name; a user's folder replaces a shipped one of the same name."""
     roots = (SHIPPED / kind, user_folder() / kind)
     return {file.parent.name: file.parent for root in roots for file in sorted(root.glob(f"*/{_MARKER_FILE[kind]}"))}
 
 
 def content_folder(kind: ContentKind, name: str) -> Path:
-    """The folder of one robot or lesson; raises HelicoideError that lists the names there are."""
+    """The folder of one robot or lesson. Raises HelicoideError, which lists the known names."""
     known = content_folders(kind)
     if name not in known:
         what = {"robots": Text(en="robot", pt_BR="robô"), "lessons": Text(en="lesson", pt_BR="lição")}[kind]
@@ -57,11 +57,11 @@ def content_folder(kind: ContentKind, name: str) -> Path:
 
 
 def module_names(package: str, needs: Sequence[str] = ()) -> tuple[str, ...]:
-    """The names of the modules in the folder of an imported package, sorted, without those that begin with "_".
+    """The sorted names of the modules of an imported package; shipped ones that begin with "_" are left out.
 
-    A package that takes modules of the user has their folder after its own in its path. One of the user's that cannot
-    be loaded, or lacks a name of `needs`, is left out, and the log says so; a shipped one that is broken raises when it
-    is used.
+    A package that accepts modules of the user has the user's folder in its `__path__` after its own. A user's module
+    that cannot be imported, or lacks a name of `needs`, is left out with a warning in the log. A broken shipped module
+    raises when it is imported.
     """
     shipped, *own = sys.modules[package].__path__
     names = _names_in(shipped)
@@ -76,7 +76,7 @@ def _names_in(folder: str) -> frozenset[str]:
 
 
 def module_file(path: Iterable[str], name: str) -> Path:
-    """The file of a module of a package, by the package's path; the first one where no folder has it."""
+    """The file of a module in the folders of a package's path; the place in the first folder if no folder has it."""
     files = [Path(folder) / f"{name}.py" for folder in path]
     return next((file for file in files if file.is_file()), files[0])
 
@@ -84,7 +84,7 @@ def module_file(path: Iterable[str], name: str) -> Path:
 def _usable(package: str, name: str, needs: Sequence[str]) -> bool:
     try:
         module = importlib.import_module(f"{package}.{name}")
-    except (Exception, SystemExit) as error:  # whatever a person's own file does
+    except (Exception, SystemExit) as error:  # a user's file may raise anything
         log.warning("%s.%s is left out, %r: see helicoide check %s", package, name, error, name)
         return False
     if missing := [need for need in needs if not hasattr(module, need)]:
@@ -93,12 +93,15 @@ def _usable(package: str, name: str, needs: Sequence[str]) -> bool:
 
 
 def modules(package: str) -> dict[str, ModuleType]:
-    """All modules in the folder of an imported package, by name."""
+    """All modules of an imported package, by name."""
     return {name: importlib.import_module(f"{package}.{name}") for name in module_names(package)}
 
 
 def module(package: str, name: str, names: Sequence[str], what: Text) -> ModuleType:
-    """Import one of the named modules of a package; raises HelicoideError, which lists them. what: such as "method"."""
+    """Import a module of a package. Raises HelicoideError, which lists `names`, if it is not one of them.
+
+    what: the kind of module in the message, such as "method".
+    """
     if name not in names:
         raise HelicoideError(
             Text(

@@ -1,4 +1,4 @@
-"""Where a command leads, before the arm is there: its goal, another posture that reaches farther, or that it rests."""
+"""Prediction of where a command leads: its goal, a better posture, and whether the arm stays at rest."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from helicoide.ik.controller import GUARDED
 from helicoide.ik.goal import Goal, best_goal, goal_at_joints, goal_at_pose
 from helicoide.state import ArmState, State, Update
 
+# Time with an unchanged request after which another posture is searched for, s.
 SETTLED = 0.5
-# For how long nothing must have been asked until an arm rests, s: all that is said of waiting is said before.
+# Time with an unchanged request after which an arm counts as at rest, s. Status texts about waiting appear earlier.
 RESTED = 2.0
 
 
 def foreseen(state: State) -> State:
-    """The same state with the goal that its command leads to; solved at the scene's rate, not in every tick."""
+    """The state with the goal of its command. It is computed at the rate of the scene, not in every tick."""
     return replace(state, request=replace(state.request, goal=_goal(state)))
 
 
 def _goal(state: State) -> Goal | None:
-    """Where the command leads; where a method of the sources will come to rest is not foreseen."""
+    """The goal of the command; None without one, and for poses and paths under other methods than the guarded step."""
     problem, request, q = state.problem, state.request, state.arm.q
     with_orientation, guarded = request.with_orientation, request.controller.method == GUARDED
     before = q if request.detour is None else request.detour
@@ -40,10 +41,10 @@ def _goal(state: State) -> Goal | None:
 
 
 def wants_search(state: State) -> bool:
-    """Whether to look for another posture that reaches what this one does not: once, when a wish has rested for a while
-    or its target was let go.
+    """Whether a search for another posture that comes nearer to the target is due.
 
-    The search foresees where the arm will stop, so it need not wait: along a wall the arm may creep for a minute.
+    It is due once for each request of a pose or path under the guarded step: when the drag of the target has ended, or
+    when the request has been unchanged for `SETTLED`. The arm may still move, because the search predicts its goal.
     """
     request, command = state.request, state.request.command
     if request.searched or state.arm.parked or request.controller.method != GUARDED:
@@ -56,9 +57,10 @@ def wants_search(state: State) -> bool:
 
 
 def search(state: State) -> Update:
-    """What a search comes to: the posture to pass through, if any, and the place on which a target settles.
+    """Search for a better posture. The update sets it as the detour, or moves a target that snaps to the goal.
 
-    It takes as long as some hundred ticks, and so is no part of one; it is worth nothing once something else is asked.
+    A search takes as long as some hundred ticks, so it runs outside them. The update does nothing if the request has
+    changed meanwhile.
     """
     command = state.request.command
     assert isinstance(command, MoveToPose | FollowPath)
@@ -77,7 +79,7 @@ def search(state: State) -> Update:
 
 
 def _asks_the_same(new: State, old: State) -> bool:
-    """Whether the same is asked of the arm, and under the same conditions."""
+    """Whether command, problem and method are the same in both states and the arm is not parked."""
     now, then = new.request, old.request
     if isinstance(now.command, FollowPath) and isinstance(then.command, FollowPath):
         asked = now.command.path is then.command.path and now.command.s == then.command.s
@@ -88,12 +90,12 @@ def _asks_the_same(new: State, old: State) -> bool:
 
 
 def lived(state: State, dt: float) -> State:
-    """As `advance`, with a search that is due done at once: for whoever need not keep time."""
+    """As `advance`, but a search that is due runs first. For use without real time."""
     return advance(search(state)(state) if wants_search(state) else state, dt)
 
 
 def rests(old: State, new: State) -> bool:
-    """Whether a tick has changed nothing but the time, and none will before something else is asked."""
+    """Whether a tick has changed nothing but the time, and later ticks will not either until the request changes."""
     was, now = old.request, new.request
     kept = (
         new.problem is old.problem
@@ -113,13 +115,13 @@ def rests(old: State, new: State) -> bool:
 
 
 def _stands(old: ArmState, new: ArmState) -> bool:
-    """Whether an arm has not moved at all."""
+    """Whether an arm is the same in both states."""
     still = new.q is old.q and new.velocities is old.velocities
     return still and (new.gripper, new.parked) == (old.gripper, old.parked)
 
 
 def leads_elsewhere(old: State | None, new: State) -> bool:
-    """Whether the goal may be another than the one foreseen."""
+    """Whether the goal of the new state may differ from that of the old one, so that it has to be computed again."""
     if old is None:
         return True
     was, now = old.request, new.request

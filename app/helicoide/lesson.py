@@ -1,4 +1,4 @@
-"""Guided lessons: steps with a checked goal, joined with their prose by the step's id."""
+"""Guided lessons: steps whose goals are checked, and their texts, matched by the id of the step."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ MOST_BYTES = 1_000_000
 
 @dataclass(frozen=True)
 class AtSeat:
-    """What a person does at their seat, such as choosing what is shown; it asks nothing of the arm."""
+    """A change of the seat in a solution, such as the choice of what is shown; it does not affect the arm."""
 
     update: SeatUpdate
 
 
 @dataclass(frozen=True)
 class Step:
-    """One thing to do: `setup` brings the scene to its start, `goal` says when it is done.
+    """One step of a lesson.
 
-    `solution` plays it: what is asked of the arm, or done at the seat, each with the seconds that the arm is then
-    given; `helicoide check` and the tests hold it to the goal.
-    joints: the numbers of those whose sliders stand in the step, from 0.
+    setup: brings the scene to the start of the step; goal: whether the step is done; solution: changes of the state or
+    the seat, each with the time that follows it, s; joints: indices, from 0, of the joints whose sliders the step
+    shows. `helicoide check` and the tests verify that the solution reaches the goal.
     """
 
     id: str
@@ -46,7 +46,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Prose:
-    """The words of a step, Markdown, both languages."""
+    """The texts of a step, in Markdown and both languages."""
 
     title: Text
     body: Text
@@ -55,7 +55,7 @@ class Prose:
 
 @dataclass(frozen=True)
 class Lesson:
-    """A lesson with its steps and their words, about the robot of that name."""
+    """A lesson about a robot, with its steps and their texts. robot: its name; prose: texts by step id."""
 
     id: str
     title: Text
@@ -94,7 +94,7 @@ _ORDER = Text(
 
 @cache
 def load_lesson(name: str) -> Lesson:
-    """A lesson by the name of its folder; raises HelicoideError when its files do not fit together."""
+    """A lesson by the name of its folder. Raises HelicoideError if a file is invalid or if the files do not match."""
     folder = content.content_folder("lessons", name)
     title, robot, steps = _read_module(folder / "lesson.py", name)
     pages = {language: _read_page(folder / f"{language}.md", steps) for language in LANGUAGES}
@@ -111,7 +111,7 @@ def _broken(path: Path, reason: Text) -> HelicoideError:
 
 
 def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
-    """TITLE, ROBOT and STEPS of a lesson.py; whatever goes wrong while it runs is the file's fault and is said so."""
+    """TITLE, ROBOT and STEPS of a lesson.py. Raises HelicoideError with the line if the file raises anything."""
     loader = SourceFileLoader(f"helicoide_lessons.{name}", str(path))
     module = ModuleType(loader.name)
     try:
@@ -127,7 +127,7 @@ def _read_module(path: Path, name: str) -> tuple[Text, str, tuple[Step, ...]]:
 
 
 def stopped(path: Path, error: BaseException) -> Text:
-    """Where a person's Python file stopped, and at what."""
+    """The line of a user's Python file at which an error was raised, and the kind of error, in words."""
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
     if not lines:
         line = error.lineno if isinstance(error, SyntaxError) else None
@@ -174,12 +174,12 @@ def _unquoted(hint: str) -> str:
 
 
 def entered(seat: Seat, name: str | None) -> Seat:
-    """The seat at the first step of a lesson, or in free play."""
+    """The seat at the first step of a lesson, or without a lesson for None."""
     return replace(seat, lesson=name, step=0, done=frozenset(), hint_open=False)
 
 
 def progressed(lesson: Lesson, state: State, seat: Seat) -> Seat:
-    """The seat with its current step marked as done when the goal is met, on the arm that the lesson is about."""
+    """The seat with its current step marked as done if the arm is that of the lesson and the goal is met."""
     step = lesson.steps[seat.step]
     if state.robot.name != lesson.robot or step.id in seat.done or not step.goal(state, seat):
         return seat

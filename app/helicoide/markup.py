@@ -1,7 +1,7 @@
-"""HTML from other libraries: Markdown and formulas.
+"""HTML from Markdown and TeX.
 
-Only this module makes Markup of a text that is not a literal. Everywhere else Markup is made of literals, whose
-`format` and `join` escape what is filled in.
+Only this module makes Markup from text that is not a literal. Everywhere else Markup is made from literals, whose
+`format` and `join` escape their arguments.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ _markdown = MarkdownIt("commonmark", {"html": False}).enable("table")
 
 
 def markdown_to_html(text: str, drawings: Mapping[str, str] = MappingProxyType({})) -> Markup:
-    """Markdown as HTML; tags in it are escaped. The anchor of a heading is its text up to a colon, such as "vargas-2".
+    """Markdown as HTML, with tags escaped. The anchor of a heading is its text up to a colon, such as "vargas-2".
 
-    drawings: SVG by name; an image of that name becomes the drawing itself, in the colour of the text.
+    drawings: SVG by name; an image with that name is replaced by the SVG itself, which has the colour of the text.
     """
     return Markup(_markdown.render(text, {"drawings": drawings}))
 

@@ -1,4 +1,4 @@
-"""One person in front of an arm: what is theirs, whatever the arm does."""
+"""One person at the lab: language, lesson and view settings, independent of the arm."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from helicoide.text import Language
 
 @dataclass(frozen=True)
 class Seat:
-    """One person: language, where they are in a lesson, what they selected and what they want to see.
+    """One person: language, place in a lesson, selection and view settings.
 
-    done: the steps whose goal has been reached; picked_points: the points, m, world, that they have clicked for a
-    plane, None while they do not pick; map_kind: which map of the workspace is chosen; cut: where maps are cut, −1 to 1
-    of the arm's reach; stages: in which way the arm is written joint by joint, None in none; cloud_unit: what the
-    numbers in files of clouds count, "" as it looks; projector: whether words and handles are large enough for the back
-    row; way: how the next waypoint is reached from the one before.
+    done: the steps whose goal has been reached; picked_points: the points, m, world frame, clicked for a plane, None
+    while no plane is picked; map_kind: the chosen map of the workspace; cut: where maps are cut, −1 to 1 in units of
+    the reach; stages: the formulation that is shown joint by joint, None for none; cloud_unit: the length unit of cloud
+    files, "" to detect it; projector: whether text and handles are large; way: how the next waypoint is reached from
+    the one before.
     """
 
     token: str

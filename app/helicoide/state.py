@@ -1,4 +1,4 @@
-"""One arm and its scene at one instant: where the arm is, what it is asked, what stands around it."""
+"""One arm and its scene at one instant: the posture of the arm, the request, and the objects around it."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from helicoide.arrays import Array, frozen
 from helicoide.command import Command, HoldPosition, PathChoice
+from helicoide.comparison import Trace
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.controller import Controller
@@ -29,7 +30,7 @@ from helicoide.trajectory.waypoints import WaypointList
 
 @dataclass(frozen=True)
 class Drag:
-    """What somebody holds with the pointer: the target, or the plane of that number."""
+    """What a pointer holds. seat: whose pointer; handle: the object, such as "target", "entry" or "plane 0"."""
 
     seat: str
     handle: str
@@ -37,7 +38,7 @@ class Drag:
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """What held the last guarded step back: the multipliers of its rows, and the pull of the task against them."""
+    """Constraints in the last guarded step. multipliers: of its rows; pull: the weighted size of the task."""
 
     multipliers: Array
     pull: float
@@ -45,10 +46,10 @@ class ActiveSet:
 
 @dataclass(frozen=True, eq=False)
 class ArmState:
-    """Where an arm is: q (n,), rad; velocities (n,), rad/s; poses: Ts_world_link (m + 1, 4, 4), m.
+    """The state of an arm: q (n,), rad or m; velocities (n,), rad/s or m/s; poses: Ts_world_link (m + 1, 4, 4), m.
 
-    gripper: 0 closed to 1 open; parked: planes off, between `home` and `ready`; active_set: what held the last step
-    back.
+    gripper: 0 closed to 1 open; parked: planes off, between `home` and `ready`; active_set: that of the last guarded
+    step, None if unknown.
     """
 
     q: Array
@@ -60,18 +61,18 @@ class ArmState:
 
     @property
     def moving(self) -> bool:
-        """Whether any joint moves faster than a thousandth of a radian per second."""
+        """Whether any joint moves faster than 0.001 rad/s or m/s."""
         return bool(np.max(np.abs(self.velocities)) > 1e-3)
 
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """What is asked of the arm, by which method, and what has come of it so far.
+    """What is asked of the arm, by which method, and its result so far.
 
-    controller: the method that brings the tool to poses; gripper: what its gripper is asked to be, 0 closed to 1 open;
-    path_choice: the path that Play follows, and path_s, where on it the target stands, s; drag: what somebody holds;
-    unchanged: s since the wish last changed; searched: whether another posture was looked for, and detour, its joints
-    to pass through; goal: where the command leads.
+    controller: the method that brings the tool to poses; gripper: target opening, 0 closed to 1 open; path_choice: the
+    path that Play follows; path_s: the parameter of the target on it, s; drag: what a pointer holds; unchanged: time
+    since the request last changed, s; searched: whether the search for another posture is done; detour (n,): the
+    posture to pass through, rad or m; goal: where the command leads, None if unknown.
     """
 
     command: Command = field(default_factory=HoldPosition)
@@ -87,21 +88,22 @@ class Request:
     goal: Goal | None = None
 
     def renewed(self) -> Request:
-        """The same request as if it had just been made: the search for another posture starts anew."""
+        """The request as if just made: its time restarts and another posture may be searched for again."""
         return replace(self, unchanged=0.0, searched=False, detour=None)
 
 
 @dataclass(frozen=True, eq=False)
 class ComparedArm:
-    """A second arm of the same kind that follows the same target by another method."""
+    """A second arm of the same kind that follows the same target by another method. trace: effort of both arms."""
 
     arm: ArmState
     controller: Controller
+    trace: Trace = field(default_factory=Trace)
 
 
 @dataclass(frozen=True, eq=False)
 class FittedCloud:
-    """A cloud of points (k, 3), m, which of them lie on the plane that was found (k,), and what was found in words."""
+    """A cloud of points (k, 3), m, which of them lie on the fitted plane, (k,), and the result of the fit in words."""
 
     points: Array
     on_plane: NDArray[np.bool_]
@@ -110,7 +112,7 @@ class FittedCloud:
 
 @dataclass(frozen=True)
 class MapProgress:
-    """A map of the workspace that is being counted: its kind, and how much of it is, 0 to 1."""
+    """A map of the workspace that is being computed: its kind and the finished fraction, 0 to 1."""
 
     kind: MapKind
     share: float = 0.0
@@ -118,7 +120,7 @@ class MapProgress:
 
 @dataclass(frozen=True, eq=False)
 class WorkspaceMaps:
-    """What is mapped of where the tool comes: what is being counted, and the last map that was finished."""
+    """Maps of the workspace: the one that is being computed, and the last finished one."""
 
     progress: MapProgress | None = None
     map: WorkspaceMap | None = None
@@ -126,9 +128,9 @@ class WorkspaceMaps:
 
 @dataclass(frozen=True, eq=False)
 class PostureList:
-    """The postures that were found for T_world_goal (4, 4), m, with or without its orientation, in their order.
+    """The postures found for T_world_goal (4, 4), m, with or without its orientation.
 
-    q (n,), rad or m: where the arm was then; answer: what was found; rows: the same in the order of the choice.
+    q (n,), rad or m: the posture of the arm at that time; answer: the postures; rows: the same in the order shown.
     """
 
     T_world_goal: Array
@@ -140,7 +142,7 @@ class PostureList:
 
 @dataclass(frozen=True, eq=False)
 class Postures:
-    """The choice between postures: what the motion of each joint costs beside the others, (n,), and the last list."""
+    """The choice between postures: the relative cost of each joint's motion, (n,), and the last list."""
 
     weights: Array
     listing: PostureList | None = None
@@ -148,12 +150,12 @@ class Postures:
 
 @dataclass(frozen=True, eq=False)
 class State:
-    """One arm and its scene at one instant; every field is replaced, never changed.
+    """One arm and its scene at one instant. Immutable: a change makes a new State.
 
-    problem: the arm, its limits, and the planes, obstacles and entry point around it; t, s; taught: the waypoints;
-    postures: those of a goal, and the choice between them; compared: a second arm beside the first; clouds: the clouds
-    that were read, by the name of the plane that was looked for; workspace: the maps of where the tool comes; ball:
-    what there is to grasp; notice: what the last refusal says, or at first what is to be said of the robot's file.
+    problem: the arm, its limits, and the planes, obstacles and entry point; t: time, s; taught: the waypoints;
+    postures: those of a goal, and the choice between them; compared: the second arm; clouds: the clouds that were read,
+    by the name of the plane; workspace: its maps; ball: the ball to grasp; notice: why the last request was refused,
+    another message, or None.
     """
 
     problem: Problem
@@ -170,7 +172,7 @@ class State:
 
     @property
     def robot(self) -> Robot:
-        """The arm."""
+        """The robot of the problem."""
         return self.problem.robot
 
     @property
@@ -180,17 +182,17 @@ class State:
 
     @property
     def guarded_points(self) -> Array:
-        """The guarded points where they are, (p, 3), m."""
+        """The guarded points at the present posture, (p, 3), m, world frame."""
         return points_on(self.robot, self.arm.poses)
 
     @property
     def axes(self) -> Array:
-        """The joint axes where they are, (m, 3), unit, world frame."""
+        """The joint axes at the present posture, (m, 3), unit vectors, world frame."""
         return np.asarray((self.arm.poses[1:, :3, :3] @ self.robot.directions[:, :, None])[:, :, 0])
 
     @cached_property
     def compared_state(self) -> State | None:
-        """The state in which the second arm stands in for the first."""
+        """The state with the second arm in place of the first; None without a second arm."""
         second = self.compared
         if second is None:
             return None
@@ -206,15 +208,15 @@ Update = Callable[[State], State]
 
 
 def points_on(robot: Robot, poses: Array) -> Array:
-    """The guarded points for given link poses (m + 1, 4, 4), (p, 3), m, world frame; without a kernel, for the view."""
+    """The guarded points for link poses (m + 1, 4, 4), as (p, 3), m, world frame. Uses no compiled kernel."""
     carriers = poses[robot.monitored_links]
     return np.asarray((carriers[:, :3, :3] @ robot.monitored_points[:, :, None])[:, :, 0] + carriers[:, :3, 3])
 
 
 def initial_state(robot: Robot) -> State:
-    """The arm at `ready`, holding, inside the planes of its file; what is to be said of the file is its notice.
+    """The arm at rest at `ready` with the planes of its file. The remarks of the file are the notice.
 
-    Orientation is asked for where joints are left once the place of the tool is given.
+    Orientation is controlled if the arm has more joints than the position of its tool needs.
     """
     q = robot.poses["ready"]
     limits = Limits(robot.lower, robot.upper, robot.speed, robot.acceleration)
@@ -232,14 +234,14 @@ def initial_state(robot: Robot) -> State:
 
 
 def with_command(state: State, command: Command) -> State:
-    """The same state under a new command."""
+    """The state with a new command and no notice."""
     return replace(state, request=replace(state.request.renewed(), command=command), notice=None)
 
 
 def with_problem(state: State, problem: Problem, notice: Text | None = None) -> State:
-    """The same state inside other planes, obstacles or zones, or through another entry point.
+    """The state with another problem: other planes, obstacles, zones or another entry point.
 
-    What held the arm back, now and where its command leads, counts planes and obstacles: with others it is unknown.
+    The goal and the active sets refer to planes and obstacles by their number, so a change of their count clears them.
     """
     request, arm, compared = state.request.renewed(), state.arm, state.compared
     if _things(problem) != _things(state.problem):
@@ -249,10 +251,10 @@ def with_problem(state: State, problem: Problem, notice: Text | None = None) -> 
 
 
 def _things(problem: Problem) -> tuple[int, int, bool]:
-    """How many planes and obstacles there are, and whether there is an entry point."""
+    """The number of planes and of obstacles, and whether there is an entry point."""
     return len(problem.planes.panes), len(problem.obstacles.radii), problem.entry is not None
 
 
 def with_drag(state: State, grasp: Drag | None) -> State:
-    """The same state with that in somebody's hand, or nothing."""
+    """The state with another drag, or none."""
     return replace(state, request=replace(state.request, drag=grasp))

@@ -1,8 +1,8 @@
-"""Sentences that people read, in both languages; a missing translation is a type error."""
+"""Texts of the user interface in both languages; a missing translation is a type error."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from string import Formatter
 from typing import Literal, get_args
@@ -24,7 +24,7 @@ _WITH_COMMA = _DecimalCommaFormatter()
 
 @dataclass(frozen=True)
 class Text:
-    """One sentence in both languages. `text["pt_BR"]` picks one; fields in braces are filled by `text.format`."""
+    """A text in both languages. `text["pt_BR"]` selects one; `text.format` fills the fields in braces."""
 
     en: str
     pt_BR: str
@@ -47,13 +47,29 @@ def untranslated(word: str) -> Text:
     return Text(en=word, pt_BR=word)
 
 
+def with_decimal_comma(shown: str) -> Text:
+    """A number that is already formatted; full stops become commas in Portuguese."""
+    return Text(en=shown, pt_BR=shown.replace(".", ","))
+
+
+def number_text(value: float, spec: str = "g") -> Text:
+    """A number in a format such as ".3g", with a decimal comma in Portuguese."""
+    return with_decimal_comma(f"{value:{spec}}")
+
+
+def numbers_text(values: Iterable[float], spec: str = "g") -> Text:
+    """Several numbers: separated by commas in English, by semicolons in Portuguese because of its decimal comma."""
+    texts = [number_text(value, spec) for value in values]
+    return Text(en=", ".join(text.en for text in texts), pt_BR="; ".join(text.pt_BR for text in texts))
+
+
 def join_texts(texts: Sequence[Text], by: str = "; ") -> Text:
     """Several texts joined into one."""
     return Text(en=by.join(text.en for text in texts), pt_BR=by.join(text.pt_BR for text in texts))
 
 
 class HelicoideError(Exception):
-    """Wrong input or a broken file: says what is wrong, where, and what would have been valid."""
+    """Wrong input or a broken file. The text says what is wrong, where, and what is valid."""
 
     def __init__(self, text: Text) -> None:
         super().__init__(text.en)

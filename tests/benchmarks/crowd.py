@@ -48,11 +48,11 @@ class Crowd:
     async def private(self) -> None:
         """An arm of one's own for everybody, with its planes, and its multivectors lit up."""
         for page in self.pages:
-            await page.give("My own arm", True)
+            await page.give("Use my own arm", True)
         await asyncio.sleep(3.0)
         for page in self.pages:
             await page.tell(tab=ALGEBRA)
-            await page.give("Light up", "tool motor")
+            await page.give("Highlight", "end-effector motor")
 
     async def play(self, everybody: int = 0) -> None:
         """Play on the shared arm, or on everybody's."""

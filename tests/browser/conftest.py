@@ -1,4 +1,4 @@
-"""A real headless Chromium, and windows of a served Helicoide in it."""
+"""A headless Chromium, and windows of a served Helicoide in it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FLAGS = (
     "--enable-unsafe-swiftshader",
 )
 SIZES = {"desk": (1280, 800), "phone": (390, 844), "laptop": (1366, 600), "projector": (1920, 1080)}
-PATIENCE_MS = 300_000  # what is slow is not wrong
+PATIENCE_MS = 300_000  # a slow machine must not fail a test
 expect.set_options(timeout=PATIENCE_MS)
 SLOW_GL_TOAST = "text=Software WebGL rendering detected"
 
@@ -36,7 +36,7 @@ OpenPage = Callable[..., Page]
 
 @pytest.fixture(scope="session", autouse=True)
 def patience() -> Iterator[None]:
-    """A slow machine may take longer than a second to bring a click to the lab; `tests/session` tests what is stale."""
+    """Accept old messages: on a slow machine a click may take more than a second. `tests/session` tests stale ones."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(link, "FRESH", PATIENCE_MS / 1000)
         yield
@@ -63,11 +63,10 @@ def window(
     path: str = "/",
     first: bool = False,
 ) -> Iterator[Page]:
-    """Open a window on a port: one of SIZES, a phone by touch, drawn, connected and free of toasts.
+    """Open a window on a port, with one of SIZES; it is drawn, connected and without notifications. A phone has touch.
 
-    first: whether this browser has never been here, so that a hint stands on the canvas.
-
-    What the page writes to its console, errors included, is added to the log.
+    first: whether this is the browser's first visit, so that the hint is shown; log: gets the lines of the page's
+    console, including errors.
     """
     lines = [] if log is None else log
     width, height = SIZES[size]
@@ -92,7 +91,7 @@ def window(
 
 @pytest.fixture
 def open_page(browser: Browser) -> Iterator[OpenPage]:
-    """Open windows that live for one test."""
+    """Opens windows that are closed at the end of the test."""
     with ExitStack() as windows:
         yield lambda *args, **options: windows.enter_context(window(browser, *args, **options))
 
@@ -107,7 +106,7 @@ def lab() -> Iterator[Lab]:
 
 @pytest.fixture(scope="module")
 def shared_page(browser: Browser, lab: Lab) -> Iterator[Page]:
-    """One window on it, in which the arm runs."""
+    """One window of the lab, after the kernels are compiled."""
     with window(browser, lab.port) as page:
         until(page, lambda: lab.session.ready, 300)
         yield page

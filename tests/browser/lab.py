@@ -1,4 +1,4 @@
-"""A running lab for tests that drive it through a real page and look at its state."""
+"""A running lab for tests that drive it through a page and read its state."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ def clearance(state: State) -> float:
 
 @dataclass
 class Lab:
-    """A lab with the Movemaster, and its shared arm.
+    """A lab with the Movemaster as its shared arm.
 
-    Since the last reset, seen at any tick: nearest: the smallest clearance, m; fastest: the fastest that a joint moved,
-    over its speed limit.
+    Over all watched ticks since the last reset, nearest: the smallest clearance, m; fastest: the largest joint speed,
+    divided by its limit.
     """
 
     session: Session
@@ -63,7 +63,7 @@ class Lab:
 
     @property
     def windows(self) -> list[Window]:
-        """Those in front of the shared arm, the newest last."""
+        """The windows that show the shared arm, the newest last."""
         return [] if self.session.shared.display is None else list(self.display.windows)
 
     @property
@@ -75,7 +75,7 @@ class Lab:
         return shapes.load_shapes(self.state.robot)
 
     def change(self, robot: str) -> None:
-        """Put another arm there without the page."""
+        """Load another robot without the page."""
         self.session.loop.call_soon_threadsafe(self.session.shared.arms.change, robot)
 
     @property
@@ -83,11 +83,11 @@ class Lab:
         return int(self.session.server.get_port())
 
     def post(self, update: Update) -> None:
-        """Wish something without the page, to arrange a test."""
+        """Apply an update without the page, to prepare a test."""
         self.cell.tell(update)
 
     def watch(self) -> None:
-        """Look at every tick from now on."""
+        """Record `nearest` and `fastest` at every tick from now on."""
         if self.cell.tick.__name__ == "watched":
             return
         tick = self.cell.tick
@@ -102,24 +102,24 @@ class Lab:
         self.cell.tick = watched  # type: ignore[method-assign]
 
     def reset(self, page: Page) -> None:
-        """The arm at `ready` inside the measured planes; what the page sent before counts no more."""
+        """Put the arm to `ready` inside the measured planes; a stop before that cancels earlier requests."""
         page.keyboard.press("Escape")
         until(page, lambda: self.state.request.command == HoldPosition(stopped=True))
         fresh = initial_state(self.state.robot)
         self.post(lambda state: replace(fresh, t=state.t))
         until(page, lambda: bool((self.state.arm.q == fresh.arm.q).all()))
-        page.wait_for_timeout(1000)  # controls that were touched are left alone for a moment, then follow
+        page.wait_for_timeout(1000)  # controls that were touched are not written for a moment
         self.nearest, self.fastest = np.inf, 0.0
 
     def ticks(self, page: Page, n: int) -> None:
-        """Let the arm live for n ticks."""
+        """Wait for n ticks, or until the arm is at rest."""
         end = self.cell.ticks + n
         self.cell.pause(False)
         until(page, lambda: self.cell.ticks >= end or self.cell.resting)
 
 
 def until(page: Page, condition: Callable[[], bool], seconds: float = 120.0) -> None:
-    """Wait for a condition, generously: what is slow is not wrong, what never comes must end."""
+    """Wait for a condition, with a long limit, since a slow machine must not fail a test."""
     end = monotonic() + seconds
     while monotonic() < end:
         if condition():
@@ -129,22 +129,22 @@ def until(page: Page, condition: Callable[[], bool], seconds: float = 120.0) -> 
 
 
 def opened() -> Lab:
-    """A lab that runs, on a free port."""
+    """A running lab on a free port."""
     session = Session(load_robot("movemaster"), None, None)
     session.open("127.0.0.1", 0)
     return Lab(session)
 
 
 def pixels(page: Page, point: Array | Sequence[float]) -> tuple[float, float]:
-    """Where a point of the world is on the page."""
+    """The position on the page, px, of a point (3,) of the world, m."""
     x, y = page.evaluate(PROJECT, [float(value) for value in point])
     return x, y
 
 
 def grab(lab: Lab, page: Page, start: Array, end: Array, steps: int = 15) -> None:
-    """Press on a handle of the scene and drag it to another point, without letting go.
+    """Press on a handle of the scene and drag it from `start` to `end`, (3,), m, without a release.
 
-    A page that draws slowly may not have noticed yet what is under the pointer: the press is then tried again.
+    The press is repeated if a slow page has not found the handle under the pointer yet.
     """
     for _ in range(20):
         page.mouse.move(*pixels(page, start))
@@ -162,7 +162,7 @@ def grab(lab: Lab, page: Page, start: Array, end: Array, steps: int = 15) -> Non
 
 
 def status(page: Page) -> str:
-    """The status line."""
+    """The text of the status line."""
     return page.locator("#helicoide-status").inner_text()
 
 
@@ -172,7 +172,7 @@ def tab(page: Page, name: str) -> None:
 
 
 def speak(lab: Lab, page: Page, language: Language) -> None:
-    """Let the newest window speak a language."""
+    """Set the language of the newest window."""
     until(page, lambda: bool(lab.session.visitors))
     visitor = list(lab.session.visitors.values())[-1]
     lab.session.loop.call_soon_threadsafe(visitor.reseat, lambda seat: replace(seat, language=language))
@@ -190,5 +190,5 @@ def box(page: Page, index: int, value: str) -> None:
 
 
 def press(page: Page, name: str) -> None:
-    """Press the button of that name."""
+    """Press the button with that name."""
     page.get_by_role("button", name=name, exact=True).click()

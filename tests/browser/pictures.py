@@ -23,7 +23,7 @@ SETTLING_MS = 2_500  # software rendering draws a few frames a second
 
 @contextmanager
 def served() -> Iterator[str]:
-    """The address of a lab of its own."""
+    """Start a lab in another process; gives its address."""
     command = [sys.executable, "-m", "helicoide", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, encoding="utf-8") as server:
         assert server.stdout is not None
@@ -35,7 +35,7 @@ def served() -> Iterator[str]:
 
 @contextmanager
 def opened(address: str) -> Iterator[Page]:
-    """A window of the size of a desk's screen, free of toasts, its arm ready."""
+    """A window of size `desk`, without notifications, with the arm ready."""
     found = next(filter(None, map(shutil.which, CHROMIUMS)), None)
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=found, headless=True, args=FLAGS)
@@ -55,7 +55,7 @@ def tab(page: Page, name: str) -> None:
 
 
 def ask_for(page: Page, millimetres: tuple[int, int, int]) -> None:
-    """Type the place of the target into the three boxes of the Robot tab."""
+    """Type the position of the target, mm, into the three boxes of the Robot tab."""
     boxes = page.get_by_text("x y z [mm]", exact=True).locator("xpath=following::input[@inputmode='decimal']")
     for box, value in enumerate(millimetres):
         boxes.nth(box).fill(str(value))
@@ -63,13 +63,13 @@ def ask_for(page: Page, millimetres: tuple[int, int, int]) -> None:
 
 
 def light_up(page: Page, reading: str) -> None:
-    """Choose what the Algebra tab shows large, and the scene lit up."""
-    page.get_by_label("Light up").click()
+    """Choose the multivector that the Algebra tab and the scene highlight."""
+    page.get_by_label("Highlight").click()
     page.get_by_role("option", name=reading).click()
 
 
 def take_the_lab() -> None:
-    """The target above the ceiling: the arm held 80 mm below it, the reason in words, the plane as a multivector."""
+    """The target above the ceiling: the arm stops 80 mm below it, the status says why, the plane is highlighted."""
     PICTURE.parent.mkdir(exist_ok=True)
     with served() as address, opened(address) as page:
         tab(page, "Robot")

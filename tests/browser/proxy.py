@@ -1,4 +1,4 @@
-"""A proxy that has the lab behind a sub-path, as an institution's server would."""
+"""A proxy that serves the lab under a sub-path, as the server of an institution may do."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ async def _pass_on(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -
 
 @contextmanager
 def behind(port: int) -> Iterator[int]:
-    """Serve a port under PREFIX on another one, whose number it gives; the host is handed on as it came."""
+    """Serve a port under PREFIX on another port, whose number it gives. The Host header is passed on unchanged."""
 
     async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         with suppress(ConnectionError, asyncio.IncompleteReadError):

@@ -1,4 +1,4 @@
-"""The contact sheet of the README: every arm at `ready`, from the running app; its layout, which the tests read too."""
+"""The contact sheet of the README: every arm at `ready`, from the running app. Tests use its layout too."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ def names() -> list[str]:
 
 
 def corner(index: int) -> tuple[int, int]:
-    """Left and upper edge of the cell of an arm."""
+    """Left and upper edge of the cell of an arm, px."""
     return (index % COLUMNS) * CELL, (index // COLUMNS) * (CELL + LABEL)
 
 
 def close_up(lab: Lab) -> tuple[Array, Array]:
-    """From where an arm fills its cell, and where to: a step nearer than it is seen first, and on its middle."""
+    """Camera position and look-at point, (3,) m each: as `outlook`, but centred and near, so the arm fills a cell."""
     position, look_at = outlook(lab.state.robot)
     edges = [placed(lab.state, shape) for shape in lab.shapes if len(shape.edges)]
     points = np.concatenate(edges)
@@ -49,18 +49,18 @@ def close_up(lab: Lab) -> tuple[Array, Array]:
 
 
 def placed(state: State, shape: Shape) -> Array:
-    """The ends of the edges of a shape where it stands, (e, 3), m."""
+    """The end points of the edges of a shape in the world, (2e, 3), m."""
     T = state.arm.poses[shape.link] @ shape.T_link_shape
     return np.asarray(shape.edges.reshape(-1, 3) @ T[:3, :3].T + T[:3, 3])
 
 
 def picture(lab: Lab, page: Page, name: str) -> Image.Image:
-    """One arm, alone in its scene."""
+    """The picture of one arm, alone in its scene."""
     session = lab.session
 
     def arrange() -> None:
         (window,) = lab.windows
-        window.clear()  # the arm is everybody's; what is this window's own, its handles among it, would be drawn again
+        window.clear()  # only the window's own layers, such as handles; the arm is in the shared scene
         window.client.camera.position, window.client.camera.look_at = close_up(lab)
         window.client.flush()
 
@@ -78,7 +78,7 @@ def picture(lab: Lab, page: Page, name: str) -> Image.Image:
 
 
 def sheet(pictures: dict[str, Image.Image]) -> Image.Image:
-    """All arms in rows, each with its title under it."""
+    """All pictures in rows, each with the title of its arm below."""
     width, height = COLUMNS * CELL, corner(len(pictures) - 1)[1] + CELL + LABEL
     page = Image.new("RGB", (width, height), "white")
     for index, (name, shown) in enumerate(pictures.items()):
@@ -90,7 +90,7 @@ def sheet(pictures: dict[str, Image.Image]) -> Image.Image:
 
 
 def fitting(title: str) -> ImageFont.FreeTypeFont:
-    """The letters in which a title stays within its cell."""
+    """The largest font in which a title fits into its cell."""
     sizes = (ImageFont.load_default(size) for size in range(TITLE_SIZE, 0, -1))
     return next(font for font in sizes if font.getlength(title) <= CELL - 8)  # type: ignore[union-attr]
 
@@ -111,7 +111,7 @@ def main() -> None:
 
 
 def cells(path: Path = PICTURE) -> dict[str, Array]:
-    """The cells of the committed sheet by name, grey."""
+    """The cells of the committed sheet by name, as grey values."""
     whole = np.asarray(Image.open(path).convert("L"), dtype=np.float64)
     found = {}
     for index, name in enumerate(names()):

@@ -1,4 +1,4 @@
-"""What a newcomer adds with `helicoide new` stands in the lists of the page, in both languages."""
+"""What is added with `helicoide new` appears in the lists of the page, in both languages."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TITLES: dict[str, dict[Language, str]] = {
 
 @pytest.fixture(scope="module")
 def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
-    """A server of a copy with all additions, with the arm from outside the repository in front."""
+    """The port of a server that runs a copy with all additions, with the arm from outside the repository."""
     copy = with_additions(tmp_path_factory.mktemp("copy"))
     command = copy.command("serve", "--robot", "stranger_outside", "--port", "0")
     with subprocess.Popen(command, cwd=copy.root, env=copy.environment, stdout=subprocess.PIPE, text=True) as server:
@@ -47,6 +47,6 @@ def test_all_additions_are_in_the_lists(browser: Browser, port: int, language: L
             page.get_by_role("tab", name=found[kind].TITLE[language]).click()
             label = page.get_by_label(first.label[language], exact=True)
             page.locator("input[role=combobox]:visible").and_(label).click()
-            title = TITLES[kind][language].format(name)  # of a study it follows its source
+            title = TITLES[kind][language].format(name)  # the title of a study follows its source
             page.get_by_role("option", name=re.compile(f"{re.escape(title)}$")).wait_for()
             page.keyboard.press("Escape")

@@ -1,4 +1,4 @@
-"""Every arm that is shipped, on the page: chosen from the list, drawn, moved by a number and by the gizmo."""
+"""Every shipped arm on the page: chosen from the list, drawn, moved by a number box and by the gizmo."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from helicoide.state import State
 from helicoide.view.layers import DRAWN_FOR
 from helicoide.view.layers.arm import ArmLayer
 
-ARROW = 0.22  # on an arrow of the target gizmo of an arm that reaches DRAWN_FOR, m from its centre
+ARROW = 0.22  # m, from the centre of the target gizmo to a point on its arrow, for an arm with reach DRAWN_FOR
 DRAWN = 1500  # pixels that even the thinnest arm covers
 NAMES = sorted(content.content_folders("robots"))
 
@@ -33,7 +33,7 @@ def page(shared_page: Page) -> Page:
 
 @pytest.fixture(scope="module", params=NAMES)
 def arm(request: pytest.FixtureRequest, lab: Lab, page: Page) -> State:
-    """The page with an arm of its list; the state at `ready`, from which its tests then move on."""
+    """Choose an arm of the list on the page; the state at `ready`, from which its tests start in turn."""
     name: str = request.param
     page.get_by_label("Arm", exact=True).click()
     page.get_by_role("option", name=robot_titles()[name].en, exact=True).click()
@@ -48,7 +48,7 @@ def nodes(lab: Lab) -> list[str]:
 
 
 def canvas(page: Page) -> Array:
-    """The scene as it is drawn, grey."""
+    """The drawn scene as grey values."""
     picture = Image.open(io.BytesIO(page.locator("canvas").first.screenshot())).convert("L")
     return np.asarray(picture, dtype=np.float64)
 
@@ -62,7 +62,7 @@ def arm_layer(lab: Lab) -> ArmLayer:
 
 
 def position(page: Page, node: str) -> list[float]:
-    """Where the browser has a node, m."""
+    """The position of a node in the browser, m."""
     return list(page.evaluate("(n) => window.__viserMutable.nodeRefFromName[n].position.toArray()", node))
 
 
@@ -105,7 +105,10 @@ def test_a_number_moves_its_joint(lab: Lab, page: Page, arm: State) -> None:
 
 
 def way(page: Page, state: State) -> tuple[Array, Array]:
-    """The arrow of the gizmo that is longest on the screen among those along which the arm can follow, and the way."""
+    """From the tool to a point on an arrow of the gizmo, and a displacement along that arrow, (3,) m each.
+
+    The arrow is the longest one on the screen among those along which the arm can follow.
+    """
     T, length = state.T_world_tool, 0.06 * state.robot.reach
     best: tuple[float, Array, Array] | None = None
     for axis in range(3):

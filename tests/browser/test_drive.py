@@ -1,4 +1,4 @@
-"""The main job in a real browser: drag the target and the planes; the arm follows, and holds its distance."""
+"""Drags of the target and of planes in a browser: the arm follows, and keeps its distance from planes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from helicoide.arrays import Array
 from helicoide.command import HoldPosition, MoveToPose
 
 CRITICAL = 0.080
-ARROW = 0.22  # on an arrow of the target gizmo, m from its centre
+ARROW = 0.22  # m, from the centre of the target gizmo to a point on its arrow
 
 
 @pytest.fixture
@@ -29,7 +29,7 @@ def page(browser: Browser, lab: Lab) -> Iterator[Page]:
 
 
 def wished(lab: Lab) -> Array:
-    """Where the target is, (3,), m."""
+    """The position of the target, (3,), m; NaN without a target."""
     return (
         lab.state.request.command.T_world_target[:3, 3]
         if isinstance(lab.state.request.command, MoveToPose)
@@ -114,7 +114,7 @@ def test_the_gizmo_moves_by_touch(lab: Lab, browser: Browser) -> None:
     with window(browser, lab.port, "phone") as page:
         until(page, lambda: lab.session.ready, 300)
         lab.reset(page)
-        page.locator("text=Helicoide").first.tap()  # fold the panel away
+        page.locator("text=Helicoide").first.tap()  # fold the panel
         page.wait_for_timeout(1000)
         T = lab.state.T_world_tool
         start, along = T[:3, 3], T[:3, 2]

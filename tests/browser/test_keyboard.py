@@ -1,4 +1,4 @@
-"""By keyboard alone: everything has a name and can be reached, arrow keys move joints and the target, Escape stops."""
+"""Keyboard use: all controls have names and can be reached, arrow keys move joints and the target, Escape stops."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def page(shared_page: Page, lab: Lab) -> Page:
 
 
 def asked(lab: Lab) -> float:
-    """How far along x the target is, mm."""
+    """The x coordinate of the target, mm; NaN without a target."""
     command = lab.state.request.command
     return 1000 * float(command.T_world_target[0, 3]) if isinstance(command, MoveToPose) else np.nan
 
@@ -42,7 +42,7 @@ def test_every_control_has_a_name_and_every_folder_is_a_tab_stop(lab: Lab, page:
         speak(lab, page, language)
         for panel in panels.all_panels():
             tab(page, panel.TITLE[language])
-            page.wait_for_timeout(700)  # names are given a moment after the rows are there
+            page.wait_for_timeout(700)  # names are set a moment after the rows are added
             assert page.evaluate(NAMELESS) == [], (language, panel.TITLE.en)
             assert page.evaluate(UNREACHABLE) == []
 

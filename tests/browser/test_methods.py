@@ -1,4 +1,4 @@
-"""The Method tab in a real page: another method under the hand, its settings, an objective, a second arm beside."""
+"""The Method tab on a page: a change of method during a drag, settings, an objective, a compared arm."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def page(shared_page: Page, lab: Lab) -> Page:
 
 
 def choose(page: Page, label: str, option: str) -> None:
-    """Choose from a list of the tab that is open."""
+    """Choose an option from a list of the open tab."""
     page.locator("input[role=combobox]:visible").and_(page.get_by_label(label, exact=True)).click()
     page.get_by_role("option", name=option, exact=True).click()
 
 
 def by_palette(page: Page, words: str) -> None:
-    """Choose a command with the keyboard alone, as one can with the pointer on a handle."""
+    """Choose a command with the keyboard, which is possible during a drag."""
     page.keyboard.press("Control+K")
     asked = page.get_by_placeholder("Search commands...")
     asked.wait_for()
@@ -42,7 +42,7 @@ def by_palette(page: Page, words: str) -> None:
 
 
 def reads(page: Page, title: str) -> list[str]:
-    """What the table says of a quantity, for each arm."""
+    """The values of a quantity in the table, one for each arm."""
     row = page.locator(".helicoide-instruments tr").filter(has_text=title)
     return [] if row.count() == 0 else row.first.locator("td").all_inner_texts()[1:]
 
@@ -76,7 +76,7 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
     choose(page, "Method", "damped least squares")
     damping = page.get_by_role("slider", name="damping λ")
     damping.focus()
-    page.keyboard.press("End")  # ten to the power of what the slider says, in mm/rad
+    page.keyboard.press("End")  # the slider's value is the exponent of ten, in mm/rad
     until(page, lambda: damping.get_attribute("aria-valuenow") == damping.get_attribute("aria-valuemax"))
     shown = 10 ** float(damping.get_attribute("aria-valuenow") or "nan")
     until(
@@ -96,7 +96,7 @@ def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
     until(page, lambda: lab.state.request.controller.secondary is not None)
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3], [1, 0, 0, 0]))
     q, tool = lab.state.arm.q, lab.state.T_world_tool[:3, 3]
-    page.get_by_label("weights grow at limits").click()
+    page.get_by_label("adapt weights near joint limits").click()
     lab.post(gate.weigh_objective(50.0))
     until(page, lambda: bool(np.abs(lab.state.arm.q - q).max() > 0.05))
     assert np.linalg.norm(lab.state.T_world_tool[:3, 3] - tool) < 1e-3
@@ -106,18 +106,18 @@ def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
 
 
 def test_two_methods_follow_the_same_target_side_by_side(lab: Lab, page: Page) -> None:
-    choose(page, "Side by side with", "Jacobian transpose")
+    choose(page, "Compare with", "Jacobian transpose")
     until(page, lambda: lab.state.compared is not None and bool(page.evaluate(OUTLINE_SHOWN)))
     lab.post(gate.set_target(lab.state.T_world_tool[:3, 3] + [0.0, 0.12, 0.0], [1, 0, 0, 0]))
-    until(page, lambda: len(reads(page, "to the target")) == 2)
-    until(page, lambda: reads(page, "to the target")[0] != reads(page, "to the target")[1])
-    choose(page, "Side by side with", "none")
+    until(page, lambda: len(reads(page, "position error")) == 2)
+    until(page, lambda: reads(page, "position error")[0] != reads(page, "position error")[1])
+    choose(page, "Compare with", "none")
     until(page, lambda: lab.state.compared is None and not page.evaluate(OUTLINE_SHOWN))
 
 
 def test_what_holds_the_arm_is_named_and_a_method_that_does_not_apply_says_why(lab: Lab, page: Page) -> None:
     lab.post(gate.set_target([0.6, 0.0, 0.9], [1, 0, 0, 0]))
-    until(page, lambda: "plane +z" in " ".join(reads(page, "held by")))
+    until(page, lambda: "plane +z" in " ".join(reads(page, "limited by")))
     choose(page, "Method", "inverse")
     until(page, lambda: "rows" in status(page) and "joints" in status(page))
     page.get_by_text("About the method", exact=True).click()
@@ -132,9 +132,9 @@ def test_the_tab_in_portuguese(lab: Lab, page: Page) -> None:
     choose(page, "Método", "inversa filtrada")
     until(page, lambda: lab.state.request.controller.method == "filtered")
     said = page.locator("body").inner_text()
-    for word in ("Ajustes", "Ganhos", "Objetivo secundário", "Lado a lado com", "número de condição", "retido por"):
+    for word in ("Ajustes", "Ganhos", "Objetivo secundário", "Comparar com", "número de condição", "limitado por"):
         assert word in said, word
-    for english in ("Settings", "Gains", "Side by side", "condition number", "held by", "It promises"):
+    for english in ("Settings", "Gains", "Compare with", "condition number", "limited by", "Guarantees"):
         assert english not in said, english
     page.get_by_label("Idioma · Language").click()
     page.get_by_role("option", name="English").click()

@@ -1,4 +1,4 @@
-"""What must hold on any page: Stop in reach, the status line in its language, nothing foreign, no scrolling."""
+"""What must hold on any page: Stop can be reached, the status line has the right language, no foreign content."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ LONG = Text(
 )
 TALL = r"\left(\begin{matrix}\cos\theta & -\sin\theta \\ \sin\theta & \cos\theta\end{matrix}\right) \sum_{i=1}^n q_i"
 
-# Does an element lie within the window, with all that it holds?
+# Whether an element and its content lie within the window.
 IN_VIEW = """(id) => {
   const outer = document.getElementById(id), box = outer.getBoundingClientRect();
   const fits = (b) => b.left >= 0 && b.top >= 0 && b.right <= innerWidth && b.bottom <= innerHeight;
   return fits(box) && outer.scrollWidth <= outer.clientWidth && outer.scrollHeight <= outer.clientHeight;
 }"""
 
-# For points of an element's box: is the element on top there, and what lies beneath it?
+# For points of an element's box: whether the element is on top there, and the tag of what is below it.
 LAYERS = """(id) => {
   const box = document.getElementById(id).getBoundingClientRect();
   const at = (x, y) => document.elementsFromPoint(box.left + x * box.width, box.top + y * box.height);
@@ -57,7 +57,7 @@ def stops() -> list[bool]:
 
 @pytest.fixture(scope="module")
 def control(stops: list[bool]) -> ControlChannel:
-    """As the lab's: every page is told of a stop, and lets its hand go."""
+    """A channel like the lab's: after a stop, every page gets a fence."""
 
     def stopped(key: str | None, closing: bool) -> None:
         stops.append(True)
@@ -76,7 +76,7 @@ def server(control: ControlChannel) -> Iterator[viser.ViserServer]:
 
 
 def open_lab(control: ControlChannel, port: int = 0) -> viser.ViserServer:
-    """Serve a scene and a panel in every window."""
+    """Serve a page with a scene and a panel."""
     served = serve("127.0.0.1", port, STATIC, {PATH: control.serve})
     served.gui.set_panel_label(LABEL)
     served.scene.configure_default_lights(cast_shadow=False)
@@ -123,7 +123,7 @@ def page(request: pytest.FixtureRequest, browser: Browser, server: viser.ViserSe
 
 
 def press(page: Page, target: Locator) -> None:
-    """Press as a person does: by finger on a phone, else with the mouse."""
+    """Tap on a phone, otherwise click."""
     target.tap() if page.evaluate("navigator.maxTouchPoints") else target.click()
 
 
@@ -134,7 +134,7 @@ def fold(page: Page) -> None:
 
 
 def fires(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
-    """Say whether an act reached on_stop, once."""
+    """Whether an action called `on_stop` exactly once."""
     before = len(stops)
     act()
     until(page, lambda: len(stops) > before)
@@ -143,7 +143,7 @@ def fires(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
 
 
 def stays(page: Page, stops: list[bool], act: Callable[[], object]) -> bool:
-    """Say whether an act reached on_stop not at all."""
+    """Whether an action did not call `on_stop`."""
     before = len(stops)
     act()
     page.wait_for_timeout(500)
@@ -155,7 +155,8 @@ def test_stop_and_status_are_in_view_and_cover_no_control(
 ) -> None:
     say(server, control, Notice("pt_BR", LONG, "blocked"))
     expect(page.locator("#helicoide-status")).to_have_text(LONG.pt_BR)
-    page.add_style_tag(content="#helicoide-status { pointer-events: auto !important }")  # else it is not hit
+    # without pointer events, `elementsFromPoint` skips the status line
+    page.add_style_tag(content="#helicoide-status { pointer-events: auto !important }")
     for _ in ("open", "folded"):
         for name in ("helicoide-stop", "helicoide-status"):
             assert page.evaluate(IN_VIEW, name)
@@ -253,7 +254,7 @@ def test_a_lost_server_is_told_and_a_stop_outlives_it(
 
 
 def test_a_stuck_server_is_told(control: ControlChannel, open_page: OpenPage) -> None:
-    """It is stuck until the page has said so: a slow page would not see a pause that ends by itself."""
+    """The server is stuck until the page shows it: a slow page might miss a pause of fixed length."""
     served, seen = open_lab(control), Event()
     try:
         page = open_page(served.get_port())

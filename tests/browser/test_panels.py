@@ -1,4 +1,4 @@
-"""Everything on the panels works through the page alone, in both languages, on a desk and on a phone."""
+"""The controls of the panels work on the page, in both languages, on a desktop screen and on a phone."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_park_and_ready(lab: Lab, page: Page) -> None:
     until(page, lambda: lab.state.arm.parked and lab.state.request.command == HoldPosition())
     assert np.array_equal(lab.state.arm.q, lab.state.robot.poses["home"])
     until(page, lambda: "Parked" in status(page))
-    press(page, "Ready")
+    press(page, "Ready pose")
     until(page, lambda: not lab.state.arm.parked and lab.state.request.command == HoldPosition())
     assert np.allclose(lab.state.arm.q, lab.state.robot.poses["ready"], atol=2e-3)
 
@@ -83,10 +83,10 @@ def test_the_target_by_numbers_with_and_without_orientation(lab: Lab, page: Page
     box(page, 7, "120")
     until(page, lambda: abs(lab.state.T_world_tool[1, 3] - 0.12) < 1e-3)
     until(page, lambda: "orientation" in status(page))
-    page.get_by_label("Hold the orientation").click()
+    page.get_by_label("Keep orientation").click()
     until(page, lambda: not lab.state.request.with_orientation)
-    until(page, lambda: "At the goal" in status(page))
-    page.get_by_label("Hold the orientation").click()
+    until(page, lambda: "Goal reached" in status(page))
+    page.get_by_label("Keep orientation").click()
     until(page, lambda: lab.state.request.with_orientation)
 
 
@@ -119,16 +119,16 @@ def test_stop_stops_the_moving_arm(lab: Lab, page: Page, way: str) -> None:
     lab.ticks(page, 50)
     assert (lab.state.arm.q == q).all()
     until(page, lambda: "Stopped" in status(page))
-    press(page, "Ready")
+    press(page, "Ready pose")
     until(page, lambda: lab.state.request.command != HoldPosition(stopped=True))
 
 
 def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
     tab(page, "Algebra")
     page.locator("math").first.wait_for()
-    motor = page.locator(".helicoide-reading").filter(has_text="tool motor").locator(".helicoide-grid")
+    motor = page.locator(".helicoide-reading").filter(has_text="end-effector motor").locator(".helicoide-grid")
     before = motor.inner_text()
-    page.get_by_label("Light up").click()
+    page.get_by_label("Highlight").click()
     page.get_by_role("option", name="axis of joint 3 (elbow)").click()
     shown = "() => window.__viserMutable.nodeRefFromName['/lit/lines'].visible"
     until(page, lambda: bool(page.evaluate(shown)))
@@ -138,8 +138,8 @@ def test_the_multivectors_live_and_light_up(lab: Lab, page: Page) -> None:
     until(page, lambda: abs(degrees(lab, 1) - 35) < 0.01)
     tab(page, "Algebra")
     until(page, lambda: motor.inner_text() != before)
-    page.get_by_label("Light up").click()
-    page.get_by_role("option", name="nothing").click()
+    page.get_by_label("Highlight").click()
+    page.get_by_role("option", name="none").click()
     until(page, lambda: not page.evaluate(shown))
 
 
@@ -158,14 +158,14 @@ def test_the_language_switches_every_word_of_ours(lab: Lab, page: Page) -> None:
     portuguese = words()
     assert page.locator("html").get_attribute("lang") == "pt-BR"
     for english in (
-        "Ready",
+        "Ready pose",
         "Park (planes off)",
         "Joints",
         "Gripper",
         "Target",
         "Play",
         "Stop motion",
-        "Light up",
+        "Highlight",
         "Lesson",
     ):
         assert english not in portuguese, english
@@ -176,7 +176,7 @@ def test_the_language_switches_every_word_of_ours(lab: Lab, page: Page) -> None:
         "Parar o movimento",
         "Destacar",
         "Estacionar (sem planos)",
-        "Retas das juntas",
+        "Eixos helicoidais das juntas",
     ):
         assert word in portuguese, word
     page.get_by_label("Idioma · Language").click()
@@ -191,8 +191,8 @@ def test_the_lesson_by_the_page_alone_and_after_a_reload(lab: Lab, page: Page) -
     page.get_by_role("option", name="Drive the arm").click()
     press(page, "Hint")
     page.locator(".helicoide-lesson blockquote").wait_for()
-    until(page, lambda: "Not there yet" in page.locator(".helicoide-verdict").inner_text())
-    elbow = page.locator("input.mantine-NumberInput-input:visible")  # the step brings its slider along
+    until(page, lambda: "Step not completed" in page.locator(".helicoide-verdict").inner_text())
+    elbow = page.locator("input.mantine-NumberInput-input:visible")  # the slider of the step
     elbow.fill("-100")
     elbow.press("Enter")
     until(page, lambda: not lab.state.arm.moving and abs(degrees(lab, 2) + 100) < 1)
@@ -209,7 +209,7 @@ def test_the_lesson_by_the_page_alone_and_after_a_reload(lab: Lab, page: Page) -
     assert page.locator(".helicoide-lesson h3").inner_text().startswith("2.")
     assert page.locator(".helicoide-dots .done").count() == 1
     page.get_by_role("combobox").nth(1).click()
-    page.get_by_role("option", name="Free play").click()
+    page.get_by_role("option", name="Explore freely").click()
 
 
 @pytest.mark.parametrize("language", ["en", "pt_BR"])
@@ -245,9 +245,9 @@ def test_the_page_is_up_before_the_kernels_are_compiled(browser: Browser, tmp_pa
         port = int(lab.stdout.readline().rsplit(":", 1)[1])
         try:
             with window(browser, port, locale="pt-BR") as page:
-                until(page, lambda: "Preparando os kernels" in status(page))
+                until(page, lambda: "Compilando kernels" in status(page))
                 until(page, lambda: bool(page.evaluate("'/arm/waist' in window.__viserMutable.nodeRefFromName")))
-                until(page, lambda: "Preparando" not in status(page), 600)
+                until(page, lambda: "Compilando" not in status(page), 600)
                 assert status(page).startswith("Pronto")
             assert any(tmp_path.rglob("*.guarded.guarded_tick-*")), "it will not be compiled a second time"
         finally:
@@ -262,12 +262,12 @@ def test_a_wish_out_of_reach_says_by_how_much(lab: Lab, page: Page) -> None:
 
 
 def test_the_postures_of_the_target_are_listed_and_one_of_them_is_gone_to(lab: Lab, page: Page) -> None:
-    """The Movemaster has two at `ready`: the second is outside its limits, which the status line says."""
+    """The Movemaster has two postures at `ready`. The second is outside its limits, which the status line says."""
     page.get_by_text("Postures for the target", exact=True).click()
-    press(page, "List the postures")
+    press(page, "List postures")
     rows = page.locator(".helicoide-postures li")
     rows.nth(1).wait_for()
-    until(page, lambda: "the arm is here" in rows.nth(0).inner_text())
+    until(page, lambda: "current posture" in rows.nth(0).inner_text())
     assert "outside the joint limits" in rows.nth(1).inner_text()
     for place in (1, 0):
         name = rows.nth(place).locator("b").inner_text()

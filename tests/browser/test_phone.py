@@ -1,4 +1,4 @@
-"""By finger on a phone: lists open where they can be read and chosen from, and Stop stays where it is."""
+"""Touch on a phone: lists open within the screen, options can be chosen, and Stop stays in view."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def page(browser: Browser, lab: Lab) -> Iterator[Page]:
 
 
 def in_view(element: Locator) -> bool:
-    """Whether all of an element lies on the screen; a page that grew wider than the screen does not count."""
+    """Whether an element is entirely within the screen size, even if the page is wider than the screen."""
     spot = element.bounding_box()
     width, height = SIZES["phone"]
     if spot is None:
@@ -28,7 +28,7 @@ def in_view(element: Locator) -> bool:
 
 
 def choose(page: Page, label: str, option: str) -> None:
-    """Open a list and choose from it, while Stop stays in view."""
+    """Open a list and choose an option, and check that Stop stays in view."""
     page.locator("input[role=combobox]:visible").and_(page.get_by_label(label, exact=True)).tap()
     wanted = page.get_by_role("option", name=option, exact=True)
     wanted.wait_for()
@@ -47,7 +47,7 @@ def test_a_lesson_is_chosen_by_finger(page: Page) -> None:
 
 def test_a_multivector_is_chosen_by_finger(page: Page) -> None:
     page.get_by_role("tab", name="Algebra").tap()
-    choose(page, "Light up", "tool motor")
+    choose(page, "Highlight", "end-effector motor")
     page.locator(".helicoide-lit").wait_for()
     until(page, lambda: bool(page.evaluate("window.__viserMutable.nodeRefFromName['/lit/frame'].visible")))
 

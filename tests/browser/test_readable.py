@@ -1,4 +1,4 @@
-"""Every tab can be read and pressed: on a projector, a small laptop and a phone, in both languages."""
+"""Every tab is legible and usable: on a projector, a small laptop and a phone, in both languages."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
         speak(lab, page, language)
         for panel in panels.all_panels():
             tab(page, panel.TITLE[language])
-            page.wait_for_timeout(600)  # formulas are fitted to the panel a moment after they are written
+            page.wait_for_timeout(600)  # formulas are fitted to the panel with a delay
             if findings := page.evaluate(FINDINGS, touch):
                 found[language, panel.TITLE[language]] = findings
     assert not found
@@ -58,5 +58,5 @@ def test_what_a_lesson_needs_is_in_view_without_scrolling(lab: Lab, browser: Bro
         until(page, lambda: page.evaluate(AT, [*pixels(page, lab.state.T_world_tool[:3, 3])]) == "CANVAS")
         tab(page, "Lesson")
         page.get_by_role("combobox").nth(1).click()
-        page.get_by_role("option", name="Free play").click()
+        page.get_by_role("option", name="Explore freely").click()
         expect(page.locator(".helicoide-lesson")).to_have_count(0)

@@ -1,4 +1,4 @@
-"""A study on a real page: chosen, run, read beside the source, compared, played on the arm with its charts."""
+"""A study on a page: chosen, run, compared with the source and with a previous run, replayed on the arm."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
     until(page, lambda: not desk(lab).short)
     page.get_by_role("button", name="Run", exact=True).click()
     until(page, lambda: desk(lab).progress is not None)
-    page.get_by_role("button", name="End the run").click()
+    page.get_by_role("button", name="End run").click()
     until(page, lambda: desk(lab).progress is None)
     page.get_by_label("Quick run").click()
     until(page, lambda: desk(lab).short)
@@ -71,13 +71,13 @@ def test_a_run_can_be_ended(lab: Lab, page: Page) -> None:
 
 @pytest.fixture(scope="module")
 def runs() -> tuple[CompletedRun, ...]:
-    """Of a study with long words and numbers as small as 1e-14, and of one whose curves turn back."""
+    """Runs of a study with long texts and numbers as small as 1e-14, and of one whose curves are not functions of x."""
     found = {name: studies.study_named(name) for name in ("coutinho_s1", "cerbaro_confined_line")}
     return tuple(CompletedRun(n, s.Options(), True, s.run(s.Options(), True, lambda _: None)) for n, s in found.items())
 
 
 def show(lab: Lab, page: Page, run: CompletedRun, compared: bool) -> None:
-    """Put a run on the desk of the newest window, and wait until it is all there."""
+    """Show a run in the study panel of the newest window, and wait until it is complete."""
     place = list(lab.session.visitors.values())[-1].place
     put = StudyPanelState(study=run.study, last=run, previous=run, compares_previous=compared)
     lab.session.loop.call_soon_threadsafe(lab.session.studies._put, place, put)

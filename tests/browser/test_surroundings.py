@@ -1,4 +1,4 @@
-"""Obstacles and the entry point on a real page: put there, dragged, read off, taken away."""
+"""Obstacles and the entry point on a page: added, dragged, read, removed."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def change(lab: Lab, page: Page, name: str) -> None:
 def test_a_sphere_is_added_dragged_and_taken_away(lab: Lab, page: Page) -> None:
     change(lab, page, "puma560")
     page.get_by_text("Obstacles", exact=True).click()
-    page.get_by_role("button", name="Add a sphere").click()
+    page.get_by_role("button", name="Add sphere").click()
     until(page, lambda: len(lab.state.problem.obstacles.radii) == 1 and page.evaluate(SHOWN, "/obstacles/0"))
     centre = lab.state.problem.obstacles.ends[0, 0]
     scale = lab.state.robot.reach / 0.82
@@ -46,15 +46,15 @@ def test_a_sphere_is_added_dragged_and_taken_away(lab: Lab, page: Page) -> None:
     until(page, lambda: "obstacle 1" in page.locator(".helicoide-instruments").inner_text())
     assert apart(lab.state) >= -1e-9
     tab(page, "Robot")
-    page.get_by_role("button", name="Take sphere 1 away").click()
+    page.get_by_role("button", name="Remove sphere 1").click()
     until(page, lambda: not lab.state.problem.obstacles.radii.size and not page.evaluate(SHOWN, "/obstacles/0"))
     page.get_by_text("Obstacles", exact=True).click()
 
 
 def test_the_instrument_is_kept_in_its_entry_point_by_a_method_of_the_source(lab: Lab, page: Page) -> None:
     change(lab, page, "dia10")
-    page.get_by_text("Entry point (remote centre of motion)", exact=True).click()
-    page.get_by_label("Keep the instrument in the entry point").click()
+    page.get_by_text("Entry point (remote centre of motion, RCM)", exact=True).click()
+    page.get_by_label("Enforce the RCM").click()
     until(page, lambda: lab.state.problem.entry is not None and page.evaluate(SHOWN, "/entry"))
     lab.post(gate.choose_method("pseudoinverse"))
     T = lab.state.T_world_tool
@@ -64,14 +64,14 @@ def test_the_instrument_is_kept_in_its_entry_point_by_a_method_of_the_source(lab
     until(page, lambda: not lab.state.arm.moving)
     assert beside(lab.state) < 1e-5
     tab(page, "Method")
-    until(page, lambda: "beside the entry point" in page.locator(".helicoide-instruments").inner_text())
-    assert "manipulability beyond it" in page.locator(".helicoide-instruments").inner_text()
+    until(page, lambda: "distance to the entry point" in page.locator(".helicoide-instruments").inner_text())
+    assert "manipulability beyond the entry point" in page.locator(".helicoide-instruments").inner_text()
     tab(page, "Robot")
-    page.get_by_label("Keep the instrument in the entry point").click()
+    page.get_by_label("Enforce the RCM").click()
     until(page, lambda: lab.state.problem.entry is None and not page.evaluate(SHOWN, "/entry"))
 
 
 def test_an_arm_without_an_instrument_has_no_entry_point(lab: Lab, page: Page) -> None:
     change(lab, page, "movemaster")
-    until(page, lambda: page.get_by_text("Entry point (remote centre of motion)").count() == 0)
+    until(page, lambda: page.get_by_text("Entry point (remote centre of motion, RCM)").count() == 0)
     assert page.get_by_text("Obstacles", exact=True).count() == 1

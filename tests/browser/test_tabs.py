@@ -1,4 +1,4 @@
-"""The tabs of the panel: on one line, each with its whole name, in both languages, on a desk and on a phone."""
+"""The tabs of the panel: on one line with their full names, in both languages, on a desktop screen and a phone."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def test_all_tabs_stand_on_one_line_with_their_whole_names(lab: Lab, browser: Br
             speak(lab, page, language)
             names = [panel.TITLE[language] for panel in panels.all_panels()]
             for name in names:
-                page.get_by_role("tab", name=name).click()  # the one that is chosen is written bold, and is wider
+                page.get_by_role("tab", name=name).click()  # the chosen tab is bold and wider
                 assert [text.strip() for text in tabs.all_inner_texts()] == names
                 assert len(set(tabs.evaluate_all("tabs => tabs.map(tab => tab.getBoundingClientRect().y)"))) == 1
                 assert tabs.evaluate_all(CUT) == []

@@ -1,4 +1,4 @@
-"""Two windows: one's stop reaches the other's hand, and each may have an arm of its own."""
+"""Two windows: a stop in one ends the drag in the other, and each may have its own arm."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def pair(browser: Browser, lab: Lab) -> Iterator[tuple[Page, Page]]:
 
 
 def hold_the_waist(page: Page, lab: Lab) -> tuple[float, float]:
-    """Press on the first joint's slider and drag it, without letting go; returns where the hand is."""
+    """Press on the first joint's slider and drag it, without a release; returns the pointer's position, px."""
     spot = page.locator(THUMB).first.bounding_box()
     assert spot is not None
     x, y = spot["x"] + spot["width"] / 2, spot["y"] + spot["height"] / 2
@@ -80,7 +80,7 @@ def own(lab: Lab) -> Workcell:
 def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: Lab, pair: tuple[Page, Page]) -> None:
     one, other = pair
     lab.reset(one)
-    press(other, "Meu próprio braço")
+    press(other, "Usar meu próprio braço")
     until(other, lambda: len(lab.session.bays.workcells) == 2)
     other.get_by_role("button", name="Voltar ao braço comum").wait_for()
     mine = own(lab)
@@ -94,7 +94,7 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
     assert abs(np.degrees(mine.state.arm.q[0]) - 20) < 0.1
     waist = "() => window.__viserMutable.nodeRefFromName['/arm/waist'].quaternion.toArray()"
     until(one, lambda: bool(abs(np.array(one.evaluate(waist)) - np.array(other.evaluate(waist))).max() > 0.2))
-    press(other, "Iniciar")
+    press(other, "Reproduzir")
     until(other, lambda: bool(mine.state.request.path_s > 0.5))
     assert lab.state.request.path_s == 0.0
     one.keyboard.press("Escape")
@@ -110,7 +110,7 @@ def test_each_drags_plays_and_changes_the_arm_without_the_other_seeing_it(lab: L
 
 
 def nodes(page: Page) -> list[str]:
-    """What stands in its scene."""
+    """The names of the nodes in the scene of a page."""
     found = "() => Object.entries(window.__viserMutable.nodeRefFromName).filter(([_, node]) => node).map(([n]) => n)"
     return list(page.evaluate(found))
 
@@ -126,7 +126,7 @@ def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, 
     press(other, "Voltar ao braço comum")
     until(other, lambda: len(lab.windows) == 2)
     until(other, lambda: "/arm/waist" in nodes(other))
-    press(other, "Meu próprio braço")
+    press(other, "Usar meu próprio braço")
     until(other, lambda: len(lab.windows) == 1)
     assert own(lab) is mine
     assert mine.state.robot.name == "planar2r"
@@ -134,7 +134,7 @@ def test_an_arm_of_ones_own_outlives_a_reload_and_waits_for_its_owner(lab: Lab, 
 
 
 def test_behind_a_sub_path_the_page_drives_and_stops(browser: Browser) -> None:
-    """Without its Stop it could not drive: all of its addresses hang on where the page is."""
+    """All addresses are relative to the page; without the control channel of Stop, the page could not drive."""
     session = Session(load_robot("movemaster"), None, None)
     with ExitStack() as stack:
         listener = stack.enter_context(socket.create_server(("127.0.0.1", 0)))

@@ -1,4 +1,4 @@
-"""The map of the workspace on a real page: chosen, worked out, in the picture, cut, ended, taken away."""
+"""The map of the workspace on a page: chosen, computed, drawn, cut, ended, removed."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SHOWN = "() => Boolean(window.__viserMutable.nodeRefFromName['/workspace']?.visi
 
 @pytest.fixture(autouse=True)
 def counting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Maps of few postures, kept in a folder of the test."""
+    """Maps with few postures, cached in a folder of the test."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     of_size(monkeypatch, 4 * CHUNK)
 
@@ -34,7 +34,7 @@ def of_size(monkeypatch: pytest.MonkeyPatch, samples: int) -> None:
 def page(shared_page: Page, lab: Lab) -> Page:
     lab.reset(shared_page)
     tab(shared_page, "Robot")
-    if not shared_page.get_by_role("button", name="Work out the map", exact=True).is_visible():
+    if not shared_page.get_by_role("button", name="Compute map", exact=True).is_visible():
         shared_page.get_by_text("Workspace", exact=True).click()
     return shared_page
 
@@ -48,11 +48,11 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
     until(page, lambda: {seat.map_kind for seat in lab.seats} == {"manipulability"})
     page.wait_for_timeout(1000)
     without = canvas(page)
-    press(page, "Work out the map")
+    press(page, "Compute map")
     until(page, lambda: lab.state.workspace.map is not None and page.evaluate(SHOWN))
     found = lab.state.workspace.map
     assert found is not None
-    until(page, lambda: measure_title(found) in page.locator(".helicoide-note:visible").last.inner_text())
+    until(page, lambda: measure_title(found).en in page.locator(".helicoide-note:visible").last.inner_text())
     page.locator(".helicoide-scale").wait_for()
     page.wait_for_timeout(1000)
     half = canvas(page)
@@ -65,11 +65,11 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
     less = canvas(page)
     assert 1000 < different(less, without) < 0.8 * different(half, without)
     page.get_by_text("Show", exact=True).click()
-    page.get_by_label("Map of the workspace").click()
+    page.get_by_label("Workspace map").click()
     until(page, lambda: not page.evaluate(SHOWN))
-    page.get_by_label("Map of the workspace").click()
+    page.get_by_label("Workspace map").click()
     until(page, lambda: bool(page.evaluate(SHOWN)))
-    press(page, "Take the map away")
+    press(page, "Remove map")
     until(page, lambda: lab.state.workspace.map is None)
     until(page, lambda: not page.evaluate(SHOWN))
     page.locator(".helicoide-scale").wait_for(state="detached")
@@ -78,20 +78,20 @@ def test_the_map_is_worked_out_seen_cut_hidden_and_taken_away(lab: Lab, page: Pa
 
 def test_the_same_button_ends_the_calculation(lab: Lab, page: Page, monkeypatch: pytest.MonkeyPatch) -> None:
     of_size(monkeypatch, 10**6 * CHUNK)
-    press(page, "Work out the map")
+    press(page, "Compute map")
     until(page, lambda: lab.state.workspace.progress is not None and lab.state.workspace.progress.share > 0)
     page.wait_for_timeout(500)
     bar = page.locator(".mantine-Progress-root:visible")
     bar.wait_for()
-    press(page, "End the calculation")
+    press(page, "End calculation")
     until(page, lambda: lab.state.workspace.progress is None)
     bar.wait_for(state="detached")
-    page.get_by_role("button", name="Work out the map", exact=True).wait_for()
+    page.get_by_role("button", name="Compute map", exact=True).wait_for()
     assert lab.state.workspace.map is None
 
 
 def test_another_arm_has_no_map_yet(lab: Lab, page: Page) -> None:
-    press(page, "Work out the map")
+    press(page, "Compute map")
     until(page, lambda: bool(page.evaluate(SHOWN)))
     lab.change("planar2r")
     until(page, lambda: lab.state.robot.name == "planar2r" and not page.evaluate(SHOWN))
@@ -106,9 +106,9 @@ def test_a_map_is_worked_out_by_finger(browser: Browser, lab: Lab) -> None:
         until(page, lambda: lab.session.ready, 300)
         page.get_by_role("tab", name="Robot").tap()
         page.get_by_text("Workspace", exact=True).tap()
-        page.get_by_role("button", name="Work out the map", exact=True).tap()
+        page.get_by_role("button", name="Compute map", exact=True).tap()
         until(page, lambda: bool(page.evaluate(SHOWN)))
         page.locator(".helicoide-scale").wait_for()
-        page.wait_for_timeout(500)  # what comes with it moves the button
-        page.get_by_role("button", name="Take the map away", exact=True).tap()
+        page.wait_for_timeout(500)  # its note moves the button
+        page.get_by_role("button", name="Remove map", exact=True).tap()
         until(page, lambda: not page.evaluate(SHOWN))

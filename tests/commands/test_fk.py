@@ -269,4 +269,4 @@ def test_what_of_a_file_is_ours_is_said_beside_the_pose(
     __main__.main()
     out, err = capsys.readouterr()
     assert "from link upper to link lower" in out
-    assert err.count("the range is assumed") == 1
+    assert err.count("assumed ranges") == 1

@@ -151,7 +151,7 @@ BEYOND = ("puma560", "--position", "0.4", "0.2", "0.3", "--rpy", "3.0", "0.1", "
         (("puma560", "--position", "9", "0", "0"), "out of reach by 8"),
         (("puma560", "--position", "9", "0", "0", "--all"), "out of reach by 8"),
         (("movemaster", "--position", "0.5", "0.1", "0.3", "--quat", "1", "0", "0", "0"), "projected by 11.310°"),
-        ((*BEYOND, "--from", "-6", "-2", "3", "4", "3", "6"), "reached only beyond the joint limits"),
+        ((*BEYOND, "--from", "-6", "-2", "3", "4", "3", "6"), "reached only outside the joint limits"),
     ],
 )
 def test_what_is_not_reached_is_said_and_ends_with_three(
@@ -216,10 +216,10 @@ def test_wrong_input_ends_in_one_line(
 @pytest.mark.parametrize(
     ("robot", "words"),
     [
-        ("puma560", "Closed form: axes 4, 5, 6 meet at a point (Pieper). At most 8 postures"),
+        ("puma560", "Closed form: axes 4, 5, 6 intersect at a point (Pieper). At most 8 postures"),
         ("movemaster", "Closed form: axes 2, 3, 4 are parallel"),
         ("planar2r", "Closed form: with 2 joints"),
-        ("panda", "Numerically only: 7 joints leave infinitely many postures"),
+        ("panda", "Numerically only: 7 joints have infinitely many postures"),
     ],
 )
 def test_piepers_verdict_is_printed(
@@ -262,7 +262,7 @@ def test_what_an_obstacle_rules_out_is_shown_among_all_and_ends_with_three_where
     with pytest.raises(SystemExit) as caught:
         printed(monkeypatch, capsys, *CHOICE, "--obstacle", "-0.6", "-1.2", "0", "0.3")
     assert caught.value.code == 3
-    assert "every posture that was found touches the obstacle" in capsys.readouterr().out
+    assert "every posture found touches the obstacle" in capsys.readouterr().out
 
 
 def test_the_screws_of_the_l3_are_shown(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

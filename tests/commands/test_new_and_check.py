@@ -38,7 +38,7 @@ def test_a_robot_is_written_checked_and_broken(
     assert set(paths) == {str(path) for path in file.parent.iterdir()}
     assert last.endswith("helicoide check my_arm")
     assert ran(monkeypatch, "check", "my_arm") == 0
-    assert capsys.readouterr().out == "robot my_arm: all is well\n"
+    assert capsys.readouterr().out == "robot my_arm: no faults\n"
     file.write_text(file.read_text("utf-8").replace("joints = [20, 60]", "joints = [20, 160]"), "utf-8")
     assert ran(monkeypatch, "check", "my_arm") == 3
     assert capsys.readouterr().out == "robot my_arm:\n   pose ready is outside the limits of: J2\n"

@@ -262,7 +262,7 @@ def test_a_tool_that_stays_where_it_is_is_said_to(
     (path := tmp_path / "plate.urdf").write_text(f'<robot name="plate">{text}</robot>', "utf-8")
     monkeypatch.setattr(sys, "argv", ["helicoide", "workspace", str(path), "--samples", "1000", "--workers", "1"])
     __main__.main()
-    assert "the tool stays at 0.000, 0.000, 0.300 m" in capsys.readouterr().out
+    assert "the end effector stays at 0.000, 0.000, 0.300 m" in capsys.readouterr().out
     sys.argv.append("--json")
     __main__.main()
     told = json.loads(capsys.readouterr().out)

@@ -75,15 +75,15 @@ def test_broken_texts_are_refused_in_words(case: str) -> None:
     text, said = BROKEN[case]
     if case == "too many":
         text = "".join(ONE.replace("+z", str(i)) for i in range(33))
-    with pytest.raises(HelicoideError, match=f"here.toml is not a file of planes: .*{said}") as refused:
+    with pytest.raises(HelicoideError, match=f"here.toml is not a plane file: .*{said}") as refused:
         decoded(text)
-    assert "Valid is TOML with 1 to 32 tables" in refused.value.text.en
-    assert "Vale TOML com 1 a 32 tabelas" in refused.value.text.pt_BR
+    assert "A plane file is TOML with 1 to 32 tables" in refused.value.text.en
+    assert "Um arquivo de planos é TOML com 1 a 32 tabelas" in refused.value.text.pt_BR
 
 
 @pytest.mark.parametrize(
     ("content", "said"), [(b"\xff\xfe", "utf-8"), (b"#" * 100_001, "too long"), (b"[[planes]]", "name")]
 )
 def test_broken_files_are_refused_in_words(content: bytes, said: str) -> None:
-    with pytest.raises(HelicoideError, match=f"here.toml is not a file of planes: .*{said}"):
+    with pytest.raises(HelicoideError, match=f"here.toml is not a plane file: .*{said}"):
         plane_file.decode_planes(content, "here.toml")

@@ -124,7 +124,7 @@ def test_what_cannot_be_is_refused_in_words(state: State) -> None:
         assert refused.ball is taught.ball
     other = initial_state(load_robot("orca"))
     for wish, words in (
-        (gate.put_ball([0.1, 0, 0]), "no gripper that goes round"),
+        (gate.put_ball([0.1, 0, 0]), "no gripper that opens wide enough"),
         (gate.pick_and_place(), "movemaster"),
     ):
         refused = wish(other)

@@ -12,6 +12,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.kinematics import differential
 from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.generic_rank import counted_rows
 from helicoide.kinematics.singularity import singularity
 from helicoide.kinematics.spherical_wrist import SingularityKind, determinant_factors, spherical_wrist
 
@@ -144,8 +145,9 @@ def test_the_rank_is_usual_in_random_postures(name: str) -> None:
         here = singularity(robot, q)
         J = differential.frame_jacobian(robot, q)
         assert here.rank == here.generic_rank == np.linalg.matrix_rank(J, tol=1e-9)
-        np.testing.assert_allclose(here.lost_velocities.T @ J, 0, atol=1e-12)
-        assert here.lost_velocities.shape == (6, 6 - here.generic_rank)
+        rows = 6 if counted_rows(robot)[3:].any() else 3
+        assert here.lost_velocities.shape == (rows, rows - here.generic_rank)
+        np.testing.assert_allclose(here.lost_velocities.T @ J[:rows], 0, atol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -182,18 +184,31 @@ def test_words_name_the_kind_in_both_languages() -> None:
     stretched = singularity(robot, [0.3, 0.4, -np.pi / 2, 0.2, 0.7, 0.1]).description(0.05)
     assert stretched.en == "elbow: the arm is stretched or folded (factor at 0.0 % of its largest)"
     assert stretched.pt_BR == "cotovelo: o braço está esticado ou dobrado (fator a 0,0 % do máximo)"
-    assert singularity(robot, robot.poses["ready"]).description(0.05).en == "none near"
+    assert singularity(robot, robot.poses["ready"]).description(0.05).en == "none nearby"
     planar = singularity(arm("planar3r"), np.zeros(3)).description(0.05)
-    assert planar.en == "the tool moves in 2 of its 3 independent directions"
+    assert planar.en == "the end effector moves in 2 of its 3 independent directions"
 
 
-def test_a_stretched_arm_of_two_joints_turns_but_its_point_is_stuck() -> None:
-    """The tool's J keeps its rank 2: it is the position alone that loses a direction."""
+def test_an_arm_of_two_joints_is_singular_where_its_position_is() -> None:
+    """Its two joints serve the position: that the tool still turns does not count."""
     robot = arm("planar2r")
     here = singularity(robot, [0.4, 0.0])
-    assert not here.singular
-    assert (here.point.rank, here.point.generic_rank) == (1, 2)
+    assert here.singular
+    assert (here.rank, here.generic_rank) == (1, 2)
     assert here.description(0.05).pt_BR == "o ponto do efetuador se move em 1 das suas 2 direções independentes"
+    assert here.lost_velocities.shape == (3, 2)
+    outwards = [np.cos(0.4), np.sin(0.4), 0]
+    assert np.linalg.norm(here.lost_velocities.T @ outwards) == pytest.approx(1)
+
+
+def test_without_orientation_the_position_alone_is_singular() -> None:
+    """A straight wrist of the Movemaster takes a rotation away, and no direction of the position."""
+    robot, q = arm("movemaster"), [0.2, 0.3, -0.5, 0.4, 0.1]
+    assert singularity(robot, q, with_orientation=False).generic_rank == 3
+    wrist = arm("zebra_zero")
+    q = [0.3, 0.4, -0.8, 0.2, 0.0, 0.1]
+    assert singularity(wrist, q).near_factors(0.05)[0].kind is SingularityKind.WRIST
+    assert singularity(wrist, q, with_orientation=False).warning() is None
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -89,7 +89,7 @@ def test_limits_of_a_follower_that_leave_no_range_are_left_out_and_said(tmp_path
         following(tmp_path, LED, BESIDE.format(limit='<limit lower="0.6" upper="2" velocity="1"/>')), "d"
     )
     assert (robot.lower[2], robot.upper[2]) == pytest.approx((0.6, 1.2))
-    assert "the limits of a-b leave base-x, which it follows, no range; they are left out" in said(robot)
+    assert "the limits of a-b leave no range for base-x, which it follows; they are ignored" in said(robot)
 
 
 def test_a_follower_without_bounds_narrows_nothing(tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def test_a_file_that_breaks_off_is_refused(name: str) -> None:
     ending, writer = WRITERS[name]
     data = writer(SOME)
     if name == "xyz":
-        said = "Rows passed over: 1 of 201; line 201 has 2 columns; valid are at least 3."
+        said = "Rows ignored: 1 of 201; line 201 has 2 columns; valid are at least 3."
         assert said in [note.en for note in cloud_file.read_cloud("c.xyz", data + b"\n1 2").notes]
         return
     behind = data.rindex(b"\n3 0") if name == "ply text" else len(data) - 5 if "ply" in name else len(data)

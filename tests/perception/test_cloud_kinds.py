@@ -183,7 +183,7 @@ REFUSED: dict[str, tuple[str, str, str]] = {
     "no z": ("x,y,i\n" + points(), "named x, y, i, and none of them z", "e nenhuma z"),
     "two x": ("x,y,z,x\n" + rows(X, Y, Z, X), "and 2 of them x", "e 2 delas x"),
     "commas between and within": (
-        points().replace(".", ",").replace(",-0,", ",-0,0"), "commas stand between", "há vírgulas entre",
+        points().replace(".", ",").replace(",-0,", ",-0,0"), "commas both separate", "há vírgulas entre",
     ),
     "fewer than are counted": (f"{N + 9}\n{PLAIN}", f"it ends after {N} of {N + 9}", f"termina após {N} de {N + 9}"),
     "too many bad rows": (
@@ -240,7 +240,7 @@ def test_the_unit_that_is_chosen_counts(unit: Unit) -> None:
 def test_the_unit_in_the_names_counts(unit: str, names: str) -> None:
     text = f"{names.format(u=unit)}\n{points(1 / METRES['inch' if unit == 'in' else unit])}".encode()
     ceiling("c.csv", text)
-    assert "as the file says" in cloud_file.read_cloud("c.csv", text).notes[0].en
+    assert "as stated in the file" in cloud_file.read_cloud("c.csv", text).notes[0].en
 
 
 def test_millimetres_are_known_by_how_they_look_also_beyond_a_thousand() -> None:
@@ -250,7 +250,7 @@ def test_millimetres_are_known_by_how_they_look_also_beyond_a_thousand() -> None
         assert (
             cloud_file.read_cloud("c.csv", text)
             .notes[0]
-            .pt_BR.startswith("Em milímetros, ao que parece (se não, escolha")
+            .pt_BR.startswith("Em milímetros, por estimativa (se estiver errado, escolha")
         )
 
 
@@ -259,15 +259,15 @@ def test_the_unit_and_the_extent_are_said_with_the_plane() -> None:
     seen, pane = plane_in_cloud(cloud, PLANE_READINGS[0], INSIDE)
     assert pane is not None
     assert (
-        "In metres, as it looks (if not so, choose the unit): x 0.20 to 0.90, y -0.30 to 0.30, z 0.70 to 0.70 m."
+        "In metres, guessed (if wrong, choose the unit): x 0.20 to 0.90, y -0.30 to 0.30, z 0.70 to 0.70 m."
         in seen.words.en
     )
-    assert "Rows passed over: 1 of 402; line 401, column 2 holds “zero”; valid is a number" in seen.words.en
-    assert seen.words.en.endswith("Left out for want of coordinates within 1000 m: 1.")
-    assert "Em metros, ao que parece (se não, escolha a unidade): x de 0,20 a 0,90" in seen.words.pt_BR
+    assert "Rows ignored: 1 of 402; line 401, column 2 holds “zero”; valid is a number" in seen.words.en
+    assert seen.words.en.endswith("Left out, without coordinates within 1000 m: 1.")
+    assert "Em metros, por estimativa (se estiver errado, escolha a unidade): x de 0,20 a 0,90" in seen.words.pt_BR
     none, pane = plane_in_cloud(cloud, PLANE_READINGS[1], INSIDE)
     assert pane is None
-    assert "In metres, as it looks" in none.words.en
+    assert "In metres, guessed" in none.words.en
 
 
 def test_columns_that_were_guessed_are_said() -> None:

@@ -172,7 +172,7 @@ def nothing(rng: np.random.Generator) -> dict[str, tuple[Any, str]]:
     line = rng.uniform(-1, 1, (500, 1)) * [1.0, 0.2, 0] + np.array([0, 0, 0.6])
     return {
         "no points": (np.zeros((0, 3)), "0 points are too few"),
-        "49 points": (wall(rng, 49, 0.0), "49 points are too few for a plane: 50 are needed"),
+        "49 points": (wall(rng, 49, 0.0), "49 points are too few for a plane: at least 50 are needed"),
         "one place": (np.full((500, 3), 0.3), "none through the points is within 10°"),
         "a line": (line, "none through the points"),
         "a thick line": (line + 0.001 * rng.normal(size=line.shape), "the points lie along a line"),
@@ -206,5 +206,5 @@ def test_clouds_without_a_plane_are_answered_in_words(case: str) -> None:
 )
 def test_a_search_for_nothing_is_refused_in_words(wrong: dict[str, Any]) -> None:
     asked: dict[str, Any] = {"towards": DOWN, "inside": [0, 0, 0], **wrong}
-    with pytest.raises(HelicoideError, match=r"direction that is not zero, .* up to 100 mm"):
+    with pytest.raises(HelicoideError, match=r"nonzero direction, .* to 100 mm"):
         find_plane(wall(np.random.default_rng(0), 100, 0.0), **asked)

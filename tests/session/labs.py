@@ -40,7 +40,7 @@ def window(lab: Lab, **options: object) -> Hand:
     assert eventually(lambda: hand.page.window.done() and hand.page.may_drive.is_set())
     key = hand.page.window.result()
     assert eventually(lambda: any(one.window.link.key == key for one in tuple(lab.visitors.values())))
-    assert eventually(lambda: "Play" in hand.page.made or "Iniciar" in hand.page.made or "Pause" in hand.page.made)
+    assert eventually(lambda: "Play" in hand.page.made or "Reproduzir" in hand.page.made or "Pause" in hand.page.made)
     return hand
 
 

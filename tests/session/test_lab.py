@@ -74,13 +74,13 @@ def test_windows_that_never_answer_hold_nobody_up(lab: Lab) -> None:
 
 def test_the_browsers_language_is_spoken_and_a_seat_found_again(lab: Lab) -> None:
     first = window(lab, languages=("pt-BR", "en"))
-    assert eventually(lambda: "Iniciar" in first.page.made)
+    assert eventually(lambda: "Reproduzir" in first.page.made)
     token = first.page.seat
     assert token in lab.seats.places
     first.close()
     again = window(lab, seat=token, languages=("en",))
     assert again.page.seat == token
-    assert eventually(lambda: "Iniciar" in again.page.made)
+    assert eventually(lambda: "Reproduzir" in again.page.made)
     again.close()
 
 
@@ -126,7 +126,7 @@ def test_a_lesson_stays_that_was_chosen_while_another_arm_was_on_its_way(
     lab.loop.call_soon_threadsafe(coming.set)
     assert eventually(lambda: state(lab).robot.name == "movemaster" and hand.page.made["Lesson"] is not second)
     assert visitor.place.seat.lesson == "drive_the_arm"
-    hand.do(hand.page.give("Lesson", "Free play"))
+    hand.do(hand.page.give("Lesson", "Explore freely"))
     assert eventually(lambda: visitor.place.seat.lesson is None)
 
 
@@ -136,8 +136,8 @@ def test_an_arm_of_ones_own_is_refused_in_words_when_there_are_too_many(
     monkeypatch.setattr(bay, "MOST_OWN", 0)
     heard: list[str] = []
     hand.page.heard = lambda message: heard.append(str(message))
-    hand.do(hand.page.give("My own arm", True))
-    assert eventually(lambda: any("0 arms of somebody's own" in message for message in heard))
+    hand.do(hand.page.give("Use my own arm", True))
+    assert eventually(lambda: any("All 0 separate arms" in message for message in heard))
     assert len(lab.bays.workcells) == 1
 
 

@@ -85,7 +85,7 @@ def test_a_map_holds_nothing_up(lab: Lab, hand: Hand, kind: str, monkeypatch: py
     monkeypatch.setattr(mapping, "SAMPLES", {one: {2: 150_000, 3: 700_000} for one in MAP_KINDS})
     hand.do(hand.page.give("Map", TITLES[kind].en))
     assert eventually(lambda: kind in {place.seat.map_kind for place in lab.seats.places.values()})
-    hand.do(hand.page.press("Work out the map"))
+    hand.do(hand.page.press("Compute map"))
     assert eventually(lambda: state(lab).workspace.progress is not None)
     turns = under_way(lab, hand, lambda: state(lab).workspace.progress is None)
     assert state(lab).workspace.map is not None

@@ -181,7 +181,7 @@ def test_a_drag_ends_when_the_channel_does(lab: Lab, one: Hand) -> None:
 
 
 def test_a_stop_reaches_every_arm_that_a_real_one_follows(lab: Lab, one: Hand, other: Hand) -> None:
-    give("My own arm", True)(other)
+    give("Use my own arm", True)(other)
     assert eventually(lambda: {visitor.bay is lab.shared for visitor in lab.visitors.values()} == {True, False})
     give("Play", True)(one)
     assert eventually(lambda: state(lab).arm.moving)

@@ -178,7 +178,7 @@ def test_a_plane_of_a_file_is_put_up_and_the_unit_is_said(state: State, scale: f
     after = read(state, room(scale), unit)
     planes = after.problem.planes
     assert planes.offsets[planes.names.index("+z")] == pytest.approx(-0.9, abs=0.002)
-    assert ("as chosen" if unit else "as it looks") in after.clouds["+z"].words.en
+    assert ("as chosen" if unit else "guessed") in after.clouds["+z"].words.en
 
 
 def test_a_file_whose_unit_nobody_can_tell_changes_nothing_but_words(state: State) -> None:

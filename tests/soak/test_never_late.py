@@ -28,7 +28,7 @@ pytestmark = pytest.mark.soak
 LONGEST, HEARD, GAP = 0.1, 0.2, 0.1  # s; the last two by the clock, printed beside what was seen
 WINDOWS, SECONDS, SETTLED, GREW = 5, 3600.0, 600.0, 1.05
 # What would leave the page, or fill the disk with files.
-LEFT_OUT = ("Language", "Save the planes", "Save the points", "Load")
+LEFT_OUT = ("Language", "Save planes", "Save waypoints", "Load")
 
 
 @pytest.fixture(scope="module")

@@ -112,7 +112,7 @@ def test_an_overload_is_the_factor_on_the_time() -> None:
 def test_constant_speed_is_refused_where_it_would_need_a_jump() -> None:
     move = JointMove(np.zeros(2), np.array([1.0, 0.0]), 1.0)
     speed = np.ones(2)
-    with pytest.raises(HelicoideError, match=r"would jump into motion: 1\. A trapezoid and minimum jerk"):
+    with pytest.raises(HelicoideError, match=r"do not allow: 1\. Use a trapezoidal velocity or minimum jerk"):
         time_optimal_timing(move, "constant speed", speed, np.array([5.0, 5.0]))
     free_first = np.array([np.inf, 5.0])
     assert time_optimal_timing(move, "constant speed", speed, free_first).duration == pytest.approx(1 + MARGIN)

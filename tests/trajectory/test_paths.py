@@ -124,7 +124,7 @@ def test_a_circle_turns_about_its_normal(
 
 @pytest.mark.parametrize("start", [(0.3, 0.0, 0.1), (0.0, 0.0, 0.0)])
 def test_a_circle_needs_a_start_in_its_plane(start: tuple[float, float, float]) -> None:
-    with pytest.raises(HelicoideError, match="square to its normal"):
+    with pytest.raises(HelicoideError, match="perpendicular to its normal"):
         circle_path((0, 0, 0), (0, 0, 1), start, np.eye(3), 1.0)
 
 

@@ -85,5 +85,5 @@ def test_it_closes_where_its_samples_do() -> None:
     ],
 )
 def test_samples_that_are_no_path_are_refused(knots: list[float], samples: list[list[float]]) -> None:
-    with pytest.raises(HelicoideError, match="two or more instants that rise from 0"):
+    with pytest.raises(HelicoideError, match="two or more times that rise from 0"):
         JointSpline(np.array(knots), np.array(samples))

@@ -93,7 +93,7 @@ def test_the_file_of_another_robot_is_refused_with_both_names() -> None:
 
 
 def test_an_arm_without_a_gripper_has_none_to_open() -> None:
-    with pytest.raises(HelicoideError, match="is to have the gripper open, and this robot has none") as refused:
+    with pytest.raises(HelicoideError, match="sets the gripper to open, but this robot has no gripper") as refused:
         waypoint(arm("puma560"), "x", arm("puma560").poses["ready"], gripper="open")
     assert "pede a garra aberta" in refused.value.text.pt_BR
 
@@ -113,33 +113,33 @@ POINT = '[[waypoint]]\nname = "x"\nq = [0.0, 0.0, -1.0, 0.0, 0.0]\n'
     ("file", "words"),
     [
         (b"", "it is empty"),
-        (b"# only words", "format must be 'helicoide waypoints 1', not something else, or nothing"),
+        (b"# only words", "format must be 'helicoide waypoints 1', not something else or nothing"),
         (b"a." * 30000 + b"a = 1", "too many dots"),
         (b"#" * 1_000_001, "at most 1000 kB"),
-        (b"\xff\xfe", "not a file of waypoints"),
-        (b"\x00" * 100, "not a file of waypoints"),
-        (b"= = =", "not a file of waypoints"),
-        (b"a = " + b"[" * 5000, "not a file of waypoints"),
+        (b"\xff\xfe", "not a waypoint file"),
+        (b"\x00" * 100, "not a waypoint file"),
+        (b"= = =", "not a waypoint file"),
+        (b"a = " + b"[" * 5000, "not a waypoint file"),
         (f"format = {FORMAT!r}".encode(), "the required robot is missing"),
         (GOOD.replace("waypoints 1", "waypoints 2"), "not 'helicoide waypoints 2'"),
-        (GOOD[: len(GOOD) // 2], "not a file of waypoints"),
+        (GOOD[: len(GOOD) // 2], "not a waypoint file"),
         (GOOD + "speed = 3\n", "no such key as speed (at $.waypoint[2])"),
         (GOOD.replace('name = "b"', 'name = "a"'), "a waypoint 'a' already"),
         (GOOD.replace('"line"', '"jump"'), "the move types are: joints (joint move), line"),
-        (GOOD.replace('"line"', "3"), "not a file of waypoints"),
+        (GOOD.replace('"line"', "3"), "not a waypoint file"),
         (GOOD.replace("dwell = 0.5", "dwell = -0.5"), "0 to 3600 s, not -0.5"),
         (GOOD.replace("dwell = 0.5", "dwell = nan"), "0 to 3600 s, not nan"),
         (GOOD.replace("dwell = 0.5", "dwell = 1e999"), "0 to 3600 s, not inf"),
         (HEADER + POINT + 'gripper = "ajar"\n', "cannot be 'ajar' at waypoint 'x'; it may be: open, closed"),
-        (HEADER + POINT + "gripper = 1\n", "not a file of waypoints"),
+        (HEADER + POINT + "gripper = 1\n", "not a waypoint file"),
         (HEADER + POINT.replace("[0.0, ", "["), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "nan"), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "-inf"), "takes 5 finite joint values"),
         (HEADER + POINT.replace("-1.0", "1e300"), "puts J3 at 1e+300 rad"),
-        (HEADER + POINT.replace("-1.0", "1" + "0" * 400), "not a file of waypoints"),
-        (HEADER + POINT.replace("-1.0", "'one'"), "not a file of waypoints"),
+        (HEADER + POINT.replace("-1.0", "1" + "0" * 400), "not a waypoint file"),
+        (HEADER + POINT.replace("-1.0", "'one'"), "not a waypoint file"),
         (HEADER + POINT.replace('"x"', '"x\\u0000"'), "visible characters"),
-        (HEADER + "waypoint = 3\n", "not a file of waypoints"),
+        (HEADER + "waypoint = 3\n", "not a waypoint file"),
     ],
 )
 def test_broken_files_are_refused_in_words(file: str | bytes, words: str) -> None:

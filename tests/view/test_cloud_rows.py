@@ -27,7 +27,7 @@ def all_rows(rows: Sequence[Row]) -> Iterator[Row]:
 
 ROWS = list(all_rows([plane_rows(STATE.robot)]))
 (UNIT,) = [row for row in ROWS if isinstance(row, Dropdown)]
-UPLOADS = [row for row in ROWS if isinstance(row, Upload) and row.label.en.startswith("Look for")]
+UPLOADS = [row for row in ROWS if isinstance(row, Upload) and row.label.en.startswith("Fit to a cloud")]
 
 
 @pytest.mark.parametrize("unit", UNITS)

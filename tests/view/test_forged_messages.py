@@ -153,7 +153,7 @@ def test_what_is_taken_hold_of_right_after_a_release_stays_in_the_hand(session: 
 
 @pytest.mark.parametrize("position", [(math.nan, 0.0, 0.3), (math.inf, 0.0, 0.3), (1e6, 0.0, 0.3)])
 def test_an_obstacle_dragged_to_no_place_stays(session: Lab, page: Page, position: tuple[object]) -> None:
-    page.give("Add a sphere", True)
+    page.give("Add sphere", True)
     assert eventually(lambda: len(arm(session).problem.obstacles.radii) == 1)
     before = arm(session).problem.obstacles.ends
     page.drag("Start", "/handles/obstacle 0")
@@ -163,23 +163,23 @@ def test_an_obstacle_dragged_to_no_place_stays(session: Lab, page: Page, positio
     page.drag("Start", "/handles/entry")
     after_ticks(session)
     np.testing.assert_array_equal(arm(session).problem.obstacles.ends, before)
-    assert eventually(lambda: "Take sphere 1 away" in page.made)
+    assert eventually(lambda: "Remove sphere 1" in page.made)
     page.give("sphere 1: radius [mm]", 1e9)
     after_ticks(session)
     np.testing.assert_array_equal(arm(session).problem.obstacles.ends, before)
-    page.give("Take sphere 1 away", True)
+    page.give("Remove sphere 1", True)
     assert eventually(lambda: not arm(session).problem.obstacles.radii.size)
-    del page.made["Take sphere 1 away"]
+    del page.made["Remove sphere 1"]
 
 
 def test_what_is_lit_up_may_go(session: Lab, page: Page) -> None:
     """A plane that is lit up is taken away: the window goes on, and the list no longer offers it."""
-    page.give("Light up", "plane p9 (p9)")
+    page.give("Highlight", "plane p9 (p9)")
     after_ticks(session)
     assert chosen(session) is None, "there is no such plane"
     session.shared.workcell.tell(gate.add_plane([0.0, 0.0, -1.0, -0.62]))
     assert eventually(lambda: NEW in listed(session))
-    page.give("Light up", NEW)
+    page.give("Highlight", NEW)
     assert eventually(lambda: chosen(session) == "plane 4")
     session.shared.workcell.tell(gate.remove_plane(4))
     assert eventually(lambda: NEW not in listed(session))
@@ -192,7 +192,7 @@ NEW = "plane p1 (p1)"
 
 def listed(session: Lab) -> tuple[str, ...]:
     """What the only window offers to light up."""
-    return tuple(control(session, "Light up").options)
+    return tuple(control(session, "Highlight").options)
 
 
 def chosen(session: Lab) -> str | None:
@@ -220,7 +220,7 @@ def test_a_disabled_control_moves_nothing(session: Lab, page: Page) -> None:
     assert eventually(lambda: control(session, "1 waist").disabled)
     assert not moved(session, lambda: page.give("1 waist", 20.0))
     assert not moved(session, lambda: page.give("Play", True))
-    page.give("Ready", True)
+    page.give("Ready pose", True)
     assert eventually(lambda: not arm(session).arm.parked and arm(session).request.command == HoldPosition())
 
 

@@ -105,8 +105,8 @@ def test_every_panel_shows_a_name_as_it_is(server: viser.ViserServer, named: Sta
         assert label[language] in labels
 
 
-AWAY = Text(en="Take plane {name} away", pt_BR="Tirar o plano {name}")
-AGAIN = Text(en="{name}: as the arm stands now", pt_BR="{name}: como o braço está agora")
+AWAY = Text(en="Remove plane {name}", pt_BR="Remover o plano {name}")
+AGAIN = Text(en="{name}: use current posture", pt_BR="{name}: usar a postura atual")
 
 
 def said(words: str) -> str:

@@ -60,7 +60,7 @@ def test_the_list_names_every_posture_and_marks_the_one_that_the_arm_has(puma: S
     assert all(row.branch.name[language] in said for row in listed.rows)
     assert said.count("<li") == 8
     assert said.index("class='here'") < said.index(listed.rows[1].branch.name[language])
-    assert said.count({"en": "the arm is here", "pt_BR": "o braço está nesta"}[language]) == 1
+    assert said.count({"en": "current posture", "pt_BR": "postura atual"}[language]) == 1
     assert {"en": "−70.0°", "pt_BR": "−70,0°"}[language] in said
     moved = replace(view, state=after(gate.set_joint(0, 0.5)(view.state), 1.0))
     assert "class='here'" not in written(rows, moved)
@@ -76,7 +76,7 @@ def test_a_posture_is_chosen_from_the_list(puma: State) -> None:
     wish = choice.request("1")
     assert isinstance(wish, ForArm)
     gone = after(wish.update(view.state), 12.0)
-    assert "shoulder right, elbow up</b> the arm is here" in written(rows, replace(view, state=gone))
+    assert "shoulder right, elbow up</b> current posture" in written(rows, replace(view, state=gone))
 
 
 @pytest.mark.parametrize("kind", STAGES)

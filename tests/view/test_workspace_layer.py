@@ -211,7 +211,8 @@ def test_volumes_and_areas_are_said_in_a_fitting_unit(name: str, edge: float, wo
     found = WorkspaceMap("reachable", 9, cells, hits.ravel(), frozen(hits.ravel() > 0))
     inner = 0.5 * (10**d + 8**d) * size**d  # what is touched, and what lies wholly inside
     found = replace(found, cells=replace(cells, size=size * (edge**d / inner) ** (1 / d)))
-    assert measure_title(found) == words
+    assert measure_title(found).en == words
+    assert measure_title(found).pt_BR == words.replace(".", ",")
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -223,7 +224,7 @@ def test_the_words_give_measure_postures_and_the_bounds_of_the_scale(kind: MapKi
     rows = workspace_rows(load_robot("movemaster")).rows
     html = "".join(row.html(view) for row in rows if isinstance(row, HtmlRow))  # type: ignore[union-attr]
     said = scale_of(load_robot("movemaster"), found)
-    assert measure_title(found) in html
+    assert measure_title(found)[language] in html
     assert "262\u202f144" in html
     assert said.title[language] in html
     assert all(f"rgb({r} {g} {b})" in html for r, g, b in ANCHORS.astype(int))
@@ -242,7 +243,7 @@ def test_of_a_tool_that_only_turns_no_volume_is_told(tmp_path: Path, language: L
     view = View(replace(initial_state(robot), workspace=WorkspaceMaps(map=found)), Seat("", language))
     html = "".join(row.html(view) for row in workspace_rows(robot).rows if isinstance(row, HtmlRow))  # type: ignore[union-attr]
     assert workspace.fixed_tool_text(robot, TITLES[kind])[language] in html
-    assert measure_title(found) not in html
+    assert measure_title(found)[language] not in html
 
 
 def test_manipulability_has_a_unit_only_where_all_joints_turn() -> None:

@@ -10,7 +10,7 @@ from helicoide import contributions
 from helicoide.commands import NOT_REACHED, language
 from helicoide.text import Text
 
-GOOD = Text(en="{what} {name}: all is well", pt_BR="{what} {name}: tudo certo")
+GOOD = Text(en="{what} {name}: no faults", pt_BR="{what} {name}: sem falhas")
 WRONG = Text(en="{what} {name}:", pt_BR="{what} {name}:")
 
 

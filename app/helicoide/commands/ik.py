@@ -21,7 +21,7 @@ from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
 from helicoide.ik.postures.solve import chosen, reached, solve, solve_by, status
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.text import HelicoideError, Language, Text
+from helicoide.text import HelicoideError, Language, Text, with_decimal_comma
 
 URDF = euler.EXTRINSIC + "xyz"
 RESIDUAL = Text(
@@ -32,9 +32,7 @@ WITHIN = Text(en="within the joint limits", pt_BR="dentro dos limites das juntas
 OUTSIDE_LIMITS = Text(en="outside the joint limits", pt_BR="fora dos limites das juntas")
 COST = Text(en="; cost {cost:.3f}", pt_BR="; custo {cost:.3f}")
 RULED_OUT = Text(en="; ruled out: {why}", pt_BR="; descartada: {why}")
-ALL_COLLIDE = Text(
-    en="every posture that was found touches the obstacle", pt_BR="toda postura encontrada toca o obstáculo"
-)
+ALL_COLLIDE = Text(en="every posture found touches the obstacle", pt_BR="toda postura encontrada toca o obstáculo")
 
 
 def run(
@@ -171,11 +169,11 @@ def _lines(robot: Robot, status: tuple[Text, Text], shown: Sequence[Ranked], sty
 
 def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
     branch, (deg, costs, spoken) = row.branch, style
-    values = ", ".join(
-        f"{joint.name} {_value(float(x), joint.is_prismatic, deg)}"
+    values = ("; " if spoken == "pt_BR" else ", ").join(
+        f"{joint.name} {_value(float(x), joint.is_prismatic, deg)[spoken]}"
         for joint, x in zip(robot.variables, row.q, strict=True)
     )
-    turned = f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad"
+    turned = with_decimal_comma(f"{np.degrees(branch.turned):.4f}°" if deg else f"{branch.turned:.2e} rad")
     left = RESIDUAL.format(mm=1000 * branch.missed, turned=turned, limits=WITHIN if branch.within else OUTSIDE_LIMITS)[
         spoken
     ]
@@ -189,10 +187,10 @@ def _of_posture(robot: Robot, row: Ranked, style: Style) -> Iterator[str]:
         yield f"   {robot.actuators.description(row.q)[spoken]}"
 
 
-def _value(x: float, slides: bool, deg: bool) -> str:
+def _value(x: float, slides: bool, deg: bool) -> Text:
     decimals, unit = (7, " m") if slides else (5, "°") if deg else (7, " rad")
     shown = round(float(np.degrees(x)) if unit == "°" else x, decimals)
-    return f"{shown + 0.0:.{decimals}f}{unit}"  # + 0.0: no minus before a zero
+    return with_decimal_comma(f"{shown + 0.0:.{decimals}f}{unit}")  # + 0.0: no minus before a zero
 
 
 def _radians(robot: Robot, values: Array, deg: bool) -> Array:
@@ -226,8 +224,8 @@ def _sphere(given: tuple[float, ...] | None) -> Obstacles:
     if radius <= 0:
         raise HelicoideError(
             Text(
-                en="The radius of --obstacle, the last of its four numbers, is positive, not {radius:g}.",
-                pt_BR="O raio de --obstacle, o último dos quatro números, é maior que zero, não {radius:g}.",
+                en="The radius of --obstacle, the last of its four numbers, must be positive, not {radius:g}.",
+                pt_BR="O raio de --obstacle, o último dos quatro números, deve ser maior que zero, não {radius:g}.",
             ).format(radius=radius)
         )
     return Obstacles().with_sphere(np.array(centre), float(radius))

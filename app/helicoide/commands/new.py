@@ -9,7 +9,7 @@ from helicoide.contributions import Kind
 from helicoide.contributions.examples import made
 from helicoide.text import Text
 
-NEXT = Text(en="Now change it, and see whether it still holds: {command}", pt_BR="Agora mude e confira: {command}")
+NEXT = Text(en="Now change it, then check it: {command}", pt_BR="Agora mude e confira: {command}")
 
 
 def run(kind: tyro.conf.Positional[Kind], name: tyro.conf.Positional[str], user: bool = False) -> None:

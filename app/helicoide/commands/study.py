@@ -115,8 +115,8 @@ def _asked(name: str | None, all: bool, set: tuple[str, ...], short: bool) -> tu
     if name is None:
         raise HelicoideError(
             Text(
-                en="Name a study, or use --list or --all; there is: {known}.",
-                pt_BR="Diga o nome de um estudo, ou use --list ou --all; há: {known}.",
+                en="Name a study, or use --list or --all; studies: {known}.",
+                pt_BR="Diga o nome de um estudo, ou use --list ou --all; estudos: {known}.",
             ).format(known=", ".join(studies.study_names()))
         )
     return (StudyRequest(name, _with(studies.study_named(name).Options(), set), short),)
@@ -157,7 +157,7 @@ def _check(report: Path | None, workers: int) -> None:
 def _refuse(report: Path) -> None:
     raise HelicoideError(
         Text(
-            en="{report} cannot be written; --report takes a file, such as report.html, in a folder that is there.",
+            en="{report} cannot be written; --report takes a file, such as report.html, in an existing folder.",
             pt_BR="Não dá para escrever {report}; --report recebe um arquivo, como relatorio.html, em pasta existente.",
         ).format(report=report)
     )

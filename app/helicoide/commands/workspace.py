@@ -17,14 +17,14 @@ from helicoide.jobs.chunks import Backend
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import MapKind, WorkspaceMap, fixed_tool_text, plan_map
-from helicoide.text import HelicoideError, Language, Text
+from helicoide.text import HelicoideError, Language, Text, numbers_text
 
 WIDTH = 40
 REACHED = Text(
-    en="{robot}: {what} {measure:.4g} m{power} reached, by {samples} postures",
+    en="{robot}: {what} of {measure:.4g} m{power} reached by {samples} postures",
     pt_BR="{robot}: alcança {what} de {measure:.4g} m{power}, em {samples} posturas",
 )
-AREA, VOLUME = Text(en="area", pt_BR="uma área"), Text(en="volume", pt_BR="um volume")
+AREA, VOLUME = Text(en="an area", pt_BR="uma área"), Text(en="a volume", pt_BR="um volume")
 CELLS = Text(en="   {reached} of {count} cells of {mm:.1f} mm", pt_BR="   {reached} de {count} células de {mm:.1f} mm")
 DEXTEROUS = Text(
     en="   at best {value:.1%} of all orientations, at {position} m; mean {mean:.1%}",
@@ -105,7 +105,7 @@ def _lines(robot: Robot, found: WorkspaceMap, spoken: Language) -> list[str]:
     """The numbers as lines of text."""
     said = map_json(robot, found)
     what, power = (AREA, "²") if said["dimensions"] == 2 else (VOLUME, "³")
-    position = ", ".join(f"{x + 0.0:.3f}" for x in said["best"]["position"])
+    position = numbers_text([x + 0.0 for x in said["best"]["position"]], ".3f")
     value, mean = said["best"]["value"], said["mean"]
     lines = [
         REACHED.format(robot=robot.name, what=what, measure=said["measure"], power=power, samples=found.samples),
@@ -132,7 +132,7 @@ def _check(out: Path | None) -> None:
     if out is not None and not os.access(out.absolute().parent, os.W_OK):
         raise HelicoideError(
             Text(
-                en="{out} cannot be written: give a file in a folder that is there and can be written to.",
+                en="{out} cannot be written: give a file in an existing folder that can be written to.",
                 pt_BR="Não dá para gravar {out}: indique um arquivo numa pasta que existe e aceita gravação.",
             ).format(out=out)
         )

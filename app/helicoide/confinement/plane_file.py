@@ -25,12 +25,12 @@ _HEAD = """\
 # its pane is shown, in metres, in the frame of the arm's base.
 """
 _VALID = Text(
-    en="{name} is not a file of planes: {reason}. Valid is TOML with 1 to {most} tables [[planes]], each with a name "
-    'of its own, a normal that is not zero and a point within {far:g} m: name = "+z", normal = [0, 0, -1], '
-    "centre_m = [0.5, 0, 0.6].",
-    pt_BR="{name} não é um arquivo de planos: {reason}. Vale TOML com 1 a {most} tabelas [[planes]], cada uma com nome "
-    'próprio, normal diferente de zero e um ponto a até {far:g} m: name = "+z", normal = [0, 0, -1], '
-    "centre_m = [0.5, 0, 0.6].",
+    en="{name} is not a plane file: {reason}. A plane file is TOML with 1 to {most} tables [[planes]], each with a "
+    'unique name, a nonzero normal and a point within {far:g} m: name = "+z", normal = [0, 0, -1], centre_m = [0.5, '
+    "0, 0.6].",
+    pt_BR="{name} não é um arquivo de planos: {reason}. Um arquivo de planos é TOML com 1 a {most} tabelas "
+    '[[planes]], cada uma com nome único, normal diferente de zero e um ponto a até {far:g} m: name = "+z", normal = '
+    "[0, 0, -1], centre_m = [0.5, 0, 0.6].",
 )
 
 
@@ -79,7 +79,7 @@ def _check(file: PlanesFile) -> None:
     for entry in file.planes:
         numbers = (*entry.normal, *entry.centre_m)
         if not all(math.isfinite(value) for value in numbers) or max(map(abs, entry.centre_m)) > FARTHEST:
-            reason = Text(en="plane {name!r} is nowhere", pt_BR="o plano {name!r} não fica em lugar nenhum")
+            reason = Text(en="plane {name!r} has no position", pt_BR="o plano {name!r} não tem posição")
             raise HelicoideError(reason.format(name=entry.name))
         if not any(entry.normal):
             reason = Text(en="the normal of {name!r} is zero", pt_BR="a normal de {name!r} é zero")

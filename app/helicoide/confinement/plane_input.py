@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from helicoide.arrays import Array, frozen
 from helicoide.confinement.planes import Plane, Planes
 from helicoide.geometry import rigid
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, numbers_text, untranslated
 
 # Larger distances, m, are refused as a typing error or a wrong unit.
 FARTHEST = 1000.0
@@ -51,8 +51,8 @@ def through_points(points: ArrayLike, inside: ArrayLike) -> Plane:
     if not pi.any():
         raise HelicoideError(
             Text(
-                en="The three points lie on one line, and through a line there are many planes: move one aside.",
-                pt_BR="Os três pontos estão numa só reta, e por uma reta passam muitos planos: afaste um deles dela.",
+                en="The three points lie on one line, so they do not define a plane: move one off the line.",
+                pt_BR="Os três pontos estão numa reta e não definem um plano: afaste um deles da reta.",
             )
         )
     normal, offset = rigid.normal_and_offset(pi)
@@ -70,7 +70,8 @@ def box_planes(lower: ArrayLike, upper: ArrayLike) -> Planes:
     if not (low < high).all():
         raise HelicoideError(
             Text(
-                en="Each coordinate of the lower corner must be less than that of the upper, not {low} and {high} m.",
+                en="Each coordinate of the lower corner must be less than that of the upper corner, not {low} and "
+                "{high} m.",
                 pt_BR="Cada coordenada do vértice inferior deve ser menor que a do superior, não {low} e {high} m.",
             ).format(low=_listed(low), high=_listed(high))
         )
@@ -84,13 +85,13 @@ def plane_facing(normal: Array, offset: float, inside: ArrayLike) -> Plane:
 
     Args: normal (3,), unit; offset, m; inside (3,), m. Source: Cerbaro 2022, eqs. 18, 20.
     """
-    point = _finite(inside, 3, Text(en="The point inside", pt_BR="O ponto de dentro"))
+    point = _finite(inside, 3, Text(en="The interior point", pt_BR="O ponto interno"))
     distance = float(normal @ point) - offset
     if abs(distance) < LEAST_DISTANCE:
         raise HelicoideError(
             Text(
-                en="The point {inside} m lies on the plane itself: give one on the side where the arm is.",
-                pt_BR="O ponto {inside} m está no próprio plano: dê um do lado em que o braço está.",
+                en="The point {inside} m lies on the plane: give a point on the side of the arm.",
+                pt_BR="O ponto {inside} m está no plano: dê um ponto do lado do braço.",
             ).format(inside=_listed(point))
         )
     return Plane(frozen(normal if distance > 0 else -normal), offset if distance > 0 else -offset)
@@ -113,5 +114,5 @@ def _finite(values: ArrayLike, n: int, what: Text, most: float = FARTHEST) -> Ar
     return array
 
 
-def _listed(values: Array) -> str:
-    return "(" + ", ".join(f"{value:g}" for value in values) + ")"
+def _listed(values: Array) -> Text:
+    return untranslated("({values})").format(values=numbers_text(values))

@@ -47,10 +47,10 @@ class Zones:
         if not LEAST_CRITICAL <= critical <= MOST_CRITICAL or not critical + LEAST_DEPTH <= warning <= MOST_WARNING:
             raise HelicoideError(
                 Text(
-                    en="The critical distance is {least:g} to {most:g} mm (the arm's shell is {shell:g} mm thick), and "
-                    "the warning begins {depth:g} mm or more before it, at {far:g} mm at most.",
-                    pt_BR="A distância crítica vai de {least:g} a {most:g} mm (a carcaça do braço tem {shell:g} mm), e "
-                    "o aviso começa pelo menos {depth:g} mm antes dela, no máximo a {far:g} mm.",
+                    en="The safety distance must be {least:g} to {most:g} mm (the arm's shell is {shell:g} mm thick). "
+                    "The warning distance must be at least {depth:g} mm larger, and at most {far:g} mm.",
+                    pt_BR="A distância de segurança vai de {least:g} a {most:g} mm (a carcaça do braço tem {shell:g} "
+                    "mm). A distância de aviso deve ser pelo menos {depth:g} mm maior, e no máximo {far:g} mm.",
                 ).format(
                     least=1000 * LEAST_CRITICAL,
                     most=1000 * MOST_CRITICAL,

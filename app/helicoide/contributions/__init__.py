@@ -1,6 +1,6 @@
-"""What people add, and what it is held to, a file for each kind.
+"""Checks of robots, lessons, methods and studies, one module for each kind.
 
-`faults(name)` of each file says in words what is wrong; `helicoide check` and the tests ask the same functions.
+`faults(name)` of each module returns the faults as texts. `helicoide check` and the tests use the same functions.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ UNKNOWN = Text(
 
 
 def found(kind: Kind) -> tuple[str, ...]:
-    """The names of all of a kind, those that cannot be used included."""
+    """The names of all of a kind, including those that cannot be used."""
     match kind:
         case "robot":
             return tuple(sorted(content.content_folders("robots")))
@@ -49,13 +49,13 @@ def _modules(usable: Iterable[str], path: Iterable[str]) -> tuple[str, ...]:
 
 
 def faults(kind: Kind, name: str) -> tuple[Text, ...]:
-    """Everything that is wrong with one of them, in words."""
+    """The faults of one of them."""
     said: tuple[Text, ...] = import_module(f"{__name__}.{_FILES[kind]}").faults(name)
     return said
 
 
 def named(name: str | None) -> list[tuple[Kind, str]]:
-    """All that has a name, or all that there is; raises HelicoideError, which lists the names."""
+    """Kind and name of all with that name; None: of all. Raises HelicoideError, with all names, if there is none."""
     every = [(kind, each) for kind in KINDS for each in found(kind)]
     chosen = [(kind, each) for kind, each in every if name in (None, each)]
     if not chosen:

@@ -14,7 +14,7 @@ from helicoide.kinematics import library
 from helicoide.text import HelicoideError, Text
 
 EXAMPLES = content.STATIC / "examples"
-NAME = "new_name"  # what the examples are called, in their files and in the names of these
+NAME = "new_name"  # the name of the examples, in their text and in their file names
 BAD_NAME = Text(
     en="{name!r} is no name: use small letters, digits and _, a letter first, such as my_{kind}.",
     pt_BR="{name!r} não serve de nome: use letras minúsculas sem acento, algarismos e _, letra no início: my_{kind}.",
@@ -31,10 +31,10 @@ UNWRITTEN = Text(en="{path} cannot be written: {why}.", pt_BR="Não dá para gra
 
 
 def made(kind: Kind, name: str, own: bool) -> list[Path]:
-    """Write an example into the checkout, or where `own` or without a checkout into the user's folder.
+    """Write an example into the checkout; with `own`, or without a checkout, into the user's folder.
 
-    Returns its files. Raises HelicoideError for a name that cannot be, a name or a place that is taken, and a folder
-    that cannot be written to.
+    Returns its files. Raises HelicoideError if the name is not valid, if the name or a file exists already, or if the
+    folder is not writable.
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
         raise HelicoideError(BAD_NAME.format(name=name, kind=kind))
@@ -47,7 +47,7 @@ def made(kind: Kind, name: str, own: bool) -> list[Path]:
         pairs = [(example / f"{NAME}.py", target.with_suffix(".py"))]
     else:
         pairs = [(file, target / file.name.replace(NAME, name)) for file in sorted(example.iterdir()) if file.is_file()]
-    shipped = _target(kind, own=False) / name  # a file that is there for something else would be found first
+    shipped = _target(kind, own=False) / name  # another file of that name would be found first
     for place in (target, shipped, shipped.with_suffix(".py"), *(to for _, to in pairs)):
         if place.exists():
             raise HelicoideError(THERE.format(path=place))

@@ -1,4 +1,4 @@
-"""What is wrong with the words of a lesson: what one language lacks, and what the screen does not show."""
+"""Faults of the texts of a lesson: differences between the languages, and bold words that are not on the screen."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ NOT_SHOWN = Text(
 
 
 def word_faults(lesson: Lesson, robot: Robot) -> Iterator[Text]:
-    """Everything that is wrong with the words, in words."""
+    """The faults of the texts of a lesson."""
     yield from untold(TITLE, lesson.title)
     for step, prose in lesson.prose.items():
         for fault in _of_prose(prose, robot):
@@ -80,13 +80,13 @@ def _unlike(text: Text) -> Iterator[Text]:
 
 
 def _numbers(words: str) -> list[str]:
-    """The numbers in words, with the decimal sign of either language."""
+    """The numbers in a text of either language, sorted, with a decimal point."""
     return sorted(number.replace(",", ".") for number in NUMBER.findall(words))
 
 
 @lru_cache(maxsize=32)
 def screen_words(robot: Robot, language: Language) -> frozenset[str]:
-    """What stands on the panels in front of a robot: titles of tabs, labels, buttons, choices."""
+    """The texts on the panels for a robot: titles of tabs, labels, buttons, options."""
     view = View(initial_state(robot), new_seat("", language, None))
     rows = [*(row for panel in panels.all_panels() for row in panel.rows(robot)), *step_rows(robot, ())]
     titles = [panel.TITLE[language] for panel in panels.all_panels()]

@@ -1,4 +1,4 @@
-"""What is wrong with a lesson: its words in both languages, and its steps when they are played on its own robot."""
+"""Faults of a lesson: its texts in both languages, and its steps, which are played on its own robot."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ POSE = Text(en="the pose “{title}”", pt_BR="a postura “{title}”")
 
 
 class _Wrong(Exception):
-    """A step is wrong, and what follows it cannot be judged."""
+    """A fault of a step, after which the rest of the step cannot be checked."""
 
     def __init__(self, text: Text) -> None:
         super().__init__(text.en)
@@ -57,7 +57,7 @@ class _Wrong(Exception):
 
 
 def faults(name: str) -> tuple[Text, ...]:
-    """Everything that is wrong with a lesson, by the name of its folder, in words. It is played."""
+    """The faults of a lesson, by the name of its folder. Its steps are played."""
     try:
         found = lesson.load_lesson(name)
         robot = load_robot(found.robot)
@@ -68,14 +68,14 @@ def faults(name: str) -> tuple[Text, ...]:
 
 
 def played(state: State, seconds: float) -> State:
-    """The state after so many seconds in which nothing is asked."""
+    """The state after a number of seconds without requests."""
     for _ in range(round(seconds / TICK)):
         state = lived(state, TICK)
     return state
 
 
 def settled(state: State) -> State | None:
-    """The state when the arm rests and nothing is asked any more; None where it never does."""
+    """The state once the arm is at rest without a command; None if that takes longer than `LONGEST`."""
     for _ in range(round(LONGEST)):
         state = played(state, 1.0)
         if isinstance(state.request.command, HoldPosition) and not state.arm.moving:
@@ -92,7 +92,7 @@ def done(state: State, seat: Seat, part: tuple[Update | AtSeat, float]) -> tuple
 
 
 def _whole(found: Lesson, robot: Robot) -> Iterator[Text]:
-    """The faults of the steps, each begun where the one before has ended."""
+    """The faults of the steps, each started where the one before has ended."""
     state, seat = initial_state(robot), Seat(token="", language="en", lesson=found.id)
     for number, step in enumerate(found.steps):
         try:
@@ -103,7 +103,7 @@ def _whole(found: Lesson, robot: Robot) -> Iterator[Text]:
 
 
 def _from_anywhere(found: Lesson, robot: Robot) -> Iterator[Text]:
-    """The faults of the setups from other starts: named poses inside the limits, and parked where there are planes."""
+    """The faults of the setups from other starts: each named pose, and the parked arm if there are planes."""
     ways: list[tuple[Text, Callable[[], State | None]]] = [
         (POSE.format(title=robot.pose_titles[pose]), partial(_arrived, robot, gate.go_to(pose))) for pose in robot.poses
     ]
@@ -124,7 +124,7 @@ def _arrived(robot: Robot, ask: Update) -> State | None:
 
 
 def _begun(step: Step, state: State, seat: Seat, start: Text) -> State:
-    """The state when the setup of a step has been played out."""
+    """The state at rest after the setup of a step."""
     asked = step.setup(state)
     if asked.arm.q is not state.arm.q:
         raise _Wrong(MOVES)
@@ -138,7 +138,7 @@ def _begun(step: Step, state: State, seat: Seat, start: Text) -> State:
 
 
 def _solved(step: Step, state: State, seat: Seat) -> tuple[State, Seat]:
-    """The state and the seat when the solution has been played; every part of it is needed."""
+    """The state and the seat after the solution. Every part of the solution has to be necessary."""
     if not step.solution:
         raise _Wrong(NO_SOLUTION)
     for n, part in enumerate(step.solution):

@@ -1,4 +1,4 @@
-"""A Python file that a person wrote: whether it can be used at all, and where it stopped."""
+"""Errors of contributed Python files: whether a file can be used, and where it raised."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ FAILED = Text(
 
 
 def unusable(package: ModuleType, name: str) -> Text | None:
-    """Why a method or a study cannot be used at all; None where it can. package: holds NEEDS."""
+    """Why a method or a study cannot be used; None if it can. package: defines NEEDS."""
     file = content.module_file(package.__path__, name)
     try:
         module = importlib.import_module(f"{package.__name__}.{name}")
-    except (Exception, SystemExit) as error:  # whatever a person's own file raises is its fault, and is said so
+    except (Exception, SystemExit) as error:  # any error of a contributed file is a fault
         return raised(file, error)
     missing = [need for need in package.NEEDS if not hasattr(module, need)]
     return LACKS.format(file=file, names=", ".join(missing)) if missing else None
 
 
 def gathered(file: Path, found: Iterable[Text]) -> tuple[Text, ...]:
-    """The faults that are found; where a person's file raises meanwhile, those before it, and that it does."""
+    """The faults that are found. If the contributed file raises, its error is the last fault."""
     said = list[Text]()
     try:
         for fault in found:
             said.append(fault)
-    except Exception as error:  # whatever a person's own file raises is its fault, and is said so
+    except Exception as error:  # any error of a contributed file is a fault
         said.append(raised(file, error))
     return tuple(said)
 
 
 def raised(file: Path, error: BaseException) -> Text:
-    """Where a person's file stopped, or how what it gave made the program stop."""
+    """Where a contributed file raised, or which error its result caused in the program."""
     if isinstance(error, HelicoideError):
         return error.text
     frames = traceback.extract_tb(error.__traceback__)

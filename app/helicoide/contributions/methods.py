@@ -1,4 +1,4 @@
-"""What is wrong with a method: what it says of itself, and whether it keeps its promises on every arm it applies to."""
+"""Faults of a method: its description, and promises that it breaks on an arm to which it applies."""
 
 from __future__ import annotations
 
@@ -39,21 +39,21 @@ POSITION = Text(en="position", pt_BR="posição")
 
 @dataclass(frozen=True)
 class Pair:
-    """An arm, by its name, and whether its tool is asked for an orientation as well as for a place."""
+    """A robot, by its name, and whether the task has an orientation besides the position."""
 
     robot: str
     with_orientation: bool
 
     @property
     def title(self) -> str:
-        """What a test calls it."""
+        """The name of its test."""
         return f"{self.robot}-{'pose' if self.with_orientation else 'position'}"
 
 
 @lru_cache
 @run_interpreted()
 def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
-    """The pairs that a method applies to, and why it does not apply to the others. Of all robots that have a folder."""
+    """The pairs to which a method applies, and why it does not apply to the others; for all robots with a folder."""
     applying, refused = list[Pair](), dict[Pair, Text]()
     for pair in (Pair(robot, turned) for robot in sorted(robot_titles()) for turned in (True, False)):
         state = bare_state(pair.robot)
@@ -66,14 +66,14 @@ def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
 
 
 def faults(name: str) -> tuple[Text, ...]:
-    """Everything that is wrong with a method, by its name, in words. It drives every arm, which takes a while."""
+    """The faults of a method, by its name. It drives every arm, which takes a while."""
     if (why := unusable(methods, name)) is not None:
         return (why,)
     return gathered(content.module_file(methods.__path__, name), chain(described(name), _held(name)))
 
 
 def described(name: str) -> Iterator[Text]:
-    """What is wrong with what a method says of itself."""
+    """The faults of the description of a method."""
     method = named(name)
     yield from untold(untranslated("TITLE"), method.TITLE)
     if not method.SOURCE.strip():

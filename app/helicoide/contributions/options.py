@@ -1,4 +1,4 @@
-"""What is wrong with the settings of a method or a study."""
+"""Faults of the settings of a method or a study."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DEFAULT = Text(en="the default of option {name} is not valid: {why}", pt_BR="o p
 
 
 def option_faults(options: type) -> Iterator[Text]:
-    """Everything that is wrong with a class of options: titles in both languages, defaults that are valid."""
+    """The faults of a class of options: titles missing in a language, and defaults that are not valid."""
     known, default = settings(options), options()
     for field in fields(default):
         if field.name not in known:

@@ -1,4 +1,4 @@
-"""Whether a method answers at all, and whether it keeps each of its promises on one arm."""
+"""Check that a method gives usable answers, and that it keeps each of its promises, on one arm."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.text import Text
 
 DTS = (0.001, 0.003, 0.01, 0.02, 0.05)
-# Arms whose first singular posture with every joint at a right angle or zero is the stretched one.
+# Arms for which the first of `singular_starts` is the stretched posture.
 STRETCHED = ("planar2r", "planar3r", "movemaster", "puma560", "zebra_zero")
 CHANGED, STAYED, ROUNDING = 1e-3, 1e-6, 1e-9
 NOT_FINITE = Text(en="an answer is not finite", pt_BR="uma resposta não é finita")
@@ -42,7 +42,7 @@ MOVED = Text(en="the joints moved by {moved:.1e}", pt_BR="as juntas se moveram {
 
 
 def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
-    """Whether answers are finite for targets that jump by metres, with titled figures, and not zero all along."""
+    """For targets that jump by metres, answers are finite and not all zero, and every figure has a title."""
     state, rng, most = bare_state(robot), np.random.default_rng(1), 0.0
     drive, q = Controller().with_method(name), state.arm.q
     for T in far_poses(state.robot, rng):
@@ -58,7 +58,7 @@ def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
 
 
 def keeps_limits(name: str, robot: str, with_orientation: bool) -> Text | None:
-    """KEEPS_LIMITS: joints stay inside their limits and speeds, wherever targets jump."""
+    """KEEPS_LIMITS: joints stay inside their limits and speeds for targets that jump."""
     state, rng = bare_state(robot), np.random.default_rng(7)
     drive, q = Controller().with_method(name), state.arm.q
     for T in far_poses(state.robot, rng):
@@ -73,7 +73,7 @@ def keeps_limits(name: str, robot: str, with_orientation: bool) -> Text | None:
 
 
 def converges(name: str, robot: str, with_orientation: bool) -> Text | None:
-    """CONVERGES: to a thousandth of the reach and of a radian, or a fiftieth of the way, from a posture not far off."""
+    """CONVERGES: from a near posture, `missing` falls below 0.001, or below a fiftieth of its first value."""
     state, rng = bare_state(robot), np.random.default_rng(2)
     q, goal = clear_of_singularities(state.robot, rng, with_orientation)
     T, drive = tool_at(state.robot, goal), Controller().with_method(name)
@@ -86,7 +86,7 @@ def converges(name: str, robot: str, with_orientation: bool) -> Text | None:
 
 
 def exact(name: str, robot: str, with_orientation: bool) -> Text | None:
-    """EXACT: J q̇ = ν for every ν that the arm can do at all, away from singular postures."""
+    """EXACT: J q̇ = ν for every ν in the range of J, away from singular postures."""
     state, rng = bare_state(robot), np.random.default_rng(4)
     for _ in range(10):
         q, _ = clear_of_singularities(state.robot, rng, with_orientation)
@@ -117,7 +117,7 @@ def bounded(name: str, robot: str, with_orientation: bool) -> Text | None:
 
 
 def leaves_singular(name: str, robot: str, with_orientation: bool) -> Text | None:
-    """LEAVES_SINGULAR: of the stretched arm, whose tool is asked to a place along the lost direction."""
+    """LEAVES_SINGULAR: the stretched arm moves if the task asks for the lost direction."""
     if robot not in STRETCHED or with_orientation:
         return None
     moved = moved_from_singular(name, robot)
@@ -125,7 +125,7 @@ def leaves_singular(name: str, robot: str, with_orientation: bool) -> Text | Non
 
 
 def stays_singular(name: str, robot: str, with_orientation: bool) -> Text | None:
-    """STAYS_SINGULAR: of the stretched arm, whose tool is asked to a place along the lost direction."""
+    """STAYS_SINGULAR: the stretched arm does not move if the task asks for the lost direction."""
     if robot not in STRETCHED or with_orientation:
         return None
     moved = moved_from_singular(name, robot)
@@ -133,7 +133,7 @@ def stays_singular(name: str, robot: str, with_orientation: bool) -> Text | None
 
 
 def moved_from_singular(name: str, robot: str) -> float:
-    """How far the joints of the stretched arm move in 200 steps that ask for the lost direction only, rad or m."""
+    """The largest joint displacement, rad or m, of the stretched arm in 200 steps that ask for the lost direction."""
     state = bare_state(robot)
     start = singular_starts(state, with_orientation=False)[0]
     lost = analyse_jacobian(asked(at(state, start), state.T_world_tool, False).J).lost_velocities[:, -1]
@@ -146,7 +146,7 @@ def moved_from_singular(name: str, robot: str) -> float:
 
 
 def broken(promise: Promise, what: Text) -> Text:
-    """That a promise is not kept, and how."""
+    """The fault that a promise is not kept, with details."""
     return BROKEN.format(promise=promise.name, what=what)
 
 

@@ -1,4 +1,4 @@
-"""What is wrong with a robot: contradictions of its files, what is not drawn, what its folder holds."""
+"""Faults of a robot: contradictions of its files, links that are not drawn, and the content of its folder."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ NOT_DRAWN = Text(
 
 
 def faults(name: str) -> tuple[Text, ...]:
-    """Everything that is wrong with a robot, by the name of its folder, in words."""
+    """The faults of a robot, by the name of its folder."""
     folder = content.content_folder("robots", name)
     try:
         robot = robot_from_folder(folder)
@@ -57,7 +57,7 @@ def _titles(robot: Robot) -> Iterator[Text]:
 def _title_of(folder: Path) -> Text:
     try:
         return robot_from_folder(folder).title
-    except HelicoideError:  # that one is broken, and says so itself
+    except HelicoideError:  # the fault of another robot, which its own check reports
         return untranslated("")
 
 
@@ -80,7 +80,7 @@ def _folder(folder: Path, robot: Robot) -> Iterator[Text]:
 
 
 def _drawing(folder: Path) -> Iterator[Text]:
-    """Whether build.py, where there is one, draws what lies in meshes/, twice alike."""
+    """The faults of build.py, if there is one: it must make the files in meshes/, and the same each time."""
     if not (folder / "build.py").is_file():
         return
     committed = {file.name: file.read_bytes() for file in (folder / "meshes").glob("*")}
@@ -88,7 +88,7 @@ def _drawing(folder: Path) -> Iterator[Text]:
         build = ModuleType(f"{folder.name}_build")
         SourceFileLoader(build.__name__, str(folder / "build.py")).exec_module(build)
         drawn, again = build.files(), build.files()
-    except Exception as error:  # whatever a person's own file raises is its fault, and is said so
+    except Exception as error:  # any error of a contributed file is a fault
         yield raised(folder / "build.py", error)
         return
     names = sorted(committed.keys() | drawn.keys())
@@ -99,7 +99,7 @@ def _drawing(folder: Path) -> Iterator[Text]:
 
 
 def _same_surfaces(committed: bytes, drawn: bytes) -> bool:
-    """Whether two meshes have the same surfaces; packages of other versions write other bytes."""
+    """Whether two meshes have the same surfaces; other versions of packages may write other bytes."""
     if not (committed and drawn):
         return False
     pairs = [*zip(surfaces(committed, ".glb"), surfaces(drawn, ".glb"), strict=False)]

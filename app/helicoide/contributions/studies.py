@@ -1,4 +1,4 @@
-"""What is wrong with a study: what it says of itself, and what comes out of its short form."""
+"""Faults of a study: its description, and the results of its short run."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ PROGRESS = Text(
 
 
 def faults(name: str) -> tuple[Text, ...]:
-    """Everything that is wrong with a study, by its name, in words. Its short form is run."""
+    """The faults of a study, by its name. Its short form is run."""
     if (why := unusable(studies, name)) is not None:
         return (why,)
     return gathered(content.module_file(studies.__path__, name), _all(studies.study_named(name)))
@@ -75,7 +75,7 @@ def _all(study: Study) -> Iterator[Text]:
 
 
 def described(study: Study) -> Iterator[Text]:
-    """What is wrong with what a study says of itself. Raises HelicoideError for a robot that is not there."""
+    """The faults of the description of a study. Raises HelicoideError for a robot that does not exist."""
     yield from untold(untranslated("TITLE"), study.TITLE)
     yield from untold(untranslated("ABOUT"), study.ABOUT, differ=True)
     for language in LANGUAGES:
@@ -88,7 +88,7 @@ def described(study: Study) -> Iterator[Text]:
 
 
 def result_faults(result: Result) -> Iterator[Text]:
-    """What is wrong with what came out."""
+    """The faults of a result."""
     if not result.rows:
         yield NO_ROWS
     for row in result.rows:

@@ -1,4 +1,4 @@
-"""What methods are tried on: an arm alone, tasks of the closed loop, postures away from singular ones and in them."""
+"""Trials of methods: an arm without surroundings, tasks of the closed loop, regular and singular postures."""
 
 from __future__ import annotations
 
@@ -31,13 +31,13 @@ ALWAYS_SINGULAR = Text(
 
 @cache
 def bare_state(robot: str) -> State:
-    """The arm at `ready`, with nothing around it."""
+    """The arm at `ready`, without planes."""
     state = initial_state(library.load_robot(robot))
     return replace(state, problem=replace(state.problem, planes=planes_of(())))
 
 
 def at(state: State, q: Array) -> State:
-    """The same state with the arm put somewhere else, q (n,), rad or m."""
+    """The state with other joint values, q (n,), rad or m."""
     robot = state.robot
     return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
 
@@ -50,7 +50,7 @@ def asked(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain
 def answered(
     state: State, T: Array, with_orientation: bool, drive: Controller, dt: float = 0.01
 ) -> tuple[Array, Controller]:
-    """The joint displacement that the method of a drive answers in one step towards a pose (4, 4), m."""
+    """The joint displacement (n,) of one step towards a pose (4, 4), m, and the controller after the step."""
     return step(state.problem, asked(state, T, with_orientation, dt), state.arm.poses, drive)
 
 
@@ -60,7 +60,7 @@ def tool_at(robot: Robot, q: Array) -> Array:
 
 
 def far_poses(robot: Robot, rng: np.random.Generator) -> Iterator[Array]:
-    """Four poses (4, 4), m, in any orientation, up to metres out of reach."""
+    """Four random poses (4, 4), m, most of them far out of reach."""
     for _ in range(4):
         T = np.eye(4)
         T[:3, :3] = rotation.to_matrix(rotation.from_rotation_vector(rng.normal(size=3)))
@@ -69,12 +69,15 @@ def far_poses(robot: Robot, rng: np.random.Generator) -> Iterator[Array]:
 
 
 def missing(state: State, T: Array, with_orientation: bool) -> float:
-    """What is left to a pose, in parts of the reach and radians."""
+    """The norm of the error to a pose (4, 4), m, with lengths divided by the reach, and angles in radians."""
     return float(np.linalg.norm(asked(state, T, with_orientation, gain=1.0).rate))
 
 
 def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientation: bool) -> tuple[Array, Array]:
-    """A start and a goal not far from each other, in the middle of the limits and away from singular postures."""
+    """A start and a goal near each other, (n,), rad or m, well inside the limits and away from singular postures.
+
+    Raises HelicoideError if nearly all postures are singular.
+    """
     state, middle, half = bare_state(robot.name), (robot.lower + robot.upper) / 2, (robot.upper - robot.lower) / 2
     for _ in range(MOST_DRAWS):
         goal = middle + rng.uniform(-0.6, 0.6, len(half)) * half
@@ -86,21 +89,21 @@ def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientat
 
 
 def least(state: State, with_orientation: bool) -> float:
-    """The least singular value that belongs to what the arm can usually do."""
+    """The smallest of the singular values that are not zero at a generic posture."""
     here = analyse_jacobian(asked(state, state.T_world_tool, with_orientation).J)
     return float(here.sigma[usual(state.robot.name, with_orientation) - 1])
 
 
 @cache
 def usual(robot: str, with_orientation: bool) -> int:
-    """The rank of the task's Jacobian at a posture of no account."""
+    """The rank of the task's Jacobian at a generic posture."""
     state, rng = bare_state(robot), np.random.default_rng(3)
     q = frozen(rng.uniform(state.robot.lower, state.robot.upper))
     return analyse_jacobian(asked(at(state, q), state.T_world_tool, with_orientation).J).rank
 
 
 def singular_starts(state: State, with_orientation: bool) -> list[Array]:
-    """Named postures and those with every joint at zero or a right angle in which the rank is lower than usual."""
+    """Up to four postures with a rank lower than usual: named ones, or with every joint at a multiple of 90°."""
     n, robot = len(state.arm.q), state.robot
     rng = np.random.default_rng(5)
     grid = [np.zeros(n), *(rng.integers(-2, 3, n) * np.pi / 2 for _ in range(200)), *robot.poses.values()]

@@ -1,4 +1,4 @@
-"""Whether something is said in both languages."""
+"""Check that a text exists in both languages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ALIKE = Text(en="{what} is the same in English and Portuguese", pt_BR="{what} é
 
 
 def untold(what: Text, text: object, differ: bool = False) -> Iterator[Text]:
-    """What is wrong with a text that must be there in both languages; differ: and must not be the same in both."""
+    """The faults of a text that must exist in both languages. differ: the two must not be the same."""
     if not isinstance(text, Text):
         yield NO_TEXT.format(what=what)
         return

@@ -15,7 +15,7 @@ from markupsafe import Markup
 from helicoide.arrays import Array
 from helicoide.export.study_table import significant_digits
 from helicoide.studies.study import Chart, ChartLine
-from helicoide.text import Language
+from helicoide.text import Language, with_decimal_comma
 
 # The size of a chart on a page: small enough for its words to be read on a phone, where it is drawn smaller than this.
 PAGE = (520, 300)
@@ -109,7 +109,7 @@ def svg(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Marku
     frame = ChartFrame(
         *size, across, axis_range([line.y[np.isfinite(line.y)] for line in chart.lines], chart.log), chart.log
     )
-    inside = (*_grid(frame), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
+    inside = (*_grid(frame, language), *(_polyline(line, i, frame) for i, line in enumerate(chart.lines)))
     return Markup('<svg viewBox="0 0 {} {}" role="img" aria-label="{}">\n{}\n</svg>').format(
         frame.width, frame.height, chart.title[language], Markup("\n").join(inside)
     )
@@ -133,7 +133,7 @@ def figure(chart: Chart, language: Language, size: tuple[int, int] = PAGE) -> Ma
     )
 
 
-def _grid(frame: ChartFrame) -> list[Markup]:
+def _grid(frame: ChartFrame, language: Language) -> list[Markup]:
     x, y = ticks(*frame.x_range), powers(*frame.y_range) if frame.log else ticks(*frame.y_range)
     floor_y, edge = frame.bottom, frame.width - RIGHT
     frame_of = Markup('<rect class="frame" x="{}" y="{}" width="{}" height="{}"/>')
@@ -142,12 +142,12 @@ def _grid(frame: ChartFrame) -> list[Markup]:
     rows = [frame_of.format(LEFT, TOP, edge - LEFT, floor_y - TOP)]
     for at, label in zip(frame.x_pixels(x), labels(x), strict=True):
         rows.append(path.format(f"M{at:.1f} {TOP}V{floor_y}"))
-        rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", label))
+        rows.append(text.format(f"{at:.1f}", floor_y + 16, "middle", with_decimal_comma(label)[language]))
     for at, label in zip(
         frame.y_pixels(y), [significant_digits(v, 2) for v in y] if frame.log else labels(y), strict=True
     ):
         rows.append(path.format(f"M{LEFT} {at:.1f}H{edge}"))
-        rows.append(text.format(LEFT - 6, f"{at + 4:.1f}", "end", label))
+        rows.append(text.format(LEFT - 6, f"{at + 4:.1f}", "end", with_decimal_comma(label)[language]))
     return rows
 
 

@@ -1,7 +1,7 @@
-"""Every condition between a wish and the arm: what comes from a browser is checked here, and becomes an Update. Pure.
+"""Checks what a browser asks for and turns it into an `Update`. Pure.
 
-A wish that cannot be granted leaves the state as it was, but for a notice that says why. Values are judged here and
-nowhere else: a browser may send anything.
+A request that is refused leaves the state unchanged, except for a notice with the reason. Values are checked only
+here: a browser may send anything.
 """
 
 from helicoide.gate.ball import POINTS, can_grasp, pick_and_place, put_ball, take_ball_away
@@ -29,6 +29,7 @@ from helicoide.gate.method import (
     choose_method,
     choose_objective,
     compare_with,
+    go_beyond_singular,
     grow_weights,
     objective_as_row,
     set_gain,
@@ -104,6 +105,7 @@ __all__ = [
     "end_map",
     "fail_map",
     "get_ready",
+    "go_beyond_singular",
     "go_to",
     "go_to_posture",
     "grow_weights",

@@ -1,4 +1,4 @@
-"""A ball to grasp: put somewhere, taken away, and carried from stand to stand by a path that is taught already."""
+"""A ball to grasp: place it, remove it, or load the taught waypoints that carry it from one stand to another."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from helicoide.state import State, Update
 from helicoide.text import HelicoideError, Text
 from helicoide.trajectory.waypoints import waypoint
 
-# Name, joints, °, way and gripper. Cerbaro 2022, §3.2, fig. 21, tells the test and shows it; the postures are ours.
+# Name, joints, °, way and gripper. Cerbaro 2022, §3.2, fig. 21, describes the test; the postures are assumed.
 ABOVE, ON_IT = (34.13, -64.21, -59.92), (23.79, -64.66, -49.13)
 POINTS = {
     "movemaster": (
@@ -32,26 +32,26 @@ POINTS = {
 
 
 def can_grasp(robot: Robot) -> bool:
-    """Whether the fingers of an arm go round the ball."""
+    """Whether the gripper of an arm opens wide enough for the ball."""
     return robot.gripper is not None and holding_opening(robot.gripper) < 1
 
 
 def put_ball(centre: ArrayLike) -> Update:
-    """The ball with its centre at a point (3,), m; nobody holds it."""
+    """Place the ball with its centre at a point (3,), m, not grasped."""
 
     def change(state: State) -> State:
         at, far = finite(centre, (3,)), FARTHEST * state.robot.maximum_reach
         if not can_grasp(state.robot):
             raise HelicoideError(
                 Text(
-                    en="This arm has no gripper that goes round a ball of {mm:.1f} mm.",
-                    pt_BR="Este braço não tem garra em que caiba uma bola de {mm:.1f} mm.",
+                    en="This arm has no gripper that opens wide enough for a ball of {mm:.1f} mm.",
+                    pt_BR="Este braço não tem garra com abertura para uma bola de {mm:.1f} mm.",
                 ).format(mm=2000 * BALL_RADIUS)
             )
         if np.abs(at).max() > far:
             raise HelicoideError(
                 Text(
-                    en="The ball must lie within {far:.1f} m of the base.",
+                    en="The ball must be within {far:.1f} m of the base.",
                     pt_BR="A bola deve ficar a até {far:.1f} m da base.",
                 ).format(far=far)
             )
@@ -61,12 +61,12 @@ def put_ball(centre: ArrayLike) -> Update:
 
 
 def take_ball_away() -> Update:
-    """No ball."""
+    """Remove the ball."""
     return lambda state: replace(state, ball=None)
 
 
 def pick_and_place() -> Update:
-    """The ball on the first of two stands, and the points that take it to the second, in place of those there are."""
+    """Place the ball on the first of two stands; replace the waypoints by those that carry it to the second."""
 
     def change(state: State) -> State:
         robot = state.robot
@@ -89,5 +89,5 @@ def pick_and_place() -> Update:
 
 
 def _tool(robot: Robot, q: Array) -> Array:
-    """Where the tool is in a posture (n,), (3,), m; without a kernel, for the view."""
+    """Position of the tool (3,), m, at a posture q (n,). Uses no compiled kernel."""
     return frozen((python_function(link_poses)(robot.chain, frozen(q))[-1] @ robot.T_link_tool)[:3, 3])

@@ -1,4 +1,4 @@
-"""What every wish is held to: finite numbers, a pose that is one, an arm that may move."""
+"""Checks that all requests share: finite numbers, valid poses, an arm that may move."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from helicoide.text import HelicoideError, Text
 
 FARTHEST = 3.7
 PARKED = Text(
-    en="The arm is parked with its planes off: press Ready first.",
-    pt_BR="O braço está estacionado, com os planos desligados: aperte Pronto primeiro.",
+    en="The arm is parked with its planes off: press “Ready pose” first.",
+    pt_BR="O braço está estacionado, com os planos desligados: aperte “Ir à pose inicial” primeiro.",
 )
 NOT_A_NUMBER = Text(en="That is not a finite number.", pt_BR="Isso não é um número finito.")
 
 
 def finite(values: ArrayLike, shape: tuple[int, ...]) -> Array:
-    """The values as an array of that shape; raises HelicoideError unless all are finite numbers."""
+    """The values as an array of this shape. Raises HelicoideError unless all are finite numbers of this shape."""
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -32,7 +32,7 @@ def finite(values: ArrayLike, shape: tuple[int, ...]) -> Array:
 
 
 def checked(wish: Update) -> Update:
-    """The wish, or the same state with the reason why not."""
+    """The update; if it raises HelicoideError, the state stays the same with the reason as its notice."""
 
     def update(state: State) -> State:
         try:
@@ -44,7 +44,7 @@ def checked(wish: Update) -> Update:
 
 
 def driven(wish: Update) -> Update:
-    """A wish that moves the arm: refused while it is parked."""
+    """An update that moves the arm: as `checked`, and refused while the arm is parked."""
 
     def update(state: State) -> State:
         if state.arm.parked:
@@ -55,7 +55,10 @@ def driven(wish: Update) -> Update:
 
 
 def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
-    """T (4, 4), m, from a position and a quaternion; raises HelicoideError unless both are finite and make a pose."""
+    """T (4, 4), m, from a position (3,), m, and a quaternion (4,), which is normalized.
+
+    Raises HelicoideError for values that are not finite or too large and for a zero quaternion.
+    """
     p, q, far = finite(position, (3,)), finite(wxyz, (4,)), FARTHEST * state.robot.maximum_reach
     if np.abs(p).max() > far or np.abs(q).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
         raise HelicoideError(
@@ -71,7 +74,7 @@ def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
 
 
 def while_asked(before: State, wish: Update) -> Update:
-    """The wish, unless since then something else has been asked of the arm, or another one stands there."""
+    """The update; the state stays unchanged if the command or the robot is no longer that of `before`."""
 
     def update(state: State) -> State:
         unchanged = state.request.command is before.request.command and state.robot is before.robot
@@ -81,5 +84,5 @@ def while_asked(before: State, wish: Update) -> Update:
 
 
 def while_there(before: State, wish: Update) -> Update:
-    """The wish, unless another arm stands there since then."""
+    """The update; the state stays unchanged if the robot is no longer that of `before`."""
     return lambda state: wish(state) if state.robot is before.robot else state

@@ -1,6 +1,6 @@
-"""Planes that people give, find or take away, and the zones in front of them.
+"""Planes that people enter, fit to a point cloud or remove, and the distances of their zones.
 
-A plane that would come too near to the arm stops at the critical distance from it, as one that is dragged does.
+A plane that would come too near to the arm stops at the critical distance from it, as a dragged plane does.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from helicoide.state import FittedCloud, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text, untranslated
 
 MOST = 12
-AHEAD = 0.45  # of the reach: how far in front of the base a pane is shown
+AHEAD = 0.45  # distance from the base at which a new pane is shown, as a fraction of the reach
 GIVEN = Text(en="plane {name}", pt_BR="plano {name}")
 BOX_TITLES = {
     "+z": Text(en="ceiling", pt_BR="teto"),
@@ -40,17 +40,17 @@ BOX_TITLES = {
 
 
 def add_plane(coefficients: ArrayLike) -> Update:
-    """One more plane a x + b y + c z = d, d in m where (a, b, c) has length one; the arm's tool is inside."""
+    """Add the plane a x + b y + c z = d, with the tool on its inner side. d is in m if (a, b, c) is a unit vector."""
     return _adding(lambda state: from_coefficients(finite(coefficients, (4,)), state.T_world_tool[:3, 3]))
 
 
 def add_plane_through(points: ArrayLike) -> Update:
-    """One more plane through three points (3, 3), m; the arm's tool is inside. Source: Cerbaro 2022, eqs. 25–26."""
+    """Add a plane through three points (3, 3), m, with the tool on its inner side. Source: Cerbaro 2022, eqs. 25–26."""
     return _adding(lambda state: through_points(finite(points, (3, 3)), state.T_world_tool[:3, 3]))
 
 
 def set_box(lower: ArrayLike, upper: ArrayLike) -> Update:
-    """Ceiling, walls and bench of a box between two corners (3,), m, in place of the planes that may be moved."""
+    """Replace the movable planes by ceiling, walls and bench of a box between two corners (3,), m."""
 
     def change(state: State) -> State:
         inside = box_planes(finite(lower, (3,)), finite(upper, (3,)))
@@ -66,7 +66,7 @@ def set_box(lower: ArrayLike, upper: ArrayLike) -> Update:
 
 
 def take_planes(names: Sequence[str], planes: Planes) -> Update:
-    """The planes of a file in place of those that may be moved."""
+    """Replace the movable planes by named planes, as read from a file."""
 
     def change(state: State) -> State:
         panes = [
@@ -79,12 +79,12 @@ def take_planes(names: Sequence[str], planes: Planes) -> Update:
 
 
 def clear_clouds() -> Update:
-    """Take away the clouds that were read; the planes that were found in them stay."""
+    """Remove the point clouds; the planes that were fitted to them stay."""
     return lambda state: replace(state, clouds=MappingProxyType({}))
 
 
 def show_cloud(name: str, seen: FittedCloud, pane: PlanePane | None) -> Update:
-    """A cloud that was read for a plane of that name, and the plane, which confines the arm at once."""
+    """Show a cloud that was read for the plane of this name, and add the plane that was fitted to it, if any."""
 
     def change(state: State) -> State:
         state = replace(state, clouds=MappingProxyType({**state.clouds, name: seen}), notice=None)
@@ -94,12 +94,12 @@ def show_cloud(name: str, seen: FittedCloud, pane: PlanePane | None) -> Update:
 
 
 def clear_planes() -> Update:
-    """Take away all planes that may be moved, and what was read of others."""
+    """Remove all movable planes and all point clouds."""
     return driven(lambda state: replace(_without_movable(state), clouds=MappingProxyType({})))
 
 
 def take_planes_of(content: bytes, name: str) -> Update:
-    """The planes of a file of that name; what is wrong with it is said."""
+    """`take_planes` from the content of a file with this name. An invalid file is refused with the reason."""
 
     def change(state: State) -> State:
         return take_planes(*decode_planes(content, name))(state)
@@ -108,19 +108,20 @@ def take_planes_of(content: bytes, name: str) -> Update:
 
 
 def say(words: Text) -> Update:
-    """A sentence in the status line."""
+    """Show a sentence in the status line."""
     return lambda state: replace(state, notice=words)
 
 
 def remove_plane(index: int) -> Update:
-    """Take away a plane that may be moved."""
+    """Remove a movable plane."""
 
     def change(state: State) -> State:
         panes = state.problem.planes.panes
         if index not in range(len(panes)) or not panes[index].movable:
             raise HelicoideError(
                 Text(
-                    en="That plane stays; to be taken away: {names}.", pt_BR="Esse plano fica; podem sair: {names}."
+                    en="That plane cannot be removed; removable planes: {names}.",
+                    pt_BR="Esse plano não pode ser removido; removíveis: {names}.",
                 ).format(names=", ".join(pane.name for pane in panes if pane.movable) or "–")
             )
         return _with(with_drag(state, None), state.problem.planes.without(index))
@@ -129,7 +130,7 @@ def remove_plane(index: int) -> Update:
 
 
 def set_zones(critical: float, warning: float) -> Update:
-    """The critical and the warning distance, m, within their safe bounds."""
+    """Set the critical and the warning distance, m, within their safe bounds."""
 
     def change(state: State) -> State:
         near, far = finite([critical, warning], (2,))
@@ -140,11 +141,15 @@ def set_zones(critical: float, warning: float) -> Update:
 
 
 def confined(state: State, panes: Sequence[PlanePane]) -> State:
-    """The state with more planes, each as near as the arm lets it come; the notice says which were stopped."""
+    """The state with the panes added, those too near to the arm moved back to the critical distance, with a notice.
+
+    A pane replaces a movable plane of its name and is skipped if a fixed plane has it. Raises HelicoideError for more
+    than `MOST` planes.
+    """
     planes, stopped = state.problem.planes, []
     for pane in panes:
         if any(one.name == pane.name and not one.movable for one in planes.panes):
-            continue  # what is fixed stays as it is
+            continue  # fixed planes are not replaced
         if len(planes.panes) >= MOST and pane.name not in planes.names:
             raise HelicoideError(
                 Text(en="There are {most} planes at most.", pt_BR="Há no máximo {most} planos.").format(most=MOST)

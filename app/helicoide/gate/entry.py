@@ -1,4 +1,4 @@
-"""The entry point of the instrument: held, dragged, let go (remote centre of motion)."""
+"""The entry point of the instrument (remote centre of motion): switch it on or off, drag it, set its position."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
 
 ENTRY = "entry"
-NONE_HELD = Text(en="No entry point is held.", pt_BR="Nenhum ponto de entrada está ativo.")
+NONE_HELD = Text(en="No entry point is active.", pt_BR="Nenhum ponto de entrada está ativo.")
 
 
 def hold_entry(on: bool) -> Update:
-    """Keep the instrument in the entry point where it is now, or let it go."""
+    """Put an entry point on the shaft at its present position, or remove the entry point. Methods start anew."""
 
     def change(state: State) -> State:
         state = for_both_arms(state, lambda drive: drive.with_method(drive.method))
@@ -32,7 +32,7 @@ def hold_entry(on: bool) -> Update:
 
 
 def drag_entry(seat: str, phase: Phase, position: ArrayLike) -> Update:
-    """The entry point under the hand; the instrument follows it as fast as the arm can."""
+    """Drag the entry point to a position (3,), m; the instrument follows as fast as the arm can."""
 
     def change(state: State) -> State:
         asked, grasp = _place(state, position), Drag(seat, ENTRY)
@@ -46,7 +46,7 @@ def drag_entry(seat: str, phase: Phase, position: ArrayLike) -> Update:
 
 
 def set_entry(position: ArrayLike) -> Update:
-    """The entry point by its numbers, m."""
+    """Set the position of the entry point, (3,), m."""
     return driven(lambda state: _with(state, _place(state, position)))
 
 
@@ -57,7 +57,7 @@ def _place(state: State, position: ArrayLike) -> Array:
     if abs(asked).max() > far:
         raise HelicoideError(
             Text(
-                en="The entry point must lie within {far:.1f} m of the base.",
+                en="The entry point must be within {far:.1f} m of the base.",
                 pt_BR="O ponto de entrada deve ficar a até {far:.1f} m da base.",
             ).format(far=far)
         )

@@ -1,4 +1,4 @@
-"""Joints, named postures and the gripper, and the way home with the planes off."""
+"""Joint values, named postures, parking and the gripper."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from helicoide.state import State, Update, with_command, with_drag
 from helicoide.text import HelicoideError, Text
 
 NO_PARKING = Text(
-    en="This arm has no planes to park out of.",
-    pt_BR="Este braço não tem planos dos quais sair para estacionar.",
+    en="This arm has no planes, so there is nothing to park for.",
+    pt_BR="Este braço não tem planos, portanto não precisa estacionar.",
 )
 
 IN_THE_WAY = Text(
-    en="The arm parks without watching: take the obstacles away first.",
-    pt_BR="O braço estaciona sem vigiar o caminho: tire os obstáculos antes.",
+    en="Parking does not check for obstacles: remove them first.",
+    pt_BR="O estacionamento não verifica obstáculos: remova-os antes.",
 )
 
 
 def set_joint(index: int, angle: float) -> Update:
-    """One joint from its slider or number box, rad or m."""
+    """Set the target of one joint, rad or m; the other joints keep their targets."""
 
     def change(state: State) -> State:
         (value,) = finite([angle], (1,))
         if index not in range(len(state.arm.q)):
             raise HelicoideError(
-                Text(en="There are joints 1 to {n}.", pt_BR="Há juntas de 1 a {n}.").format(n=len(state.arm.q))
+                Text(en="The joints are 1 to {n}.", pt_BR="As juntas são de 1 a {n}.").format(n=len(state.arm.q))
             )
         limits = state.problem.limits
         if not limits.lower[index] - 1e-6 <= value <= limits.upper[index] + 1e-6:
@@ -47,8 +47,8 @@ def _outside(state: State, index: int) -> Text:
     joint, limits = state.robot.variables[index], state.problem.limits
     scale, unit = (1000.0, " mm") if joint.is_prismatic else (180 / np.pi, "°")
     return Text(
-        en="Joint {n} ({title}) takes {lower:.0f}{unit} to {upper:.0f}{unit}.",
-        pt_BR="A junta {n} ({title}) aceita de {lower:.0f}{unit} a {upper:.0f}{unit}.",
+        en="Joint {n} ({title}) moves from {lower:.0f}{unit} to {upper:.0f}{unit}.",
+        pt_BR="A junta {n} ({title}) vai de {lower:.0f}{unit} a {upper:.0f}{unit}.",
     ).format(
         n=index + 1,
         title=joint.title,
@@ -59,15 +59,15 @@ def _outside(state: State, index: int) -> Text:
 
 
 def go_to(name: str) -> Update:
-    """A named posture of the robot; with planes `home` is parking, and `ready` is getting ready."""
+    """Go to a named posture of the robot. `ready` means `get_ready`; `home` means `park` if the robot has planes."""
 
     def change(state: State) -> State:
         poses = state.robot.poses
         if name not in poses:
             raise HelicoideError(
                 Text(
-                    en="There is no pose {name!r}; there is: {known}.",
-                    pt_BR="Não existe a pose {name!r}; existe: {known}.",
+                    en="There is no pose {name!r}; poses: {known}.",
+                    pt_BR="Não existe a pose {name!r}; poses: {known}.",
                 ).format(name=name, known=", ".join(poses))
             )
         return with_command(state, MoveToJoints(poses[name]))
@@ -80,7 +80,7 @@ def go_to(name: str) -> Update:
 
 
 def park() -> Update:
-    """To `ready` inside the planes, then home with the planes off."""
+    """Go to `ready` inside the planes, then to `home` with the planes off. Refused while there are obstacles."""
 
     def change(state: State) -> State:
         if not state.robot.panes:
@@ -93,17 +93,19 @@ def park() -> Update:
 
 
 def get_ready() -> Update:
-    """To `ready`; from home with the planes off."""
+    """Go to `ready`; if the arm is parked, with the planes off."""
     return lambda state: with_command(with_drag(state, None), GetReady())
 
 
 def set_gripper(opening: float) -> Update:
-    """The gripper, 0 closed to 1 open."""
+    """Set the target opening of the gripper, 0 closed to 1 open. This ends a stop."""
 
     def change(state: State) -> State:
         (value,) = finite([opening], (1,))
         if not 0.0 <= value <= 1.0:
-            raise HelicoideError(Text(en="The gripper takes 0 to 100 %.", pt_BR="A garra aceita de 0 a 100 %."))
+            raise HelicoideError(
+                Text(en="The gripper opening is 0 to 100 %.", pt_BR="A abertura da garra vai de 0 a 100 %.")
+            )
         released = HoldPosition() if state.request.command == HoldPosition(stopped=True) else state.request.command
         return replace(state, request=replace(state.request, gripper=value, command=released))
 

@@ -1,4 +1,4 @@
-"""Maps of the workspace: chosen, counted, shown and taken away; what belongs to another arm is not taken."""
+"""Maps of the workspace: choose, compute, show and remove them. Results for another robot are ignored."""
 
 from __future__ import annotations
 
@@ -17,42 +17,42 @@ from helicoide.text import HelicoideError, Text
 
 
 def choose_map(kind: str) -> SeatUpdate:
-    """Another kind of map for a person; anything else leaves the one that is chosen."""
+    """Choose the kind of map of a seat. An unknown kind is ignored."""
     return lambda seat: replace(seat, map_kind=next((one for one in MAP_KINDS if one == kind), seat.map_kind))
 
 
 def start_map(robot: Robot, kind: MapKind) -> Update:
-    """A map of this arm begins to be counted."""
+    """Start the computation of a map of this robot."""
     return _of(robot, lambda state: _with(state, progress=MapProgress(kind)))
 
 
 def tell_map(robot: Robot, share: float) -> Update:
-    """What is counted tells how far it is, 0 to 1."""
+    """Set the progress of the computation, 0 to 1."""
     return _while_counted(robot, lambda state, counting: _with(state, progress=replace(counting, share=share)))
 
 
 def show_map(robot: Robot, found: WorkspaceMap) -> Update:
-    """The map of this arm is there, in place of the one before."""
+    """Finish the computation and show its map in place of the previous one."""
     return _while_counted(robot, lambda state, _: _with(state, progress=None, map=found))
 
 
 def fail_map(robot: Robot, why: Text) -> Update:
-    """What was counted has ended without a map."""
+    """End the computation without a map, with the reason as a notice."""
     return _while_counted(robot, lambda state, _: replace(_with(state, progress=None), notice=why))
 
 
 def end_map() -> Update:
-    """End what is counted."""
+    """Cancel the computation."""
     return lambda state: _with(state, progress=None)
 
 
 def clear_map() -> Update:
-    """Take the map away."""
+    """Remove the map."""
     return lambda state: _with(state, map=None)
 
 
 def cut_map(share: float) -> SeatUpdate:
-    """Where a person has the map cut, −1 to 1 of the reach; anything else leaves it where it is."""
+    """Set where a seat cuts the map, −1 to 1 in units of the reach, clipped. A value that is no number is ignored."""
 
     def change(seat: Seat) -> Seat:
         try:

@@ -1,38 +1,50 @@
-"""The method that drives the tool: which one, its settings, its gains, and another one to compare it with."""
+"""The method that drives the tool: its choice, options, gains and objective, and a second method to compare with."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
 
-from helicoide.gate.check import checked, finite
+from helicoide.arrays import Array
+from helicoide.command import MoveToPose
+from helicoide.comparison import Trace
+from helicoide.gate.check import checked, driven, finite
 from helicoide.ik import objectives
 from helicoide.ik.controller import Controller, Gains, SecondaryObjective
 from helicoide.ik.method import changed
 from helicoide.ik.methods import named
-from helicoide.state import ComparedArm, State, Update
+from helicoide.ik.postures.singular import pose_beyond
+from helicoide.state import ComparedArm, State, Update, with_command
 from helicoide.text import HelicoideError, Text
 
 LEAST_GAIN, LARGEST_GAIN, HEAVIEST = 0.5, 50.0, 1000.0
+NONE_SINGULAR = Text(
+    en="No singular posture of this arm was found inside its limits and planes.",
+    pt_BR="Não se achou postura singular deste braço dentro dos limites e dos planos.",
+)
 NOT_A_ROW = Text(
-    en="“{title}” does not come to rest at zero and cannot be a row of the task.",
-    pt_BR="“{title}” não repousa em zero e não pode ser uma linha da tarefa.",
+    en="“{title}” is not zero at its minimum, so it cannot be a task row.",
+    pt_BR="“{title}” não é zero no mínimo, por isso não pode ser uma linha da tarefa.",
 )
 
 
 def choose_method(name: str) -> Update:
-    """Drive by another method from here on: the arm goes on from where it is."""
+    """Choose the method; the motion continues from the present posture."""
 
     def wish(state: State) -> State:
         named(name)
         drive = state.request.controller.with_method(name)
-        return replace(state, request=replace(state.request.renewed(), controller=drive))
+        fresh = state.compared and replace(state.compared, trace=Trace())
+        return replace(state, request=replace(state.request.renewed(), controller=drive), compared=fresh)
 
     return checked(wish)
 
 
 def compare_with(name: str | None) -> Update:
-    """Put a second arm where the first one is, to follow the same target by another method; None takes it away."""
+    """Add a second arm at the posture of the first, which follows the same target by another method; None removes it.
+
+    A second arm that exists already keeps its posture.
+    """
 
     def wish(state: State) -> State:
         if name is None:
@@ -45,8 +57,24 @@ def compare_with(name: str | None) -> Update:
     return checked(wish)
 
 
+def go_beyond_singular(q: Array | None) -> Update:
+    """Set a target pose beyond a singular posture q (n,), rad or m. A second arm restarts at the posture of the first.
+
+    None, for no such posture, is refused.
+    """
+
+    def update(state: State) -> State:
+        if q is None:
+            raise HelicoideError(NONE_SINGULAR)
+        target = pose_beyond(state.robot, q, state.T_world_tool, state.request.with_orientation)
+        second = state.compared and ComparedArm(replace(state.arm, active_set=None), state.compared.controller)
+        return replace(with_command(state, MoveToPose(target)), compared=second)
+
+    return driven(update)
+
+
 def set_option(method: str, name: str, value: object) -> Update:
-    """One setting of a method, for whichever arm it drives."""
+    """Set one option of a method, for both arms."""
 
     def wish(state: State) -> State:
         options = changed(state.request.controller.options(method), name, value)
@@ -56,15 +84,15 @@ def set_option(method: str, name: str, value: object) -> Update:
 
 
 def set_gain(index: int, value: float) -> Update:
-    """A gain of the closed loop, 1/s: of the tool's x, y, z (0 to 2) or of its orientation (3)."""
+    """Set a gain of the closed loop, 1/s: that of the tool's x, y, z (index 0 to 2) or of its orientation (3)."""
 
     def wish(state: State) -> State:
         (gain,) = finite([value], (1,))
         if index not in range(4) or not LEAST_GAIN <= gain <= LARGEST_GAIN:
             raise HelicoideError(
                 Text(
-                    en="Gains 1 to 4 take {least:g} to {largest:g} 1/s.",
-                    pt_BR="Os ganhos de 1 a 4 aceitam de {least:g} a {largest:g} 1/s.",
+                    en="Gains 1 to 4 must be {least:g} to {largest:g} 1/s.",
+                    pt_BR="Os ganhos de 1 a 4 vão de {least:g} a {largest:g} 1/s.",
                 ).format(least=LEAST_GAIN, largest=LARGEST_GAIN)
             )
         return for_both_arms(state, lambda drive: replace(drive, gains=_with(drive.gains, index, float(gain))))
@@ -73,7 +101,7 @@ def set_gain(index: int, value: float) -> Update:
 
 
 def choose_objective(name: str | None) -> Update:
-    """What the joints do with the freedom that the task leaves; None for nothing."""
+    """Choose the secondary objective; None for none."""
 
     def wish(state: State) -> State:
         if name is None:
@@ -89,18 +117,18 @@ def choose_objective(name: str | None) -> Update:
 
 
 def set_objective(name: str, value: object) -> Update:
-    """One setting of the objective that is chosen."""
+    """Set one option of the chosen objective."""
     return _objective_changed(lambda second: replace(second, options=changed(second.options, name, value)))
 
 
 def weigh_objective(weight: float) -> Update:
-    """The weight k₀ of the objective, 1/s; gains that have grown begin with it anew."""
+    """Set the weight k₀ of the objective, 1/s. Weights that have grown restart from it."""
 
     def heavier(second: SecondaryObjective) -> SecondaryObjective:
         (value,) = finite([weight], (1,))
         if not 0.0 <= value <= HEAVIEST:
             raise HelicoideError(
-                Text(en="The weight takes 0 to {most:g} 1/s.", pt_BR="O peso aceita de 0 a {most:g} 1/s.").format(
+                Text(en="The weight must be 0 to {most:g} 1/s.", pt_BR="O peso vai de 0 a {most:g} 1/s.").format(
                     most=HEAVIEST
                 )
             )
@@ -110,7 +138,7 @@ def weigh_objective(weight: float) -> Update:
 
 
 def objective_as_row(on: bool) -> Update:
-    """Whether the objective is one more row of the task, or moves the joints in its null space."""
+    """Whether the objective is one more row of the task, or moves the joints in the null space of the task."""
 
     def change(second: SecondaryObjective) -> SecondaryObjective:
         objective = objectives.named(second.objective)
@@ -122,7 +150,7 @@ def objective_as_row(on: bool) -> Update:
 
 
 def grow_weights(on: bool) -> Update:
-    """Algorithm 1: the weight of a joint grows each time it is stopped at its limit."""
+    """Whether the weight of a joint grows each time it stops at its limit (algorithm 1)."""
     return _objective_changed(lambda second: replace(second, adapts=bool(on), weights=None))
 
 
@@ -142,6 +170,6 @@ def _with(gains: Gains, index: int, value: float) -> Gains:
 
 
 def for_both_arms(state: State, change: Callable[[Controller], Controller]) -> State:
-    """The same change of the drive of the arm and of the one beside it."""
+    """The state with the same change of the controllers of the arm and of the second arm."""
     beside = state.compared and replace(state.compared, controller=change(state.compared.controller))
     return replace(state, request=replace(state.request, controller=change(state.request.controller)), compared=beside)

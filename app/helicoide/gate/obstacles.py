@@ -1,6 +1,6 @@
-"""Spheres in the arm's way: put there, dragged, made larger, taken away.
+"""Spherical obstacles: add, drag, resize and remove them.
 
-What moves gives way: a sphere that is dragged stops at the arm, as the arm stops at the sphere.
+The one that moves stops: a dragged sphere stops at the arm, and a moving arm stops at the sphere.
 """
 
 from __future__ import annotations
@@ -19,23 +19,23 @@ from helicoide.state import Drag, State, Update, with_drag, with_problem
 from helicoide.text import HelicoideError, Text
 
 MOST = 6
-# Of the arm's reach: how large a sphere is at first and can be, and how far from the tool it is put.
+# As fractions of the reach: initial, smallest and largest radius, and initial distance of the centre from the tool.
 RADIUS, SMALLEST, LARGEST, ASIDE = 0.06, 0.02, 0.25, 0.35
 
 
 def obstacle_handle(index: int) -> str:
-    """The name of what somebody holds who drags a sphere."""
+    """The handle of an obstacle in a `Drag`."""
     return f"obstacle {index}"
 
 
 def add_obstacle() -> Update:
-    """One more sphere beside the tool."""
+    """Add a sphere beside the tool."""
 
     def change(state: State) -> State:
         obstacles, reach = state.problem.obstacles, state.robot.reach
         if len(obstacles.radii) == MOST:
             raise HelicoideError(
-                Text(en="There are {most} obstacles at most.", pt_BR="Há no máximo {most} obstáculos.").format(
+                Text(en="At most {most} obstacles are allowed.", pt_BR="Há no máximo {most} obstáculos.").format(
                     most=MOST
                 )
             )
@@ -44,7 +44,7 @@ def add_obstacle() -> Update:
         if radius < SMALLEST * reach:
             raise HelicoideError(
                 Text(
-                    en="There is no room beside the tool: move the arm first.",
+                    en="There is no free space next to the end effector: move the arm first.",
                     pt_BR="Não há espaço ao lado do efetuador: mova o braço antes.",
                 )
             )
@@ -54,7 +54,7 @@ def add_obstacle() -> Update:
 
 
 def drag_obstacle(seat: str, phase: Phase, index: int, position: ArrayLike) -> Update:
-    """A sphere under the hand: it follows on the straight way, and rests where the arm would be touched."""
+    """Drag a sphere to a position (3,), m: it moves along a straight line and stops before it touches the arm."""
 
     def change(state: State) -> State:
         asked = _place(state, index, position)
@@ -69,12 +69,12 @@ def drag_obstacle(seat: str, phase: Phase, index: int, position: ArrayLike) -> U
 
 
 def set_obstacle(index: int, position: ArrayLike) -> Update:
-    """A sphere by the numbers of its centre, m."""
+    """Move the centre of a sphere to a position (3,), m, in the same way."""
     return driven(lambda state: _moved(state, index, _place(state, index, position)))
 
 
 def set_obstacle_radius(index: int, radius: float) -> Update:
-    """A sphere made larger, as far as the arm leaves room for it, or smaller; m."""
+    """Set the radius of a sphere, m; it grows only as far as its clearance from the arm allows."""
 
     def change(state: State) -> State:
         _check(state, index)
@@ -82,8 +82,8 @@ def set_obstacle_radius(index: int, radius: float) -> Update:
         if not SMALLEST * reach <= value <= LARGEST * reach:
             raise HelicoideError(
                 Text(
-                    en="A sphere takes a radius of {least:.0f} to {most:.0f} mm.",
-                    pt_BR="Uma esfera aceita raio de {least:.0f} a {most:.0f} mm.",
+                    en="The radius of a sphere must be {least:.0f} to {most:.0f} mm.",
+                    pt_BR="O raio de uma esfera vai de {least:.0f} a {most:.0f} mm.",
                 ).format(least=1000 * SMALLEST * reach, most=1000 * LARGEST * reach)
             )
         obstacles = state.problem.obstacles
@@ -96,7 +96,7 @@ def set_obstacle_radius(index: int, radius: float) -> Update:
 
 
 def remove_obstacle(index: int) -> Update:
-    """Take a sphere away."""
+    """Remove a sphere."""
 
     def change(state: State) -> State:
         _check(state, index)
@@ -106,7 +106,7 @@ def remove_obstacle(index: int) -> Update:
 
 
 def _roomy(state: State, radius: float) -> Array:
-    """A place beside the tool, (3,), m: the nearest to the base where a sphere has room, else the roomiest."""
+    """A centre beside the tool, (3,), m: the one nearest to the base with enough room, else the one with most room."""
     obstacles, planes, reach = state.problem.obstacles, state.problem.planes, state.robot.reach
     places = state.T_world_tool[:3, 3] + np.concatenate([np.eye(3), -np.eye(3)]) * ASIDE * reach
     places[:, 2] = np.maximum(places[:, 2], state.robot.floor + radius)
@@ -120,7 +120,7 @@ def _check(state: State, index: int) -> None:
     count = len(state.problem.obstacles.radii)
     if index not in range(count):
         raise HelicoideError(
-            Text(en="There are obstacles 1 to {n}.", pt_BR="Há obstáculos de 1 a {n}.").format(n=count)
+            Text(en="The obstacles are 1 to {n}.", pt_BR="Os obstáculos são de 1 a {n}.").format(n=count)
             if count
             else Text(en="There are no obstacles.", pt_BR="Não há obstáculos.")
         )
@@ -132,7 +132,7 @@ def _place(state: State, index: int, position: ArrayLike) -> Array:
     if np.abs(asked).max() > far:
         raise HelicoideError(
             Text(
-                en="An obstacle must lie within {far:.1f} m of the base.",
+                en="An obstacle must be within {far:.1f} m of the base.",
                 pt_BR="Um obstáculo deve ficar a até {far:.1f} m da base.",
             ).format(far=far)
         )
@@ -148,13 +148,13 @@ def _moved(state: State, index: int, asked: Array) -> State:
 
 
 def _axes(state: State) -> Array:
-    """The axes of the moving bodies of the arm where they are, and of the arm beside, (k, 2, 3), m."""
+    """The axes of the moving bodies of the arm and of the second arm at their present poses, (k, 2, 3), m."""
     arms = [state.arm.poses] if state.compared is None else [state.arm.poses, state.compared.arm.poses]
     return np.array([body.axis_at(poses) for poses in arms for body in _moving(state)])
 
 
 def _kept(state: State) -> Array:
-    """How far an obstacle without size stays from each of `_axes`, (k,), m."""
+    """The smallest distance that a point obstacle must keep from each of `_axes`, (k,), m."""
     arms = 1 if state.compared is None else 2
     return np.array([body.radius + state.problem.zones.body_clearance for body in _moving(state)] * arms)
 
@@ -164,14 +164,14 @@ def _moving(state: State) -> list[Capsule]:
 
 
 def _fitting(state: State, centre: Array, radius: float) -> float:
-    """The radius, or the largest that keeps its distance from the arm."""
+    """The radius, reduced if necessary to the largest that keeps its distance from the arm."""
     return min(radius, float((segment_distances(centre[None], _axes(state))[0] - _kept(state)).min()))
 
 
 def _at_arm(state: State, index: int) -> Text:
     return Text(
-        en="Obstacle {n} stops at the arm: {mm:.0f} mm stay free.",
-        pt_BR="O obstáculo {n} para no braço: {mm:.0f} mm ficam livres.",
+        en="Obstacle {n} stops {mm:.0f} mm from the arm.",
+        pt_BR="O obstáculo {n} para a {mm:.0f} mm do braço.",
     ).format(n=index + 1, mm=1000 * state.problem.zones.body_clearance)
 
 

@@ -1,4 +1,4 @@
-"""The path that the target follows: which one, how fast, and where on it."""
+"""The path that the target follows: its choice, its time scaling and duration, and the place on it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.trajectory.time_optimal import TimingShape
 
 
 def play() -> Update:
-    """Follow the path from where its parameter stands, or an open one that has ended from its start."""
+    """Follow the path from its present parameter; an open path that has ended restarts."""
 
     def change(state: State) -> State:
         path = path_of(state.robot, state.request.path_choice)
@@ -27,7 +27,7 @@ def play() -> Update:
 
 
 def pause() -> Update:
-    """Stay at this place of the path."""
+    """Stop at the present place of the path."""
 
     def change(state: State) -> State:
         if not isinstance(state.request.command, FollowPath):
@@ -38,15 +38,15 @@ def pause() -> Update:
 
 
 def scrub(share: float) -> Update:
-    """Another place of the path, as a share of its time, 0 to 1; playing goes on from there."""
+    """Go to a place of the path, a fraction of its duration from 0 to 1. A path that plays continues from there."""
 
     def change(state: State) -> State:
         (value,) = finite([share], (1,))
         if not 0.0 <= value <= 1.0:
             raise HelicoideError(
                 Text(
-                    en="A place on the path is 0 to 100 % of its time.",
-                    pt_BR="Um ponto da trajetória fica entre 0 e 100 % do seu tempo.",
+                    en="The position on the path must be 0 to 100 % of its duration.",
+                    pt_BR="A posição na trajetória vai de 0 a 100 % da duração.",
                 )
             )
         path = path_of(state.robot, state.request.path_choice)
@@ -61,17 +61,17 @@ def scrub(share: float) -> Update:
 
 
 def choose_path(name: str) -> Update:
-    """Another path of `presets`, from its start and in its own time; an arm that follows a path stops."""
+    """Choose a path of `presets`, at its start and with its own duration. An arm that follows a path stops."""
     return driven(lambda state: _from_start(state, replace(state.request.path_choice, name=name, duration=None)))
 
 
 def choose_scaling(shape: TimingShape) -> Update:
-    """Another time scaling of the path, from its start; an arm that follows a path stops."""
+    """Choose the time scaling, at the start of the path. An arm that follows a path stops."""
     return driven(lambda state: _from_start(state, replace(state.request.path_choice, shape=shape)))
 
 
 def set_duration(seconds: float) -> Update:
-    """How long the path takes; an arm that follows it goes on from where it is, slower or faster."""
+    """Set the duration of the path, s. An arm that follows it continues from its place, slower or faster."""
 
     def change(state: State) -> State:
         (value,) = finite([seconds], (1,))

@@ -1,4 +1,4 @@
-"""The planes that confine the arm: dragged, and put back."""
+"""The planes that confine the arm: drag them, or restore those of the robot's file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from helicoide.text import HelicoideError, Text
 
 
 def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: ArrayLike) -> Update:
-    """A plane's gizmo, z along the inward normal: the plane stops at the critical distance from the arm."""
+    """Drag a plane by its gizmo, z along the inward normal. The plane stops at the critical distance from the arm."""
 
     def change(state: State) -> State:
         T = pose(state, position, wxyz)
@@ -35,7 +35,7 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
 
 
 def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State:
-    """The plane where it was asked for, or at the critical distance from the arm, and then the words that say so."""
+    """The state with the plane as asked, or at the critical distance from the arm with a notice."""
     problem, critical = state.problem, state.problem.zones.critical
     points = state.guarded_points
     centre = limited_plane_centre(normal, asked, points, critical)
@@ -53,7 +53,7 @@ def _stopped_plane(state: State, index: int, distances: Array) -> Text:
 
 
 def restore_planes() -> Update:
-    """The planes of the robot's file, each where it has it, or as near to that as the arm allows; no others."""
+    """Replace all planes by those of the robot's file, each as near to its place as the arm allows."""
 
     def change(state: State) -> State:
         state = replace(state, notice=None)

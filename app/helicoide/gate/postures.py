@@ -1,4 +1,4 @@
-"""The postures of a goal: shown as they were found, put in order by what each joint's motion costs, gone to."""
+"""The postures of a goal: list them, order them by the weighted motion of the joints, go to one."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from helicoide.state import PostureList, State, Update, with_command
 from helicoide.text import HelicoideError, Text
 
 HEAVIEST_JOINT = 10.0
-NO_POSTURE = Text(en="There is no such posture: list them anew.", pt_BR="Não há essa postura: liste-as de novo.")
+NO_POSTURE = Text(
+    en="There is no such posture: list the postures again.", pt_BR="Não há essa postura: liste as posturas de novo."
+)
 WEIGHTS = Text(
-    en="A joint's motion costs 0 to {most:g} times that of another.",
-    pt_BR="O movimento de uma junta custa de 0 a {most:g} vezes o de outra.",
+    en="The weight of a joint must be 0 to {most:g}.",
+    pt_BR="O peso de uma junta vai de 0 a {most:g}.",
 )
 BEYOND = Text(
     en="The posture “{name}” is outside the joint limits.",
@@ -26,12 +28,12 @@ BEYOND = Text(
 
 
 def show_postures(T_world_goal: Array, with_orientation: bool, q: Array, answer: Answer) -> Update:
-    """The postures that were found for a goal (4, 4), m, from where the arm was then, q (n,), rad or m."""
+    """List the postures found for a goal (4, 4), m. q (n,), rad or m: the posture of the arm at that time."""
     return lambda state: _ordered(state, PostureList(T_world_goal, with_orientation, q, answer, ()))
 
 
 def weigh_joint(index: int, weight: float) -> Update:
-    """What the motion of a joint costs beside the others, 1 where all count alike; the list is put in that order."""
+    """Set the cost of a joint's motion relative to the others, 1 for equal cost, and order the list by it."""
 
     def change(state: State) -> State:
         (value,) = finite([weight], (1,))
@@ -46,7 +48,7 @@ def weigh_joint(index: int, weight: float) -> Update:
 
 
 def go_to_posture(place: int) -> Update:
-    """To the posture in that place of the list."""
+    """Go to a posture of the list, by its index."""
 
     def change(state: State) -> State:
         listed = state.postures.listing
@@ -61,7 +63,7 @@ def go_to_posture(place: int) -> Update:
 
 
 def _ordered(state: State, listed: PostureList) -> State:
-    """The list in the order of the weighted motion; postures in which something is too near come last."""
+    """The state with the list ordered by weighted motion; postures that are dropped or too near to something last."""
     problem, weights = state.problem, state.postures.weights * alike(state.robot)
     rows = chosen(state.robot, listed.answer, listed.q, weights, problem.obstacles, listed.with_orientation)
     clear = sorted(rows, key=lambda row: row.dropped is not None or barrier(problem, row.q) is not None)

@@ -1,4 +1,4 @@
-"""The paths that an arm has ready: three for any arm, which begin at its posture `ready`, and those of its source."""
+"""The predefined paths of an arm: three for any arm, which begin at its `ready` posture, and those of its source."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ from helicoide.trajectory.time_optimal import TimingShape
 from helicoide.trajectory.timing import ConstantSpeed, MinimumJerk, TimedPath, TimeScaling, TrapezoidalVelocity
 from helicoide.trajectory.vargas import VARGAS
 
-# Half the length of the line, or of the longer axis of a loop, and half the shorter, as shares of the reach; time, s.
+# LONG: half the line and longer semi-axis; SHORT: shorter semi-axis; both as fractions of the reach. TIME: duration, s.
 LONG, SHORT, TIME = 0.1, 0.05, 20.0
 SHORTEST, LONGEST = 2.0, 300.0
-FIVE = 5  # joints, one less than any pose takes
-LAST_PLANAR = 5  # of the trajectories of Vargas
+FIVE = 5  # joints, one less than an arbitrary pose needs
+LAST_PLANAR = 5  # number of the last planar trajectory of Vargas
 RAMP, ABOVE = 0.25, 1e-6
 MEETS = Text(en="Cerbaro 2022, eq. {n} (meets the planes)", pt_BR="Cerbaro 2022, eq. {n} (encontra os planos)")
 LAWS: Mapping[TimingShape, tuple[Text, TimeScaling]] = MappingProxyType(
     {
-        "constant speed": (Text(en="even", pt_BR="uniforme"), ConstantSpeed()),
-        "trapezoid": (Text(en="trapezoid", pt_BR="trapézio"), TrapezoidalVelocity(RAMP)),
+        "constant speed": (Text(en="constant speed", pt_BR="velocidade constante"), ConstantSpeed()),
+        "trapezoid": (Text(en="trapezoidal velocity", pt_BR="perfil trapezoidal"), TrapezoidalVelocity(RAMP)),
         "minimum jerk": (Text(en="minimum jerk", pt_BR="jerk mínimo"), MinimumJerk()),
     }
 )
@@ -52,34 +52,36 @@ class Preset:
 
 @lru_cache(maxsize=16)
 def presets(robot: Robot) -> Mapping[str, Preset]:
-    """The paths of an arm by their keys; the first is the one that it begins with."""
+    """The paths of an arm by their keys; the first is the default."""
     return {key: Preset(title, path) for key, title, path in (*_of_any(robot), *_of_source(robot))}
 
 
 def path_of(robot: Robot, course: PathChoice) -> Path:
-    """The path of a course in its own time. Raises HelicoideError for a path that the arm has not, or another time."""
+    """The path of a choice with its time scaling. Raises HelicoideError for an unknown path or an invalid duration."""
     known = presets(robot)
     name = next(iter(known)) if course.name is None else course.name
     if name not in known or course.shape not in LAWS:
         raise HelicoideError(
             Text(
-                en="There is no path {name!r} at {shape!r}; paths: {paths}; time scalings: {shapes}.",
-                pt_BR="Não há trajetória {name!r} com {shape!r}; trajetórias: {paths}; leis de tempo: {shapes}.",
+                en="There is no path {name!r} with the time scaling {shape!r}; paths: {paths}; time scalings: "
+                "{shapes}.",
+                pt_BR="Não há trajetória {name!r} com a lei de tempo {shape!r}; trajetórias: {paths}; leis de tempo: "
+                "{shapes}.",
             ).format(name=name, shape=course.shape, paths=", ".join(known), shapes=", ".join(LAWS))
         )
     duration = known[name].path.duration if course.duration is None else course.duration
     if not SHORTEST <= duration <= LONGEST:
         raise HelicoideError(
             Text(
-                en="A path takes {least:g} to {most:g} s, not {given:g}.",
-                pt_BR="Uma trajetória dura de {least:g} a {most:g} s, não {given:g}.",
+                en="The duration of a path must be {least:g} to {most:g} s, not {given:g}.",
+                pt_BR="A duração de uma trajetória vai de {least:g} a {most:g} s, não {given:g}.",
             ).format(least=SHORTEST, most=LONGEST, given=duration)
         )
     return _in_time(robot, name, course.shape, duration)
 
 
 def title_of(robot: Robot, course: PathChoice) -> Text:
-    """What the path of a course is called, which is one of the arm's."""
+    """The title of a path of the arm."""
     known = presets(robot)
     return known[course.name or next(iter(known))].title
 
@@ -110,15 +112,15 @@ def _of_source(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
 
 
 def _ready(robot: Robot) -> Array:
-    """The tool at `ready`, T_world_tool (4, 4), m; without a kernel, for the view."""
+    """The tool pose at `ready`, T_world_tool (4, 4), m. Uses no compiled kernel."""
     return frozen(python_function(link_poses)(robot.chain, robot.poses["ready"])[-1] @ robot.T_link_tool)
 
 
 def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
-    """Level, or in the plane of an arm that has only one; the loops lie on the side of the base.
+    """Ellipse, circle and line in a horizontal plane, or in that of a planar arm; the loops extend towards the base.
 
-    With five joints a tool keeps its orientation only in the plane through the first axis and itself: there they lie,
-    the longer axis upright.
+    With five joints the tool keeps its orientation only in the vertical plane through the first axis and the tool. The
+    paths lie in that plane, the longer axis vertical.
     """
     T, normal = _ready(robot), plane_normal(robot)
     n = np.array([0.0, 0.0, 1.0]) if normal is None else normal
@@ -137,7 +139,7 @@ def _of_any(robot: Robot) -> Iterator[tuple[str, Text, Path]]:
     oval = EllipsePath(frozen(plane), flat, frozen(T[:3, :3]), TIME)
     yield "ellipse", Text(en="ellipse", pt_BR="elipse"), oval
     yield "circle", Text(en="circle", pt_BR="círculo"), round_
-    yield "line", Text(en="straight line, there and back", pt_BR="reta, ida e volta"), PathChain(ways)
+    yield "line", Text(en="straight line, back and forth", pt_BR="reta, ida e volta"), PathChain(ways)
 
 
 def _moved(T: Array, way: Array) -> Array:
@@ -147,7 +149,7 @@ def _moved(T: Array, way: Array) -> Array:
 
 
 def _outward(way: Array, normal: Array) -> Array:
-    """The direction of a way square to a normal; any such direction where they are parallel."""
+    """The unit vector along a displacement without its part along a normal; any such vector if they are parallel."""
     level = way - (way @ normal) * normal
     if np.linalg.norm(level) < ABOVE:
         level = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])

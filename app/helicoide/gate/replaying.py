@@ -1,4 +1,4 @@
-"""A path of the joints that is played on the arm: one that was taught, or what an arm did in a study."""
+"""Joint paths that the arm replays: taught waypoints, or a motion recorded in a study."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MOST, KNOTS = 500_000, 1500
 
 
 def replay(path: JointPath, title: Text, grips: tuple[tuple[float, float], ...] = ()) -> Update:
-    """A path of this arm's joints; the guard keeps every limit on the way. grips: as in `Replay`."""
+    """Replay a joint path of this arm under all limits of the guarded step. grips: `Replay.gripper_events`."""
 
     def change(state: State) -> State:
         finite(path.q(0.0), state.arm.q.shape)
@@ -27,9 +27,9 @@ def replay(path: JointPath, title: Text, grips: tuple[tuple[float, float], ...] 
 
 
 def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
-    """Joint values (k, n), rad or m, at times (k,) that rise, s, by a spline through at most `KNOTS` of them.
+    """Replay joint values q (k, n), rad or m, at increasing times (k,), s: a spline through at most `KNOTS` of them.
 
-    Where the guard holds the arm back, it lags behind: the time goes on as it did.
+    Time does not slow down: an arm that is limited lags behind.
     """
 
     def change(state: State) -> State:
@@ -37,8 +37,8 @@ def replay_motion(times: ArrayLike, q: ArrayLike, title: Text) -> Update:
         if not 2 <= count <= MOST:
             raise HelicoideError(
                 Text(
-                    en="A motion has 2 to {most} instants, not {count}.",
-                    pt_BR="Um movimento tem de 2 a {most} instantes, não {count}.",
+                    en="A motion has 2 to {most} samples, not {count}.",
+                    pt_BR="Um movimento tem de 2 a {most} amostras, não {count}.",
                 ).format(most=MOST, count=count)
             )
         kept = np.unique(np.linspace(0, count - 1, min(count, KNOTS)).round().astype(int))

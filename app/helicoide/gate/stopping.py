@@ -1,4 +1,4 @@
-"""Stop: what comes before every other wish."""
+"""Stop, which takes precedence over every other request."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from helicoide.state import State, Update, with_command
 
 
 def stop(closing: bool = False) -> Update:
-    """Nothing moves from this tick on, and what is held is let go.
+    """Stop the arm and its gripper from this tick on, and end the drag.
 
-    closing: whether the same key closes something on the page; then no stop is said to have been where nothing moved.
+    closing: whether the same key closes something on the page. Then a stop is shown only if something moved or the arm
+    was stopped already.
     """
 
     def change(state: State) -> State:

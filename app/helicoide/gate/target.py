@@ -1,4 +1,4 @@
-"""The target of the tool: dragged, or set by numbers."""
+"""The target of the tool: drag it, or set its pose."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Phase = Literal["start", "update", "end"]
 
 
 def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -> Update:
-    """The target gizmo: held from start to end; at the end it comes to rest on the accepted goal."""
+    """Drag the target to a position (3,), m, and a quaternion (4,). After the end it may move to the accepted goal."""
 
     def change(state: State) -> State:
         T = pose(state, position, wxyz)
@@ -32,9 +32,9 @@ def drag_target(seat: str, phase: Phase, position: ArrayLike, wxyz: ArrayLike) -
 
 
 def _released(state: State, T_world_target: Array) -> State:
-    """The target let go: it stays where another posture reaches it, else it settles on the nearest that the arm can do.
+    """The state after the end of a drag. Under the guarded step a search for another posture follows.
 
-    A method of the sources looks for neither: the target stays, and one sees what the method makes of it.
+    If that finds no better posture, the target moves to the accepted goal. Under other methods it stays.
     """
     settles = state.request.controller.method == GUARDED
     request = replace(state.request, drag=None, command=MoveToPose(T_world_target, settles), searched=False)
@@ -42,7 +42,7 @@ def _released(state: State, T_world_target: Array) -> State:
 
 
 def let_go(grasp: Drag) -> Update:
-    """That grasp, and no later one, ends where it is."""
+    """End this drag at its present place; a later drag is not ended."""
 
     def update(state: State) -> State:
         if state.request.drag is not grasp:
@@ -55,10 +55,10 @@ def let_go(grasp: Drag) -> Update:
 
 
 def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
-    """The target by numbers; it stays where it was put, also out of reach."""
+    """Set the target to a position (3,), m, and a quaternion (4,). It stays there even out of reach."""
     return driven(lambda state: with_command(state, MoveToPose(pose(state, position, wxyz))))
 
 
 def hold_orientation(on: bool) -> Update:
-    """Whether the target's orientation counts, or its position only."""
+    """Whether the orientation of the target counts, or only its position."""
     return lambda state: replace(state, request=replace(state.request.renewed(), with_orientation=bool(on)))

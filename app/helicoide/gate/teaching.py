@@ -1,4 +1,4 @@
-"""Waypoints that are taught by bringing the arm there: recorded, named, ordered, taken away, read from a file."""
+"""Waypoints taught at the present posture of the arm: record, name, order, edit, delete, read from a file."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ MOST = 60
 
 
 def record(way: str = "joints") -> Update:
-    """One more waypoint where the arm stands, reached from the one before in a way of `waypoints.MOVE_TYPES`."""
+    """Record a waypoint at the present posture. way: one of `waypoints.MOVE_TYPES`, from the waypoint before."""
 
     def change(state: State) -> WaypointList:
         taught = state.taught
         if len(taught.waypoints) >= MOST:
             raise HelicoideError(
-                Text(en="There are {most} waypoints at most.", pt_BR="Há no máximo {most} pontos.").format(most=MOST)
+                Text(en="At most {most} waypoints are allowed.", pt_BR="Há no máximo {most} pontos.").format(most=MOST)
             )
         name = next(name for k in range(1, MOST + 2) if (name := f"P{k}") not in taught.names)
         return with_waypoint(taught, len(taught.waypoints), waypoint(state.robot, name, state.arm.q, way))
@@ -43,27 +43,27 @@ def record(way: str = "joints") -> Update:
 
 
 def rename_waypoint(name: str, new: str) -> Update:
-    """Another name for a waypoint."""
+    """Rename a waypoint."""
     return _changed(lambda state: with_waypoint_name(state.taught, name, new))
 
 
 def move_waypoint(name: str, to: int) -> Update:
-    """A waypoint at another place of the list, 0 to its length less one."""
+    """Move a waypoint to another index of the list, 0 to length − 1."""
     return _changed(lambda state: with_waypoint_at(state.taught, name, to))
 
 
 def delete_waypoint(name: str) -> Update:
-    """A waypoint less."""
+    """Delete a waypoint."""
     return _changed(lambda state: without_waypoint(state.taught, name))
 
 
 def set_way(name: str, way: str) -> Update:
-    """Another way to a waypoint, one of `waypoints.MOVE_TYPES`."""
+    """Set how a waypoint is reached, one of `waypoints.MOVE_TYPES`."""
     return _changed(lambda state: with_move_type(state.taught, name, way))
 
 
 def set_dwell(name: str, seconds: float) -> Update:
-    """How long to stay at a waypoint, s."""
+    """Set how long the arm stays at a waypoint, s."""
 
     def change(state: State) -> WaypointList:
         (value,) = finite([seconds], (1,))
@@ -73,24 +73,24 @@ def set_dwell(name: str, seconds: float) -> Update:
 
 
 def set_grip(name: str, gripper: str) -> Update:
-    """What the gripper does at a waypoint, one of `waypoints.GRIPPER_ACTIONS`."""
+    """Set what the gripper does at a waypoint, one of `waypoints.GRIPPER_ACTIONS`."""
     return _changed(lambda state: with_gripper_action(state.taught, name, gripper))
 
 
 def teach_again(name: str) -> Update:
-    """A waypoint as the arm stands now."""
+    """Replace the joint values of a waypoint by the present ones."""
     return _changed(lambda state: with_posture(state.taught, name, state.arm.q))
 
 
 def choose_leg_shape(shape: TimingShape) -> Update:
-    """Another time scaling of the way to each waypoint."""
+    """Choose the time scaling of the motion to each waypoint."""
 
     def wish(state: State) -> State:
         if shape not in LAWS:
             raise HelicoideError(
                 Text(
-                    en="There is no time scaling {shape!r}; there is: {shapes}.",
-                    pt_BR="Não há lei de tempo {shape!r}; há: {shapes}.",
+                    en="There is no time scaling {shape!r}; time scalings: {shapes}.",
+                    pt_BR="Não há lei de tempo {shape!r}; leis de tempo: {shapes}.",
                 ).format(shape=shape, shapes=", ".join(LAWS))
             )
         return replace(state, taught=replace(state.taught, shape=shape), notice=None)
@@ -99,7 +99,7 @@ def choose_leg_shape(shape: TimingShape) -> Update:
 
 
 def take_waypoints(content: bytes) -> Update:
-    """The waypoints of a file in place of those there are."""
+    """Replace the waypoints by those of a file."""
     return _changed(lambda state: decode_waypoints(content, state.robot))
 
 

@@ -1,4 +1,4 @@
-"""Inverse kinematics: what an arm may do (Problem), where a wish leads (Goal), and the guarded step that gets there."""
+"""Inverse kinematics: what an arm may do (`Problem`), and the constraints that limit it (`ActiveConstraint`)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NEAR = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """Joint limits, (n,) each: lower and upper, rad; speed, rad/s; acceleration, rad/s², without limit unless given."""
+    """Joint limits, (n,) each: lower and upper, rad or m; speed, per s; acceleration, per s², infinite unless given."""
 
     lower: Array
     upper: Array
@@ -35,8 +35,8 @@ class Limits:
 class EntryPoint:
     """A point that a straight instrument must pass through: the remote centre of motion.
 
-    point (3,), m, world; link: the one that carries the instrument; shaft (2, 3): a point of it, m, and its direction,
-    unit, in the frame of that link.
+    point (3,), m, world; link: number of the one that carries the instrument; shaft (2, 3): a point of it, m, and its
+    unit direction, in the frame of that link.
     """
 
     point: Array
@@ -45,15 +45,16 @@ class EntryPoint:
 
 
 def entry_point(robot: Robot, point: ArrayLike) -> EntryPoint:
-    """An entry point (3,), m, for the shaft of a robot: along the axis of the joint that carries its frame `rcm`.
+    """The entry point at `point` (3,), m, world, for the instrument of a robot.
 
-    Raises HelicoideError for a robot without such a frame.
+    The shaft passes through the origin of its frame `rcm`, along the axis of the joint that moves the link of this
+    frame. Raises HelicoideError for a robot without it.
     """
     if "rcm" not in robot.frames:
         raise HelicoideError(
             Text(
-                en="{robot} has no frame rcm, which says where its instrument is; there is: {frames}.",
-                pt_BR="{robot} não tem o referencial rcm, que diz onde está o instrumento; há: {frames}.",
+                en="{robot} has no frame rcm, which gives the pose of its instrument; frames: {frames}.",
+                pt_BR="{robot} não tem o referencial rcm, que dá a pose do instrumento; referenciais: {frames}.",
             ).format(robot=robot.title, frames=", ".join(robot.frames))
         )
     frame = robot.frames["rcm"]
@@ -64,9 +65,9 @@ def entry_point(robot: Robot, point: ArrayLike) -> EntryPoint:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """What an arm may do here: its geometry, its limits, planes and obstacles around it, where it must pass through.
+    """What an arm may do: its geometry and limits, the planes and obstacles around it, its entry point.
 
-    scale: the characteristic length ℓ, m, where it is not the arm's reach: weights, gains and damping depend on it.
+    scale: the characteristic length ℓ, m, if it is not the reach. Weights, gains and damping depend on it.
     """
 
     robot: Robot
@@ -84,7 +85,7 @@ class Problem:
 
     @cached_property
     def joint_units(self) -> Array:
-        """What a rate without unit stands for in each joint, (n,): 1 rad, or ℓ where it slides."""
+        """The unit of each dimensionless joint variable, (n,): 1 rad, or ℓ, m, for a prismatic joint."""
         return frozen([self.length if joint.is_prismatic else 1.0 for joint in self.robot.variables])
 
     @cached_property
@@ -94,8 +95,9 @@ class Problem:
 
     @cached_property
     def pairs(self) -> tuple[tuple[int, int], ...]:
-        """Bodies that are kept apart, by number, obstacles after those of the arm: pairs of the arm's, then each moving
-        one and each obstacle.
+        """Pairs of bodies that are kept apart, by number: those of the arm, then each moving body with each obstacle.
+
+        Obstacles are numbered after the bodies of the arm.
         """
         bodies = self.robot.bodies
         moving = [i for i, body in enumerate(bodies) if max(body.links) > 0]
@@ -104,20 +106,20 @@ class Problem:
 
     @cached_property
     def without_acceleration_limits(self) -> Problem:
-        """The same without limits of acceleration: where the arm comes to rest does not depend on them."""
+        """The same problem without acceleration limits, to compute where the arm comes to rest."""
         return replace(self, limits=Limits(self.limits.lower, self.limits.upper, self.limits.speed))
 
 
 @dataclass(frozen=True)
 class ActiveConstraint:
-    """What holds a step back, and how hard: its multiplier, in the unit of the task's cost per m or rad."""
+    """A constraint that limits a step, with its multiplier: units of the task's cost per m or rad."""
 
     multiplier: float = field(default=0.0, compare=False, kw_only=True)
 
 
 @dataclass(frozen=True)
 class Contact(ActiveConstraint):
-    """A guarded point held at the critical distance by a plane; numbers as in the robot and its planes."""
+    """A guarded point limited by a plane at the critical distance; numbers as in the robot and its planes."""
 
     plane: int
     point: int
@@ -125,7 +127,7 @@ class Contact(ActiveConstraint):
 
 @dataclass(frozen=True)
 class ObstacleContact(ActiveConstraint):
-    """A body of the arm held by an obstacle; numbers as in `Robot.bodies` and the obstacles."""
+    """A body of the arm limited by an obstacle; numbers as in `Robot.bodies` and the obstacles."""
 
     obstacle: int
     body: int
@@ -133,7 +135,7 @@ class ObstacleContact(ActiveConstraint):
 
 @dataclass(frozen=True)
 class SelfContact(ActiveConstraint):
-    """A body of the arm held by another; numbers as in `Robot.bodies`."""
+    """A body of the arm limited by another; numbers as in `Robot.bodies`."""
 
     first: int
     second: int
@@ -141,35 +143,39 @@ class SelfContact(ActiveConstraint):
 
 @dataclass(frozen=True)
 class AtLimit(ActiveConstraint):
-    """A joint held by its position limit."""
+    """A joint at its position limit."""
 
     joint: int
 
 
 @dataclass(frozen=True)
 class AtSpeed(ActiveConstraint):
-    """A joint that cannot move faster."""
+    """A joint at its speed limit."""
 
     joint: int
 
 
 @dataclass(frozen=True)
 class AtAcceleration(ActiveConstraint):
-    """A joint that cannot become faster or slower sooner, or must slow down to stop before its limit."""
+    """A joint at its acceleration limit, or slowed down so that it can stop before its position limit."""
 
     joint: int
 
 
 @dataclass(frozen=True)
 class AtEntryPoint(ActiveConstraint):
-    """The instrument held by its entry point."""
+    """The instrument limited by its entry point."""
 
 
 Reason = Contact | ObstacleContact | SelfContact | AtLimit | AtEntryPoint | AtSpeed | AtAcceleration
 
 
 def reason_of(problem: Problem, row: int, multiplier: float = 0.0) -> Reason:
-    """What a slot of `Work.held` stands for: 2 n limits, then those of `collision.clearances`."""
+    """The constraint of one row of `Work.held`.
+
+    The rows: 2 n position limits, the distances of `collision.clearances`, 2 n speeds, 2 n accelerations, the entry
+    point.
+    """
     n, k = len(problem.limits.lower), len(problem.planes.normals)
     points, bodies = k * len(problem.robot.monitored_points), len(problem.robot.bodies)
     joint, row = row % n, row - 2 * n
@@ -193,11 +199,11 @@ _ORDER = (Contact, ObstacleContact, SelfContact, AtLimit, AtEntryPoint, AtSpeed,
 
 
 def reasons(problem: Problem, q: Array, multipliers: Array, pull: float) -> tuple[Reason, ...]:
-    """What held a guarded step back at q: planes, obstacles, the arm itself, position limits, the entry point, speed,
-    acceleration, and the hardest of each kind first.
+    """The constraints that limited a guarded step at q, ordered by `_ORDER`, then by decreasing multiplier.
 
-    A row that carries less than `NOTICEABLE` of the task's pull does not count: a stretched arm rests on the limit of
-    its elbow without being held by it.
+    Multipliers up to `NOTICEABLE` times `pull`, the weighted size of the task, do not count: a stretched arm touches
+    the limit of its elbow without being limited by it. Position limits count only within `NEAR`, rad or m.
+    Args: q (n,), rad or m; multipliers: `Work.held`.
     """
     n = len(q)
     room = np.concatenate((q - problem.limits.lower, problem.limits.upper - q))

@@ -1,17 +1,18 @@
-"""A path that gives way to planes before the arm comes too near: the source's own rules, with no guard behind them.
+"""A path whose targets are moved away from planes: the rules of the source, without the guarded step.
 
-Three things happen to a target p of the path. Before the run it is trimmed: not nearer than the warning distance to
-walls and bench. In the run, where a point of the arm is nearer than δ_c to a plane, the target is moved away from it,
+A target p of the path is changed in three ways. Before the run it is trimmed: moved to at least the warning distance
+from walls and bench. In the run, where a point of the arm is nearer than δ_c to a plane, p is moved away from it,
 
     p ← p + (1.1 δ_c − d) n                                        eq. 36, corrected; as printed: (δ_c − 1.1 d) n
 
-and where it is nearer than the warning distance the target may not come nearer than the former point,
+and where it is nearer than the warning distance, p may not be nearer to the plane than the former point,
 
     p ← p − min(0, (p − p_former)·n) n                             eq. 37 for any plane; as printed: z must not rise
 
-each time with the inverse kinematics once more, until neither applies. n: unit normal to the allowed side. The former
-point may be that of the wanted path, or the former target as it ended: then one target holds back all that follow.
-Source: Cerbaro 2022, §6.1. As printed, the tenth in eq. 36 is on d, and the ceiling alone is watched.
+After each change the inverse kinematics is solved again, until neither rule applies. n: unit normal to the allowed
+side. The former point is that of the path as given, or the former target after its changes. In the second case one
+changed target limits all that follow.
+Source: Cerbaro 2022, §6.1. As printed, the factor 1.1 of eq. 36 is on d, and only the ceiling is watched.
 """
 
 from __future__ import annotations
@@ -38,11 +39,12 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class Rule:
-    """How targets give way: watched: numbers of the planes; cap: how often at most a target is moved.
+    """How targets are changed.
 
-    corrected: eq. 36 with the tenth on δ_c instead of on d; level: eq. 37 as printed, where a warning from any plane
-    forbids to rise; damps: whether there is eq. 37 at all; ratchets: whether its former point is the former target as
-    it ended, not that of the wanted path.
+    watched: numbers of the planes; corrected: eq. 36 with the factor 1.1 on δ_c instead of d; level: eq. 37 as printed,
+    where near any plane no target may be above the former point; damps: whether eq. 37 is used; ratchets: whether its
+    former point is the former target after its changes, not that of the path as given; cap: how often a target is moved
+    at most.
     """
 
     watched: tuple[int, ...]
@@ -62,9 +64,9 @@ def everywhere(planes: Planes) -> Rule:
 
 
 def trimmed(points: Array, planes: Planes, which: Sequence[int], warning: float) -> Array:
-    """Points (k, 3), m, moved along n to the warning distance of planes that they are nearer to.
+    """Points (k, 3), m; those nearer to a plane than the warning distance, m, are moved along n to that distance.
 
-    Planes are taken one after another, again and again until all hold: one may move a point towards another.
+    The planes are applied in turn, repeatedly until all hold: one may move a point towards another.
     which: numbers of the planes. Source: Cerbaro 2022, §6.1 (walls and bench; the ceiling is left to the rules).
     """
     points, which = points.copy(), list(which)
@@ -78,21 +80,22 @@ def trimmed(points: Array, planes: Planes, which: Sequence[int], warning: float)
 
 
 def moved_away(target: Array, distance: float, normal: Array, critical: float, corrected: bool) -> Array:
-    """Eq. 36: p + (1.1 δ_c − d) n, or as printed p + (δ_c − 1.1 d) n, which turns round at d = δ_c/1.1.
+    """Eq. 36: p + (1.1 δ_c − d) n, or as printed p + (δ_c − 1.1 d) n, which changes its sense at d = δ_c/1.1.
 
-    Args: target (3,), m; distance d, m, of the critical joint; normal n (3,), unit, inward; critical: δ_c, m.
+    Args: target p (3,), m; distance d, m, of the nearest point of the arm; normal n (3,), unit, to the allowed side;
+    critical: δ_c, m; corrected: whether not as printed.
     """
     by = MARGIN * critical - distance if corrected else critical - MARGIN * distance
     return np.asarray(target + by * normal)
 
 
 def held_back(target: Array, former: Array, normal: Array) -> Array:
-    """Eq. 37 for a plane of any direction: p − min(0, (p − p_former)·n) n. Args: (3,) each; normal: unit, inward."""
+    """Eq. 37 for any plane: p − min(0, (p − p_former)·n) n. Args: (3,) each; normal: unit, to the allowed side."""
     return np.asarray(target - min(0.0, float((target - former) @ normal)) * normal)
 
 
 def nearest(problem: Problem, q: Array) -> Array:
-    """Distance of the nearest moving point of the arm to each plane, (k,), m. Source: Cerbaro 2022, eq. 20."""
+    """Distance of the nearest moving guarded point to each plane, (k,), m. Source: Cerbaro 2022, eq. 20."""
     robot, moving = problem.robot, problem.robot.monitored_links > 0
     poses = link_poses(robot.chain, q)
     points = points_in_world(poses, robot.monitored_points[moving], robot.monitored_links[moving])
@@ -100,9 +103,9 @@ def nearest(problem: Problem, q: Array) -> Array:
 
 
 def given_way(target: Array, former: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule) -> Array:
-    """The target after one application of the rule; the same array where none applies.
+    """The target after one application of the rule; the same array where the rule does not apply.
 
-    Args: target and the former point, (3,), m, None at the first; near (k,), m, of `nearest`.
+    Args: target and former point, (3,), m, former None for the first target; near (k,), m, of `nearest`.
     """
     watched = list(rule.watched)
     if not watched:
@@ -121,10 +124,10 @@ def given_way(target: Array, former: Array | None, near: Array, planes: Planes, 
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """How a path of k points went, a row for each.
+    """The results along a path of k points, a row for each.
 
-    targets (k, 3), m, as they ended; q (k, n); near (k, planes), m, of `nearest`; errors (k,), m, of the tool from its
-    target; moved (k,): how often the target was moved, the rule's cap where it was given up; memory: of the run.
+    targets (k, 3), m, after their changes; q (k, n), rad or m; near (k, planes), m, of `nearest`; errors (k,), m,
+    between tool and target; moved (k,): how often the target was moved, at most the cap; memory: of the loop.
     """
 
     targets: Array
@@ -147,10 +150,10 @@ def adapted(
     memory: Any = None,
     progress: Callable[[float], None] = lambda share: None,
 ) -> Track:
-    """Follow points (k, 3), m, from q (n,): each is met to within the tolerance, then gives way as the rule says.
+    """Follow points (k, 3), m, from q (n,): iterate to each until the tolerance holds, then change it by the rule.
 
-    run: the inverse kinematics, as in `converge.converged`; aimed: what to aim at for a target (3,), m; cap: steps for
-    each. Every target gets a step at least. Source: Cerbaro 2022, §6.1, steps 3–7 (the caps are ours).
+    run: the closed loop, as in `converge.converged`; aimed: the task for a target (3,), m; cap: the largest number of
+    steps to a target, the smallest is 1. Source: Cerbaro 2022, §6.1, steps 3–7 (the caps are assumed).
     """
     rows: list[tuple[Array, Array, Array, float, int]] = []
     former: Array | None = None

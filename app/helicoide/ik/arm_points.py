@@ -1,7 +1,7 @@
-"""Points of an arm that an objective watches, and how they move: its tool, its guarded points, points along its links.
+"""Points of an arm that objectives use, with their Jacobians: the tool, the guarded points, points along the links.
 
-A link is the straight piece between two corners of the line through the arm: the points of its joints, on both sides
-of a slide, and the tool.
+A link is here the straight segment between two consecutive corners. The corners are the joint origins, for a prismatic
+joint before and after its slide, and the tool point.
 """
 
 from __future__ import annotations
@@ -19,25 +19,25 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text, untranslated
 
-# Settings of the objectives that watch points.
+# Settings of the objectives that use points of the arm.
 WATCHED = OneOf(
-    Text(en="watched", pt_BR="onde vigiar"),
+    Text(en="points considered", pt_BR="pontos considerados"),
     {
-        "tool": Text(en="the tool", pt_BR="o efetuador"),
-        "guarded": Text(en="the guarded points", pt_BR="os pontos vigiados"),
+        "tool": Text(en="end effector", pt_BR="efetuador"),
+        "guarded": Text(en="monitored points", pt_BR="pontos monitorados"),
         "links": Text(en="points along the links", pt_BR="pontos ao longo dos elos"),
     },
 )
 PER_LINK = Quantity(Text(en="points per link", pt_BR="pontos por elo"), 1, 40)
-# Corners nearer than this, m, are one.
+# Corners closer than this, m, coincide.
 MEETING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class ArmPoints:
-    """k points of an arm, p = W c: mixtures of corners c that its links carry.
+    """k points of an arm, p = W c: linear combinations of corners c fixed to its links.
 
-    corners (c, 3), m, each in the frame of its link; links (c,): the numbers of these; weights: W (k, c).
+    corners (c, 3), m, each in the frame of its link; links (c,): the link numbers; weights: W (k, c).
     """
 
     corners: Array
@@ -45,11 +45,11 @@ class ArmPoints:
     weights: Array
 
     def at(self, poses: Array) -> Array:
-        """Where they are, (k, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
+        """The points (k, 3), m, base frame. Args: poses (m + 1, 4, 4) of `forward.link_poses`."""
         return np.asarray(self.weights @ self._corners(poses))
 
     def moving(self, problem: Problem, poses: Array) -> tuple[Array, Array]:
-        """Where they are, p (k, 3), and their J (k, 3, n), ṗ = J q̇, both without lengths (see `method.Task`)."""
+        """The points p (k, 3) and their J (k, 3, n), ṗ = J q̇, both with lengths divided by ℓ (see `method.Task`)."""
         chain, corners = problem.robot.chain, self._corners(poses)
         axes = jacobian.joint_axes(poses, chain)
         moving = zip(corners, self.links, strict=True)
@@ -74,7 +74,7 @@ def guarded(robot: Robot) -> ArmPoints:
 
 
 def _line(robot: Robot) -> ArmPoints:
-    """The corners of the line through the arm, from the first joint to the tool, one after another."""
+    """The corners in order, from the first joint to the tool."""
     corners, links = [], []
     for i, joint in enumerate(robot.joints):
         corners.append(robot.chain[i]["offset"])
@@ -87,9 +87,9 @@ def _line(robot: Robot) -> ArmPoints:
 
 
 def along_links(robot: Robot, per_link: int) -> ArmPoints:
-    """So many points on each link, evenly spread, the last at its far end: p = c + (j/k) (c' − c), j = 1 … k.
+    """k = `per_link` evenly spaced points on each link, the last at its far end: p = c + (j/k) (c' − c), j = 1 … k.
 
-    Corners that always meet, as where axes of a wrist cross, have no link between them.
+    Corners that coincide at the lower and the upper joint limits, as in a spherical wrist, have no link between them.
     """
     line = _line(robot)
     extremes = np.array([line.at(link_poses(robot.chain, q)) for q in (robot.lower, robot.upper)])
@@ -107,7 +107,7 @@ def coordinate(axis: str) -> Quantity:
 
 @lru_cache(maxsize=64)
 def watched(robot: Robot, where: str, per_link: int = 1) -> ArmPoints:
-    """The points of a choice of `WATCHED`; per_link counts for those along the links."""
+    """The points of one choice of `WATCHED`; `per_link` is used only for those along the links."""
     match where:
         case "tool":
             return tool(robot)

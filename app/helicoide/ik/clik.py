@@ -1,4 +1,4 @@
-"""Closed-loop inverse kinematics: the error of the tool, fed back, asks for a velocity; a method answers with rates.
+"""Closed-loop inverse kinematics: a method computes joint velocities from the feedforward and the error of the tool.
 
     ν = ẋ_d + Λ e,   q̇ = method(J, ν) + (I − J† J) q̇₀,   q ← q + q̇ Δt
 
@@ -28,9 +28,9 @@ STILL = frozen(np.zeros(6))
 
 @dataclass(frozen=True, eq=False)
 class TaskError:
-    """What is wished at one posture and instant, without lengths (see `method.Task`).
+    """Jacobian, error and feedforward at one posture and instant, lengths divided by ℓ (see `method.Task`).
 
-    J (r, n); error: e (r,); feedforward: velocity ẋ_d of what is aimed at, (r,), 1/s.
+    J (r, n); error: e (r,); feedforward: velocity ẋ_d of the target, (r,), 1/s.
     """
 
     J: Array
@@ -42,9 +42,9 @@ TaskFunction = Callable[[Array, float], TaskError]
 
 
 def quaternion_error(R_target: Array, R_tool: Array) -> Array:
-    """Vector part of Q_d * Q_e⁻¹, the shorter way round, world frame: sin(ϑ/2) a, about half the angle.
+    """Vector part of Q_d * Q_e⁻¹, the shorter way round, world frame, (3,): sin(ϑ/2) a, about half the angle.
 
-    Args: rotations (3, 3). Source: Vargas 2013, eqs. 2.40–2.43; the sign is turned where Δη < 0.
+    Args: rotations (3, 3). Source: Vargas 2013, eqs. 2.40–2.43; the sign is reversed where Δη < 0.
     """
     vector = rotation_vector(R_target, R_tool)
     half = sqrt(vector @ vector) / 2
@@ -59,10 +59,10 @@ def tool_task_error(
     ahead: Array = STILL,
     measure: OrientationError = "rotation vector",
 ) -> TaskError:
-    """Bring the tool to a pose: rows position over ℓ, then orientation where it counts.
+    """The task of bringing the tool to a pose: three rows of position over ℓ, then three of orientation if asked for.
 
     Args: poses (m + 1, 4, 4) of `forward.link_poses`; T_world_target (4, 4), m; ahead: (v, ω) of the target, (6,),
-    m/s and rad/s; measure: of the error of orientation.
+    m/s and rad/s; measure: of the orientation error.
     """
     chain, length = problem.robot.chain, problem.length
     T = poses[-1] @ problem.robot.T_link_tool
@@ -81,19 +81,19 @@ def tool_task_error(
 
 
 def to_pose(problem: Problem, T_world_target: Array, with_orientation: bool = True) -> TaskFunction:
-    """Aim at a pose that stands still, (4, 4), m."""
+    """The task of a fixed target pose (4, 4), m."""
     return lambda q, t: tool_task_error(problem, link_poses(problem.robot.chain, q), T_world_target, with_orientation)
 
 
 def task_from(aim: TaskError, gains: Array | float, q: Array, dt: float) -> Task:
-    """The task of an aim: ν = ẋ_d + Λ e. Args: gains: Λ, 1/s, one for all rows or (r,)."""
+    """The task with ν = ẋ_d + Λ e. Args: gains: Λ, 1/s, one for all rows or (r,); q (n,), rad or m; dt, s."""
     return Task(q, aim.J, aim.feedforward + gains * aim.error, dt)
 
 
 def solve_with_null_space(
     problem: Problem, method: Method, task: Task, memory: Any, options: Any, push: Array | None = None
 ) -> tuple[Solution, Any]:
-    """The method's answer with a joint motion q̇₀ (n,) added that the task does not feel: q̇ + (I − J† J) q̇₀.
+    """The solution of a method plus q̇₀ (n,) in the null space of J, and the new memory: q̇ + (I − J† J) q̇₀.
 
     Source: Cerbaro 2022, eq. 9; Vargas 2013, eq. 2.51.
     """
@@ -105,7 +105,7 @@ def solve_with_null_space(
 
 @dataclass(frozen=True, eq=False)
 class LoopStep:
-    """One step of a run: time, s; q (n,) before it; what was aimed at; what was answered; the memory after it."""
+    """One step of a closed loop: t, s; q (n,), rad or m, before it; task error; solution; memory after it."""
 
     t: float
     q: Array
@@ -125,9 +125,9 @@ def closed_loop(
     push: Callable[[Array, float], Array] | None = None,
     memory: Any = None,
 ) -> Iterator[LoopStep]:
-    """The closed loop from q (n,), without any guard, step after step and without end; explicit Euler in q.
+    """The closed loop from q (n,), without the guarded step: an endless iterator of steps, explicit Euler in q.
 
-    push: q̇₀ at q and t, (n,); memory: of the method, where it is not to begin with its own.
+    gains: Λ, 1/s, one for all rows or (r,); dt, s; push: q̇₀ at q and t, (n,); memory: of the method, None at the start.
     """
     t = 0.0
     while True:

@@ -1,20 +1,18 @@
-"""How the tool is driven to a pose on the page: by any method with its settings, always under the guard.
+"""The controller that drives the tool to a pose: any method with its settings, always through the guarded step.
 
-The guarded step works on the pose itself. Every other method answers the closed loop's task with joint rates, and the
-guard lets of those through what limits and planes allow:  Δq = argmin ‖Δq − q̇ Δt‖².
+The guarded step solves the pose task directly. Every other method computes joint velocities for the closed loop, and
+the guarded step takes the nearest displacement that limits and planes allow:  Δq = argmin ‖Δq − q̇ Δt‖².
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
 from math import hypot
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem, methods, objectives
@@ -28,22 +26,25 @@ from helicoide.ik.objective import Posture
 from helicoide.ik.packing import packed
 from helicoide.ik.postures.subspace import project
 from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN
-from helicoide.kinematics.differential import frame_jacobian
-from helicoide.kinematics.robot import Robot
+from helicoide.kinematics.generic_rank import movable_rows
 from helicoide.text import Text
 
 GUARDED = "guarded"
+NO_ROWS = Text(
+    en="No joint moves the position of the end effector, and its orientation is not asked for.",
+    pt_BR="Nenhuma junta move a posição do efetuador, e a orientação não é pedida.",
+)
 Gains = tuple[float, float, float, float]
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
 @dataclass(frozen=True, eq=False)
 class SecondaryObjective:
-    """What the joints do besides, with the freedom that the task leaves them.
+    """What the joints do besides the task.
 
-    objective: its name; options: of it; weight: k₀, 1/s; as_row: as one more row of the task instead of in its null
-    space; adapts: Algorithm 1, by which the weight of a joint grows each time it is stopped at its limit; weights: what
-    they have come to, (n,), None before the first step.
+    objective: its name; options: its settings; weight: k₀, 1/s; as_row: as an additional row of the task instead of in
+    its null space; adapts: whether the weight of a joint grows each time it is clipped to its limit (Algorithm 1 in
+    `limit_gains`); weights: the weights after that, (n,), None before the first step.
     """
 
     objective: str
@@ -56,11 +57,10 @@ class SecondaryObjective:
 
 @dataclass(frozen=True, eq=False)
 class Controller:
-    """A method at work.
+    """A method with its settings, gains and memory.
 
-    changed: options of methods, by name, where they are not the defaults; gains: of the tool's x, y, z and of its
-    orientation, 1/s; memory: of the method; solution: its last answer, None for the guarded step; refusal: why there is
-    none.
+    changed: options of methods, by name, that differ from the defaults; gains: for x, y, z and orientation, 1/s;
+    memory: of the method; solution: its last one, None for the guarded step; refusal: why the method gave none.
     """
 
     method: str = GUARDED
@@ -72,20 +72,20 @@ class Controller:
     refusal: Text | None = None
 
     def options(self, method: str) -> Any:
-        """The options of a method."""
+        """The options of a method: the changed ones, else the defaults."""
         return self.changed.get(method) or methods.named(method).Options()
 
     def with_method(self, method: str) -> Controller:
-        """The same drive by another method, which starts with a memory of its own."""
+        """The same controller with another method and without memory."""
         return replace(self, method=method, memory=None, solution=None, refusal=None)
 
     def with_options(self, method: str, options: Any) -> Controller:
-        """The same drive with other options of a method; what it remembers stays."""
+        """The same controller with other options of a method; the memory is kept."""
         return replace(self, changed=MappingProxyType({**self.changed, method: options}))
 
 
 def reference_velocity(aim: TaskError, gains: Gains) -> Array:
-    """ν = ẋ_d + Λ e, cut to the speed of the tool: a target that jumps by metres asks for no more than a near one."""
+    """ν = ẋ_d + Λ e, 1/s, scaled down to at most `TOOL_SPEED` in position and `TOOL_TURN` in orientation."""
     x, y, z, turn = gains
     asked = aim.feedforward.copy()
     asked[:3] = _no_faster(aim.feedforward[:3] + np.array([x, y, z]) * aim.error[:3], TOOL_SPEED)
@@ -95,17 +95,9 @@ def reference_velocity(aim: TaskError, gains: Gains) -> Array:
 
 
 def _no_faster(velocity: Array, most: float) -> Array:
-    """A velocity (3,), cut to a length of at most `most`."""
+    """A velocity (3,), scaled down to a norm of at most `most`."""
     length = hypot(*velocity)
     return velocity * (most / length) if length > most else velocity
-
-
-@lru_cache(maxsize=32)
-def movable_rows(robot: Robot) -> NDArray[np.bool_]:
-    """Which of vx vy vz ωx ωy ωz the tool of a robot can have at all, (6,): an arm in a plane has no others."""
-    rng = np.random.default_rng(0)
-    size = sum(np.abs(frame_jacobian(robot, rng.uniform(robot.lower, robot.upper))) for _ in range(4))
-    return np.asarray(np.max(size, axis=1) > 1e-9)
 
 
 def closed_loop_task(
@@ -118,10 +110,10 @@ def closed_loop_task(
     gains: Gains,
     dt: float,
 ) -> Task:
-    """What the closed loop asks at a posture: the rows of `clik.tool_task_error` that the tool can move along at all.
+    """The task of the closed loop at a posture: the rows of `clik.tool_task_error` that the arm can move at all.
 
-    An arm with fewer than six joints is asked for the nearest pose of its subspace, which does not set the rows of the
-    task against each other.
+    With orientation, the target is replaced by the nearest pose that an arm with fewer than six joints can take. The
+    rows of the task then do not contradict each other.
 
     Args: q (n,), rad or m, and its poses; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
     """
@@ -132,14 +124,15 @@ def closed_loop_task(
 
 
 def step(problem: Problem, task: Task, poses: Array, drive: Controller) -> tuple[Array, Controller]:
-    """The joint displacement Δq (n,), rad or m, that the method wishes for a task, and the drive after it.
+    """The joint displacement Δq (n,), rad or m, that the method gives for a task, and the controller after it.
 
-    A method that does not apply to the task wishes for none, and `refusal` says why.
-    poses (m + 1, 4, 4) at task.q.
+    Where the method does not apply to the task, or the task has no rows, Δq = 0 and `refusal` says why.
+    Args: poses (m + 1, 4, 4) at task.q.
     """
     method, options = methods.named(drive.method), drive.options(drive.method)
     task, push = with_secondary(problem, task, poses, drive)
-    if (why := method.applies(task)) is not None:
+    why = method.applies(task) if len(task.J) > 0 else NO_ROWS
+    if why is not None:
         return np.zeros(len(task.q)), replace(drive, memory=None, solution=None, refusal=why)
     memory = method.start(task, options) if drive.memory is None else drive.memory
     solution, memory = solve_with_null_space(problem, method, task, memory, options, push)
@@ -147,7 +140,7 @@ def step(problem: Problem, task: Task, poses: Array, drive: Controller) -> tuple
 
 
 def with_secondary(problem: Problem, task: Task, poses: Array, drive: Controller) -> tuple[Task, Array | None]:
-    """The task with the objective's row, or the objective's push q̇₀ (n,) for the null space."""
+    """The task with the row of the secondary objective and None, or the task and its q̇₀ (n,) for the null space."""
     second = drive.secondary
     if second is None:
         return task, None
@@ -160,7 +153,7 @@ def with_secondary(problem: Problem, task: Task, poses: Array, drive: Controller
 
 
 def joint_displacement(problem: Problem, task: Task, drive: Controller) -> tuple[Array, Controller]:
-    """Δq of the drive's last answer, with Algorithm 1 where it is asked for."""
+    """Δq (n,), rad or m, of the last solution, and the controller; with Algorithm 1 where the objective `adapts`."""
     assert drive.solution is not None
     wished = problem.joint_units * drive.solution.rates * task.dt
     second = drive.secondary
@@ -178,7 +171,7 @@ def displacement_task(wished: Array) -> tuple[Array, Array, Array, Array]:
 
 
 def packed_arm(problem: Problem, drive: Controller, with_orientation: bool = True) -> Array:
-    """The problem as the kernels take it, with the settings of the guarded step."""
+    """The problem packed for the kernels, with the settings of the guarded step."""
     if GUARDED not in drive.changed:
         return packed(problem, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
     options = drive.options(GUARDED)
@@ -187,16 +180,17 @@ def packed_arm(problem: Problem, drive: Controller, with_orientation: bool = Tru
 
 
 def level_starts(drive: Controller, with_orientation: bool) -> list[int]:
-    """The rows at which levels of a pose begin, by the settings of the guarded step."""
+    """The rows at which further levels of a pose task begin, by the settings of the guarded step."""
     return [3] if with_orientation and drive.options(GUARDED).levels else []
 
 
 def with_objective(
     problem: Problem, q: Array, poses: Array, task: Rows, begins: list[int], second: SecondaryObjective, dt: float
 ) -> tuple[Rows, Indices]:
-    """A task with a secondary objective: one more row, or a level of its own behind the others.
+    """A task with a secondary objective: one additional row, or n rows as the last level.
 
-    Args: q (n,), rad or m, and its poses; task and the rows at which its levels begin; dt, s.
+    Args: q (n,), rad or m, and its poses; task; begins: the rows at which its further levels begin; dt, s.
+    Returns the new task and `begins`.
     """
     J, v, weights, damping = task
     rows = 6 if weights[3] > 0 else 3

@@ -1,6 +1,6 @@
-"""Iterating to a pose that stands still, and along a path where no point is left before it is met.
+"""Iteration to a fixed pose, and along a path, one point after another.
 
-    q ← q + κ · method(J, e),   κ the step factor, until ‖e_p‖ and ‖e_o‖ are small
+    q ← q + κ · method(J, e),   κ the step factor, until ‖e_p‖ and ‖e_o‖ are within a tolerance
 
 Source: Cerbaro 2022, §4.4.2–4.4.4 (iterative convergence) and §6.1 (inner convergence along a path).
 """
@@ -23,24 +23,25 @@ from helicoide.ik.method import Method
 from helicoide.text import Text
 
 CAP, CAP_PER_POINT = 200, 60
-# An arm that so many times moves less than this, rad or m, stands still; a method that starts from nothing may pause.
+# The arm stands still after PAUSES consecutive steps shorter than AT_REST, rad or m. A method whose memory starts at
+# zero may need several steps before it moves.
 PAUSES, AT_REST = 5, 1e-9
-# Below this cosine between an error and the rows of J no joint motion makes it smaller.
+# Jᵀ e counts as zero up to this fraction of ‖J‖ ‖e‖: no joint motion reduces the error.
 UNFELT = 1e-6
 
-# A closed loop that is still to be told what to aim at, where to start, and what it remembers: `by_method` makes one.
+# A closed loop as a function of the task, the initial q and the memory. `loop_of` makes one.
 Run = Callable[[TaskFunction, Array, Any], Iterator[LoopStep]]
 
 
 @dataclass(frozen=True)
 class Tolerance:
-    """What is near enough: position, m, orientation, rad."""
+    """The largest accepted errors: position, m, orientation, rad."""
 
     position: float = 1e-3
     orientation: float = 0.01
 
     def holds(self, position: float, orientation: float) -> bool:
-        """Whether errors, m and rad, are within it."""
+        """Whether errors, m and rad, are within the tolerance."""
         return position <= self.position and orientation <= self.orientation
 
 
@@ -48,36 +49,36 @@ INNER = Tolerance(position=0.010, orientation=inf)
 
 
 class Convergence(Enum):
-    """How an iteration ended, in words."""
+    """How an iteration ended; each value is the sentence shown for it."""
 
     CONVERGED = Text(
-        en="Converged after {n} iterations; {mm:.2g} mm and {rad:.2g} rad are left.",
-        pt_BR="Convergiu em {n} iterações; restam {mm:.2g} mm e {rad:.2g} rad.",
+        en="Converged after {n} iterations; remaining error {mm:.2g} mm and {rad:.2g} rad.",
+        pt_BR="Convergiu em {n} iterações; erro restante de {mm:.2g} mm e {rad:.2g} rad.",
     )
     CAPPED = Text(
-        en="Not there after {n} iterations, the most that are tried; {mm:.3g} mm and {rad:.3g} rad are left.",
-        pt_BR="Não chegou em {n} iterações, o máximo que se tenta; restam {mm:.3g} mm e {rad:.3g} rad.",
+        en="Not converged after {n} iterations, the maximum; remaining error {mm:.3g} mm and {rad:.3g} rad.",
+        pt_BR="Não convergiu em {n} iterações, o máximo; erro restante de {mm:.3g} mm e {rad:.3g} rad.",
     )
     UNFELT = Text(
-        en="The arm stands still after {n} iterations with {mm:.3g} mm and {rad:.3g} rad left: it is at a singular "
-        "posture or at the edge of its reach, and no joint motion brings the tool nearer.",
-        pt_BR="O braço parou após {n} iterações, faltando {mm:.3g} mm e {rad:.3g} rad: está numa postura singular ou "
-        "na borda do alcance, e nenhum movimento das juntas aproxima o efetuador.",
+        en="The arm stopped after {n} iterations with an error of {mm:.3g} mm and {rad:.3g} rad: the posture is "
+        "singular or at the boundary of the workspace, and no joint motion brings the end effector closer.",
+        pt_BR="O braço parou após {n} iterações com erro de {mm:.3g} mm e {rad:.3g} rad: a postura é singular ou está "
+        "na borda do espaço de trabalho, e nenhum movimento das juntas aproxima o efetuador.",
     )
     HELD = Text(
-        en="The arm stands still after {n} iterations with {mm:.3g} mm and {rad:.3g} rad left: joint motions that "
-        "would bring the tool nearer exist, but the method does not give them.",
-        pt_BR="O braço parou após {n} iterações, faltando {mm:.3g} mm e {rad:.3g} rad: há movimentos das juntas que "
-        "aproximariam o efetuador, mas o método não os dá.",
+        en="The arm stopped after {n} iterations with an error of {mm:.3g} mm and {rad:.3g} rad: some joint motions "
+        "would bring the end effector closer, but the method does not find them.",
+        pt_BR="O braço parou após {n} iterações com erro de {mm:.3g} mm e {rad:.3g} rad: há movimentos das juntas que "
+        "aproximariam o efetuador, mas o método não os encontra.",
     )
 
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """How an iteration went.
+    """The result of an iteration.
 
     q (n,), rad or m, at the end; errors (k + 1, 2): position, m, and orientation, rad, at the start and after each of
-    k iterations; memory: of the run, to go on with.
+    k iterations; memory: of the loop at q, to continue from there.
     """
 
     q: Array
@@ -87,7 +88,7 @@ class Report:
 
     @property
     def iterations(self) -> int:
-        """How many steps were taken."""
+        """Number of steps taken."""
         return len(self.errors) - 1
 
     @property
@@ -112,13 +113,16 @@ def loop_of(
 ) -> Run:
     """The closed loop of a method with Λ Δt = κ, the step factor.
 
-    dt, s: how long an iteration lasts, for q̇₀ and for methods that count time.
+    Args: factor: κ; push: q̇₀ at q and t, (n,); dt, s: duration of an iteration, for q̇₀ and for methods that use it.
     """
     return lambda aiming, q, memory: closed_loop(problem, method, options, aiming, factor / dt, q, dt, push, memory)
 
 
 def frozen_reference(aiming: TaskFunction, t: float) -> TaskFunction:
-    """The same aim as it is at one instant, s, without its velocity; objectives are added to it afterwards."""
+    """The task at the fixed instant t, s, with zero feedforward.
+
+    Add the row of a secondary objective afterwards: it is a feedforward too and would be set to zero.
+    """
 
     def aim(q: Array, _: float) -> TaskError:
         now = aiming(q, t)
@@ -128,7 +132,7 @@ def frozen_reference(aiming: TaskFunction, t: float) -> TaskFunction:
 
 
 def error_norms(problem: Problem, aim: TaskError) -> tuple[float, float]:
-    """‖e_p‖, m, and ‖e_o‖, rad, of an aim whose first three rows are the position."""
+    """‖e_p‖, m, and ‖e_o‖, rad, of a task whose first three rows are the position."""
     return problem.length * float(np.linalg.norm(aim.error[:3])), float(np.linalg.norm(aim.error[3:]))
 
 
@@ -144,7 +148,8 @@ def converged(
 ) -> Report:
     """Iterate from q (n,) until the error is within the tolerance, the arm stands still, or `cap` steps are taken.
 
-    aiming: at what stands still, see `still`; least: steps that are taken in any case.
+    aiming: the task, with a fixed target (see `frozen_reference`); least: the smallest number of steps; memory: of the
+    loop, None at the start.
     """
     errors: list[tuple[float, float]] = []
     outcome, pauses, coming = Convergence.CAPPED, 0, memory
@@ -171,13 +176,13 @@ def _at_rest(aim: TaskError) -> Convergence:
 
 @dataclass(frozen=True, eq=False)
 class PathReport:
-    """How a sampled path went: a report for each of its points."""
+    """The results along a sampled path: a report for each of its points."""
 
     reports: tuple[Report, ...]
 
     @property
     def refused(self) -> dict[int, float]:
-        """The points that were not met within the tolerance: index and error of position, m."""
+        """The points not reached within the tolerance: index and position error, m."""
         return {i: float(report.errors[-1, 0]) for i, report in enumerate(self.reports) if not report.reached}
 
 
@@ -190,10 +195,10 @@ def converge_along(
     cap: int = CAP_PER_POINT,
     memory: Any = None,
 ) -> PathReport:
-    """One point of a path after another from q (n,), each step by step until the tool is within the tolerance.
+    """Iterate from q (n,) to one point of a path after another, each until the tool is within the tolerance.
 
-    Every point gets a step at least. One that is not met after `cap` steps is left, and the next is tried from there.
-    Source: Cerbaro 2022, §6.1 (position to 10 mm; the cap is ours).
+    Each point takes at least one step. After `cap` steps the iteration goes on to the next point from where it is.
+    Source: Cerbaro 2022, §6.1 (position to 10 mm; the cap is assumed).
     """
     reports = []
     for aiming in aims:

@@ -1,11 +1,11 @@
-"""The filtered inverse: a matrix Θ that follows the inverse of a changing Jacobian without ever inverting it.
+"""The filtered inverse: a matrix Θ that follows the inverse of a changing Jacobian without a matrix inversion.
 
     Θ̇ = −Γ (Jᵀ S_r + S_ℓ Jᵀ),   S_r = J Θ − I,   S_ℓ = Θ J − I
 
-The errors act alone or together: "right", "left", "composite", or each by its own part of Γ, such as (2, 0.5) for
-Γ_r = 2 Γ and Γ_ℓ = Γ/2. With both, the equilibrium is the Sylvester equation JᵀJ Θ + Θ JJᵀ = 2 Jᵀ, and Θ comes to J†
-from anywhere if J has full rank. Everywhere J is (r, n), Θ is (n, r), and gain is γ or a positive definite symmetric Γ
-(n, n), 1/s. Source: Vargas 2013, eqs. 4.18–4.38.
+One error is used, "right" or "left", or both, "composite", or each with its own factor of Γ, such as (2, 0.5) for
+Γ_r = 2 Γ and Γ_ℓ = Γ/2. With both, the equilibrium solves the Sylvester equation JᵀJ Θ + Θ JJᵀ = 2 Jᵀ. If J has full
+rank, Θ then converges to J† from any start. In this module J is (r, n), Θ is (n, r), and gain is γ or a positive
+definite symmetric Γ (n, n), 1/s. Source: Vargas 2013, eqs. 4.18–4.38.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SIDES: dict[Update, Parts] = {"right": (1, 0), "left": (0, 1), "composite": (1, 
 
 
 def parts(update: Update | Parts) -> Parts:
-    """How much of the right and of the left error acts."""
+    """The factors of the right and of the left error."""
     return SIDES[update] if isinstance(update, str) else update
 
 
@@ -35,7 +35,7 @@ def inversion_errors(J: Array, Theta: Array) -> tuple[Array, Array]:
 
 
 def lyapunov(J: Array, Theta: Array) -> tuple[float, float]:
-    """V_r = ½ tr(S_rᵀ S_r) and V_ℓ = ½ tr(S_ℓᵀ S_ℓ); V_c is their sum and never grows while J stands still.
+    """V_r = ½ tr(S_rᵀ S_r) and V_ℓ = ½ tr(S_ℓᵀ S_ℓ); their sum V_c never grows while J is constant.
 
     Source: Vargas 2013, eqs. 4.20, 4.25, 4.30.
     """
@@ -51,7 +51,7 @@ def slope(J: Array, Theta: Array, gain: Array | float, update: Update | Parts = 
 
 
 def step_limit(J: Array, gain: float, update: Update | Parts = "composite") -> float:
-    """The longest dt for which Euler's rule is stable, s: 1/(γ σ₁²), twice that where one error acts alone."""
+    """The largest dt for which Euler's rule is stable, s: 1/(γ σ₁²), twice that with one error alone."""
     fastest = float(sum(parts(update)) * gain * np.linalg.norm(J, 2) ** 2)
     return 2 / fastest if fastest > 0 else np.inf
 
@@ -75,9 +75,10 @@ def sylvester(J: Array, Theta: Array, gain: Array | float, dt: float, update: Up
 
 
 def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
-    """What Θ becomes after dt while J stands still, for every dt. With J = U Σ Vᵀ and Ψ = Vᵀ Θ U, for Γ = γ I,
+    """Θ after dt, s, for constant J, exact for every dt.
 
-    ψᵢⱼ ← e^(−γ (σᵢ² + σⱼ²) dt) ψᵢⱼ, and dᵢ = ψᵢᵢ gains (1 − e^(−2γσᵢ² dt))/σᵢ.
+    With J = U Σ Vᵀ, Ψ = Vᵀ Θ U and Γ = γ I: ψᵢⱼ ← e^(−γ (σᵢ² + σⱼ²) dt) ψᵢⱼ, and then
+    ψᵢᵢ ← ψᵢᵢ + (1 − e^(−2γσᵢ² dt))/σᵢ.
 
     Source: Vargas 2013, eqs. 4.44–4.54, solved.
     """
@@ -95,9 +96,9 @@ def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update
 
 
 def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: Update | Parts) -> Array:
-    """The same for a matrix gain Γ = L Lᵀ: with JJᵀ uⱼ = λⱼ uⱼ, each yⱼ = L⁻¹ Θ uⱼ has a law of its own,
+    """`exact` for a matrix gain Γ = L Lᵀ.
 
-    ẏⱼ = −Lᵀ(JᵀJ + λⱼ I)L yⱼ + 2 Lᵀ Jᵀ uⱼ.
+    With JJᵀ uⱼ = λⱼ uⱼ, each yⱼ = L⁻¹ Θ uⱼ has its own equation ẏⱼ = −Lᵀ(JᵀJ + λⱼ I)L yⱼ + 2 Lᵀ Jᵀ uⱼ.
     """
     right, left = parts(update)
     L = np.linalg.cholesky(Gamma)
@@ -112,7 +113,7 @@ def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: U
 
 
 def _mean_decay(x: Array) -> Array:
-    """(1 − e⁻ˣ)/x for x ≥ 0, which is 1 at x = 0: for what is next to nothing −expm1(−x) is x to the last digit."""
+    """(1 − e⁻ˣ)/x for x ≥ 0, and 1 at x = 0, where the smallest x is used: −expm1(−x) is exactly x there."""
     x = np.maximum(x, 1e-300)
     return np.asarray(-np.expm1(-x) / x)
 
@@ -123,5 +124,5 @@ STEPS = {"exact": exact, "sylvester": sylvester, "euler": euler}
 def stepped(
     J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite", step: Step = "exact"
 ) -> Array:
-    """Θ after dt, s, by one of the rules above."""
+    """Θ after dt, s, by one of the rules in `STEPS`."""
     return STEPS[step](J, Theta, gain, dt, update)

@@ -1,4 +1,4 @@
-"""The accepted goal: the nearest that the guarded arm can come to a wish, and another posture where one helps."""
+"""The accepted goal: the pose nearest to the target that the guarded arm reaches, from another posture if it helps."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ _DRAWN, _STARTS = 400, 20
 
 @dataclass(frozen=True, eq=False)
 class Goal:
-    """Where a wish leads.
+    """The accepted goal for a target.
 
-    q (n,), rad, and T_world_tool (4, 4), m, there; whether the tool comes to the nearest point that the planes leave to
-    it; what is missing between the tool and the wish: `position_error`, m, and `orientation_error`, rad; and why, when
-    something is.
+    q (n,), rad or m, the link poses (m + 1, 4, 4) and T_world_tool (4, 4), m, at the goal; reached: whether the tool
+    comes to the nearest point that the planes allow; position_error, m, and orientation_error, rad: between tool and
+    target; reasons: the constraints that limit the arm there.
     """
 
     q: Array
@@ -73,16 +73,19 @@ def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array,
 def goal_at_pose(
     problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, ticks: tuple[float, int] = _AHEAD
 ) -> Goal:
-    """Where the arm comes to rest when it is driven from q (n,), rad, towards T_world_target (4, 4), m.
+    """Where the arm comes to rest when it is driven from q (n,), rad or m, towards T_world_target (4, 4), m.
 
-    ticks: length in s and number of the steps that are looked ahead.
+    ticks: duration, s, and largest number of the simulated steps.
     """
     arm = packed(problem.without_acceleration_limits, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
     return _rest(problem, arm, q, T_world_target, (False, q, EVERY), ticks)
 
 
 def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = EVERY) -> Goal:
-    """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad."""
+    """Where the arm comes to rest when its joints are driven from q to q_target, both (n,), rad or m.
+
+    yielding: as in `joint_task`.
+    """
     robot = problem.robot
     wished = tool_pose(problem, link_poses(robot.chain, q_target))
     return _rest(problem, packed(problem.without_acceleration_limits), q, wished, (True, q_target, yielding), _AHEAD)
@@ -96,14 +99,14 @@ def _rest(
     joints: tuple[bool, Array, int],
     ticks: tuple[float, int],
 ) -> Goal:
-    """Where a packed arm comes to rest, as in `settle`."""
+    """The goal where a packed arm comes to rest. Args: joints as in `settle`; ticks as in `goal_at_pose`."""
     rest, work = q.copy(), work_for(arm)
     settle(arm, rest, T_world_target, joints, *ticks, work.memory)
     return _goal(problem, rest, T_world_target, work.held, ticks[0])
 
 
 def _starts(problem: Problem, q: Array) -> list[Array]:
-    """Postures spread evenly over the limits (additive recurrence), clear of all obstacles, the nearest to q first."""
+    """Postures spread evenly over the limits (additive recurrence), without contacts, the nearest to q first."""
     limits, n = problem.limits, len(q)
     ratio = 2.0
     for _ in range(30):
@@ -115,7 +118,11 @@ def _starts(problem: Problem, q: Array) -> list[Array]:
 
 
 def _better(goal: Goal, than: Goal, with_orientation: bool) -> bool:
-    """Whether a goal reaches what another does not, comes nearer by `NEARER`, or turns nearer by `TURNED`."""
+    """Whether a goal is better than another.
+
+    A reached goal is better than one that is not. Of two that are not, one is better if its position error is smaller
+    by `NEARER`, m; of two that are, if its orientation error is smaller by `TURNED`, rad.
+    """
     if goal.reached != than.reached:
         return goal.reached
     if not goal.reached:
@@ -126,7 +133,7 @@ def _better(goal: Goal, than: Goal, with_orientation: bool) -> bool:
 def another_posture(
     problem: Problem, q: Array, T_world_target: Array, with_orientation: bool, found: Goal
 ) -> Goal | None:
-    """The goal of another posture that is better than the one found from q, if the guarded arm can move there."""
+    """A goal from another posture, better than `found`, to which the guarded arm can move from q; None without one."""
     best = found
     for start in _starts(problem, q):
         if best.reached and (best.orientation_error < TURNED or not with_orientation):
@@ -138,7 +145,7 @@ def another_posture(
 
 
 def best_goal(problem: Problem, q: Array, T_world_target: Array, with_orientation: bool) -> tuple[Goal, Array | None]:
-    """The goal that the arm comes nearest to, and the posture (n,) to pass through when it is not reached directly."""
+    """The best goal, and the posture (n,), rad or m, to move to first; None where the goal is reached directly."""
     found = goal_at_pose(problem, q, T_world_target, with_orientation)
     better = another_posture(problem, q, T_world_target, with_orientation, found)
     return (found, None) if better is None else (better, better.q)

@@ -1,8 +1,9 @@
-"""The joints that carry the tool along a path from one known posture to another.
+"""Joint values that move the tool along a path, from one known posture to another.
 
-At each place of the path Newton's steps begin at the even way of the joints plus what the place before had to add to
-it, which fades out towards the end: so the joints end in the posture that was asked for, also where the arm is
-redundant. The position comes first; the orientation is kept as well as what is left allows.
+At each point of the path Newton's iteration starts at the linear interpolation of the two postures plus the correction
+found at the point before. This correction is scaled down to zero towards the end. The joints therefore end in the
+posture that was asked for, also where the arm is redundant. The orientation is followed in the null space of the
+position.
 """
 
 from __future__ import annotations
@@ -18,18 +19,18 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.trajectory.path import Path
 
-# Places of the path, and the most that a joint may move from one to the next, rad or m: more is a jump to another form.
+# Points of the path, and the largest joint motion from one to the next, rad or m: more is a jump to another branch.
 PLACES, JUMP = 101, 0.2
 STEPS, SETTLED, MISSED = 100, 1e-10, 1e-7
-# Motions that are felt less than this, as a share of the reach or in rad, are left alone.
+# Singular values up to this count as zero; those of the position are divided by the reach.
 FAINT = 1e-4
 
 
 def joints_along(robot: Robot, path: Path, start: Array, end: Array) -> Array | None:
-    """Joint values at even parameters from the start of a path to its end, (PLACES, n), rad or m.
+    """Joint values at evenly spaced parameters of a path, (PLACES, n), rad or m.
 
-    Args: start, end (n,): postures at the ends of the path. None where the tool cannot follow inside the limits, or
-    only with a jump.
+    Args: start, end (n,): postures at the ends of the path. Returns None where the tool cannot follow within the
+    limits, or only with a jump.
     """
     rows, added = [start], np.zeros(len(start))
     shares = np.linspace(0.0, 1.0, PLACES)
@@ -47,7 +48,10 @@ def joints_along(robot: Robot, path: Path, start: Array, end: Array) -> Array | 
 
 
 def _brought(robot: Robot, q: Array, T_world_target: Array) -> Array | None:
-    """The posture near q with the tool at the target: Δq = Jp† e_p + (Jo N)† (e_o − Jo Jp† e_p), N = I − Jp† Jp."""
+    """The posture near q with the tool at the target: Δq = Jp† e_p + (Jo N)† (e_o − Jo Jp† e_p), N = I − Jp† Jp.
+
+    Returns None where the position does not converge.
+    """
     chain, R_target = robot.chain, frozen(T_world_target[:3, :3])
     for _ in range(STEPS):
         poses = link_poses(chain, frozen(q))
@@ -65,7 +69,7 @@ def _brought(robot: Robot, q: Array, T_world_target: Array) -> Array | None:
 
 
 def _inverse(A: Array, faint: float) -> Array:
-    """A† without singular values up to `faint`."""
+    """A† without the singular values up to `faint`."""
     U, values, Vt = np.linalg.svd(A, full_matrices=False)
     felt = values > faint
     return np.asarray(Vt[felt].T / values[felt] @ U[:, felt].T)

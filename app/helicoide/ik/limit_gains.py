@@ -1,4 +1,4 @@
-"""Joint limits by gains that grow: each time a joint is stopped at its limit, its objective pulls it harder.
+"""Joint limits by growing gains: each time a joint is clipped to its limit, its gain in the null space grows.
 
 Source: Cerbaro 2022, §4.5, Algorithm 1.
 """
@@ -21,10 +21,10 @@ GROWTH = 1.01
 
 
 def clipped(q: Array, lower: Array, upper: Array, gains: Array, growth: float = GROWTH) -> tuple[Array, Array]:
-    """Joints outside their limits are put on them, and their gains grow: qᵢ ← limit, k₀ᵢ ← 1.01 k₀ᵢ.
+    """Clip the joints to their limits and increase the gains of those outside: qᵢ ← limit, k₀ᵢ ← 1.01 k₀ᵢ.
 
-    Args: q, lower, upper (n,), rad or m; gains: k₀ (n,), the diagonal of K₀; growth: 1 leaves them. Returns q and k₀.
-    Source: Cerbaro 2022, Algorithm 1; the gains only grow, as there.
+    Args: q, lower, upper (n,), rad or m; gains: k₀ (n,), the diagonal of K₀; growth: the factor, 1 for constant gains.
+    Returns q and k₀. Source: Cerbaro 2022, Algorithm 1; the gains never decrease there either.
     """
     outside = (q < lower) | (q > upper)
     return np.clip(q, lower, upper), np.where(outside, growth * gains, gains)
@@ -32,7 +32,7 @@ def clipped(q: Array, lower: Array, upper: Array, gains: Array, growth: float = 
 
 @dataclass(frozen=True, eq=False)
 class LimitGainMemory:
-    """What a run remembers: k₀ (n,), 1/s, and what its method does."""
+    """Memory of the loop: k₀ (n,), 1/s, and the memory of the method."""
 
     gains: Array
     method: Any = None
@@ -51,10 +51,10 @@ def loop_with_limit_gains(
     others: Others = nobody,
     growth: float = GROWTH,
 ) -> Iterator[LoopStep]:
-    """`clik.followed` with the objectives in the null space and Algorithm 1 after each step: q̇₀ = −diag(k₀) ∂f/∂q.
+    """`clik.closed_loop` with the objectives in the null space, q̇₀ = −diag(k₀) ∂f/∂q, and Algorithm 1 after each step.
 
-    memory: what to begin with, and in each moment what there is after it; chosen and others as in `secondary.push`;
-    growth as in `clipped`.
+    memory: the initial one; each `LoopStep` has the one after it; chosen and others as in `secondary.push`; growth as
+    in `clipped`.
     """
     t, k0, of_method = 0.0, memory.gains, memory.method
     while True:

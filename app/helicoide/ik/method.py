@@ -1,4 +1,4 @@
-"""What a method of inverse kinematics is: what it is asked, what it answers, what it promises, what can be set."""
+"""The interface of a method of inverse kinematics: its task, solution, promises and settings."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from typing import Annotated, Any, Protocol, TypeVar, get_origin, get_type_hints
 
 from helicoide.arrays import Array
 from helicoide.ik import Problem, Reason
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, untranslated
 
 Settings = TypeVar("Settings")
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What is asked in one instant: joint rates q̇ with J q̇ = ν, ν = ẋ_d + Λ e.
+    """What is asked in one instant: joint velocities q̇ with J q̇ = ν, ν = ẋ_d + Λ e.
 
-    q (n,), rad or m; J (r, n); rate: ν (r,), 1/s; dt: how long the answer is applied, s. J and ν have no length in
-    them: lengths are divided by the characteristic length ℓ of the problem, and a joint that slides is measured in ℓ.
+    q (n,), rad or m; J (r, n); rate: ν (r,), 1/s; dt: how long the solution is applied, s. In J and ν lengths are
+    divided by the characteristic length ℓ of the problem; a prismatic joint is measured in ℓ.
     """
 
     q: Array
@@ -32,7 +32,7 @@ class Task:
 
 @dataclass(frozen=True, eq=False)
 class OnDemand(Mapping[str, float]):
-    """Figures that cost more than the answer: each is computed when somebody reads it."""
+    """Figures that cost more than the solution: each is computed when it is read."""
 
     computed: Mapping[str, Callable[[], float]]
 
@@ -48,10 +48,10 @@ class OnDemand(Mapping[str, float]):
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """What a method answers: q̇ (n,), rad/s, or ℓ/s where a joint slides.
+    """The result of a method: q̇ (n,), rad/s, or ℓ/s for a prismatic joint.
 
-    figures: numbers of this instant by their symbol, such as the damping; inverse: B (n, r) where q̇ = B ν; reasons:
-    what held the answer back.
+    figures: numbers of this instant by symbol, such as the damping; inverse: B (n, r) where q̇ = B ν; reasons: the
+    constraints that limited q̇.
     """
 
     rates: Array
@@ -61,24 +61,24 @@ class Solution:
 
 
 class Promise(Enum):
-    """What a method can promise, in words; a contract test holds each method to those that it names."""
+    """What a method can promise, in words; a contract test checks each method against the promises that it names."""
 
-    CONVERGES = Text(en="comes to a reachable goal", pt_BR="chega a um objetivo alcançável")
+    CONVERGES = Text(en="reaches a reachable goal", pt_BR="alcança um objetivo alcançável")
     EXACT = Text(
-        en="meets the asked velocity exactly where the arm is not singular",
-        pt_BR="cumpre exatamente a velocidade pedida onde o braço não é singular",
+        en="gives exactly the asked velocity where the arm is not singular",
+        pt_BR="dá exatamente a velocidade pedida onde o braço não é singular",
     )
     BOUNDED = Text(
-        en="joint rates stay below a hundred times what is asked, also at singular postures",
-        pt_BR="as velocidades de junta ficam abaixo de cem vezes o que se pede, também em posturas singulares",
+        en="joint velocities stay below a hundred times the asked velocity, also in singular postures",
+        pt_BR="as velocidades de junta ficam abaixo de cem vezes a velocidade pedida, também em posturas singulares",
     )
     KEEPS_LIMITS = Text(
-        en="keeps joint limits, speeds and distances by itself",
-        pt_BR="respeita sozinho limites de junta, velocidades e distâncias",
+        en="respects joint limits, joint speeds and distances by itself",
+        pt_BR="respeita por si limites, velocidades de junta e distâncias",
     )
-    LEAVES_SINGULAR = Text(en="leaves a singular start", pt_BR="sai de uma postura inicial singular")
+    LEAVES_SINGULAR = Text(en="leaves a singular start posture", pt_BR="sai de uma postura inicial singular")
     STAYS_SINGULAR = Text(
-        en="never leaves an exactly singular start along the lost direction",
+        en="never leaves an exactly singular start posture along the lost direction",
         pt_BR="nunca sai, pela direção perdida, de uma postura inicial exatamente singular",
     )
 
@@ -88,7 +88,7 @@ class Quantity:
     """A setting that is a number: a slider from lower to upper.
 
     unit: as written on the screen. lengths: the power of the length in that unit, so that what is shown in mm, mm² or
-    mm³ is the stored number times ℓ, ℓ² or ℓ³. decades: the slider runs through powers of ten.
+    mm³ is the stored number times ℓ, ℓ² or ℓ³. decades: the slider is logarithmic.
     """
 
     title: Text
@@ -101,7 +101,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class OneOf:
-    """A setting that is one of several words; each with what is shown for it."""
+    """A setting that is one of several words, each with the text shown for it."""
 
     title: Text
     choices: Mapping[str, Text]
@@ -118,7 +118,7 @@ Setting = Quantity | OneOf | YesNo
 
 
 def settings(options: type) -> dict[str, Setting]:
-    """The settings of an options class by the name of their field: its annotations hold them."""
+    """The settings of an options class by field name, read from its annotations."""
     hints = get_type_hints(options, include_extras=True)
     return {
         one.name: next(part for part in hints[one.name].__metadata__ if isinstance(part, Quantity | OneOf | YesNo))
@@ -128,12 +128,15 @@ def settings(options: type) -> dict[str, Setting]:
 
 
 def changed(options: Settings, name: str, value: object) -> Settings:
-    """The same options with one setting changed; raises HelicoideError, which names what is valid."""
+    """The same options with one setting changed.
+
+    Raises HelicoideError for an unknown setting or an invalid value; the message says what is valid.
+    """
     known = settings(type(options))
     if name not in known:
         raise HelicoideError(
             Text(
-                en="There is no setting {name}; there is: {known}.", pt_BR="Não há ajuste {name}; há: {known}."
+                en="There is no setting {name}; settings: {known}.", pt_BR="Não há ajuste {name}; ajustes: {known}."
             ).format(name=name, known=", ".join(known) or "–")
         )
     if not _is_valid(known[name], value):
@@ -155,20 +158,22 @@ def _is_valid(setting: Setting, value: object) -> bool:
 def _valid(setting: Setting) -> Text:
     match setting:
         case Quantity(_, lower, upper):
-            takes = f"{lower:g} … {upper:g}"
+            takes = untranslated("{lower:g} … {upper:g}").format(lower=lower, upper=upper)
         case OneOf(_, choices):
-            takes = ", ".join(choices)
+            takes = untranslated(", ".join(choices))
         case YesNo():
-            takes = "True, False"
-    return Text(en="{title} takes " + takes + ", not {value}.", pt_BR="{title} aceita " + takes + ", não {value}.")
+            takes = untranslated("True, False")
+    return Text(
+        en="{title} takes " + takes.en + ", not {value}.", pt_BR="{title} aceita " + takes.pt_BR + ", não {value}."
+    )
 
 
 class Method(Protocol):
     """A module of `ik/methods/`.
 
-    SOURCE may be yourself. EQUATION: in TeX. PROMISES: where it is empty, the module has NO_PROMISES, a Text that says
-    why. REMEMBERS: what its memory holds from one instant to the next, None for nothing. FIGURES: titles of the figures
-    of its solutions by symbol.
+    SOURCE: a reference, or the author of the module. EQUATION: in TeX. PROMISES: if empty, the module has NO_PROMISES,
+    a Text that says why. REMEMBERS: what its memory holds between steps, None for no memory. FIGURES: titles of the
+    figures of its solutions, by symbol.
     """
 
     TITLE: Text
@@ -189,4 +194,4 @@ class Method(Protocol):
         """The memory before the first step."""
 
     def step(self, problem: Problem, task: Task, memory: Any, options: Any) -> tuple[Solution, Any]:
-        """The answer to one task, and the memory for the next."""
+        """The solution of one task, and the memory for the next."""

@@ -1,8 +1,8 @@
-"""What the filtered inverse does to each singular value: the diagnosis of Θ in the axes of J.
+"""The filtered inverse for each singular value: Θ in the singular vectors of J.
 
     J = U Σ Vᵀ,   Ψ = Vᵀ Θ U = D + R,   ḋᵢ = −2γσᵢ(σᵢdᵢ − 1),   ṙᵢⱼ = −γ(σᵢ² + σⱼ²) rᵢⱼ
 
-With Γ_r = rγI and Γ_ℓ = ℓγI it is ḋᵢ = −(r + ℓ)γσᵢ(σᵢdᵢ − 1) and ṙᵢⱼ = −γ(rσᵢ² + ℓσⱼ²) rᵢⱼ.
+With Γ_r = rγI and Γ_ℓ = ℓγI: ḋᵢ = −(r + ℓ)γσᵢ(σᵢdᵢ − 1) and ṙᵢⱼ = −γ(rσᵢ² + ℓσⱼ²) rᵢⱼ.
 Source: Vargas 2013, eqs. 4.44–4.54.
 """
 
@@ -19,10 +19,11 @@ from helicoide.kinematics.manipulability import analyse_jacobian
 
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
-    """Θ (n, r) seen from J (r, n), p = min(n, r): sigma (p,); d (p,), on its way to 1/σᵢ; R (n, r), on its way to 0.
+    """Θ (n, r) in the singular vectors of J (r, n), p = min(n, r).
 
-    rates (n, r), 1/s: how fast each entry gets there, 2γσᵢ² for dᵢ, γ(σᵢ² + σⱼ²) for rᵢⱼ where both errors act alike,
-    with σ = 0 beyond p. V_c and the least that it can be, (r − ρ)/2 + (n − ρ)/2 for rank ρ.
+    sigma (p,); d (p,), which tends to 1/σᵢ; R (n, r), which tends to 0; rates (n, r), 1/s: the decay rates, 2γσᵢ² for
+    dᵢ and γ(σᵢ² + σⱼ²) for rᵢⱼ if both errors have the factor 1, with σ = 0 beyond p; V_c; floor: the smallest possible
+    V_c, (r − ρ)/2 + (n − ρ)/2 for rank ρ.
     """
 
     sigma: Array
@@ -34,7 +35,7 @@ class Diagnosis:
 
 
 def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "composite") -> Diagnosis:
-    """The modal diagnosis of Θ. Args: J (r, n); Theta (n, r); gain: γ, 1/s; update: which errors act, or how much.
+    """The modal diagnosis of Θ. Args: J (r, n); Theta (n, r); gain: γ, 1/s; update: the errors used, or their factors.
 
     Source: Vargas 2013, §4.4.
     """
@@ -47,7 +48,7 @@ def diagnosed(J: Array, Theta: Array, gain: float, update: Update | Parts = "com
     R = axes.V.T @ Theta @ axes.U
     d = R.diagonal().copy()
     np.fill_diagonal(R, 0.0)
-    # ½‖S_r‖² + ½‖S_ℓ‖² in the axes of J: the diagonal counts in both, and each side has ones where σ is missing
+    # ½‖S_r‖² + ½‖S_ℓ‖² in the singular vectors of J: the diagonal is in both, and beyond p each has −1 on the diagonal.
     off = np.sum((rows[:, None] ** 2 + columns**2) * R**2) / 2
     V_c = float(np.sum((axes.sigma * d - 1) ** 2) + off + (r - p) / 2 + (n - p) / 2)
     rates = gain * (right * rows[:, None] ** 2 + left * columns**2)

@@ -1,4 +1,4 @@
-"""What a secondary objective is: a cost of the posture, and how it changes with the joints."""
+"""The interface of a secondary objective: a cost of the posture and its gradient."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ NOBODY = frozen(np.empty((0, 3)))
 
 @dataclass(frozen=True, eq=False)
 class Posture:
-    """How the arm stands, and what stands beside it.
+    """The posture of the arm, and the points beside it.
 
-    q (n,), rad or m; poses (m + 1, 4, 4) of `forward.link_poses`; others (k, 3), m: points of a second arm, or of what
-    else stands there.
+    q (n,), rad or m; poses (m + 1, 4, 4) of `forward.link_poses`; others (k, 3), m: points of a second arm or of
+    obstacles.
     """
 
     q: Array
@@ -36,10 +36,10 @@ def posture(problem: Problem, q: Array, others: Array = NOBODY) -> Posture:
 
 @dataclass(frozen=True, eq=False)
 class Cost:
-    """f, the smaller the better, and its gradient ∂f/∂q (n,), both without lengths.
+    """f, to be minimised, and its gradient ∂f/∂q (n,), both dimensionless.
 
-    Lengths are divided by the characteristic length ℓ and a joint that slides is measured in ℓ, as in `method.Task`:
-    ḟ = gradient · q̇ with the rates of a `method.Solution`.
+    Lengths are divided by the characteristic length ℓ, and a prismatic joint is measured in ℓ, as in `method.Task`:
+    ḟ = gradient · q̇ with the q̇ of a `method.Solution`.
     """
 
     value: float
@@ -49,8 +49,8 @@ class Cost:
 class Objective(Protocol):
     """A module of `ik/objectives/`.
 
-    EQUATION: of f, in TeX. AUGMENTS: whether f ≥ 0 and as good as zero wherever nothing is amiss; then f → 0 can be
-    asked for as one more row of the task, else the objective moves the joints in the null space only.
+    EQUATION: of f, in TeX. AUGMENTS: whether f ≥ 0, with f ≈ 0 wherever the objective is met. Then f → 0 can be an
+    additional row of the task; otherwise the objective acts only in the null space.
     """
 
     TITLE: Text

@@ -1,4 +1,4 @@
-"""What an arm may do, packed for the kernels: a `Problem` and the settings of the guarded step as one table."""
+"""A `Problem` and the settings of the guarded step, packed into one table for the kernels."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ def packed(
     gain: float = DAMPER_GAIN,
     position_first: bool = False,
 ) -> Array:
-    """A problem as the kernels take it, (k, 16), with the rows and columns of `guard.packed`.
+    """A problem packed for the kernels, (k, 16), with the rows and columns of `guard.packed`.
 
-    Args: damping: λ², of lengths in ℓ; turn: the weight of orientation, a radian against ℓ, 0 for none; gain: κ of the
-    velocity dampers, 1/s; position_first: the orientation in what the position leaves free.
+    Args: damping: λ², for lengths divided by the reach; turn: weight of the orientation, the fraction of the reach that
+    counts as much as 1 rad, 0 for none; gain: κ of the velocity dampers, 1/s; position_first: whether orientation is
+    solved in the null space of the position.
     """
     robot, entry, limits, planes = problem.robot, problem.entry, problem.limits, problem.planes
     *joints, end = tool_kernels.arm_array(robot)
@@ -46,7 +47,10 @@ def packed(
 
 
 def _points(problem: Problem) -> Array:
-    """The guarded points; where there are pairs the ends of all bodies behind them, an obstacle's on link 0: (p, 4)."""
+    """Points with their links, (p, 4): the guarded points, then, if there are pairs, the axis ends of all bodies.
+
+    The ends of obstacles are on link 0.
+    """
     robot, obstacles = problem.robot, problem.obstacles
     places, links = [*robot.monitored_points], [*robot.monitored_links]
     if problem.pairs:
@@ -59,7 +63,7 @@ def _points(problem: Problem) -> Array:
 
 
 def _pairs(problem: Problem) -> Array:
-    """The four points of each pair, and how far apart the axes of its bodies stay, m: (b, 5)."""
+    """For each pair, (b, 5): the numbers of its four axis ends, and the smallest distance of the two axes, m."""
     first = len(problem.robot.monitored_points)
     radii = [*(body.radius for body in problem.robot.bodies), *problem.obstacles.radii]
     rows = [

@@ -1,4 +1,4 @@
-"""Where the guarded arm comes to rest: ticks like the loop's, run ahead until nothing moves."""
+"""Where the guarded arm comes to rest: its ticks, simulated ahead until the joints stand still."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ AT_REST = 1e-5
 
 @kernel
 def are_clear(arm: Array, postures: Array) -> NDArray[np.bool_]:
-    """Which postures (p, n), rad, keep their distance from planes, obstacles and the arm itself, (p,)."""
+    """Which postures (p, n), rad or m, keep the distances from planes and obstacles and between bodies, (p,)."""
     clear = np.empty(postures.shape[0], dtype=np.bool_)
     for k in range(postures.shape[0]):
         clear[k] = (clearances(arm, postures[k]) > 0.0).all()
@@ -28,11 +28,11 @@ def are_clear(arm: Array, postures: Array) -> NDArray[np.bool_]:
 def settle(
     arm: Array, q: Array, T_world_target: Array, joints: tuple[bool, Array, int], dt: float, ticks: int, memory: Array
 ) -> None:
-    """Guarded ticks, each from rest, until nothing moves; q and the work space are those of the last.
+    """Guarded ticks, each from rest, until no joint moves by `AT_REST`; q and the work space are those of the last.
 
-    Args: arm of `packing.packed`, without limits of acceleration; q (n,), rad or m, in place; T_world_target (4, 4), m:
-    the pose to go to; joints: whether to go to joint values instead, those (n,), and `yielding` as in `joint_task`; dt,
-    s, of a tick; ticks: how many at most; memory of `work.work_for`.
+    Args: arm of `packing.packed`, without acceleration limits; q (n,), rad or m, changed in place; T_world_target
+    (4, 4), m; joints: whether to go to joint values instead, these values (n,), and `yielding` of `joint_task`; dt, s,
+    of a tick; ticks: the largest number of them; memory of `work.work_for`.
     """
     rates, ahead, begins = memory[REPORT : REPORT + q.shape[0]], np.zeros(3), np.empty(0, dtype=np.int64)
     for _ in range(ticks):

@@ -18,7 +18,7 @@ def slope(k: float, theta: float, beta: float) -> float:
 
 
 def stepped(k: float, theta: float, beta: float, dt: float) -> float:
-    """θ after dt, s, while k stands still: 1/k + (θ − 1/k) e^(−β k² dt), and θ at k = 0. Source: Vargas 2013, 4.10."""
+    """θ after dt, s, for constant k: 1/k + (θ − 1/k) e^(−β k² dt), and θ at k = 0. Source: Vargas 2013, 4.10."""
     x = beta * k * k * dt
     gained = -expm1(-x) / x if x > 1e-12 else 1.0
     return theta * exp(-x) + beta * k * dt * gained
@@ -30,9 +30,9 @@ def modified(k: float, theta: float) -> float:
 
 
 def worst_case(t: float, k_0: float, beta: float, c: float) -> tuple[float, float]:
-    """The k that falls just slowly enough to hold S² = c: k = k₀/√(2 a k₀² t + 1), and θ = (1 − √c)/k, which grows
+    """The k that decreases so that S² = c stays constant, k = k₀/√(2 a k₀² t + 1), and its θ = (1 − √c)/k.
 
-    as √t; a = β √c/(1 − √c), 0 < c < 1. Returns k, θ at t, s. Source: Vargas 2013, eqs. 4.11–4.15.
+    θ grows as √t; a = β √c/(1 − √c), 0 < c < 1. Returns k, θ at t, s. Source: Vargas 2013, eqs. 4.11–4.15.
     """
     a = beta * sqrt(c) / (1 - sqrt(c))
     k = k_0 / sqrt(2 * a * k_0 * k_0 * t + 1)
@@ -40,8 +40,9 @@ def worst_case(t: float, k_0: float, beta: float, c: float) -> tuple[float, floa
 
 
 def crossing_peak(beta: float, speed: float) -> float:
-    """θ at k = 0 when k crosses zero at a constant speed, begun at 1/k: θ = 3^(−1/3) Γ(2/3) (β/|k̇|)^(1/3).
+    """θ at k = 0 when k crosses zero at a constant speed and θ starts at 1/k: θ = 3^(−1/3) Γ(2/3) (β/|k̇|)^(1/3).
 
-    For Θ a singular value crosses with β = 2γ: the bound of ‖Θ‖. Derived from θ̇ = −β k (k θ − 1) with k = k̇ t.
+    For a matrix Θ, β = 2γ gives the bound of ‖Θ‖ when a singular value crosses zero.
+    Derived from θ̇ = −β k (k θ − 1) with k = k̇ t.
     """
     return float(CROSSING * (beta / abs(speed)) ** (1 / 3))

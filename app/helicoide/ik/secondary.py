@@ -1,7 +1,7 @@
-"""How secondary objectives move the joints: in the null space of the task, or as one more row of it.
+"""How secondary objectives move the joints: in the null space of the task, or as an additional row of it.
 
-Null space: q̇₀ = −k₀ ∂f/∂q, which `clik.answered` projects; it never disturbs the task. Row: J₊ = [J; ∂f/∂q],
-ν₊ = [ν; −f]; the task gives way where it has to. Several objectives are summed into one f.
+Null space: q̇₀ = −k₀ ∂f/∂q, projected by `clik.solve_with_null_space`; the task is not affected. Row: J₊ = [J; ∂f/∂q],
+ν₊ = [ν; −f]; where not all rows can be met, the task is not met exactly. Several objectives are summed into one f.
 Source: Cerbaro 2022, eqs. 9–10; Vargas 2013, eqs. 4.69–4.72.
 """
 
@@ -23,7 +23,7 @@ Others = Callable[[float], Array]
 
 
 def nobody(t: float) -> Array:
-    """The points of a second arm where there is none."""
+    """No points of a second arm, at any t."""
     return NOBODY
 
 
@@ -36,7 +36,7 @@ def total(problem: Problem, chosen: Chosen, at: Posture) -> Cost:
 def push(
     problem: Problem, chosen: Chosen, gains: Array | float, others: Others = nobody
 ) -> Callable[[Array, float], Array]:
-    """What `clik.followed` adds in the null space: q̇₀ = −K₀ ∂f/∂q.
+    """q̇₀ = −K₀ ∂f/∂q as a function of q and t, for the null space in `clik.closed_loop`.
 
     gains: k₀, 1/s, one for all joints, or (n,) for the diagonal of K₀; others: points of a second arm at t, (k, 3), m.
     Source: Cerbaro 2022, eq. 10 (w = −f) and §4.5.
@@ -45,10 +45,10 @@ def push(
 
 
 def augmented(problem: Problem, chosen: Chosen, aiming: TaskFunction, others: Others = nobody) -> TaskFunction:
-    """The aim with one row more, which asks for ḟ = −f: J₊ = [J; ∂f/∂q], ν₊ = [ẋ_d + Λ e; −f].
+    """The task with an additional row that asks for ḟ = −f: J₊ = [J; ∂f/∂q], ν₊ = [ẋ_d + Λ e; −f].
 
-    The gain on f is one whatever Λ is: −f stands with the velocities and the row has no error; priority is set by the
-    weights within f. Raises HelicoideError where an objective is not one to be driven to zero.
+    The gain on f is 1 for every Λ: −f is a feedforward, and the error of the row is zero. The weights within f set its
+    priority. Raises HelicoideError for an objective that does not tend to zero (`AUGMENTS`).
     Source: Vargas 2013, eqs. 4.69–4.72 (ẋ_d for x_d).
     """
     for objective, _ in chosen:
@@ -65,6 +65,6 @@ def augmented(problem: Problem, chosen: Chosen, aiming: TaskFunction, others: Ot
 
 
 _NOT_A_ROW = Text(
-    en="“{title}” cannot be a row of the task, since it does not come to rest at zero; use it in the null space.",
-    pt_BR="“{title}” não pode ser uma linha da tarefa, pois não repousa em zero; use-o no espaço nulo.",
+    en="“{title}” is not zero at its minimum, so it cannot be a task row; use it in the null space.",
+    pt_BR="“{title}” não é zero no mínimo, por isso não pode ser uma linha da tarefa; use-o no espaço nulo.",
 )

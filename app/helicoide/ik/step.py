@@ -1,6 +1,6 @@
-"""The guarded step as one call, for the loop of the lab and for anybody's own.
+"""The guarded step as one call, for the loop of the lab and for scripts.
 
-The arm is packed once, and its work space made once; then `step` after `step` moves q in place.
+Pack the arm once (`packing.packed`) and make its work space once (`work.work_for`). Each `step` changes q in place.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ STILL = np.zeros(3)
 
 @kernel_into
 def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, memory: Array) -> float:
-    """One guarded step of the tool towards a pose, within limits, planes, obstacles and the arm's own acceleration.
+    """One guarded step of the tool towards a pose, under joint limits, planes, obstacles and self-collision pairs.
 
-    Args: arm of `packing.packed`; q (n,), rad or m, is moved in place; T_world_target (4, 4), m; ahead: velocity of its
-    point, (3,), m/s, `STILL` for none; dt, s; memory of `work.work_for`, with the joint rates of the step before, and
-    then all that came of this one. Returns the share of the step that was taken. Shapes are not checked.
+    Args: arm of `packing.packed`; q (n,), rad or m, changed in place; T_world_target (4, 4), m; ahead: velocity of its
+    point, (3,), m/s, `STILL` for none; dt, s; memory of `work.work_for`: the joint velocities of the step before, and
+    afterwards the results of this one. Returns the fraction of the step that was taken. Shapes are not checked.
     """
     at = array_parts(arm)
     room = opened(memory, at)
@@ -42,7 +42,7 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
 
 @kernel
 def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, room: StepBuffers) -> None:
-    """The tick of an arm with an instrument in an entry point, or whose orientation is a level of its own."""
+    """The step of an arm with an instrument in an entry point, or with orientation as a second level."""
     split = arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0
     begins = np.empty(1 if split else 0, dtype=np.int64)
     for k in range(begins.shape[0]):
@@ -52,7 +52,7 @@ def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, room: St
 
 @kernel
 def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float) -> Task:
-    """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m²; arguments as there."""
+    """The task that `step` solves: J (6, n), v (6,), weights (6,), damping (n,), m². Args as there."""
     at = array_parts(arm)
     poses, axes = np.empty((at.m + 1, 4, 4)), np.empty((at.m, 4))
     place_links(arm, at.m, q, poses, axes)
@@ -65,10 +65,10 @@ def task_at(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float
 def step_task(
     arm: Array, q: Array, J: Array, v: Array, weights: Array, damping: Array, begins: Indices, dt: float, memory: Array
 ) -> float:
-    """One guarded step towards any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², level after level.
+    """One guarded step for any task: minimise ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ², one level after another.
 
-    Args: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which another level begins, none where all
-    rows are one level; the others, and what is returned, as in `step`.
+    Args: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which further levels begin, empty for one
+    level. Other arguments and result as in `step`.
     """
     at = array_parts(arm)
     room = opened(memory, at)

@@ -1,8 +1,8 @@
-"""What the arm is asked to do in one tick, as rows J Δq = v with weights.
+"""The task of one tick, as rows J Δq = v with weights.
 
-Position comes first and orientation yields: one radian counts as much as `ORIENTATION_LENGTH` of the arm's reach, so
-that a tool whose orientation cannot be met still reaches its point (an arm with five joints cannot choose its heading
-freely). Lengths and speeds of the tool are in terms of the reach, so that small arms and large ones behave alike.
+Position outweighs orientation: one radian counts as much as `ORIENTATION_LENGTH` times the reach. A tool whose
+orientation cannot be met therefore still reaches its point (an arm with five joints cannot choose its heading freely).
+Tool lengths and speeds are divided by the reach, so that small and large arms behave alike.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ EVERY = -1
 def rotation_vector(R_to: Array, R_from: Array) -> Array:
     """Rotation vector of R_to R_fromᵀ, the shorter way: θ a with 0 ≤ θ ≤ π, world frame; (3,).
 
-    Args: rotations (3, 3), or poses, both in the world frame. Written out in `tool.turn_to`.
+    Args: rotations (3, 3), or poses, both in the world frame. See `tool_kernels.rotation_to`.
     """
     vector = np.empty(3)
     vector[0], vector[1], vector[2] = rotation_to(R_to, row_of(R_from, 0), row_of(R_from, 1), row_of(R_from, 2))
@@ -39,13 +39,13 @@ def rotation_vector(R_to: Array, R_from: Array) -> Array:
 
 @kernel_into
 def row_of(R: Array, a: int) -> Row:
-    """A row of a rotation, as of a frame in the origin."""
+    """Row a of a rotation, as a row of a pose with zero translation."""
     return R[a, 0], R[a, 1], R[a, 2], 0.0
 
 
 @kernel_into
 def shortened(x: float, y: float, z: float, longest: float) -> Vector:
-    """A vector, scaled down to a length of at most `longest`."""
+    """A vector scaled down to a length of at most `longest`."""
     length = np.sqrt(x * x + y * y + z * z)
     share = min(1.0, longest / length) if length > 0.0 else 1.0
     return share * x, share * y, share * z
@@ -53,10 +53,11 @@ def shortened(x: float, y: float, z: float, longest: float) -> Vector:
 
 @kernel_into
 def levers_damping(J: Array, pull: Vector, least: float, damping: Array) -> None:
-    """Write the damping of each joint under a pull on the tool: d = λ² + max(0, v·rᵢ), rᵢ the lever of joint i.
+    """Write the damping of each joint for a tool displacement v: d = λ² + max(0, v·rᵢ).
 
-    v·rᵢ is what the curvature of the tool's way adds to the Hessian; without it a stretched arm that is pulled further
-    trembles. Args: J (6, n) of the tool; pull v (3,), m; least: λ², m². Writes (n,), m².
+    rᵢ is the perpendicular from axis i to the tool point. v·rᵢ is the term that the curved path of the tool adds to the
+    Hessian; without it a stretched arm oscillates when its target is out of reach.
+    Args: J (6, n) of the tool; pull: v (3,), m; least: λ², m². Writes damping (n,), m².
     """
     for i in range(J.shape[1]):
         x = J[1, i] * J[5, i] - J[2, i] * J[4, i]
@@ -69,12 +70,14 @@ def levers_damping(J: Array, pull: Vector, least: float, damping: Array) -> None
 def pose_task(
     arm: Array, at: At, poses: Array, axes: Array, T_world_target: Array, ahead: Array, dt: float, task: Task
 ) -> None:
-    """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, no faster than the tool's speed.
+    """Move the tool towards a pose: v = ẋ dt + (1 − e^(−K dt)) e, scaled down to the largest speeds of the tool.
 
-    Args: arm: packed; poses and axes of `packed.stand`; T_world_target (4, 4), m; ahead (3,): velocity of the target's
-    point, m/s; dt, s. Writes J (6, n), v (6,), weights (6,), damping (n,), m². Source: Cerbaro 2022, §4.4.2 (CLIK).
+    The damping uses only the displacement towards the nearest point that the planes allow: a displacement into a plane
+    is stopped by the plane itself.
 
-    What pulls into a plane is taken up by the plane; only the pull towards the point that the planes allow damps.
+    Args: arm: packed; poses and axes of `packed.place_links`; T_world_target (4, 4), m; ahead (3,): velocity of the
+    target point, m/s; dt, s. Writes J (6, n), v (6,), weights (6,), damping (n,), m².
+    Source: Cerbaro 2022, §4.4.2 (CLIK).
     """
     J, v, weights, damping = task
     T, last = tool_rows(arm[TOOL]), poses[at.m]
@@ -122,7 +125,7 @@ def jacobian_into(arm: Array, at: At, poses: Array, axes: Array, x: float, y: fl
 
 @kernel_into
 def allowed_point(arm: Array, at: At, point: Vector) -> Vector:
-    """The point nearest to a wished one, m, that the planes leave to the tool; itself where they leave no room."""
+    """The point nearest to a given one, m, that the planes allow for the tool; itself where they allow none."""
     is_allowed = True
     for p in range(at.planes, at.pairs):
         height = arm[p, 0] * point[0] + arm[p, 1] * point[1] + arm[p, 2] * point[2]
@@ -134,7 +137,7 @@ def allowed_point(arm: Array, at: At, point: Vector) -> Vector:
 
 @kernel
 def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
-    """The same for a point that lies behind a plane."""
+    """`allowed_point` for a point that the planes do not allow."""
     k = at.pairs - at.planes
     normals, bounds, wished = np.empty((k, 3)), np.empty((2, k)), np.empty(3)
     for p in range(k):
@@ -148,7 +151,7 @@ def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
 
 @kernel
 def allowed(arm: Array, point: Array) -> Array:
-    """The same of a packed arm for a point (3,), m; returns (3,), m."""
+    """`allowed_point` of a packed arm for a point (3,), m, as an array (3,), m."""
     found = np.empty(3)
     found[0], found[1], found[2] = allowed_point(arm, array_parts(arm), (point[0], point[1], point[2]))
     return found
@@ -158,7 +161,8 @@ def allowed(arm: Array, point: Array) -> Array:
 def joint_task(q: Array, q_target: Array, yielding: int, dt: float) -> tuple[Array, Array, Array, Array]:
     """Move every joint towards its own target: v = (1 − e^(−K dt)) (q_target − q).
 
-    Args: q (n,), rad; yielding: the joint that stops first where a plane is in the way, −1 when all yield alike; dt, s.
+    Args: q, q_target (n,), rad or m; yielding: the joint with the smallest weight, which gives way first to a
+    constraint, −1 for equal weights; dt, s. Returns J, v, weights and damping.
     """
     n = q.shape[0]
     weights = np.ones(n)

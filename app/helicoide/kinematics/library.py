@@ -160,8 +160,8 @@ def _refuse(given: object, robot: str, option: str) -> None:
 def _unknown(robot: str) -> HelicoideError:
     return HelicoideError(
         Text(
-            en="There is no robot named {robot!r}; there is: {names}. {more}",
-            pt_BR="Não existe robô de nome {robot!r}; existe: {names}. {more}",
+            en="There is no robot named {robot!r}; robots: {names}. {more}",
+            pt_BR="Não existe robô de nome {robot!r}; robôs: {names}. {more}",
         ).format(robot=robot, names=", ".join(robot_names()), more=_more())
     )
 

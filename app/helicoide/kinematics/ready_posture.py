@@ -8,9 +8,9 @@ import numpy as np
 
 from helicoide.arrays import Array, frozen
 from helicoide.kinematics.forward import tool_by_screws
+from helicoide.kinematics.generic_rank import generic_rank
 from helicoide.kinematics.manipulability import twist_manipulability
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.singularity import generic_rank
 
 BENDS = (0.0, 0.35, 0.7, 1.05)
 WELL_CONDITIONED = 20.0

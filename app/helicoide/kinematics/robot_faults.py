@@ -23,8 +23,8 @@ POSTURES = 20
 WORST_CONDITION = 50.0
 APART = Text(en="{mm:.3g} mm and {deg:.3g}° apart", pt_BR="a {mm:.3g} mm e {deg:.3g}° um do outro")
 DH_JOINT = Text(
-    en="the DH rows put the axis of joint {name} elsewhere than its screw: its frames are {apart}",
-    pt_BR="as linhas DH põem o eixo da junta {name} fora do seu helicoide: os referenciais ficam {apart}",
+    en="the DH rows and the screw of joint {name} give different axes: their frames are {apart}",
+    pt_BR="as linhas DH e o helicoide da junta {name} dão eixos diferentes: os referenciais ficam {apart}",
 )
 TOOL = Text(
     en="the end effector differs between the screws and {other}: {apart}",
@@ -40,8 +40,10 @@ ALIKE = Text(
     pt_BR="as posturas {one} e {other} são a mesma ou têm o mesmo título",
 )
 SINGULAR = Text(
-    en="ready is too near a singular posture: condition number {cond:.0f} of the Jacobian (at most {most:.0f})",
-    pt_BR="ready está muito perto de uma singularidade: número de condição do jacobiano {cond:.0f} (máximo {most:.0f})",
+    en="ready is too close to a singular posture: the condition number of the Jacobian is {cond:.0f} (at most "
+    "{most:.0f})",
+    pt_BR="ready está muito perto de uma singularidade: o número de condição da jacobiana é {cond:.0f} (máximo "
+    "{most:.0f})",
 )
 
 

@@ -12,7 +12,7 @@ from helicoide.text import Text
 FRAME_TITLES = {
     "station": Text(en="station", pt_BR="estação"),
     "wrist": Text(en="wrist", pt_BR="punho"),
-    "tool": Text(en="tool", pt_BR="efetuador"),
+    "tool": Text(en="end effector", pt_BR="efetuador"),
     "rcm": Text(en="remote centre of motion", pt_BR="centro remoto de movimento"),
 }
 

@@ -9,7 +9,7 @@ from typing import Any
 from helicoide.files import text_file, toml
 from helicoide.kinematics import robot_check
 from helicoide.kinematics.robot_file import RobotFile
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, number_text
 
 MOST_BYTES = 1_000_000
 # Largest number allowed in the file, in mm, degrees or pulses; products of larger ones could overflow.
@@ -49,7 +49,9 @@ def _with_parameters(table: dict[str, Any], changed: Mapping[str, float]) -> dic
     known = {**known, **changed}
     for name, value in known.items():
         if not 0 < value <= MAX_NUMBER:
-            raise HelicoideError(NO_LENGTH.format(name=name, value=f"{value:.6g}" if abs(value) < MAX_NUMBER else "?"))
+            raise HelicoideError(
+                NO_LENGTH.format(name=name, value=number_text(value, ".6g") if abs(value) < MAX_NUMBER else "?")
+            )
     return {**_summed(table, known), "parameters": known}
 
 
@@ -72,7 +74,9 @@ NO_NUMBER = Text(
     en="{number} is not a finite number up to {most:g}", pt_BR="{number} não é um número finito de até {most:g}"
 )
 NONE = Text(en="none", pt_BR="nenhum")
-NO_PARAMETER = Text(en="there is no parameter {name}; there is: {known}", pt_BR="não há parâmetro {name}; há: {known}")
+NO_PARAMETER = Text(
+    en="there is no parameter {name}; parameters: {known}", pt_BR="não há parâmetro {name}; parâmetros: {known}"
+)
 NO_LENGTH = Text(
     en="parameter {name} must be a positive number of millimetres, not {value}",
     pt_BR="o parâmetro {name} deve ser um número positivo de milímetros, não {value}",

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
 from helicoide.kinematics.differential import frame_jacobian
+from helicoide.kinematics.generic_rank import counted_rows, generic_rank, largest_singular_value, singular_value
 from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.spherical_wrist import DeterminantFactor, determinant_factors, spherical_wrist
 from helicoide.text import Text, join_texts
 
 NEAR_SINGULAR = 0.05  # fraction of the largest value below which people are warned
-SAMPLED_POSTURES = 64  # random postures in which the usual rank and the largest singular value are determined
-NONE_NEAR = Text(en="none near", pt_BR="nenhuma por perto")
+NONE_NEAR = Text(en="none nearby", pt_BR="nenhuma por perto")
 SINGULAR = Text(
     en="{what} moves in {rank} of its {usual} independent directions",
     pt_BR="{what} se move em {rank} das suas {usual} direções independentes",
@@ -26,8 +24,8 @@ ALMOST = Text(
     en="in its slowest direction {what} has {part:.1f} % of its best speed",
     pt_BR="na direção mais lenta, {what} tem {part:.1f} % da sua melhor velocidade",
 )
-TOOL = Text(en="the tool", pt_BR="o efetuador")
-POINT = Text(en="the tool's point", pt_BR="o ponto do efetuador")
+TOOL = Text(en="the end effector", pt_BR="o efetuador")
+POINT = Text(en="the end-effector point", pt_BR="o ponto do efetuador")
 
 
 @dataclass(frozen=True)
@@ -56,10 +54,11 @@ class MotionRank:
 class Singularity:
     """How near a posture is to a singularity.
 
-    factors: of det J, for six joints with a spherical wrist; empty for other arms. tool: rank of its J; point: rank of
-    the position rows alone, which an arm with few joints may lose while the tool still rotates. lost_velocities:
-    columns y (6, 6 − rank) with yᵀ J = 0: velocities (v, ω) that no q̇ gives. An arm with fewer than six joints, or a
-    planar arm, has a usual rank below 6 and so always loses some; at a singularity it loses more.
+    factors: of det J, for six joints with a spherical wrist; empty for other arms. tool: rank of its J, of the position
+    rows alone where only they count; point: rank of the position rows, which an arm with few joints may lose while the
+    tool still rotates. lost_velocities: columns y (6, 6 − rank) with yᵀ J = 0: velocities (v, ω) that no q̇ gives; (3,
+    3 − rank) where only the position counts. An arm with fewer than six joints, or a planar arm, has a usual rank below
+    6 and so always loses some; at a singularity it loses more.
     """
 
     factors: tuple[DeterminantFactor, ...]
@@ -98,41 +97,26 @@ class Singularity:
         return self.tool.description(within) or self.point.description(within)
 
 
-def singularity(robot: Robot, q: ArrayLike) -> Singularity:
+def singularity(robot: Robot, q: ArrayLike, with_orientation: bool = True) -> Singularity:
     """How near a posture is to a singularity: factors of det J for a spherical wrist; rank and lost velocities.
 
+    Without orientation, or where the arm cannot choose it, the position of the tool counts alone.
     Args: q (n,), rad or m. Raises HelicoideError for a wrong q. Source: Vargas 2013, §3.2, eqs. 3.8–3.9.
     """
-    wrist, J = spherical_wrist(robot), frame_jacobian(robot, q)
-    tool, point = (
-        MotionRank(what, analyse_jacobian(rows).rank, usual, _value(robot, rows, usual) / best)
-        for what, rows, (usual, best) in zip((TOOL, POINT), (J, J[:3]), _generic(robot), strict=True)
-    )
+    J = frame_jacobian(robot, q)
+    point = _motion_rank(robot, POINT, J[:3])
+    if not counted_rows(robot, with_orientation)[3:].any():
+        return Singularity((), point, point, analyse_jacobian(J[:3]).lost_velocities)
+    wrist = spherical_wrist(robot)
     return Singularity(
-        () if wrist is None else determinant_factors(robot, q, wrist), tool, point, analyse_jacobian(J).lost_velocities
+        () if wrist is None else determinant_factors(robot, q, wrist),
+        _motion_rank(robot, TOOL, J),
+        point,
+        analyse_jacobian(J).lost_velocities,
     )
 
 
-def generic_rank(robot: Robot, rows: int = 6) -> int:
-    """Rank of the tool's Jacobian in almost every posture: of all six rows, or of the three of its position."""
-    return dict(zip((6, 3), _generic(robot), strict=True))[rows][0]
-
-
-@lru_cache(maxsize=32)
-def _generic(robot: Robot) -> tuple[tuple[int, float], ...]:
-    """For the tool and for its point: the rank r in a random posture, and the largest σᵣ of all sampled postures."""
-    postures = np.random.default_rng(0).uniform(robot.lower, robot.upper, (SAMPLED_POSTURES, len(robot.lower)))
-    tried = [frame_jacobian(robot, q) for q in postures]
-    ranks = [analyse_jacobian(tried[0][:rows]).rank for rows in (6, 3)]
-    return tuple(
-        (rank, max(_value(robot, J[:rows], rank) for J in tried)) for rank, rows in zip(ranks, (6, 3), strict=True)
-    )
-
-
-def _value(robot: Robot, J: Array, number: int) -> float:
-    """Singular value σ of that number of J (6, n), or of its first three rows (3, n), with lengths in reaches."""
-    if number == 0:
-        return 1.0
-    scaled = J * np.where([joint.is_prismatic for joint in robot.variables], robot.reach, 1.0)
-    scaled[:3] /= robot.reach
-    return float(np.linalg.svd(scaled, compute_uv=False)[number - 1])
+def _motion_rank(robot: Robot, what: Text, J: Array) -> MotionRank:
+    usual = generic_rank(robot, len(J))
+    relative = singular_value(robot, J, usual) / largest_singular_value(robot, len(J))
+    return MotionRank(what, analyse_jacobian(J).rank, usual, relative)

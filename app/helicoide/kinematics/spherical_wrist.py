@@ -23,7 +23,7 @@ class SingularityKind(Enum):
     """The kinds of singularity of such an arm."""
 
     SHOULDER = Text(
-        en="shoulder: the wrist centre stands over the first axis",
+        en="shoulder: the wrist centre is on the first axis",
         pt_BR="ombro: o centro do punho está sobre o primeiro eixo",
     )
     ELBOW = Text(en="elbow: the arm is stretched or folded", pt_BR="cotovelo: o braço está esticado ou dobrado")
@@ -32,7 +32,7 @@ class SingularityKind(Enum):
         pt_BR="braço: as três primeiras juntas não movem o centro do punho em todas as direções",
     )
     WRIST = Text(
-        en="wrist: its first and last axes lie along each other",
+        en="wrist: its first and last axes are aligned",
         pt_BR="punho: o primeiro e o último eixo dele estão alinhados",
     )
 

@@ -23,7 +23,7 @@ from helicoide.kinematics.urdf_path import LEADER_OUTSIDE_CHAIN, joints_between,
 from helicoide.kinematics.urdf_repair import MOVING
 from helicoide.kinematics.urdf_tip import default_tip
 from helicoide.kinematics.urdf_xml import urdf_error
-from helicoide.text import Text, untranslated
+from helicoide.text import Text, join_texts, untranslated
 
 AnyVariable = TypeVar("AnyVariable", bound=JointVariable)
 
@@ -31,16 +31,16 @@ MOST_JOINTS = 30
 MEETING = 1e-6
 LARGEST_REACH = 100.0
 CONTRADICTED = Text(
-    en="the limits of {joint} leave {leader}, which it follows, no range; they are left out",
-    pt_BR="os limites de {joint} não deixam curso algum a {leader}, que ela segue; ficam de fora",
+    en="the limits of {joint} leave no range for {leader}, which it follows; they are ignored",
+    pt_BR="os limites de {joint} não deixam faixa alguma para {leader}, que ela segue; são ignorados",
 )
 IN_MILLIMETRES = Text(
     en="it reaches {reach} m: lengths of a URDF are metres, these may be millimetres",
     pt_BR="alcança {reach} m: comprimentos de um URDF são em metros, estes talvez sejam milímetros",
 )
 NO_LIMITS = Text(
-    en="the file bounds these joints nowhere, the range is assumed: {ranges}",
-    pt_BR="o arquivo não limita estas juntas, a faixa é adotada: {ranges}",
+    en="the file gives no limits for these joints; assumed ranges: {ranges}",
+    pt_BR="o arquivo não limita estas juntas; faixas adotadas: {ranges}",
 )
 
 
@@ -80,7 +80,7 @@ def robot_from_urdf(path: Path, tip: str | None = None, base: str | None = None)
         monitored_points=guarded_points,
         monitored_links=guarded_joints,
         poses=MappingProxyType({}),
-        pose_titles=MappingProxyType({"ready": Text(en="ready", pt_BR="pronto")}),
+        pose_titles=MappingProxyType({"ready": Text(en="ready pose", pt_BR="pose inicial")}),
         assumed=_assumed([*way, *beside], variables),
         base=begun,
         leaders=led_by,
@@ -102,12 +102,14 @@ def _unlimited(given: Sequence[yourdfpy.Joint], variables: Sequence[JointVariabl
     """A remark on assumed ranges, except those of continuous joints."""
     continuous = {joint.name for joint in given if joint.type == "continuous"}
     assumed = [variable for variable in variables if variable.assumed and variable.name not in continuous]
-    return [NO_LIMITS.format(ranges=", ".join(map(_range, assumed)))] if assumed else []
+    return [NO_LIMITS.format(ranges=join_texts([_range(one) for one in assumed]))] if assumed else []
 
 
-def _range(variable: JointVariable) -> str:
+def _range(variable: JointVariable) -> Text:
     scale, unit = (1.0, " m") if variable.is_prismatic else (180 / np.pi, "°")
-    return f"{variable.name} {scale * variable.lower:g}…{scale * variable.upper:g}{unit}"
+    return untranslated("{name} {lower:g}…{upper:g}{unit}").format(
+        name=variable.name, lower=float(scale * variable.lower), upper=float(scale * variable.upper), unit=unit
+    )
 
 
 def _frames(joints: tuple[Joint, ...], T_world_tool_0: Array) -> dict[str, Frame]:

@@ -14,7 +14,7 @@ from helicoide.text import Text
 
 LOOSE_BASE = ("planar", "floating")
 BASE_MOVED = Text(
-    en="joint {joint} is {kind}: the arm begins at link {base}, which stands still here",
+    en="joint {joint} is {kind}: the arm begins at link {base}, which is fixed here",
     pt_BR="a junta {joint} é {kind}: o braço começa no elo {base}, que aqui fica parado",
 )
 LEADER_OUTSIDE_CHAIN = Text(

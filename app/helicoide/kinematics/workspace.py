@@ -19,7 +19,7 @@ from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.grid import Counts, Mask, WorkspaceGrid
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace_kernels import BANDS, HEADINGS, PLANAR_BINS, ROLLS, Flags, count_into_cells
-from helicoide.text import HelicoideError, Text
+from helicoide.text import HelicoideError, Text, numbers_text
 
 MapKind = Literal["reachable", "dexterous", "manipulability"]
 MAP_KINDS: tuple[MapKind, ...] = get_args(MapKind)
@@ -29,8 +29,8 @@ CHUNK, PER_CELL, PER_SECTOR, ACROSS = 1 << 16, 40, 10, {2: (8, 400), 3: (8, 80)}
 PARALLEL = 1e-9
 POINT = 1e-3  # half the edge of the only cell of an arm whose tool point is fixed, as a fraction of the reach
 FIXED_TOOL = Text(
-    en="{name}: the tool stays at {position} m whatever the joints do; only its orientation changes",
-    pt_BR="{name}: o efetuador fica em {position} m, não importa o que as juntas façam; só a orientação muda",
+    en="{name}: the end effector stays at {position} m for all joint values; only its orientation changes",
+    pt_BR="{name}: o efetuador fica em {position} m para todos os valores das juntas; só a orientação muda",
 )
 
 
@@ -118,9 +118,7 @@ def plane_normal(robot: Robot) -> Array | None:
 
 def fixed_tool_text(robot: Robot, name: str | Text) -> Text:
     """The sentence on an arm whose tool point is fixed, under the name of the map."""
-    return FIXED_TOOL.format(
-        name=name, position=", ".join(f"{x + 0.0:.3f}" for x in robot.T_world_tool_0[:3, 3].round(3))
-    )
+    return FIXED_TOOL.format(name=name, position=numbers_text(robot.T_world_tool_0[:3, 3].round(3) + 0.0, ".3f"))
 
 
 def reach_sphere(robot: Robot) -> tuple[Array, float]:
@@ -140,8 +138,8 @@ def plan_map(robot: Robot, kind: MapKind, samples: int, seed: int = 0) -> MapPla
     if kind not in MAP_KINDS:
         raise HelicoideError(
             Text(
-                en="There is no map of kind {kind!r}; there is: {known}.",
-                pt_BR="Não há mapa do tipo {kind!r}; há: {known}.",
+                en="There is no map of kind {kind!r}; kinds: {known}.",
+                pt_BR="Não há mapa do tipo {kind!r}; tipos: {known}.",
             ).format(kind=kind, known=", ".join(MAP_KINDS))
         )
     if samples < 1:

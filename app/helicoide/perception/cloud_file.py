@@ -72,8 +72,8 @@ def _left_out(cloud: PointCloud) -> tuple[Text, ...]:
         return ()
     return (
         Text(
-            en="Left out for want of coordinates within {far:.0f} m: {n}.",
-            pt_BR="De fora, por falta de coordenadas a até {far:.0f} m: {n}.",
+            en="Left out, without coordinates within {far:.0f} m: {n}.",
+            pt_BR="Descartados, sem coordenadas a até {far:.0f} m: {n}.",
         ).format(n=cloud.dropped, far=FARTHEST),
     )
 

@@ -19,8 +19,8 @@ from helicoide.text import LANGUAGES, Text
 # Noise of a simulated depth camera at half a metre: σ, m, and the share of wrong readings.
 NOISE, OUTLIERS = 0.002, 0.1
 FOUND = Text(
-    en="{title}: {share:.0f} % of {k} points on it, rms {rms:.1f} mm, {angle:.1f}° from the axis",
-    pt_BR="{title}: {share:.0f} % de {k} pontos nele, erro rms {rms:.1f} mm, a {angle:.1f}° do eixo",
+    en="{title}: {share:.0f} % of {k} points on the plane, rms {rms:.1f} mm, {angle:.1f}° from the axis",
+    pt_BR="{title}: {share:.0f} % de {k} pontos no plano, rms {rms:.1f} mm, a {angle:.1f}° do eixo",
 )
 NOT_FOUND = Text(en="{title}: {why}", pt_BR="{title}: {why}")
 

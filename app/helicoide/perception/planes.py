@@ -74,7 +74,7 @@ def find_plane(
     """
     if len(points) < FEWEST:
         return Text(
-            en="{k} points are too few for a plane: {fewest} are needed.",
+            en="{k} points are too few for a plane: at least {fewest} are needed.",
             pt_BR="{k} pontos são poucos para um plano: são necessários {fewest}.",
         ).format(k=len(points), fewest=FEWEST)
     point, n0 = np.array(inside, dtype=np.float64), np.asarray(towards, dtype=np.float64)
@@ -126,10 +126,10 @@ def _check(towards: Array, inside: Array, distance: float, angle: float) -> None
     if not (vectors and 0 < distance <= MOST_DISTANCE and 0 < angle <= np.pi / 2):
         raise HelicoideError(
             Text(
-                en="A plane is looked for along a direction that is not zero, from a point inside, among points up to "
-                "{most:.0f} mm from it and tilted by up to 90°, both more than 0.",
-                pt_BR="Procura-se um plano numa direção diferente de zero, a partir de um ponto de dentro, entre "
-                "pontos a até {most:.0f} mm dele e com inclinação de até 90°, ambos maiores que 0.",
+                en="The search for a plane needs a nonzero direction, an interior point, a distance of 0 to "
+                "{most:.0f} mm and a tilt of 0 to 90°, both positive.",
+                pt_BR="A busca de um plano precisa de uma direção diferente de zero, um ponto interno, uma distância "
+                "de 0 a {most:.0f} mm e uma inclinação de 0 a 90°, ambas positivas.",
             ).format(most=1000 * MOST_DISTANCE)
         )
 
@@ -236,8 +236,8 @@ def _accepted(
     """The fitted plane, or the reason to reject it; covered: its share of all cubes with points."""
     if fit.along <= NARROW * fit.across or fit.along < 1e-9:
         return Text(
-            en="No plane: the points lie along a line, and through a line there are many planes.",
-            pt_BR="Nenhum plano: os pontos estão ao longo de uma reta, e por uma reta passam muitos planos.",
+            en="No plane: the points lie along a line, which does not define a plane.",
+            pt_BR="Nenhum plano: os pontos estão ao longo de uma reta, que não define um plano.",
         )
     turned = float(np.arctan2(np.linalg.norm(np.cross(fit.normal, towards)), fit.normal @ towards))
     if turned > angle:

@@ -26,11 +26,11 @@ WIDEST_M, NARROWEST_MM = 10.0, 400.0
 # Largest distance of a cloud from the base of the arm, m.
 FARTHEST_CLOUD = 20.0
 ENOUGH = 200_000
-SAYS = Text(en="In {unit}, as the file says", pt_BR="Em {unit}, como diz o arquivo")
+SAYS = Text(en="In {unit}, as stated in the file", pt_BR="Em {unit}, como diz o arquivo")
 CHOSEN = Text(en="In {unit}, as chosen", pt_BR="Em {unit}, como foi escolhido")
 LOOKS = Text(
-    en="In {unit}, as it looks (if not so, choose the unit)",
-    pt_BR="Em {unit}, ao que parece (se não, escolha a unidade)",
+    en="In {unit}, guessed (if wrong, choose the unit)",
+    pt_BR="Em {unit}, por estimativa (se estiver errado, escolha a unidade)",
 )
 
 
@@ -62,10 +62,10 @@ def _looks(rows: Array) -> Unit:
     fields = dict(zip("xyz", sizes, strict=True))
     raise BrokenFile(
         Text(
-            en="its numbers spread over {x:.0f} × {y:.0f} × {z:.0f}, and whether these are centimetres, inches, "
-            "feet, millimetres or metres it does not say; choose the unit, then give the file again",
-            pt_BR="os números se espalham por {x:.0f} × {y:.0f} × {z:.0f}, e ele não diz se são centímetros, "
-            "polegadas, pés, milímetros ou metros; escolha a unidade e envie o arquivo de novo",
+            en="its numbers span {x:.0f} × {y:.0f} × {z:.0f}, and it does not say whether these are centimetres, "
+            "inches, feet, millimetres or metres; choose the unit, then send the file again",
+            pt_BR="os números abrangem {x:.0f} × {y:.0f} × {z:.0f}, e ele não diz se são centímetros, polegadas, pés, "
+            "milímetros ou metros; escolha a unidade e envie o arquivo de novo",
         ).format(**fields)
     )
 
@@ -81,11 +81,11 @@ def _check_near(rows: Array, unit: Unit) -> None:
     middle = dict(zip("xyz", np.median(rows, axis=0), strict=True))
     raise BrokenFile(
         Text(
-            en="its points lie far from the arm's base, around ({x:.1f}, {y:.1f}, {z:.1f}) in {unit}, as the "
-            "coordinates of a map do; valid are coordinates from the base, with points within {room:.0f} m of it: "
-            "subtract the origin before, or choose another unit",
-            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}; {y:.1f}; {z:.1f}) em {unit}, como "
-            "coordenadas de um mapa; valem coordenadas a partir da base, com pontos a até {room:.0f} m dela: subtraia "
-            "antes a origem ou escolha outra unidade",
+            en="its points are far from the arm's base, around ({x:.1f}, {y:.1f}, {z:.1f}) in {unit}; give "
+            "coordinates in the base frame, within {room:.0f} m: subtract the origin of the map first, or choose "
+            "another unit",
+            pt_BR="os pontos ficam longe da base do braço, em torno de ({x:.1f}; {y:.1f}; {z:.1f}) em {unit}; dê "
+            "coordenadas no referencial da base, a até {room:.0f} m dela: subtraia antes a origem do mapa ou escolha "
+            "outra unidade",
         ).format(unit=TITLES[unit], room=FARTHEST_CLOUD, **middle)
     )

@@ -1,7 +1,15 @@
-"""What a State says of itself: named multivectors, distances, and the status in words."""
+"""Quantities derived from a State for display: named multivectors, distances, instruments and the status in words."""
 
 from helicoide.readout.distances import nearest, plane_distances, zones
-from helicoide.readout.instruments import Instrument, held_by, instruments, modes, near_singular, target_pose
+from helicoide.readout.instruments import (
+    Instrument,
+    counted_names,
+    held_by,
+    instruments,
+    modes,
+    near_singular,
+    target_pose,
+)
 from helicoide.readout.multivectors import Reading, chosen, distance_product, readings
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status, too_near
@@ -15,6 +23,7 @@ __all__ = [
     "Status",
     "Tone",
     "chosen",
+    "counted_names",
     "distance_product",
     "held_by",
     "holding",

@@ -1,4 +1,4 @@
-"""How far the guarded points are from the planes."""
+"""Distances of the guarded points to the planes."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from helicoide.state import State
 
 
 def plane_distances(state: State) -> Array:
-    """Distances of every guarded point to every plane, (m, k), m."""
+    """Distance of every guarded point to every plane, (m, k), m."""
     return distances_of(state, state.guarded_points)
 
 
 def distances_of(state: State, points: Array) -> Array:
-    """Distances of points (m, 3), m, to every plane of the state, (m, k), m."""
+    """Distance of every point (m, 3), m, to every plane of the state, (m, k), m."""
     planes = state.problem.planes
     return np.asarray(points @ planes.normals.T - planes.offsets)
 
 
 def nearest(state: State) -> Contact:
-    """The guarded point and the plane that are closest to each other."""
+    """The guarded point and the plane with the smallest distance to each other."""
     table = plane_distances(state)
     point, plane = np.unravel_index(np.argmin(table), table.shape)
     return Contact(int(plane), int(point))
 
 
 def zones(state: State) -> tuple[Zone, ...]:
-    """The zone of each plane: that of the guarded point nearest to it."""
+    """The zone of each plane, given by the guarded point nearest to it."""
     return tuple(state.problem.zones.zone_of(float(least)) for least in plane_distances(state).min(axis=0))

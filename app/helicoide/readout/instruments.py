@@ -1,4 +1,4 @@
-"""The numbers of a method at work: how far the target is, how well the arm can move, what the method remembers."""
+"""Numbers shown while a method drives the arm: errors, manipulability and the figures of the method."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from helicoide.arrays import Array, frozen
 from helicoide.command import FollowPath, MoveToJoints, MoveToPose
 from helicoide.ik import Reason, reasons
-from helicoide.ik.controller import closed_loop_task
+from helicoide.ik.clik import tool_task_error
 from helicoide.ik.goal import tool_pose
 from helicoide.ik.methods import filtered, filtered_normal, named
 from helicoide.ik.modal import Diagnosis
@@ -19,17 +19,18 @@ from helicoide.ik.rcm.passage import refusal
 from helicoide.ik.rcm.tip_task import passage_of
 from helicoide.ik.task import rotation_vector
 from helicoide.kinematics.forward import link_poses
+from helicoide.kinematics.generic_rank import counted_rows
 from helicoide.kinematics.manipulability import JacobianAnalysis, analyse_jacobian
 from helicoide.kinematics.singularity import singularity
 from helicoide.state import State
 from helicoide.text import Text
 
-_STILL = frozen(np.zeros(3))
+ROW_NAMES = ("x", "y", "z", "ωx", "ωy", "ωz")
 
 
 @dataclass(frozen=True)
 class Instrument:
-    """A number, its symbol in TeX and its unit; without a unit lengths are counted in the arm's reach."""
+    """A number, its symbol in TeX and its unit. Without a unit, lengths are divided by the characteristic length."""
 
     title: Text
     symbol: str
@@ -38,7 +39,7 @@ class Instrument:
 
 
 def target(state: State) -> Array | None:
-    """The pose that the tool is driven to, T_world_target (4, 4), m; None when no pose is asked for."""
+    """The target pose of the tool, T_world_target (4, 4), m; None if the command has none."""
     match state.request.command:
         case MoveToPose(T):
             return T
@@ -49,7 +50,7 @@ def target(state: State) -> Array | None:
 
 
 def target_pose(state: State) -> Array:
-    """The pose that is asked for, T_world_target (4, 4), m: that of the tool where nothing else is."""
+    """The target pose, T_world_target (4, 4), m; for target joints their tool pose, else the present tool pose."""
     match state.request.command:
         case MoveToPose(T):
             return T
@@ -61,44 +62,59 @@ def target_pose(state: State) -> Array:
             return state.T_world_tool
 
 
-def mobility(state: State) -> JacobianAnalysis:
-    """What the rows of the task let the arm do where it stands, lengths in terms of the characteristic length."""
-    T, drive = state.T_world_tool, state.request.controller
-    task = closed_loop_task(
-        state.problem, state.arm.q, state.arm.poses, T, state.request.with_orientation, _STILL, drive.gains, 0.0
-    )
-    return analyse_jacobian(task.J)
+def mobility(state: State) -> JacobianAnalysis | None:
+    """Analysis of the rows of the tool's Jacobian that count, lengths divided by ℓ; None if no row counts."""
+    with_orientation = state.request.with_orientation
+    rows = counted_rows(state.robot, with_orientation)
+    if not rows.any():
+        return None
+    task = tool_task_error(state.problem, state.arm.poses, state.T_world_tool, True)
+    return analyse_jacobian(task.J[rows])
+
+
+def counted_names(state: State) -> str:
+    """The names of the rows that `mobility` counts, such as "x, y, ωz"."""
+    rows = counted_rows(state.robot, state.request.with_orientation)
+    return ", ".join(name for name, counts in zip(ROW_NAMES, rows, strict=True) if counts)
 
 
 @lru_cache(maxsize=4)
 def instruments(state: State) -> tuple[Instrument, ...]:
-    """Everything that can be read off a method at work, in a fixed order; the method's own figures come last.
-
-    All windows ask the same of a state.
-    """
-    here = mobility(state)
+    """All instruments of a state in a fixed order, the method's own figures last. Cached, as all windows share them."""
     return (
         *_errors(state),
         Instrument(
-            Text(en="joint rates", pt_BR="velocidades de junta"), r"\|\dot q\|", _length(state.arm.velocities), "rad/s"
+            Text(en="joint velocities", pt_BR="velocidades de junta"),
+            r"\|\dot q\|",
+            _length(state.arm.velocities),
+            "rad/s",
         ),
-        Instrument(Text(en="condition number", pt_BR="número de condição"), r"\kappa", here.condition_number),
-        Instrument(Text(en="manipulability", pt_BR="manipulabilidade"), "w", here.w),
-        Instrument(Text(en="joints left free", pt_BR="juntas livres"), r"n - r", _free(here)),
-        Instrument(Text(en="least singular value", pt_BR="menor valor singular"), r"\sigma_{\min}", _least(here)),
+        *_of_jacobian(mobility(state)),
         *_entry(state),
         *_figures(state),
     )
 
 
+def _of_jacobian(here: JacobianAnalysis | None) -> tuple[Instrument, ...]:
+    if here is None:
+        return ()
+    free, smallest = float(here.V.shape[0] - here.rank), float(here.sigma[-1])
+    return (
+        Instrument(Text(en="condition number", pt_BR="número de condição"), r"\kappa", here.condition_number),
+        Instrument(Text(en="manipulability", pt_BR="manipulabilidade"), "w", here.w),
+        Instrument(Text(en="redundant degrees of freedom", pt_BR="graus de redundância"), r"n - r", free),
+        Instrument(Text(en="smallest singular value", pt_BR="menor valor singular"), r"\sigma_{\min}", smallest),
+    )
+
+
 @lru_cache(maxsize=4)
 def near_singular(state: State) -> Text | None:
-    """What is singular where the arm stands, or nearly so, in words; None where nothing is."""
-    return singularity(state.robot, state.arm.q).warning()
+    """What is singular, or nearly so, at the present posture, in words; None if nothing is."""
+    return singularity(state.robot, state.arm.q, state.request.with_orientation).warning()
 
 
 def modes(state: State) -> Diagnosis | None:
-    """The modal diagnosis of the filtered inverse that drives the arm; None where another method does."""
+    """The modal diagnosis of the filtered inverse that drives the arm; None if another method drives it."""
     drive = state.request.controller
     if not isinstance(drive.memory, filtered.Memory):
         return None
@@ -109,7 +125,7 @@ def modes(state: State) -> Diagnosis | None:
 
 
 def held_by(state: State) -> tuple[Reason, ...]:
-    """What held the last guarded step back, the hardest first."""
+    """The constraints that limited the last guarded step, in the order of `ik.reasons`."""
     if state.arm.active_set is None or state.arm.active_set.pull == 0.0:
         return ()
     return reasons(state.problem, state.arm.q, state.arm.active_set.multipliers, state.arm.active_set.pull)
@@ -119,16 +135,8 @@ def _length(values: Array) -> float:
     return float(np.linalg.norm(values))
 
 
-def _free(here: JacobianAnalysis) -> float:
-    return float(here.V.shape[0] - here.rank)
-
-
-def _least(here: JacobianAnalysis) -> float:
-    return float(here.sigma[-1])
-
-
 def errors(state: State) -> tuple[float, float]:
-    """How far the tool is from its target: the way, m, and the turn, rad; none where no pose is asked for."""
+    """Position error, m, and orientation error, rad, of the tool against its target; 0 if the command has no target."""
     T = state.T_world_tool
     wished = target(state)
     if wished is None:
@@ -138,15 +146,17 @@ def errors(state: State) -> tuple[float, float]:
 
 
 def _errors(state: State) -> tuple[Instrument, ...]:
+    """The position error, and the orientation error if orientation counts."""
     way, turn = errors(state)
-    return (
-        Instrument(Text(en="to the target", pt_BR="até o alvo"), "e_p", 1000 * way, "mm"),
-        Instrument(Text(en="turn to the target", pt_BR="giro até o alvo"), "e_o", float(np.degrees(turn)), "°"),
-    )
+    position = Instrument(Text(en="position error", pt_BR="erro de posição"), "e_p", 1000 * way, "mm")
+    if not counted_rows(state.robot, state.request.with_orientation)[3:].any():
+        return (position,)
+    turned = float(np.degrees(turn))
+    return (position, Instrument(Text(en="orientation error", pt_BR="erro de orientação"), "e_o", turned, "°"))
 
 
 def _entry(state: State) -> tuple[Instrument, ...]:
-    """How the instrument stands in its entry point, and how well it can move there; nothing without one."""
+    """Position of the shaft in its entry point, and the manipulabilities there; empty without an entry point."""
     problem, entry = state.problem, state.problem.entry
     if entry is None:
         return ()
@@ -155,9 +165,14 @@ def _entry(state: State) -> tuple[Instrument, ...]:
     place = at.place
     return (
         Instrument(
-            Text(en="beside the entry point", pt_BR="fora do ponto de entrada"), "e_r", _mm(place.lateral), "mm"
+            Text(en="distance to the entry point", pt_BR="distância ao ponto de entrada"),
+            "e_r",
+            _mm(place.lateral),
+            "mm",
         ),
-        Instrument(Text(en="shaft outside", pt_BR="haste do lado de fora"), "l_a", 1000 * place.outside, "mm"),
+        Instrument(
+            Text(en="shaft length outside", pt_BR="comprimento externo da haste"), "l_a", 1000 * place.outside, "mm"
+        ),
         *(
             Instrument(title, symbol, of.w)
             for title, symbol, of in ((OF_ARM, "w_i", at.of_arm), (OF_TOOL, "w_r", at.of_tool))
@@ -166,8 +181,8 @@ def _entry(state: State) -> tuple[Instrument, ...]:
     )
 
 
-OF_ARM = Text(en="manipulability before the entry", pt_BR="manipulabilidade antes da entrada")
-OF_TOOL = Text(en="manipulability beyond it", pt_BR="manipulabilidade depois dela")
+OF_ARM = Text(en="manipulability before the entry point", pt_BR="manipulabilidade antes do ponto de entrada")
+OF_TOOL = Text(en="manipulability beyond the entry point", pt_BR="manipulabilidade além do ponto de entrada")
 
 
 def _mm(way: Array) -> float:
@@ -175,7 +190,7 @@ def _mm(way: Array) -> float:
 
 
 def _figures(state: State) -> tuple[Instrument, ...]:
-    """The figures of the method's last answer, in the order of its file."""
+    """The figures of the method's last solution, in the order of its `FIGURES`."""
     solution, method = state.request.controller.solution, named(state.request.controller.method)
     if solution is None:
         return ()

@@ -1,4 +1,4 @@
-"""The named multivectors of a State, and distances as products of them."""
+"""The named multivectors of a State, and the distance from a point to a plane as a product."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ from helicoide.text import Text
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """A multivector of the scene: a key that names its object, a title, a symbol, and how it is read off a state.
+    """A named multivector of the scene.
 
-    symbol: in TeX; index: a name, which is not TeX, to stand below it; at: the sixteen coefficients (16,), m.
+    key: names its object; symbol: in TeX; at: from a state to the coefficients (16,), m; index: a subscript of the
+    symbol in plain text.
     """
 
     key: str
@@ -37,17 +38,17 @@ def readings(state: State) -> tuple[Reading, ...]:
 
 
 def chosen(state: State, key: str | None) -> Reading | None:
-    """The reading of a key; None without one, and where its object has gone."""
+    """The reading with this key; None if key is None or its object no longer exists."""
     return None if key is None else next((reading for reading in readings(state) if reading.key == key), None)
 
 
-@lru_cache(maxsize=128)  # a class of thirty, each with an arm and planes of their own
+@lru_cache(maxsize=128)  # enough for a class of thirty, each with its own arm and planes
 def _readings(robot: Robot, panes: tuple[PlanePane, ...]) -> tuple[Reading, ...]:
     return _tool(), *_lines(robot), *_planes(panes), *_points(robot)
 
 
 def _tool() -> Reading:
-    title = Text(en="tool motor", pt_BR="motor do efetuador")
+    title = Text(en="end-effector motor", pt_BR="motor do efetuador")
     return Reading("tool", title, "M", lambda state: rigid.canonical(rigid.motor_from_pose(state.T_world_tool)))
 
 

@@ -1,4 +1,4 @@
-"""The planes of a robot's file beside what its source prints of them."""
+"""The planes of a robot's file next to the numbers that its source prints."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ LINE = Text(
     pt_BR="{name} ({title}): n = ({normal}), d = {offset} m; impresso {printed}",
 )
 WHY_PRINTED_DIFFERS = Text(
-    en="The source prints millimetres, normals as they were measured, and labels that are its own; here lengths are in "
-    "metres, every normal points to the arm, and a wall has the name of the side on which it stands.",
-    pt_BR="A fonte imprime milímetros, normais como medidas e rótulos próprios; aqui os comprimentos estão em metros, "
-    "toda normal aponta para o braço, e cada parede tem o nome do lado em que está.",
+    en="The source prints millimetres, the measured normals and its own labels. Here lengths are in metres, every "
+    "normal points to the arm, and each wall is named after its side.",
+    pt_BR="A fonte imprime milímetros, as normais medidas e rótulos próprios. Aqui os comprimentos estão em metros, "
+    "toda normal aponta para o braço, e cada parede tem o nome do seu lado.",
 )
 
 
 def printed_planes(robot: Robot) -> tuple[Text, ...]:
-    """A line for each plane of its file that a source prints: ours, in m, and the source's, with its label, in mm."""
+    """A line for each plane of the robot's file that a source prints: its numbers here, m, and the printed ones, mm."""
     return tuple(_line(pane) for pane in robot.panes if pane.as_printed)
 
 

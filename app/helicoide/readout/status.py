@@ -1,4 +1,4 @@
-"""What the arm does, or why it does not, in words."""
+"""The status line: what the arm does, or why it does not move, in words."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from helicoide.ik.controller import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.ik.postures.choice import barrier
 from helicoide.readout.distances import distances_of
-from helicoide.readout.instruments import errors, held_by
+from helicoide.readout.instruments import errors, held_by, near_singular
 from helicoide.state import State, points_on
-from helicoide.text import Text
+from helicoide.text import Text, join_texts
 
 Tone = Literal["ok", "warn", "blocked", "stopped"]
 
@@ -36,33 +36,41 @@ TURNED = np.radians(1.0)
 
 FOLLOWING = Text(en="Following: {path}.", pt_BR="Seguindo: {path}.")
 MOVING = Text(en="Moving.", pt_BR="Em movimento.")
-AT_THE_GOAL = Text(en="At the goal.", pt_BR="No objetivo.")
+SINGULARITY = Text(en="Singularity: {said}.", pt_BR="Singularidade: {said}.")
+AT_THE_GOAL = Text(en="Goal reached.", pt_BR="Objetivo alcançado.")
 
 
 @dataclass(frozen=True)
 class Status:
-    """What the arm does, or why it does not, and how grave that is."""
+    """A status text and how serious it is."""
 
     text: Text
     tone: Tone
 
 
 def status(state: State) -> Status:
-    """The state in words: a refusal first, then what holds the arm, then what it does."""
+    """The status of a state: its notice if there is one, else what the arm does, with a warning near a singularity."""
     if state.notice is not None:
         return Status(state.notice, "warn")
+    said, near = _said(state), near_singular(state)
+    if near is None or said.tone == "stopped":
+        return said
+    return Status(join_texts([said.text, SINGULARITY.format(said=near)], " "), said.tone)
+
+
+def _said(state: State) -> Status:
     if state.request.command == HoldPosition(stopped=True) and state.arm.parked:
         return Status(
             Text(
-                en="Stopped, with the planes off: only Ready or Park move the arm.",
-                pt_BR="Parado, com os planos desligados: só Pronto ou Estacionar movem o braço.",
+                en="Stopped, planes off: only “Ready pose” or “Park” move the arm.",
+                pt_BR="Parado, planos desligados: só “Ir à pose inicial” ou “Estacionar” movem o braço.",
             ),
             "stopped",
         )
     if state.request.command == HoldPosition(stopped=True):
         return Status(
             Text(
-                en="Stopped. Nothing moves until the next press.",
+                en="Stopped. Nothing moves until the next command.",
                 pt_BR="Parado. Nada se move até o próximo comando.",
             ),
             "stopped",
@@ -79,24 +87,26 @@ def status(state: State) -> Status:
 
 
 def _replaying(state: State, command: Replay) -> Text:
-    """How far a replay is, and what holds it back."""
+    """The progress of a replay, and the constraint that limits it."""
     if not command.arrived:
-        return Text(en="Going to where it begins.", pt_BR="Indo para onde começa.")
+        return Text(en="Moving to the start.", pt_BR="Indo ao início.")
     held = holding(state)
     where = Text(en="{title}: {s:.1f} of {end:.1f} s", pt_BR="{title}: {s:.1f} de {end:.1f} s").format(
         title=command.title, s=command.s, end=command.path.duration
     )
     if not held:
         return Text(en="{where}.", pt_BR="{where}.").format(where=where)
-    return Text(en="{where}; held by: {what}.", pt_BR="{where}; retido por: {what}.").format(where=where, what=held[0])
+    return Text(en="{where}; limited by: {what}.", pt_BR="{where}; limitado por: {what}.").format(
+        where=where, what=held[0]
+    )
 
 
 def _parking(state: State) -> Status:
     if isinstance(state.request.command, HoldPosition):
         return Status(
             Text(
-                en="Parked: planes are off. Ready brings the arm back.",
-                pt_BR="Estacionado: planos desligados. Pronto traz o braço de volta.",
+                en="Parked: planes are off. “Ready pose” brings the arm back.",
+                pt_BR="Estacionado: planos desligados. “Ir à pose inicial” traz o braço de volta.",
             ),
             "warn",
         )
@@ -106,21 +116,21 @@ def _parking(state: State) -> Status:
         if not state.arm.parked and not state.arm.moving and state.request.unchanged > 1.0:
             return Status(
                 Text(
-                    en="Cannot park: a plane is too near to the ready pose. Move it first.",
-                    pt_BR="Não dá para estacionar: um plano está perto demais da pose pronta. Mova-o primeiro.",
+                    en="Cannot park: a plane is too close to the ready pose. Move it first.",
+                    pt_BR="Não dá para estacionar: um plano está perto demais da pose inicial. Mova-o primeiro.",
                 ),
                 "blocked",
             )
-        return Status(Text(en="Going to park.", pt_BR="Indo estacionar."), "ok")
-    return Status(Text(en="Going to the ready pose.", pt_BR="Indo para a pose pronta."), "ok")
+        return Status(Text(en="Moving to the park pose.", pt_BR="Indo estacionar."), "ok")
+    return Status(Text(en="Moving to the ready pose.", pt_BR="Indo à pose inicial."), "ok")
 
 
 def _towards(state: State, goal: Goal) -> Status:
-    """On the way to a wish, or at the nearest point to it."""
+    """The status under the guarded step, on the way to the goal or at it."""
     if state.request.detour is not None:
         return Status(
             Text(
-                en="Changing posture: another one comes nearer to the goal.",
+                en="Changing posture: another one gets closer to the goal.",
                 pt_BR="Mudando de postura: outra chega mais perto do objetivo.",
             ),
             "ok",
@@ -137,7 +147,7 @@ def _towards(state: State, goal: Goal) -> Status:
 
 
 def _by_method(state: State) -> Status:
-    """On the way by a method of the sources: whether it applies, and where it comes to rest."""
+    """The status under another method: why it does not apply, or how far it is from the target."""
     if state.request.controller.refusal is not None:
         return Status(state.request.controller.refusal, "blocked")
     way, turn = errors(state)
@@ -150,8 +160,8 @@ def _by_method(state: State) -> Status:
     if state.request.with_orientation and turn > TURNED:
         return Status(
             Text(
-                en="Position held, orientation {turned:.0f}° off.",
-                pt_BR="Posição mantida, orientação a {turned:.0f}°.",
+                en="Position reached, orientation {turned:.0f}° from target.",
+                pt_BR="Posição alcançada, orientação a {turned:.0f}° do alvo.",
             ).format(turned=np.degrees(turn)),
             "warn",
         )
@@ -159,30 +169,30 @@ def _by_method(state: State) -> Status:
 
 
 def _rests(state: State, way: float) -> Text:
-    """Where a method has come to rest, with what the guard held it back by, if anything."""
+    """That the arm has stopped away from the target, and the constraint that limits it, if any."""
     method = methods.named(state.request.controller.method).TITLE
     held = holding(state)
     if not held:
         return Text(
-            en="Rests {way:.0f} mm from the target: the method “{method}” finds no way on.",
-            pt_BR="Parou a {way:.0f} mm do alvo: o método “{method}” não acha como seguir.",
+            en="Stopped {way:.0f} mm from the target: the method “{method}” cannot get closer.",
+            pt_BR="Parado a {way:.0f} mm do alvo: o método “{method}” não consegue avançar.",
         ).format(way=1000 * way, method=method)
     return Text(
-        en="Rests {way:.0f} mm from the target, held by: {held}.",
-        pt_BR="Parou a {way:.0f} mm do alvo, retido por: {held}.",
+        en="Stopped {way:.0f} mm from the target, limited by: {held}.",
+        pt_BR="Parado a {way:.0f} mm do alvo, limitado por: {held}.",
     ).format(way=1000 * way, held=held[0])
 
 
 def _held_back(state: State, goal: Goal) -> Text:
-    """Why the wish is not met: the plane and the point it holds, the joint at its limit, or the reach."""
+    """Why the target is not reached: a contact, a joint limit, the entry point or the reach."""
     reason = goal.reasons[0] if goal.reasons else None
     short = f"{1000 * goal.position_error:.0f}"
     match reason:
         case Contact(plane, point):
             pane, guarded = state.problem.planes.panes[plane], state.robot.monitored[point]
             return Text(
-                en="Blocked by plane {name} ({pane}): {point} at {mm:.0f} mm; {short} mm short.",
-                pt_BR="Bloqueado pelo plano {name} ({pane}): {point} a {mm:.0f} mm; faltam {short} mm.",
+                en="Blocked by plane {name} ({pane}): {point} at {mm:.0f} mm; {short} mm from the target.",
+                pt_BR="Bloqueado pelo plano {name} ({pane}): {point} a {mm:.0f} mm; a {short} mm do alvo.",
             ).format(
                 name=pane.name,
                 pane=pane.title,
@@ -192,55 +202,55 @@ def _held_back(state: State, goal: Goal) -> Text:
             )
         case AtLimit(joint):
             return Text(
-                en="Joint {n} ({title}) at its limit; {short} mm short: nearest point shown.",
-                pt_BR="Junta {n} ({title}) no limite; faltam {short} mm: o ponto mais próximo é mostrado.",
+                en="Joint {n} ({title}) at its limit; {short} mm from the target: closest reachable point shown.",
+                pt_BR="Junta {n} ({title}) no limite; a {short} mm do alvo: mostrado o ponto alcançável mais próximo.",
             ).format(n=joint + 1, title=state.robot.variables[joint].title, short=short)
         case SelfContact() | ObstacleContact():
             return Text(
-                en="Blocked: {what} are as near as they may be; {short} mm short.",
-                pt_BR="Bloqueado: {what} estão tão perto quanto podem; faltam {short} mm.",
+                en="Blocked: {what} at their smallest allowed distance; {short} mm from the target.",
+                pt_BR="Bloqueado: {what} na menor distância permitida; a {short} mm do alvo.",
             ).format(what=_named(state.problem, reason), short=short)
         case AtEntryPoint():
             return Text(
-                en="Held by the entry point of the instrument; {short} mm short.",
-                pt_BR="Retido pelo ponto de entrada do instrumento; faltam {short} mm.",
+                en="Limited by the entry point of the instrument; {short} mm from the target.",
+                pt_BR="Limitado pelo ponto de entrada do instrumento; a {short} mm do alvo.",
             ).format(short=short)
         case None | AtSpeed() | AtAcceleration():
             return Text(
-                en="Out of reach by {short} mm: nearest point shown.",
-                pt_BR="Fora de alcance por {short} mm: o ponto mais próximo é mostrado.",
+                en="Out of reach by {short} mm: closest reachable point shown.",
+                pt_BR="Fora do alcance por {short} mm: mostrado o ponto alcançável mais próximo.",
             ).format(short=short)
 
 
 def _distance_at(state: State, goal: Goal, contact: Contact) -> float:
-    """The distance of a contact's point to its plane at the goal, m."""
+    """The distance from the point of a contact to its plane at the goal, m."""
     return float(distances_of(state, points_on(state.robot, goal.poses))[contact.point, contact.plane])
 
 
 def _misaligned(state: State, goal: Goal) -> Text:
-    """What the arm cannot do about the orientation: a joint at its limit, or a joint that it does not have."""
+    """Why the orientation is not reached: a joint at its limit, or too few joints."""
     limit = next((reason for reason in goal.reasons if isinstance(reason, AtLimit)), None)
     why = (
         Text(
-            en="with {n} joints the position decides the heading",
-            pt_BR="com {n} juntas a posição decide a direção",
+            en="with {n} joints the position fixes the yaw",
+            pt_BR="com {n} juntas a posição determina a guinada",
         ).format(n=len(state.robot.variables))
         if limit is None
         else Text(en="joint {n} is at its limit", pt_BR="a junta {n} está no limite").format(n=limit.joint + 1)
     )
     return Text(
-        en="Position held, orientation {turned:.0f}° off: {why}.",
-        pt_BR="Posição mantida, orientação a {turned:.0f}°: {why}.",
+        en="Position reached, orientation {turned:.0f}° from target: {why}.",
+        pt_BR="Posição alcançada, orientação a {turned:.0f}° do alvo: {why}.",
     ).format(turned=np.degrees(goal.orientation_error), why=why)
 
 
 def holding(state: State) -> list[Text]:
-    """What held the last step back, the hardest first, in a few words each."""
+    """The constraints that limited the last step, each in a few words, in the order of `held_by`."""
     return [_named(state.problem, reason) for reason in held_by(state)]
 
 
 def too_near(problem: Problem, q: Array) -> Text | None:
-    """What would be nearer than it may be in a posture (n,), rad or m, in a few words; None where nothing would."""
+    """The worst violation of a clearance at a posture (n,), rad or m, in a few words; None if there is none."""
     reason = barrier(problem, q)
     return None if reason is None else _named(problem, reason)
 

@@ -1,5 +1,6 @@
 """The lab: the server, the seats, the windows, and the workcells with their clock.
 
-Two threads: the clock's moves the arms, and nothing else runs in it; the server's event loop hears, draws and writes.
-They meet in a workcell: the loop puts wishes into its inbox, and reads its state, which is never changed but replaced.
+There are two threads. The clock's thread only moves the arms. The server's event loop takes requests and updates the
+windows. They share the workcells: the loop puts updates into the inbox of a workcell and reads its state, which is
+immutable and is replaced as a whole.
 """

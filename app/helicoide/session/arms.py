@@ -1,4 +1,4 @@
-"""Another arm in a workcell, and what is worked out before it begins or is shown: in threads, and a stop ends it."""
+"""Load another robot into a workcell, and compute motions and posture lists for it, in threads."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from helicoide.text import HelicoideError, Text
 from helicoide.view import shapes
 
 WRONG_FILES = Text(
-    en="Something is wrong in the files of {robot}: {fault}. The Robot tab has all of it.",
-    pt_BR="Há algo errado nos arquivos de {robot}: {fault}. A aba Robô mostra tudo.",
+    en="The files of {robot} have errors: {fault}. The Robot tab lists all of them.",
+    pt_BR="Os arquivos de {robot} têm erros: {fault}. A aba Robô lista todos.",
 )
 PLAYED = Text(en="Playing the study", pt_BR="Reproduzindo o estudo")
 log = logging.getLogger("helicoide")
 
 
 class Arms:
-    """What brings arms and motions into one workcell. Only on the event loop.
+    """Loads robots and computes motions for one workcell. Use it only on the event loop.
 
-    wanted: the robot that is on its way, or came last; nothing where it could not come.
+    wanted: name of the robot that is being loaded or was loaded last; empty if that failed.
     """
 
     def __init__(self, workcell: Workcell) -> None:
@@ -39,7 +39,7 @@ class Arms:
         self._tasks: set[asyncio.Task[None]] = set()
 
     def play(self, motion: Motion) -> None:
-        """Play what an arm did, on that arm."""
+        """Replay a motion on its own robot, which is loaded first if necessary."""
         wish, (name, lengths) = gate.replay_motion(motion.times, motion.q, PLAYED), (motion.robot, motion.parameters)
         if self.workcell.state.robot.name == name and not lengths:
             self.workcell.ask(wish)
@@ -47,19 +47,19 @@ class Arms:
             self.change(name, lengths, wish)
 
     def change(self, robot_name: str, lengths: tuple[str, ...] = (), then: Update | None = None) -> None:
-        """Put another robot there, as soon as it is loaded, and post a wish to it.
+        """Load another robot into the workcell, and then apply an update to it.
 
-        lengths: parameters of the robot, as `load` takes them.
+        lengths: parameters of the robot, as `load_robot` takes them.
         """
         self.wanted = robot_name
         self._begin(self._change(robot_name, lengths, then))
 
     def work_out(self, way: Callable[[State], Update]) -> None:
-        """Work out a motion, which begins unless something else is asked in the meantime."""
+        """Compute a motion, and start it unless something else is asked in the meantime."""
         self._begin(self._work_out(way, gate.while_asked))
 
     def find(self, way: Callable[[State], Update]) -> None:
-        """Find what is to be shown of this arm, whatever it does meanwhile."""
+        """Compute something to show for this arm, whatever the arm does in the meantime."""
         self._begin(self._work_out(way, gate.while_there))
 
     def _begin(self, work: Coroutine[Any, Any, None]) -> None:
@@ -77,7 +77,7 @@ class Arms:
         self.workcell.ask(unless(state, wish))
 
     async def _change(self, robot_name: str, lengths: tuple[str, ...], then: Update | None) -> None:
-        """Load a robot; what is wrong with it is said, and the old one stays."""
+        """Load a robot. If that fails, say why and keep the old one."""
         before = self.workcell.state
         try:
             robot = await asyncio.to_thread(_loaded, robot_name, lengths)
@@ -92,10 +92,10 @@ class Arms:
 
 
 def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
-    """The robot, with all that is needed to draw and to drive it."""
+    """The robot. What is needed to draw and to drive it is computed in advance."""
     robot = load_robot(robot_name, None, lengths)
     shapes.load_shapes(robot)
-    remarks_and_faults(robot)  # its panel shows them, and does not wait for files
+    remarks_and_faults(robot)  # cached here, so that the panel does not wait for files
     for fault in faults(robot):
         log.warning("%s: %s", robot.name, fault.en)
     rehearse(robot)
@@ -103,7 +103,7 @@ def _loaded(robot_name: str, lengths: tuple[str, ...]) -> Robot:
 
 
 def begun(robot: Robot) -> State:
-    """A robot at `ready`; where something is wrong in its files, its notice says so."""
+    """The state of a robot at `ready`. If its files have faults, the notice gives the first one."""
     state, wrong = initial_state(robot), faults(robot)
     if not wrong:
         return state
@@ -111,7 +111,7 @@ def begun(robot: Robot) -> State:
 
 
 def _put_up(robot: Robot, before: State, then: Update | None) -> Update:
-    """The new robot at `ready`; the wish for it is done unless something else was asked since it was wished."""
+    """The update to the new robot at `ready`. `then` is applied unless the command has changed since `before`."""
 
     def update(state: State) -> State:
         fresh = begun(robot)

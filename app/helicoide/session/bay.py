@@ -1,4 +1,4 @@
-"""The workcells of the lab, each with all that works for it and what its windows show."""
+"""The workcells of the lab, each with its jobs and its display."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.session.arms import Arms, begun
 from helicoide.session.display import Display
 from helicoide.session.mapping import MapJob
-from helicoide.session.postures import list_postures
+from helicoide.session.postures import list_postures, to_singular_posture
 from helicoide.session.replaying import along_fastest, replay_through
 from helicoide.session.seats import Place
 from helicoide.session.surveying import Surveying
@@ -23,18 +23,18 @@ from helicoide.view import rows
 from helicoide.view.rows import PageRequest
 from helicoide.view.window import Window
 
-MOST_OWN, MAPS = 64, 2  # arms of somebody's own; maps that are counted at once
+MOST_OWN, MAPS = 64, 2  # most own arms; most maps that are computed at once
 
 FULL = Text(
-    en="There are {n} arms of somebody's own already: more do not fit into this program.",
-    pt_BR="Já há {n} braços próprios: não cabem mais neste programa.",
+    en="All {n} separate arms are in use; use the shared arm.",
+    pt_BR="Todos os {n} braços próprios estão em uso; use o braço comum.",
 )
 
 
 class Bay:
-    """A workcell, its jobs, and its display, None while it has no windows. Only on the event loop.
+    """A workcell, its jobs, and its display, None while it has no windows. Use it only on the event loop.
 
-    maps: how many maps of the lab may be counted at once; put_up: makes the display.
+    maps: limits the number of maps that the lab computes at once; put_up: makes the display.
     """
 
     def __init__(self, workcell: Workcell, maps: asyncio.Semaphore, put_up: Callable[[Workcell], Display]) -> None:
@@ -49,7 +49,7 @@ class Bay:
         self._put_up = put_up
 
     async def enter(self, window: Window) -> None:
-        """One more window in front of it, unless it leaves before it may enter."""
+        """Show the workcell in one more window, unless the window closes first."""
         self.workcell.pause(False)
         if self.display is None:
             self.display = self._put_up(self.workcell)
@@ -59,7 +59,7 @@ class Bay:
             self.leave(window)
 
     def leave(self, window: Window) -> None:
-        """A window shows another workcell, or nothing any more."""
+        """Remove a window that moves to another workcell or has closed."""
         if self.display is not None:
             self.display.leave(window)
             if self.display.empty:
@@ -67,7 +67,7 @@ class Bay:
                 self.display = None
 
     def do(self, wish: PageRequest) -> None:
-        """Do what is wished of the arm and its scene."""
+        """Carry out a request about the arm or its scene."""
         match wish:
             case rows.ForArm(update):
                 self.workcell.ask(update)
@@ -83,6 +83,8 @@ class Bay:
                 self.mapping.begin(kind)
             case rows.ListPostures():
                 self.arms.find(list_postures)
+            case rows.TrySingular():
+                self.arms.work_out(to_singular_posture)
             case rows.PlayTaught():
                 self.arms.work_out(replay_through)
             case rows.PlayFastest():
@@ -90,10 +92,10 @@ class Bay:
 
 
 class Bays:
-    """The shared one, and those that are somebody's own.
+    """The bay of the shared workcell, and those of own workcells.
 
-    wake: called when a workcell has something to do; searcher: where searches run; put_up: makes what the windows of a
-    workcell show. workcells: for the clock's thread, replaced as a whole.
+    wake: called when a workcell has something to do; searcher: runs posture searches; put_up: makes the display of a
+    workcell; workcells: all workcells, for the clock's thread, replaced as a whole.
     """
 
     def __init__(
@@ -118,13 +120,13 @@ class Bays:
         return bay
 
     def of(self, place: Place) -> Bay:
-        """The one in front of which a person sits."""
+        """The bay that a place shows: its own, or the shared one."""
         return self.shared if place.own is None or not place.at_own else self.all[place.own]
 
     def give(self, place: Place) -> None:
-        """Give a person an arm of their own, at first a copy of the shared one.
+        """Give a place its own arm, at first a copy of the shared one.
 
-        Raises HelicoideError where there are too many already.
+        Raises HelicoideError if there are too many own arms already.
         """
         if place.own is None:
             if len(self.all) > MOST_OWN:
@@ -133,7 +135,7 @@ class Bays:
             place.own = self._add(replace(copy, request=replace(copy.request, drag=None, goal=None))).workcell
 
     def keep(self, places: Iterable[Place]) -> None:
-        """Forget those of places that are no more."""
+        """Keep the own workcells of these places, and remove all others."""
         kept = {place.own for place in places} | {self.shared.workcell}
         self.all = {workcell: bay for workcell, bay in self.all.items() if workcell in kept}
         self.workcells = tuple(self.all)

@@ -1,4 +1,4 @@
-"""The thread in which every arm lives: a hundred ticks a second, none of them late for anything but another arm."""
+"""The thread that advances every arm: a hundred ticks a second, which only other arms can delay."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from time import monotonic
 from helicoide.kernels import Kernel
 from helicoide.session.workcell import TICK, Workcell
 
-# s: for how long Python lets another thread run on, once this one is due
+# s that Python lets another thread run on when this one is due
 SWITCH = 0.0001
-FORESIGHT = 0.3  # of a tick: what may be spent on where commands lead
+FORESIGHT = 0.3  # share of a tick for computing where commands lead
 
 
 class Clock(Thread):
-    """Drains, ticks and foresees; sleeps while every arm rests.
+    """Applies updates, advances the arms, and computes where commands lead; sleeps while every arm is at rest.
 
-    workcells: those there are; changed: told after each round, in this thread. gap: the longest time between two ticks
-    that should have been one apart, s, since `forget_gap`. plain: whether kernels run as Python, in which there is no
-    time to foresee anything; halted: no arm lives, whatever is asked.
+    workcells: returns all workcells; changed: called after each round, in this thread; gap: longest time between two
+    consecutive ticks, s; plain: whether kernels run as Python, which is too slow to compute goals too; halted: whether
+    no arm is advanced.
     """
 
     def __init__(self, workcells: Callable[[], Sequence[Workcell]], changed: Callable[[], None]) -> None:
@@ -35,24 +35,24 @@ class Clock(Thread):
 
     @property
     def rests(self) -> bool:
-        """Whether no arm lives at the moment."""
+        """Whether no arm is advanced at the moment."""
         return not self._awake()
 
     def wake(self) -> None:
-        """Something has been asked of an arm."""
+        """Wake the thread, since an arm has a new update."""
         with self._condition:
             self._woken = True
             self._condition.notify()
 
     def end(self) -> None:
-        """Let no more time pass."""
+        """End the thread and wait for it."""
         self._ended = True
         self.wake()
         if self.is_alive():
             self.join()
 
     def run(self) -> None:
-        """Until the end: no catching up after a delay."""
+        """Run until `end`. Ticks that were missed are not made up for."""
         sys.setswitchinterval(SWITCH)
         _take_out_garbage_by_hand()
         due, before = monotonic(), None
@@ -73,7 +73,7 @@ class Clock(Thread):
         Kernel.interpret(False)
 
     def live(self, plain: bool = False, halted: bool = False) -> None:
-        """Let time pass from now on, from the next round on as is said here; the thread starts with the first call."""
+        """Set `plain` and `halted` from the next round on. The first call starts the thread."""
         self.plain, self.halted = plain, halted
         if not (self._ended or self.is_alive()):
             self.start()
@@ -91,7 +91,7 @@ class Clock(Thread):
             self._woken = False
 
     def _foresee(self, until: float) -> None:
-        """One workcell after the other, from where the last round ended, at least one."""
+        """Compute goals, workcell by workcell, from where the last round ended until the time `until`; at least one."""
         workcells = self.workcells()
         for _ in workcells:
             self._turn = (self._turn + 1) % len(workcells)
@@ -101,9 +101,9 @@ class Clock(Thread):
 
 
 def _take_out_garbage_by_hand() -> None:
-    """Let Python look for young garbage only: to look through everything stops every thread for a tenth of a second.
+    """Turn off garbage collections of the oldest generation: each one stops every thread for a tenth of a second.
 
-    Whoever sees that all arms rest calls `gc.collect`.
+    `Lab` calls `gc.collect` instead, preferably while all arms are at rest.
     """
     gc.freeze()
     young, middle, _ = gc.get_threshold()

@@ -1,4 +1,4 @@
-"""What the windows in front of one workcell show: frames first, words after them, and both give way."""
+"""The display of one workcell: it draws the scene and updates the rows of its windows, with pauses for other tasks."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from helicoide.view.rows import View
 from helicoide.view.scene import NOBODY, Scene
 from helicoide.view.window import CLEARED, Window
 
-# s: the shortest time between two frames, and between two writings of words
+# s: the shortest time between two frames, and between two updates of rows
 FRAME, WORDS = 0.016, 0.2
-# How much is waited after drawing and writing, as a share of what it took.
+# Pauses after drawing and after writing, as multiples of the time that these took.
 SPARE, SPARE_WORDS = 0.3, 3.0
 
 log = logging.getLogger("helicoide")
 
 
 class Display:
-    """The windows of a workcell, and two tasks: one draws what has changed, the other writes it down.
+    """The windows of a workcell, and two tasks: one draws the scene, the other updates rows and status lines.
 
-    view: what a window shows now; arrived: told when another arm stands there, before its windows are furnished for it;
-    pen: whose turn it is to write words, among all displays of the lab.
+    view: returns what a window shows now; arrived: called when another robot was loaded, before the windows are filled
+    for it; pen: a lock, so that only one window of the lab is written at a time.
     """
 
     def __init__(
@@ -48,8 +48,8 @@ class Display:
         self.windows: list[Window] = []
         self._entering: set[Window] = set()
         self.frames = 0
-        self.news = asyncio.Event()  # words may differ from what is written
-        self._moved = asyncio.Event()  # the scene may differ from what is drawn
+        self.news = asyncio.Event()  # set when rows may be out of date
+        self._moved = asyncio.Event()  # set when the scene may be out of date
         self._putting_up = asyncio.Lock()
         self._scene: Scene | None = None
         self._drawn: tuple[Robot | None, object] = (None, None)
@@ -57,26 +57,26 @@ class Display:
 
     @property
     def empty(self) -> bool:
-        """Whether nobody is in front of it, and nobody comes."""
+        """Whether no window shows the workcell or is about to show it."""
         return not self.windows and not self._entering
 
     def close(self) -> None:
-        """Draw nothing more."""
+        """End both tasks."""
         for task in self._tasks:
             task.cancel()
 
     def tell(self) -> None:
-        """The state of the workcell may be another one."""
+        """Have the windows redrawn if the state of the workcell has changed."""
         if self.windows and self._drawn[1] is not self.workcell.state:
             self.redraw()
 
     def redraw(self) -> None:
-        """What a window shows of its own has changed."""
+        """Have the scene and the rows of all windows updated."""
         self._moved.set()
         self.news.set()
 
     async def enter(self, window: Window) -> None:
-        """One more window, which sees at once what there is, unless it leaves before it may."""
+        """Add a window and draw the current scene in it, unless the window leaves first."""
         self._entering.add(window)
         try:
             async with self._putting_up:
@@ -86,24 +86,24 @@ class Display:
                 self.audience.enter(window.client)
                 self.windows.append(window)
                 view = self.view(window)
-                if view.state.robot is self._drawn[0]:  # else it is put up with the others
+                if view.state.robot is self._drawn[0]:  # otherwise `_up_to_date` stages it with the others
                     window.stage(view, shapes.load_shapes(view.state.robot))
                     window.draw(view)
-                    if window.robot is not view.state.robot:  # this arm has come since it was furnished
+                    if window.robot is not view.state.robot:  # the robot has changed since it was furnished
                         await window.fill(view)
         finally:
             self._entering.discard(window)
         self.redraw()
 
     def leave(self, window: Window) -> None:
-        """A window shows another workcell, or nothing any more."""
+        """Remove a window that moves to another workcell or has closed."""
         self._entering.discard(window)
         if window in self.windows:
             self.windows.remove(window)
             self.audience.leave(window.client, shown=not window.gone)
 
     async def _draw(self) -> None:
-        """Draw a frame whenever something has moved; as long again others may come in."""
+        """Draw a frame whenever something has moved, each followed by a pause for other tasks."""
         clock = asyncio.get_running_loop().time
         while True:
             await self._moved.wait()
@@ -119,7 +119,7 @@ class Display:
             await asyncio.sleep(max(FRAME - took, SPARE * took))
 
     async def _frame(self, state: State) -> None:
-        """The scene of all, then what each window has for itself, unless another arm has come meanwhile."""
+        """Draw the shared scene, then the layers of each window, unless that has another robot by now."""
         self._drawn = state.robot, state
         self.frames += 1
         assert self._scene is not None
@@ -128,11 +128,11 @@ class Display:
         for window in tuple(self.windows):
             if window in self.windows and (view := self.view(window)).state.robot is state.robot:
                 window.draw(view)
-            window.client.flush()  # the server's own flush leaves what is sent to one client waiting
+            window.client.flush()  # the server's own flush does not send messages to one client
             await asyncio.sleep(0)
 
     async def _up_to_date(self) -> State:
-        """Put up the arm that stands there now, when it is another one than is drawn; its state."""
+        """Build the scene and fill the windows for the current robot, if another one is drawn; returns the state."""
         while (robot := (state := self.workcell.state).robot) is not self._drawn[0]:
             if self._scene is not None:
                 self.audience.scene.reset()
@@ -154,7 +154,7 @@ class Display:
         return state
 
     async def _write(self) -> None:
-        """Bring the words to what there is, one window of the lab at a time; then others have three times as long."""
+        """Update the rows, one window of the lab at a time, each followed by a pause of `SPARE_WORDS` times as long."""
         clock = asyncio.get_running_loop().time
         while True:
             await self.news.wait()
@@ -167,14 +167,14 @@ class Display:
             await asyncio.sleep(begins + WORDS - clock())
 
     def _say(self, window: Window, view: View) -> None:
-        """The status line; until the arms live it is the lab that says how far that is."""
+        """Update the status line. Until the kernels are compiled, `Lab` writes it."""
         if view.ready:
             said = status(view.state)
             notice = Notice(view.seat.language, said.text, said.tone, self.workcell.connected, view.seat.projector)
             self.control.push(window.link.key, notice)
 
     async def _written(self, window: Window) -> float:
-        """Write the words of a window; how long it took, s."""
+        """Update the rows and the status line of a window; returns the time that this took, s."""
         try:
             view = self.view(window)
             if view.state.robot is self._drawn[0]:

@@ -1,4 +1,4 @@
-"""The lab: the server and its event loop, who is there, and in front of which workcell."""
+"""The lab: the server, its event loop, the open windows, and the workcell that each of them shows."""
 
 from __future__ import annotations
 
@@ -30,18 +30,18 @@ from helicoide.view.scene import light_scene
 from helicoide.view.serve import serve
 from helicoide.view.window import Client, Window, preload
 
-UNTIDY = 10  # times that garbage stays where it is while an arm moves
-# s: how long a page is waited for; when a hold ends whose end got lost; how often lessons are judged; and when a
-# control that a person touched is put right, which is left alone as long as a hand may be on it
+UNTIDY = 10  # rounds of `_tidy` without a garbage collection while an arm moves
+# s: time to wait for the first message of a page; after which a drag ends if its end was lost; between two checks of a
+# lesson's goal; after which a control that was touched is written again; between two rounds of `_tidy`
 ANSWER, LET_GO, JUDGED, PUT_RIGHT, TIDIED = 5.0, 0.5, 0.2, 0.8, 60.0
 log = logging.getLogger("helicoide")
 
 
 class Lab:
-    """The server, the loop, the seats, the windows and the workcells. Its methods run on the server's event loop.
+    """The server, the seats, the windows and the workcells. Its methods run on the server's event loop.
 
-    Of new windows: language, None for what their browser asks for; lesson_name: the one that they begin with;
-    projector: whether their words and handles are large.
+    For new seats: language, None for that of the browser; lesson_name, the first lesson; projector, whether text and
+    handles are large.
     """
 
     def __init__(
@@ -66,21 +66,21 @@ class Lab:
         self._untidy = 0
 
     def open(self, host: str, port: int, origins: Collection[str] = ()) -> int:
-        """Serve the page; returns the port. Raises HelicoideError when it cannot be had."""
+        """Serve the page; returns the port. Raises HelicoideError if the port is not available."""
         self.server = serve(host, port, content.STATIC, {PATH: self.control.serve}, origins)
         self.loop = self.server.get_event_loop()
         self.loop.call_soon_threadsafe(self._begin)
         return int(self.server.get_port())
 
     def close(self) -> None:
-        """Stop the arms, the work and the server. From any other thread."""
+        """Stop the arms, the jobs and the server. Call it from another thread than the event loop's."""
         self._compilation.stop()
         self.studies.close()
         for bay in self.bays:
             bay.mapping.close()
         self.clock.end()
         self.searcher.shutdown(wait=False, cancel_futures=True)
-        self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # it may not have begun yet
+        self.loop.call_soon_threadsafe(lambda: self._starting.cancel())  # later, since `_begin` may not have run yet
         self.server.stop()
 
     def _begin(self) -> None:
@@ -93,7 +93,7 @@ class Lab:
         self._tidy()
 
     async def _start(self) -> None:
-        """Prepare while the page is up; the arms live as soon as they may."""
+        """Prepare the kernels while the page is served already; then the arms use the compiled kernels."""
         try:
             await prepare(self.shared.workcell.state.robot, self._compilation, self._say, self._meanwhile)
         except Exception:
@@ -105,11 +105,11 @@ class Lab:
         self._news()
 
     def _meanwhile(self, alive: bool) -> None:
-        """The kernels are not there yet: the arms live by Python, or wait."""
+        """Until the kernels are compiled, run the arms with kernels as Python, or halt them."""
         self.clock.live(plain=True, halted=not alive)
 
     def _say(self, text: Text) -> None:
-        """Show a sentence in every window, also in those that open later, while the arms do not live yet."""
+        """Show a text in every window, also in those that open later, until the kernels are compiled."""
         self.said = text
         for visitor in self.visitors.values():
             self._say_to(visitor)
@@ -128,10 +128,10 @@ class Lab:
             gc.collect()
         self.loop.call_later(TIDIED, self._tidy)
 
-    # What comes from the clock.
+    # Messages from the clock.
 
     def _changed(self) -> None:
-        """A round of the clock is over; in its thread."""
+        """Called after each round of the clock, in its thread."""
         if self.visitors and not self._signalled:
             self._signalled = True
             self.loop.call_soon_threadsafe(self._told)
@@ -147,15 +147,15 @@ class Lab:
                 visitor.judge()
 
     def _news(self) -> None:
-        """What windows show besides their arm may be something else."""
+        """Have the rows of all windows updated, since something besides their arms may have changed."""
         for bay in self.bays:
             if bay.display is not None:
                 bay.display.news.set()
 
-    # Who comes and goes.
+    # Windows that open and close.
 
     async def _enter(self, client: Client) -> None:
-        """A window opens: with its old seat when its browser still has the token of one."""
+        """A window opens. It gets its old seat if its browser has stored the token of one."""
         key = secrets.token_urlsafe(9)
         line = self.lines[client.client_id] = self.control.open(key)
         introduce(client, key)
@@ -164,7 +164,7 @@ class Lab:
             hello = await asyncio.wait_for(line.hello, ANSWER)
         except TimeoutError:
             hello = Hello(None, None)
-        except asyncio.CancelledError:  # the client left again
+        except asyncio.CancelledError:  # the client has disconnected
             if client.client_id in self.lines:
                 raise
             return
@@ -196,10 +196,10 @@ class Lab:
                 self.studies.forget(visitor.place)
 
     def view(self, window: Window) -> View:
-        """What a window shows."""
+        """What a window shows now."""
         return self.visitors[window.client.client_id].view(self.ready)
 
-    # What windows say.
+    # Messages from windows.
 
     def _heard(self, client_id: int, message: HelicoideFence | HelicoideMadeAt) -> None:
         line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
@@ -208,7 +208,7 @@ class Lab:
             visitor.write()
 
     def act(self, window: Window, wish: PageRequest) -> None:
-        """Do what a person wishes, if it counts; what their page shows of it is put right in any case."""
+        """Carry out a request if it is accepted. The rows of the window are written again in any case."""
         visitor = self.visitors.get(window.client.client_id)
         if visitor is None:
             return
@@ -236,10 +236,10 @@ class Lab:
                 visitor.bay.do(wish)
 
     def _stopped(self, key: str | None, closing: bool = False) -> None:
-        """Stop the workcell of that window, else the shared one, and every one that a real arm follows.
+        """Stop the workcell of a window, or the shared one if the window is unknown, and all with a real arm.
 
-        Of the windows in front of them nothing counts that was made before their pages know of it.
-        closing: whether the same key closes something on the page.
+        Messages from the windows of these workcells are rejected until their pages know of the stop.
+        closing: whether the same keystroke also closes something on the page.
         """
         visitor = self._with(key)
         mine = self.shared if visitor is None else visitor.bay
@@ -252,24 +252,24 @@ class Lab:
                 self.control.fence(line.link.key)
 
     def _released(self, key: str) -> None:
-        """A pointer was let go: what it held ends soon, also when the drag's own end gets lost on its way."""
+        """A pointer was released: its drag ends soon, even if the message that ends it is lost."""
         visitor = self._with(key)
         if visitor is not None and (grasp := visitor.grasp) is not None:
             self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
 
     def _turned(self, key: str, tab: int) -> None:
-        """Another tab is in front of a window."""
+        """Another tab of a window is in front."""
         visitor = self._with(key)
         if visitor is not None:
             visitor.window.tab = tab
             visitor.rewrite()
 
     def _with(self, key: str | None) -> Visitor | None:
-        """Who has the window of a key."""
+        """The visitor with the window of that key, or None."""
         return next((one for one in self.visitors.values() if one.window.link.key == key), None)
 
     def _move(self, visitor: Visitor, own: bool) -> None:
-        """A person goes to their own arm, which begins as a copy of the shared one, or back."""
+        """Move a visitor to its own arm, which begins as a copy of the shared one, or back to the shared arm."""
         if own:
             try:
                 self.bays.give(visitor.place)
@@ -281,11 +281,11 @@ class Lab:
             visitor.moving = self.loop.create_task(visitor.settle(self.bays, self.view))
 
     def _put_up(self, workcell: Workcell) -> Display:
-        """What the windows of a workcell show."""
+        """The display of a workcell."""
         return Display(self.server, self.control, workcell, self.view, self._arrived, self.pen)
 
     def _arrived(self, display: Display) -> None:
-        """Another arm stands in a workcell."""
+        """Another robot was loaded into a workcell."""
         for visitor in self.visitors.values():
             if visitor.bay.display is display:
                 visitor.meet()

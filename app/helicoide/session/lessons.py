@@ -1,4 +1,4 @@
-"""Lessons in front of an arm: each is judged on its own arm, and left when another one comes."""
+"""Lessons and the current robot: a lesson is checked on its own robot, and left when another robot is loaded."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ log = logging.getLogger("helicoide")
 
 
 def is_about(seat: Seat, robots: Collection[str]) -> bool:
-    """Whether a seat is in no lesson, or in one about one of these robots."""
+    """Whether a seat has no lesson, or a lesson about one of these robots."""
     return seat.lesson is None or lesson.load_lesson(seat.lesson).robot in robots
 
 
 def seated_at(robots: Collection[str], seat: Seat) -> Seat:
-    """The seat in front of another robot: nothing selected or done, and in a lesson only where that is about it.
+    """The seat for another robot: without selection and progress, and without a lesson about a third robot.
 
-    robots: the one that stands there, and the one that is on its way.
+    robots: names of the current robot and of the one that is being loaded.
     """
     seat = replace(seat, done=frozenset()) if is_about(seat, robots) else lesson.entered(seat, None)
     return replace(seat, selected=None, picked_points=None)
 
 
 def judged(seat: Seat, state: State) -> Seat:
-    """The seat with its step done where the goal is met; a lesson whose goal fails is left."""
+    """The seat with its step marked as done if the goal is met. A lesson whose goal raises is left."""
     if seat.lesson is None:
         return seat
     try:

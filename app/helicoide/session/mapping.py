@@ -1,4 +1,4 @@
-"""Maps of the workspace, counted in a process of their own: the arm's state says whether one is still wanted."""
+"""Maps of the workspace, computed in another process. The state of the arm says whether a map is still wanted."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from helicoide.kinematics.workspace import MapKind, MapPlan, WorkspaceMap, plan_
 from helicoide.state import State, Update
 from helicoide.text import Text
 
-# Postures of a map, of an arm in a plane and of one in space: a few seconds up to some twenty of one processor.
+# Number of postures, for an arm in a plane (2) and in space (3): a few to about twenty seconds on one core.
 SAMPLES: dict[MapKind, dict[int, int]] = {
     "reachable": {2: 1_450_000, 3: 10_600_000},
     "dexterous": {2: 12_600_000, 3: 13_700_000},
@@ -22,25 +22,26 @@ SAMPLES: dict[MapKind, dict[int, int]] = {
 }
 LOOK = 0.05
 FAILED = Text(
-    en="The map could not be counted; see the terminal.", pt_BR="Não foi possível calcular o mapa; veja o terminal."
+    en="The map could not be computed; see the terminal.", pt_BR="Não foi possível calcular o mapa; veja o terminal."
 )
 log = logging.getLogger("helicoide")
 
 
 def plan_of(robot: Robot, kind: MapKind) -> MapPlan:
-    """The map of an arm that is fine enough to look at."""
+    """The plan of a map of an arm, fine enough to be shown."""
     return plan_map(robot, kind, SAMPLES[kind][3 if plane_normal(robot) is None else 2])
 
 
 def counted(report: Report, plan: MapPlan) -> WorkspaceMap:
-    """Count a map, or read the one that is kept; it is kept on disk."""
+    """Compute a map and keep it on disk, or read it if it is there."""
     return chunks.workspace_map(plan, progress=report)
 
 
 class MapJob:
-    """What counts maps; `state` tells what is wanted, `post` hands on a wish. Only on the event loop.
+    """Computes the maps of one workcell. Use it only on the event loop.
 
-    turns: how many maps of the lab may be counted at once; others wait until it is their turn.
+    state: returns the current state; post: takes an update of it; turns: limits the number of maps that the lab
+    computes at once.
     """
 
     def __init__(
@@ -51,7 +52,7 @@ class MapJob:
         self._task: asyncio.Task[None] | None = None
 
     def begin(self, kind: MapKind) -> None:
-        """Count a map of the arm that stands there; what is counted so far is ended."""
+        """Compute a map of the current arm; a computation that is running is ended."""
         state = self.state()
         if self._task is not None:
             self._task.cancel()
@@ -60,12 +61,12 @@ class MapJob:
         self._task = asyncio.get_running_loop().create_task(self._map(state.robot, kind))
 
     def close(self) -> None:
-        """End what is counted."""
+        """End the computation."""
         if self._job is not None:
             self._job.stop()
 
     async def _map(self, robot: Robot, kind: MapKind) -> None:
-        """Post the map of an arm, at once where it is kept, or say why there is none."""
+        """Post the map of an arm, at once if it is on disk, or say that it failed."""
         plan = plan_of(robot, kind)
         try:
             found = await asyncio.to_thread(chunks.cached_map, plan)
@@ -83,7 +84,7 @@ class MapJob:
         self.post(gate.fail_map(robot, FAILED) if found is None else gate.show_map(robot, found))
 
     async def _counted(self, robot: Robot, plan: MapPlan) -> WorkspaceMap | None:
-        """Count in another process, which ends as soon as nobody wants the map any more."""
+        """Compute in another process, which is ended as soon as the map is not wanted any more."""
         self._job = job = ProcessJob(counted, plan)
 
         def tell(share: float) -> None:
@@ -107,7 +108,7 @@ class MapJob:
 
 
 def _frozen(found: WorkspaceMap) -> WorkspaceMap:
-    """The map with its arrays read-only again, which they were before they came from another process."""
+    """The map with read-only arrays again, since the transfer from another process makes them writeable."""
     for array in (found.hits, found.values):
         array.flags.writeable = False
     return found

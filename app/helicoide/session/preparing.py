@@ -1,7 +1,7 @@
-"""What is run so that nothing is compiled in the middle of a motion.
+"""Load or compile every kernel at the start, so that none is compiled during a motion.
 
-Until every kernel is loaded the arms live by kernels that run as Python. The lab's own process compiles only what
-cannot be had otherwise, and no arm moves meanwhile.
+Until then the arms use kernels that run as Python. Kernels are compiled in another process. The lab's own process
+compiles only what is missing after that, and the arms are halted meanwhile.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from helicoide.jobs.process import JobFailed, JobKilled, ProcessJob
 from helicoide.kinematics import tool_kernels, workspace
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.singularity import generic_rank
+from helicoide.kinematics.singularity import singularity
 from helicoide.perception.columns import Column
 from helicoide.perception.lists import walk_rows
 from helicoide.perception.lzf import unpack_lzf
@@ -45,22 +45,22 @@ from helicoide.state import State, initial_state, with_command
 from helicoide.text import Text
 
 COMPILING = Text(
-    en="Preparing the kernels: {done} of {total}. This happens once; the arm moves already.",
-    pt_BR="Preparando os kernels: {done} de {total}. Acontece uma vez só; o braço já se move.",
+    en="Compiling kernels: {done} of {total}. This happens once; the arm can already move.",
+    pt_BR="Compilando kernels: {done} de {total}. Acontece uma vez só; o braço já se move.",
 )
 AGAIN = Text(
-    en="The preparation was ended from outside, perhaps for want of memory; it begins again.",
-    pt_BR="A preparação foi encerrada de fora, talvez por falta de memória; ela recomeça.",
+    en="The compilation was ended from outside, perhaps for lack of memory; it starts again.",
+    pt_BR="A compilação foi encerrada de fora, talvez por falta de memória; ela recomeça.",
 )
 HERE = Text(
-    en="Preparing the kernels: {done} of {total}. The arm waits, and the page is slow meanwhile.",
-    pt_BR="Preparando os kernels: {done} de {total}. Enquanto isso, o braço espera e a página fica lenta.",
+    en="Compiling kernels: {done} of {total}. Meanwhile the arm waits and the page is slow.",
+    pt_BR="Compilando kernels: {done} de {total}. Enquanto isso, o braço espera e a página fica lenta.",
 )
 NOT_KEPT = Text(
-    en="Preparing the kernels: {done} of {total}. They cannot be kept in {folder}, so this happens at every start; the "
-    "arm waits, and the page is slow meanwhile.",
-    pt_BR="Preparando os kernels: {done} de {total}. Não é possível guardá-los em {folder}, então isso acontece a cada "
-    "início; enquanto isso, o braço espera e a página fica lenta.",
+    en="Compiling kernels: {done} of {total}. They cannot be saved in {folder}, so this happens at every start. "
+    "Meanwhile the arm waits and the page is slow.",
+    pt_BR="Compilando kernels: {done} de {total}. Não é possível gravá-los em {folder}, então isso acontece a cada "
+    "início. Enquanto isso, o braço espera e a página fica lenta.",
 )
 log = logging.getLogger("helicoide")
 Say = Callable[[Text], None]
@@ -68,14 +68,14 @@ Meanwhile = Callable[[bool], None]
 
 
 def exercise(robot_name: str = "movemaster") -> None:
-    """Call what calls the kernels of the lab, so that each is compiled or loaded, for whatever robot."""
+    """Call every kernel of the lab, so that each is compiled or loaded. The kernels are the same for every robot."""
     state = initial_state(load_robot(robot_name))
     _drive(state)
     _look(state)
 
 
 def _drive(state: State) -> None:
-    """What is asked while the arm moves."""
+    """Calls that occur while an arm moves."""
     asked = with_command(state, MoveToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
@@ -86,7 +86,7 @@ def _drive(state: State) -> None:
 
 
 def _look(state: State) -> None:
-    """What is asked now and then: multivectors, distances, postures, clouds and maps."""
+    """Calls that occur now and then: multivectors, distances, postures, clouds and maps."""
     robot, T, q = state.robot, state.T_world_tool, state.arm.q
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
     CL031.outer(rigid.point(T[:3, 3]), rigid.point(T[:3, 3]))
@@ -105,7 +105,7 @@ def _look(state: State) -> None:
 
 
 def _list_postures() -> None:
-    """Closed forms of other arms than the one that drives."""
+    """Closed-form postures of other families of arms."""
     for name in ("puma560", "zebra_zero"):
         robot = load_robot(name)
         solve(robot, robot.T_world_tool_0, robot.poses["ready"], every=True)
@@ -114,9 +114,9 @@ def _list_postures() -> None:
 
 
 def compiled(report: Callable[[int], None]) -> None:
-    """Compile every kernel of the lab and report how many are done; ends when one cannot be kept on disk.
+    """Compile every kernel of the lab and report how many are done; end if one cannot be kept on disk.
 
-    This is for a process of its own, of whose work only what is kept remains.
+    This runs in another process, whose only result is the kernels on disk.
     """
 
     def told(done: int) -> None:
@@ -129,21 +129,21 @@ def compiled(report: Callable[[int], None]) -> None:
 
 
 def rehearse(robot: Robot) -> None:
-    """Run what only some arms need, such as the search for the nearest pose of one with five joints, and keep ranks."""
+    """Run what depends on the robot, such as the search for the nearest pose with five joints, and cache its ranks."""
     state = initial_state(robot)
     project(robot, state.T_world_tool, state.arm.q)
-    generic_rank(robot)
+    singularity(robot, state.arm.q)
 
 
 def compiling(done: int, words: Text = COMPILING) -> Text:
-    """What is said while so many kernels are compiled."""
+    """The text that is shown while kernels are compiled. done: number of kernels so far."""
     return words.format(done=done, total=len(kernels.KERNELS), folder=kernels.CACHE_FOLDER)
 
 
 async def prepare(robot: Robot, compilation: ProcessJob, say: Say, meanwhile: Meanwhile) -> None:
-    """Load the kernels in a thread; where one is not on disk, have them compiled first, and say how far that is.
+    """Load the kernels in a thread; if one is not on disk, compile them first, and report the progress to `say`.
 
-    `meanwhile` is told that the arms may live by kernels that run as Python, and when they may no longer.
+    meanwhile: called with True while the arms may use kernels that run as Python, with False when they have to halt.
     """
     loop = asyncio.get_running_loop()
 
@@ -170,7 +170,7 @@ def _prepare(robot: Robot, compilation: ProcessJob, say: Say, live: Meanwhile) -
 
 
 def _loaded() -> bool:
-    """Load every kernel; false as soon as one is not on disk, or damaged there."""
+    """Load every kernel from disk; False if one is missing or damaged."""
     try:
         with kernels.run_compiled(), kernels.only_cached():
             exercise()
@@ -180,7 +180,7 @@ def _loaded() -> bool:
 
 
 def _compile_apart(compilation: ProcessJob, say: Say) -> None:
-    """Have the kernels compiled in another process; where that is killed, once more."""
+    """Compile the kernels in another process; once more if that is killed."""
     for words in (AGAIN, HERE):
         try:
             for done in compilation.reports():
@@ -195,7 +195,7 @@ def _compile_apart(compilation: ProcessJob, say: Say) -> None:
 
 
 def _compile_here(say: Say) -> None:
-    """Compile what was not compiled apart, or could not be kept."""
+    """Compile here what the other process did not compile or could not keep on disk."""
 
     def told(done: int) -> None:
         say(compiling(done, HERE if kernels.KernelCache.refusal is None else NOT_KEPT))

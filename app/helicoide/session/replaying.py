@@ -1,4 +1,4 @@
-"""The way through taught waypoints, or along a path in the least time, worked out before it is gone."""
+"""Motions through taught waypoints, or along a path in the least time, computed before they are played."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ from helicoide.trajectory.spline import JointSpline
 from helicoide.trajectory.time_optimal import time_optimal_timing
 from helicoide.trajectory.waypoints import MOVE_TYPES
 
-# Of an arm whose file gives no acceleration: full speed in a quarter of a second.
+# 1/s: an arm whose file gives no acceleration reaches full speed in a quarter of a second.
 GENTLE = 4.0
-TITLE = Text(en="Going through the waypoints", pt_BR="Percorrendo os pontos ensinados")
-NONE = Text(en="There are no waypoints to go through yet.", pt_BR="Ainda não há pontos a percorrer.")
+TITLE = Text(en="Running the waypoints", pt_BR="Executando os pontos")
+NONE = Text(en="There are no waypoints yet.", pt_BR="Ainda não há pontos.")
 BLOCKED = Text(
-    en="The arm cannot come to waypoint {name} by: {way}. Choose another way, or a point between.",
-    pt_BR="O braço não chega ao ponto {name} por: {way}. Escolha outra maneira, ou um ponto intermediário.",
+    en="The arm cannot reach waypoint {name} by {way}. Choose another move type or add a waypoint before it.",
+    pt_BR="O braço não chega ao ponto {name} por {way}. Escolha outro tipo de movimento ou adicione um ponto antes "
+    "dele.",
 )
 FASTEST = Text(
-    en="Along the path in the least time, at most {mm:.1f} mm beside it",
-    pt_BR="Na trajetória no menor tempo, a no máximo {mm:.1f} mm dela",
+    en="Time-optimal path, at most {mm:.1f} mm of deviation",
+    pt_BR="Trajetória de tempo mínimo, com desvio de no máximo {mm:.1f} mm",
 )
-# The path is first followed slowly, in so many seconds and steps of so many s, after so many steps to come there; every
-# so many steps are a knot.
+# The path is first followed slowly: its duration, s; the step, s; steps to reach its start; steps from knot to knot.
 SLOWLY, STEP, COMING, KNOT = 30.0, 0.02, 500, 10
 
 
 def replay_through(state: State) -> Update:
-    """The wish to go through the waypoints from where the arm is, or to say why that is not possible."""
+    """The update that follows the waypoints from the current posture, or says why that is not possible."""
     robot = state.robot
     if not state.taught.waypoints:
         return gate.say(NONE)
@@ -59,12 +59,12 @@ def replay_through(state: State) -> Update:
 
 
 def along_fastest(state: State) -> Update:
-    """The wish to follow the path of the course in the least time, as the arm can, or to say why that is not possible.
+    """The update that follows the chosen path in the least time, or says why that is not possible.
 
-    How the joints go is what the guarded step makes of the path when it is followed slowly, so that it keeps every
-    limit and plane; then time is scaled, evenly at no time: an even start would be a jump.
+    The guarded step first follows the path slowly, so that the joints keep every limit and plane. Then time along this
+    joint path is scaled. A trapezoid replaces constant speed, which would begin with a jump of the velocity.
     """
-    if state.arm.parked:  # there it would not move, and never come to the end
+    if state.arm.parked:  # a parked arm would not move, and never reach the end
         return gate.say(gate.PARKED)
     rows, beside = _followed(state)
     shape = "trapezoid" if state.request.path_choice.shape == "constant speed" else state.request.path_choice.shape
@@ -77,9 +77,9 @@ def along_fastest(state: State) -> Update:
 
 
 def _followed(state: State) -> tuple[Array, float]:
-    """The joints at even places of the path, (k, n), and how far the tool was beside it at most, m.
+    """Joint values (k, n), rad or m, at equal steps of the path, and the largest distance of the tool from it, m.
 
-    The arm first comes to rest where the path begins, or as near to that as it can.
+    The arm first moves to the start of the path, or as near to it as it can.
     """
     path = gate.path_of(state.robot, replace(state.request.path_choice, shape="constant speed", duration=SLOWLY))
     state = with_command(

@@ -1,4 +1,4 @@
-"""Who sat where: each person's seat, desk and own workcell, kept until nobody has used it for a day."""
+"""The places of all users: seat, study panel and own workcell, kept for a day after the last window closes."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ from helicoide.studies.panel_state import NO_STUDY, StudyPanelState
 from helicoide.text import Language
 from helicoide.view.window import new_seat
 
-# s: how long a seat is kept, and how long an arm of one's own goes on living, without a window
+# s without a window, after which a place is removed, and after which its own arm is paused
 KEPT, LIVES_ON = 86_400.0, 600.0
 
 
 @dataclass(eq=False)
 class Place:
-    """A person's seat, what they have of the studies, and their own workcell, if they ever wished for one.
+    """The seat of a user, its study panel, and its own workcell, None if it never asked for one.
 
-    at_own: whether they are in front of it; windows: how many they have open; left: when the last one closed, s.
+    at_own: whether its windows show the own workcell; windows: number of open windows; left: time at which the last
+    one closed, s of `monotonic`.
     """
 
     seat: Seat
@@ -32,14 +33,14 @@ class Place:
 
 
 class Seats:
-    """The places by the token that the browser of each person keeps."""
+    """The places, by the token that each browser stores."""
 
     def __init__(self, lesson: str | None, projector: bool = False) -> None:
         self.lesson, self.projector = lesson, projector
         self.places: dict[str, Place] = {}
 
     def take(self, token: str | None, language: Language) -> Place:
-        """The place of that token, or a new one where there is none."""
+        """The place with that token, or a new one if there is none."""
         place = self.places.get(token or "")
         if place is None:
             token = secrets.token_urlsafe(12)
@@ -48,12 +49,12 @@ class Seats:
         return place
 
     def leave(self, place: Place) -> None:
-        """A window of a place has closed."""
+        """Count a window of a place as closed."""
         place.windows -= 1
         place.left = monotonic()
 
     def tidy(self, now: float) -> None:
-        """Pause the arms and forget the places that nobody has used for long; now: s."""
+        """Pause own arms, and remove places, that had no window for long. now: s of `monotonic`."""
         for token, place in tuple(self.places.items()):
             if place.windows == 0 and now - place.left > LIVES_ON and place.own is not None:
                 place.own.pause(True)

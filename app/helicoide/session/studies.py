@@ -1,4 +1,4 @@
-"""The studies that people run: a process for each run, its progress and its result posted to the desk of the person."""
+"""Runs of studies: each has its own process, and posts its progress and its result to the study panel of its seat."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from helicoide.studies.panel_state import CompletedRun, StudyPanelState, StudyPa
 from helicoide.text import HelicoideError, Text
 
 BUSY = Text(
-    en="{n} studies run already: wait until one of them has ended.",
+    en="{n} studies are already running: wait for one to end.",
     pt_BR="Já há {n} estudos em execução: espere um deles terminar.",
 )
 FAILED = Text(en="The study failed; see the terminal.", pt_BR="O estudo falhou; veja o terminal.")
@@ -24,12 +24,12 @@ log = logging.getLogger("helicoide")
 
 
 def study(report: Report, name: str, options: Any, short: bool) -> object:
-    """Run a study in a process of its own."""
+    """Run a study; this is the function that runs in the process."""
     return studies.run_study(name, options, short, report)
 
 
 class Studies:
-    """What each person has before them of the studies, and what runs. Only on the event loop."""
+    """The study panels of all places, and the runs. Use it only on the event loop."""
 
     def __init__(self, write: Callable[[], object]) -> None:
         self.write = write
@@ -37,7 +37,7 @@ class Studies:
         self._tasks: set[asyncio.Task[None]] = set()
 
     def redesk(self, place: Place, update: StudyPanelUpdate) -> None:
-        """A person wishes something: a run may begin or end by it."""
+        """Update the study panel of a place, which may start or end a run."""
         before = place.desk
         try:
             after = update(before)
@@ -53,12 +53,12 @@ class Studies:
         self._put(place, after)
 
     def forget(self, place: Place) -> None:
-        """End what a person runs whose last window is gone; the results stay for when they come back."""
+        """End the run of a place whose last window has closed; its results are kept."""
         if place in self._running:
             self.redesk(place, desks.with_run_ended)
 
     def close(self) -> None:
-        """End everything."""
+        """End all runs."""
         while self._running:
             self._running.popitem()[1].stop()
 
@@ -73,7 +73,7 @@ class Studies:
         task.add_done_callback(self._tasks.discard)
 
     async def _follow(self, place: Place, job: ProcessJob, desk: StudyPanelState) -> None:
-        """Tell the desk what a run reports, and what it came to, unless the person ended it."""
+        """Post the progress and the result of a run to the study panel, unless the run was ended there."""
 
         def is_wanted() -> bool:
             return self._running.get(place) is job

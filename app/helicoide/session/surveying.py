@@ -1,4 +1,4 @@
-"""Clouds of points, from the camera on the arm or from a file, and the planes in them: read in threads."""
+"""Find planes in point clouds from the camera on the arm or from a file, in threads."""
 
 from __future__ import annotations
 
@@ -30,23 +30,23 @@ from helicoide.text import HelicoideError, Text
 
 LOOK, STILL = 0.05, 1e-3
 NOTHING_TO_READ = Text(
-    en="This arm has no postures from which it could read planes.",
-    pt_BR="Este braço não tem posturas das quais possa ler planos.",
+    en="This arm has no measuring postures, so it cannot measure planes.",
+    pt_BR="Este braço não tem posturas de medição, por isso não mede planos.",
 )
 log = logging.getLogger("helicoide")
 
 
 class Surveying:
-    """What measures the room; `state` tells where the arm is, `post` hands on a wish. Only on the event loop."""
+    """Measures planes. state: returns the current state; post: takes an update of it. Use it only on the event loop."""
 
     def __init__(self, state: Callable[[], State], post: Callable[[Update], None]) -> None:
         self.state, self.post = state, post
         self._task: asyncio.Task[None] | None = None
 
     def tour(self, real: bool = False) -> None:
-        """Go to every posture from which the arm can read a plane, and read it; a wish of anybody's ends the tour.
+        """Go to every posture from which the arm can measure a plane, and measure it. Another request ends the tour.
 
-        real: with the RealSense that is plugged in, and not the simulated camera.
+        real: with the connected RealSense, not with the simulated camera.
         """
         if not available_readings(self.state().robot):
             self.post(gate.say(NOTHING_TO_READ))
@@ -57,7 +57,7 @@ class Surveying:
             self._begin(partial(self._with, nullcontext(simulated)))
 
     def read(self, name: str, content: bytes, plane: str, unit: Unit | None = None) -> None:
-        """Look for a plane, by its name, in the cloud of a file; unit: what its numbers count, None where it tells."""
+        """Find a plane, by its name, in the point cloud of a file. unit: of its coordinates; None if not chosen."""
         reading = next(one for one in PLANE_READINGS if one.name == plane)
         self._begin(partial(self._from_file, name, content, reading, unit))
 
@@ -76,7 +76,7 @@ class Surveying:
             self.post(gate.say(FAILED))
 
     async def _with(self, opened: AbstractContextManager[DepthCamera]) -> None:
-        """The tour with a camera, which is let go whatever happens, also while it is still being opened."""
+        """The tour with a camera, which is closed in every case, also after a cancellation while it is opened."""
         opening = asyncio.create_task(asyncio.to_thread(opened.__enter__))
         try:
             await self._tour(await asyncio.shield(opening))
@@ -93,12 +93,12 @@ class Surveying:
             state = self.state()
             cloud = await asyncio.to_thread(camera_cloud, camera, state)
             await self._find(cloud, reading, state.T_world_tool[:3, 3], seed)
-            if self.state().request.command is not state.request.command:  # the arm was asked something else
+            if self.state().request.command is not state.request.command:  # the arm has another command
                 return
         self.post(gate.while_asked(state, gate.get_ready()))
 
     async def _done(self, wish: Update) -> None:
-        """Hand on a wish, and wait until it has been done: the arm's thread may be late."""
+        """Post an update, and wait until it has been applied, since the arm's thread may be late."""
         loop, done = asyncio.get_running_loop(), asyncio.Event()
 
         def tell(state: State) -> State:
@@ -110,7 +110,7 @@ class Surveying:
         await done.wait()
 
     async def _arrived(self, pose: str) -> bool:
-        """Wait until the arm is at a posture; false as soon as it was sent elsewhere, or can come no nearer."""
+        """Wait until the arm is at a posture; False if it gets another command or cannot come nearer."""
         command = self.state().request.command
         while self.state().request.command is command and isinstance(command, MoveToJoints):
             state = self.state()
@@ -131,10 +131,10 @@ class Surveying:
 
 
 async def _let_go(opening: asyncio.Task[DepthCamera], opened: AbstractContextManager[DepthCamera]) -> None:
-    """Close a camera that has been opened, or is about to be; one that could not be opened has been told of."""
+    """Wait until a camera is open, then close it. A failure to open it has been reported already."""
     await asyncio.wait([opening])
     if opening.exception() is None:
         await asyncio.to_thread(opened.__exit__, None, None, None)
 
 
-FAILED = Text(en="The reading failed; see the terminal.", pt_BR="A leitura falhou; veja o terminal.")
+FAILED = Text(en="The measurement failed; see the terminal.", pt_BR="A medição falhou; veja o terminal.")

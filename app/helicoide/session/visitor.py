@@ -1,4 +1,4 @@
-"""A window with whoever sits in front of it, and the workcell that it looks at."""
+"""A window, its place, and the workcell that it shows."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from helicoide.view.window import CLEARED, Window
 
 @dataclass(eq=False)
 class Visitor:
-    """A window, where its person sits, and in front of which workcell.
+    """A window, its place, and the bay of the workcell that it shows.
 
-    settled: whether it stays there for now; moving: what brings it elsewhere.
+    settled: whether the window is not moving to another workcell; moving: the task that moves it.
     """
 
     window: Window
@@ -30,12 +30,12 @@ class Visitor:
     moving: asyncio.Task[None] | None = None
 
     def view(self, ready: bool) -> View:
-        """What the window shows; ready: whether the arms live."""
+        """What the window shows now. ready: whether the kernels are compiled."""
         place = self.place
         return View(self.bay.workcell.state, place.seat, place.desk, ready, self.bay.workcell is place.own)
 
     async def attach(self, bay: Bay) -> None:
-        """Bring the window in front of a workcell."""
+        """Show a workcell in the window."""
         self.bay, robots = bay, (bay.workcell.state.robot.name, bay.arms.wanted)
         if not lessons.is_about(self.place.seat, robots):
             self.place.seat = lessons.seated_at(robots, self.place.seat)
@@ -44,13 +44,13 @@ class Visitor:
             self.detach()
 
     def detach(self) -> None:
-        """Take the window away from its workcell; what it held is let go where it is."""
+        """Remove the window from its workcell, and end its drag there."""
         self.bay.leave(self.window)
         if (grasp := self.grasp) is not None:
             self.bay.workcell.tell(gate.let_go(grasp))
 
     async def settle(self, bays: Bays, view: Callable[[Window], View]) -> None:
-        """Bring the window to the workcell where its person wishes to be, however often they change their mind."""
+        """Move the window to the workcell of its place, also if that changes during the move."""
         self.settled = False
         try:
             while not self.window.gone and (bay := bays.of(self.place)) is not self.bay:
@@ -69,23 +69,23 @@ class Visitor:
         await self.attach(bay)
 
     def write(self) -> None:
-        """What the window shows may be something else."""
+        """Have the rows of the window updated if they have changed."""
         if self.bay.display is not None:
             self.bay.display.news.set()
 
     def rewrite(self) -> None:
-        """What the window shows may be wrong."""
+        """Have all rows of the window written again."""
         self.window.written = None
         self.write()
 
     @property
     def grasp(self) -> Drag | None:
-        """What the window holds with the pointer."""
+        """The drag of this window's pointer, or None."""
         grasp = self.bay.workcell.state.request.drag
         return grasp if grasp is not None and grasp.seat == str(self.window.client.client_id) else None
 
     def reseat(self, update: SeatUpdate) -> None:
-        """The person changes something about their own windows; a lesson brings its robot with it."""
+        """Update the seat. A new step of a lesson loads the robot of the lesson, or sets up the arm."""
         before, bay = self.place.seat, self.bay
         seat = self.place.seat = update(before)
         if seat.lesson and (before.lesson, before.step) != (seat.lesson, seat.step):
@@ -98,14 +98,14 @@ class Visitor:
             bay.display.redraw()
 
     def meet(self) -> None:
-        """The arm of the workcell is another one: a lesson about it begins, another is left."""
+        """Adapt the seat to a new robot in the workcell: a lesson about it begins, any other lesson is left."""
         robot = self.bay.workcell.state.robot.name
         seat = self.place.seat = lessons.seated_at((robot, self.bay.arms.wanted), self.place.seat)
         if seat.lesson and (chosen := lesson.load_lesson(seat.lesson)).robot == robot:
             self.bay.workcell.ask(chosen.steps[seat.step].setup)
 
     def judge(self) -> None:
-        """See whether the goal of the lesson is met."""
+        """Mark the step of the lesson as done if its goal is met."""
         judged = lessons.judged(self.place.seat, self.bay.workcell.state)
         if judged is not self.place.seat:
             self.place.seat = judged

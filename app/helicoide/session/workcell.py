@@ -1,4 +1,4 @@
-"""One arm and its scene: its state, the inbox of what is asked of it, and its tick."""
+"""One arm and its scene: the state, the inbox of updates, and the tick."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from helicoide.state import State, Update
 from helicoide.text import Text
 
 TICK = 0.01
-# ticks from one look at where the command leads to the next, where that is drawn and where it is not
+# ticks between two computations of the goal, if the goal is drawn and if it is not
 SEEN, UNSEEN = 3, 20
 FAILED = Text(
-    en="Something went wrong inside; see the terminal.",
-    pt_BR="Algo deu errado por dentro; veja o terminal.",
+    en="Internal error; see the terminal.",
+    pt_BR="Erro interno; veja o terminal.",
 )
 log = logging.getLogger("helicoide")
 
 
 class Workcell:
-    """An arm that lives from tick to tick. Its state is replaced by the clock's thread alone.
+    """An arm that is advanced tick by tick. Only the clock's thread replaces its state.
 
-    wake: what wakes that thread; searcher: where searches run meanwhile; connected: whether a real arm follows, so that
-    every window's Stop is for it, too.
+    wake: wakes that thread; searcher: runs posture searches; connected: whether a real arm follows, which the Stop of
+    every window then stops.
     """
 
     def __init__(self, state: State, wake: Callable[[], None], searcher: Executor) -> None:
@@ -46,17 +46,17 @@ class Workcell:
         self._searching = False
 
     def ask(self, update: Update) -> None:
-        """What a person wishes: a stop that comes before it is done leaves it undone."""
+        """Queue a request of a user. A stop discards it if it is not applied yet."""
         self._post(update, asked=True)
 
     def tell(self, update: Update) -> None:
-        """What came of a piece of work: a stop leaves it in the inbox."""
+        """Queue the result of a job. A stop leaves it in the inbox."""
         self._post(update, asked=False)
 
     def stop(self, closing: bool = False) -> None:
-        """Nothing that was asked before is done any more; from the next tick on nothing moves.
+        """Discard all queued requests, and stop the arm before the next tick.
 
-        closing: whether the same key closes something on the page.
+        closing: whether the same keystroke also closes something on the page.
         """
         with self._lock:
             told = [entry for entry in self._inbox if not entry[1]]
@@ -64,7 +64,7 @@ class Workcell:
         self._rise()
 
     def pause(self, paused: bool) -> None:
-        """Let no time pass, or let it pass again."""
+        """Pause the arm, or resume it."""
         self.paused = paused
         self._rise()
 
@@ -78,7 +78,7 @@ class Workcell:
         self.wake()
 
     def drain(self) -> None:
-        """Do all that was asked. Here and below: only in the clock's thread."""
+        """Apply all queued updates. Like `tick` and `foresee`, only in the clock's thread."""
         while (update := self._next()) is not None:
             self.resting = False
             self.state = self._tried(update, lambda state: state)
@@ -88,7 +88,7 @@ class Workcell:
             return self._inbox.popleft()[0] if self._inbox else None
 
     def tick(self) -> None:
-        """One hundredth of a second of the arm."""
+        """Advance the arm by `TICK` seconds."""
         before = self.state
         self.state = self._tried(lambda state: advance(state, TICK), otherwise=gate.stop())
         self.ticks += 1
@@ -98,7 +98,7 @@ class Workcell:
         self.resting = rests(before, self.state)
 
     def foresee(self) -> None:
-        """Work out where the command leads, where that may have changed; of a path that plays, only words tell."""
+        """Compute the goal if it may have changed; less often while a path plays, since its goal is not drawn."""
         plays = isinstance(self.state.request.command, FollowPath) and self.state.request.command.playing
         if self.ticks - self._foreseen_at < (UNSEEN if plays else SEEN):
             return
@@ -109,7 +109,7 @@ class Workcell:
             )
 
     def _search(self, state: State) -> None:
-        """Look for another posture; in a thread of the searcher."""
+        """Search for another posture, in a thread of the searcher."""
         try:
             found = search(state)
         except Exception:
@@ -119,7 +119,7 @@ class Workcell:
         self.tell(found)
 
     def _tried(self, update: Update, otherwise: Update) -> State:
-        """What an update makes of the state; when it fails, another one and a notice, with the reason in the log."""
+        """The state after an update; if that raises, after `otherwise` with a notice, and the error is logged."""
         try:
             return update(self.state)
         except Exception:

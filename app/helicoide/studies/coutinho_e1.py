@@ -79,7 +79,10 @@ INVERSES: Mapping[str, tuple[Text, ConfiguredMethod]] = {
     "filtered": (Text(en="filtered inverse, Γ = 5", pt_BR="inversa filtrada, Γ = 5"), FILTERED),
 }
 GAIN = Text(en="gains", pt_BR="ganhos")
-CHOICES = {name: untranslated(f"Kp = {Kp:g}, Ko = {Ko:g}") for name, (Kp, Ko) in GAINS.items()}
+CHOICES = {
+    name: Text(en=f"Kp = {Kp:g}, Ko = {Ko:g}", pt_BR=f"Kp = {Kp:g}; Ko = {Ko:g}".replace(".", ","))
+    for name, (Kp, Ko) in GAINS.items()
+}
 SAMPLES = 5000
 CHOSEN = Interpretation(
     Text(en="a rare start", pt_BR="um início raro"),

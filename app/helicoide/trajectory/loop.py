@@ -65,8 +65,8 @@ def circle_path(
     if not radius > 0 or abs(n @ arm) > IN_PLANE * radius:
         raise HelicoideError(
             Text(
-                en="A circle needs a start beside its centre, in the plane square to its normal; this one is "
-                "{radius:g} m away and {out:g} m out of the plane.",
+                en="A circle needs a start away from its centre, in the plane perpendicular to its normal; this one "
+                "is {radius:g} m from the centre and {out:g} m out of the plane.",
                 pt_BR="Um círculo precisa de um início fora do centro, no plano perpendicular à normal; este está a "
                 "{radius:g} m do centro e a {out:g} m do plano.",
             ).format(radius=radius, out=abs(n @ arm))

@@ -89,8 +89,8 @@ def checked_duration(duration: float) -> float:
     if not (isfinite(duration) and duration > 0):
         raise HelicoideError(
             Text(
-                en="A path takes a positive number of seconds, not {duration:g}.",
-                pt_BR="Uma trajetória dura um número positivo de segundos, não {duration:g}.",
+                en="The duration of a path must be a positive number of seconds, not {duration:g}.",
+                pt_BR="A duração de uma trajetória deve ser um número positivo de segundos, não {duration:g}.",
             ).format(duration=duration)
         )
     return duration

@@ -35,7 +35,7 @@ class JointSpline:
         ):
             raise HelicoideError(
                 Text(
-                    en="A sampled path needs two or more instants that rise from 0 and as many rows of finite joint "
+                    en="A sampled path needs two or more times that rise from 0 and as many rows of finite joint "
                     "values; it has shapes {s} and {q}.",
                     pt_BR="Uma trajetória amostrada precisa de dois ou mais instantes crescentes a partir de 0 e do "
                     "mesmo número de linhas de valores finitos de junta; ela tem os formatos {s} e {q}.",

@@ -56,7 +56,7 @@ def time_optimal_timing(path: SmoothJointPath, shape: TimingShape, speed: Array,
     if not needed > AT_REST:
         raise HelicoideError(
             Text(
-                en="No joint moves on this path, so it has no fastest time.",
+                en="No joint moves on this path, so it has no shortest duration.",
                 pt_BR="Nenhuma junta se move nesta trajetória, portanto ela não tem tempo mínimo.",
             )
         )
@@ -79,10 +79,10 @@ def _refuse_jumps(path: SmoothJointPath, acceleration: Array) -> None:
     if (jumps & np.isfinite(acceleration)).any():
         raise HelicoideError(
             Text(
-                en="At constant speed these joints, whose acceleration is limited, would jump into motion: {joints}. "
-                "A trapezoid and minimum jerk start and stop at rest.",
-                pt_BR="Com velocidade constante, estas juntas, que têm aceleração limitada, arrancariam com um salto: "
-                "{joints}. O trapézio e o jerk mínimo começam e terminam em repouso.",
+                en="Constant speed starts with a velocity step, which the acceleration limits of these joints do not "
+                "allow: {joints}. Use a trapezoidal velocity or minimum jerk.",
+                pt_BR="A velocidade constante começa com um degrau de velocidade, que os limites de aceleração destas "
+                "juntas não permitem: {joints}. Use o perfil trapezoidal ou o jerk mínimo.",
             ).format(joints=", ".join(str(i + 1) for i in np.flatnonzero(jumps & np.isfinite(acceleration))))
         )
 

@@ -105,10 +105,10 @@ def _read(content: bytes) -> TaughtFile:
     except HelicoideError as error:
         raise HelicoideError(
             Text(
-                en="This is not a file of waypoints, which begins with format, robot and joints and has a "
-                "[[waypoint]] with name and q for each: {reason}.",
-                pt_BR="Este não é um arquivo de pontos, que começa com format, robot e joints e tem um [[waypoint]] "
-                "com name e q para cada um: {reason}.",
+                en="This is not a waypoint file. A waypoint file has format, robot and joints, and one [[waypoint]] "
+                "with name and q per waypoint: {reason}.",
+                pt_BR="Este não é um arquivo de pontos. Um arquivo de pontos tem format, robot e joints, e um "
+                "[[waypoint]] com name e q por ponto: {reason}.",
             ).format(reason=error.text)
         ) from error
 
@@ -116,4 +116,4 @@ def _read(content: bytes) -> TaughtFile:
 def _shown(found: object) -> Text:
     if isinstance(found, str):
         return untranslated(repr(found))
-    return Text(en="something else, or nothing", pt_BR="outra coisa, ou nada")
+    return Text(en="something else or nothing", pt_BR="outra coisa, ou nada")

@@ -80,8 +80,8 @@ class WaypointList:
         if name not in self.names:
             raise HelicoideError(
                 Text(
-                    en="There is no waypoint {name!r}; there is: {names}.",
-                    pt_BR="Não há ponto {name!r}; há: {names}.",
+                    en="There is no waypoint {name!r}; waypoints: {names}.",
+                    pt_BR="Não há ponto {name!r}; pontos: {names}.",
                 ).format(name=name, names=_listed(self.names))
             )
         return self.names.index(name)
@@ -106,8 +106,8 @@ def waypoint(
     if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
         raise HelicoideError(
             Text(
-                en="The arm can stay at waypoint {name!r} for 0 to {most:g} s, not {dwell:g}.",
-                pt_BR="O braço pode ficar no ponto {name!r} de 0 a {most:g} s, não {dwell:g}.",
+                en="The dwell at waypoint {name!r} must be 0 to {most:g} s, not {dwell:g}.",
+                pt_BR="A espera no ponto {name!r} vai de 0 a {most:g} s, não {dwell:g}.",
             ).format(name=name, most=LONGEST_DWELL, dwell=dwell)
         )
     named = _named(name)
@@ -128,7 +128,7 @@ def _gripping(robot: Robot, name: str, gripper: str) -> GripperAction:
     if gripper and robot.gripper is None:
         raise HelicoideError(
             Text(
-                en="Waypoint {name!r} is to have the gripper {gripper}, and this robot has none.",
+                en="Waypoint {name!r} sets the gripper to {gripper}, but this robot has no gripper.",
                 pt_BR="O ponto {name!r} pede a garra {gripper}, e este robô não tem garra.",
             ).format(name=name, gripper=GRIPPER_ACTIONS[cast(GripperAction, gripper)])
         )
@@ -147,8 +147,9 @@ def _named(name: str) -> str:
     if not (name.isprintable() and name == name.strip() and 0 < len(name) <= LONGEST_NAME):
         raise HelicoideError(
             Text(
-                en="{name!r} names no waypoint: a name has 1 to {most} visible characters, without blanks around it.",
-                pt_BR="{name!r} não serve de nome: um ponto tem de 1 a {most} caracteres visíveis, sem espaços nas "
+                en="{name!r} is not a valid waypoint name: a name has 1 to {most} visible characters and no spaces at "
+                "its ends.",
+                pt_BR="{name!r} não é um nome válido: um nome tem de 1 a {most} caracteres visíveis, sem espaços nas "
                 "pontas.",
             ).format(name=name, most=LONGEST_NAME)
         )
@@ -163,8 +164,8 @@ def _within(robot: Robot, name: str, q: Array) -> Array:
         i = int(outside[0])
         raise HelicoideError(
             Text(
-                en="Waypoint {name!r} puts {joint} at {value:.4g} {unit}, which must lie from {low:.4g} to {high:.4g}.",
-                pt_BR="O ponto {name!r} põe {joint} em {value:.4g} {unit}, mas deve ficar de {low:.4g} a {high:.4g}.",
+                en="Waypoint {name!r} sets {joint} to {value:.4g} {unit}; the range is {low:.4g} to {high:.4g}.",
+                pt_BR="O ponto {name!r} leva {joint} a {value:.4g} {unit}; a faixa vai de {low:.4g} a {high:.4g}.",
             ).format(
                 name=name,
                 joint=robot.variables[i].name,
@@ -241,8 +242,8 @@ def _free(taught: WaypointList, name: str) -> None:
     if name in taught.names:
         raise HelicoideError(
             Text(
-                en="There is a waypoint {name!r} already; taken are: {names}.",
-                pt_BR="Já existe um ponto {name!r}; em uso: {names}.",
+                en="There is already a waypoint {name!r}; names in use: {names}.",
+                pt_BR="Já existe um ponto {name!r}; nomes em uso: {names}.",
             ).format(name=name, names=_listed(taught.names))
         )
 
@@ -251,8 +252,8 @@ def _place(at: int, last: int) -> int:
     if not 0 <= at <= last:
         raise HelicoideError(
             Text(
-                en="There is no place {at} in the list; the places are 0 to {last}.",
-                pt_BR="Não há lugar {at} na lista; os lugares vão de 0 a {last}.",
+                en="There is no position {at} in the list; the positions are 0 to {last}.",
+                pt_BR="Não há posição {at} na lista; as posições vão de 0 a {last}.",
             ).format(at=at, last=last)
         )
     return at

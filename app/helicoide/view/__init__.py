@@ -1,1 +1,1 @@
-"""What people see and touch: the only room that knows viser."""
+"""The user interface: the only package that imports viser."""

@@ -1,4 +1,4 @@
-"""The windows in front of one workcell: what is put into their common scene goes to each of them, and to no other."""
+"""The clients that show one workcell: messages of their common scene go to all of them, and to no other client."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ Server = viser.ViserServer
 
 
 class Audience:
-    """Some clients of a server, and a scene for all of them.
+    """Some clients of a server, and one scene that they share.
 
-    viser knows scenes of all clients and of one. To the scene of an audience this is the connection of a client that
-    owns what all clients own, and so its messages are those of a scene of all; they are kept for whoever comes later.
+    viser has scenes for all clients and for one client only. This class takes the place of the client and of its
+    connection, sends each message to its own clients, and keeps messages for clients that come later.
     """
 
     client_id = ""
@@ -28,32 +28,32 @@ class Audience:
         self._websock_connection = self
         self.clients: list[Client] = []
         self._said = AsyncMessageBuffer(server.get_event_loop(), persistent_messages=True)
-        self._said.atomic_start()  # nobody waits for it: each message would wake the event loop else
+        self._said.atomic_start()  # nothing reads this buffer live; otherwise each message would wake the event loop
         self.scene = viser.SceneApi(cast(Any, self), server._thread_executor, server.get_event_loop())
         self.scene.world_axes.visible = False
 
     def register_handler(self, kind: type[Message], callback: object) -> None:
-        """Nobody answers to a common scene: what a hand holds is in the scene of its own window."""
+        """Ignored: a common scene has no input. Handles are in the scene of each window."""
 
     def get_message_buffer(self) -> AsyncMessageBuffer:
-        """What has been said, without what is outdated."""
+        """The messages so far, without those that later ones replace."""
         return self._said
 
     def queue_message(self, message: Message) -> None:
-        """Say something to everybody, and to whoever comes later."""
+        """Send a message to all clients, and keep it for those that come later."""
         self._said.push(message)
         for client in self.clients:
             client._websock_connection.queue_message(message)
 
     def enter(self, client: Client) -> None:
-        """One more client, who is shown what the others see."""
+        """Add a client, and send it the current scene."""
         with client.atomic():
             for message in tuple(self._said.message_from_id.values()):
                 client._websock_connection.queue_message(message)
         self.clients.append(client)
 
     def leave(self, client: Client, shown: bool) -> None:
-        """A client is shown no more; what it sees is taken away where it still shows anything."""
+        """Remove a client. shown: its page is still open, so the common scene is removed from it."""
         self.clients.remove(client)
         for name in self._roots() if shown else ():
             message = RemoveSceneNodeMessage(name)
@@ -64,7 +64,7 @@ class Audience:
 
     @contextmanager
     def atomic(self) -> Iterator[None]:
-        """What is said meanwhile reaches each client in one piece."""
+        """Send the messages of this block to each client as one update."""
         with ExitStack() as held:
             for client in self.clients:
                 held.enter_context(client.atomic())

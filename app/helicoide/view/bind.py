@@ -1,7 +1,7 @@
-"""All callbacks: each copies what the event carries and hands it on; no work is done here.
+"""All callbacks of viser. Each copies the data of its event and passes it on.
 
 viser runs plain functions on many threads and out of order, so every callback is a coroutine on its event loop. An
-event without a client is the echo of a value that Python wrote.
+event without a client is caused by a value that Python wrote.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Drag = Callable[[Phase, Array, Array], None]
 
 
 def on_value(handle: Any, act: Callable[[Any], None]) -> None:
-    """Call `act` with each value that a person gives to a slider, box, checkbox or choice."""
+    """Call `act` with each value that a user gives to a slider, box, checkbox or dropdown."""
 
     async def changed(event: viser.GuiEvent[Any]) -> None:
         if event.client is not None:
@@ -39,7 +39,7 @@ def on_press(button: viser.GuiButtonHandle, act: Callable[[], None]) -> None:
 
 
 def on_upload(button: viser.GuiUploadButtonHandle, act: Callable[[str, bytes], None]) -> None:
-    """Call `act` with name and content of each file that a person gives."""
+    """Call `act` with name and content of each uploaded file."""
 
     async def uploaded(event: viser.GuiEvent[Any]) -> None:
         file = event.target.value
@@ -72,10 +72,10 @@ def on_pick(scene: viser.SceneApi, act: Callable[[Array, Array], None]) -> None:
     async def picked(event: viser.SceneClickEvent) -> None:
         act(np.array(event.ray_origin), np.array(event.ray_direction))
 
-    register: Any = scene.on_click()  # it takes coroutines, as others do, but its type does not say so
+    register: Any = scene.on_click()  # it takes coroutines, although its type does not say so
     register(picked)
 
 
 def stop_picking(scene: viser.SceneApi) -> None:
-    """Leave the clicks in a scene alone again."""
+    """Stop receiving clicks in a scene."""
     scene.remove_click_callback()

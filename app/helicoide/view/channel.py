@@ -1,5 +1,5 @@
-"""The page's own channel: Stop comes in past every queue, and so does that a pointer has been let go; the words of the
-status line go out when they change.
+"""The control channel of a page. Stop and the release of a pointer come in ahead of every queue; the status line goes
+out when it changes.
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ Tone = Literal["ok", "warn", "blocked", "stopped"]
 
 @dataclass(frozen=True)
 class Notice:
-    """What the status line of one window says, and how it looks; everywhere: whether its Stop stops a real arm too;
-    projector: whether its words are large."""
+    """The status line of one window. everywhere: whether its Stop also stops a real arm; projector: whether the text
+    is large."""
 
     language: Language
     status: Text
@@ -37,7 +37,7 @@ class Notice:
     projector: bool = False
 
     def json(self) -> str:
-        """Write it as the page reads it."""
+        """The notice as the JSON text that the page reads."""
         return json.dumps(
             {
                 "language": self.language,
@@ -51,7 +51,7 @@ class Notice:
 
 @dataclass(frozen=True)
 class Hello:
-    """What a page says of itself first: the seat that its browser remembers, and the language that it asks for."""
+    """The first message of a page: the seat that its browser has stored, and the language that it asks for."""
 
     seat: str | None
     language: Language | None
@@ -59,7 +59,7 @@ class Hello:
 
 @dataclass(eq=False)
 class WindowChannel:
-    """The control channels of one window: its link, what its page said first, and what it was told last."""
+    """The control channels of one window: its link, the first message of its page, and the last notice sent to it."""
 
     link: Link
     hello: asyncio.Future[Hello]
@@ -67,17 +67,17 @@ class WindowChannel:
     notice: Notice | None = None
 
     def tell(self, **message: object) -> None:
-        """Say something to the page."""
+        """Send a message to the page."""
         broadcast(self.pages, json.dumps(message))
 
 
 @dataclass
 class ControlChannel:
-    """The control channels of all windows. Its methods run on the event loop of the server, and so do the callbacks.
+    """The control channels of all windows. Methods and callbacks run on the event loop of the server.
 
-    on_stop: told the key of the window that stops, None before a page has said which it is, and whether the same key
-    closes something on the page; on_release: told the key of the window whose pointer was let go, or whose last channel
-    has closed; on_tab: told the number of the tab in front.
+    on_stop: takes the key of the window that stops, None before the page has named its window, and whether the same
+    keystroke also closes something on the page; on_release: takes the key of a window whose pointer was released, or
+    whose last channel has closed; on_tab: takes the key of a window and the number of the tab in front.
     """
 
     on_stop: Callable[[str | None, bool], None]
@@ -86,30 +86,30 @@ class ControlChannel:
     _lines: dict[str, WindowChannel] = field(default_factory=dict)
 
     def open(self, key: str) -> WindowChannel:
-        """A line for the window of that key, on which its page may now speak."""
+        """Open the channel of a window, so that its page can connect."""
         self._lines[key] = line = WindowChannel(Link(key), asyncio.get_running_loop().create_future())
         return line
 
     def close(self, key: str) -> None:
-        """Forget the line of a window that is gone."""
+        """Remove the channel of a window that has closed."""
         line = self._lines.pop(key, None)
         if line is not None:
             line.hello.cancel()
 
     def fence(self, key: str) -> None:
-        """Let nothing of a window count that its page made before it knows of this."""
+        """Reject every message of a window that its page makes before it knows of this call."""
         line = self._lines[key]
         line.tell(fence=line.link.close())
 
     def push(self, key: str, notice: Notice) -> None:
-        """Show a notice in a window, at once and when its page comes later; a repeated one is not sent."""
+        """Show a notice in a window, now or as soon as its page connects; an unchanged notice is not sent again."""
         line = self._lines.get(key)
         if line is not None and line.notice != notice:
             line.notice = notice
             broadcast(line.pages, notice.json())
 
     async def serve(self, connection: ServerConnection) -> None:
-        """Listen to one page until it leaves: stop, its window, and the beat by which it knows that we still listen."""
+        """Read the messages of one page until it disconnects. Answers to heartbeats show that the server is there."""
         here: list[str] = []
         try:
             with contextlib.suppress(ConnectionClosed):
@@ -128,7 +128,7 @@ class ControlChannel:
                 self.on_release(line.link.key)
 
     def _hear(self, connection: ServerConnection, raw: str | bytes, here: list[str]) -> list[str]:
-        """What to answer; here: the key of the page's window, once it is known."""
+        """The answers to a message. here: the key of the page's window, once it is known."""
         message = _parse(raw)
         if message.get("stop") is True:
             self.on_stop(here[-1] if here else None, message.get("closing") is True)
@@ -152,7 +152,7 @@ class ControlChannel:
         return self._met(connection, line, message)
 
     def _met(self, connection: ServerConnection, line: WindowChannel, message: dict[str, object]) -> list[str]:
-        """The page of a window is there: it may drive once it has passed a fence, and hears what was said last."""
+        """Register the page of a window. The answers are a fence, to pass before it may drive, and the notice."""
         line.pages.add(connection)
         line.link.channels = len(line.pages)
         if not line.hello.done():
@@ -162,9 +162,9 @@ class ControlChannel:
 
 
 def introduce(client: viser.ClientHandle, key: str) -> None:
-    """Tell the page of this viser client which window it is.
+    """Tell the page of this viser client the key of its window.
 
-    This is a private message of viser: an element of the GUI would be missing while its panel is folded.
+    This uses a private message of viser: a GUI element would not exist on the page while its panel is folded.
     """
     source = (
         f"window.helicoideClient = {json.dumps(str(client.client_id))}; window.helicoideWindow = {json.dumps(key)}; "
@@ -174,7 +174,7 @@ def introduce(client: viser.ClientHandle, key: str) -> None:
 
 
 def show_tab(client: viser.ClientHandle, index: int) -> None:
-    """Bring a tab of the panel to the front: viser has no message for that."""
+    """Bring a tab of the panel to the front; viser has no message for this."""
     client.gui._websock_interface.queue_message(RunJavascriptMessage(source=f"window.helicoideShowTab?.({index})"))
 
 
@@ -187,7 +187,7 @@ def _hello(message: dict[str, object]) -> Hello:
 
 
 def _parse(raw: str | bytes) -> dict[str, object]:
-    """Read the object a page sent, or an empty one: a malformed message must not cost the page its Stop button."""
+    """The JSON object that a page sent, empty if it is malformed: Stop must work after any message."""
     try:
         message = json.loads(raw)
     except (ValueError, RecursionError):

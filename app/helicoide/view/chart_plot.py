@@ -1,4 +1,4 @@
-"""Charts of a study in a panel, drawn by uPlot; those over time grow while their motion is played."""
+"""Charts of a study in a panel, drawn by uPlot. Charts over time grow while their motion is played."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from helicoide.arrays import Array
 from helicoide.export.study_table import significant_digits
 from helicoide.export.svg import axis_range, caption, figure, powers
 from helicoide.studies.study import Chart
-from helicoide.text import Language, Text
+from helicoide.text import Language, Text, with_decimal_comma
 from helicoide.view import html
 from helicoide.view.rows import Plot, View
 
@@ -23,7 +23,7 @@ COLOURS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#17becf", "#8
 
 
 def common(chart: Chart) -> tuple[Array, ...]:
-    """The curves over one x, at most `POINTS` of them: x (k,), then a y (k,) for each; NaN where a curve is not."""
+    """The curves over one common x: x (k,), k ≤ `POINTS`, then y (k,) of each curve, NaN outside that curve's range."""
     low, high = min(line.x.min() for line in chart.lines), max(line.x.max() for line in chart.lines)
     x = np.linspace(low, high, min(POINTS, max(len(line.x) for line in chart.lines)))
     ys = []
@@ -34,18 +34,18 @@ def common(chart: Chart) -> tuple[Array, ...]:
 
 
 def turns_back(chart: Chart) -> bool:
-    """Whether a curve does not run from left to right only, as one that closes; uPlot draws only those that do."""
+    """Whether x decreases somewhere along a curve, as on a closed one; uPlot cannot draw such a curve."""
     return any((np.diff(line.x) < 0).any() for line in chart.lines)
 
 
 def heights(chart: Chart) -> tuple[float, float]:
-    """From where to where the chart reaches, which uPlot cannot find in a curve that is not everywhere."""
+    """The range of y, which uPlot cannot find in a curve with NaN."""
     lines = [line.y[np.isfinite(line.y)] for line in chart.lines]
     return axis_range([y for y in lines if len(y)] or [np.ones(1)], chart.log)
 
 
 class ChartPlot:
-    """A chart; its place is kept, and hidden while there is nothing to draw."""
+    """A chart. Its place in the panel is kept, and hidden while there is no chart."""
 
     def __init__(self, gui: viser.GuiApi, row: Plot, view: View) -> None:
         self.gui, self.row = gui, row
@@ -53,11 +53,12 @@ class ChartPlot:
         self.handle: viser.GuiUplotHandle | None = None
         self.drawn: Chart | None = None
         self.labels: tuple[Text, ...] = ()
+        self.language: Language = view.seat.language
         self.place = gui.add_folder(None, visible=False)
         self.refresh(view)
 
     def refresh(self, view: View) -> None:
-        """Show the chart that the view has now."""
+        """Show the current chart of a view."""
         charts = self.row.charts(view)
         chart = charts[self.row.index] if self.row.index < len(charts) else None
         if chart is self.drawn:
@@ -69,13 +70,13 @@ class ChartPlot:
             self.place.visible = chart is not None
 
     def _draw(self, chart: Chart, language: Language) -> None:
-        """Give the chart that stands there other numbers, or put up another one."""
+        """Give the existing plot new data, or replace it by another plot or figure."""
         labels = (chart.title, chart.x_label, chart.y_label, *(line.title for line in chart.lines))
         if self.handle is not None and labels == self.labels and not turns_back(chart):
             self._reach(chart)
             self.handle.data = common(chart)
             return
-        self.labels = labels
+        self.labels, self.language = labels, language
         for handle in (self.words, self.handle):
             if handle is not None:
                 handle.remove()
@@ -93,11 +94,11 @@ class ChartPlot:
         for line, colour in zip(chart.lines, COLOURS * len(chart.lines), strict=False):
             series.append(uplot.Series(label=line.title[language], stroke=colour, width=1.5))
         self.reach = heights(chart)
-        up, reach = axes(self.reach, chart.log), scales(self.reach, chart.log)
+        up, reach = axes(self.reach, chart.log, language), scales(self.reach, chart.log)
         return self.gui.add_uplot(common(chart), tuple(series), axes=up, scales=reach, height=HEIGHT, padding=PADDING)
 
     def _reach(self, chart: Chart) -> None:
-        """Make room for other numbers; a chart that grows towards what stood there keeps its room."""
+        """Set the range of y for new data; a chart that is not complete yet keeps a range that contains it."""
         assert self.handle is not None
         lower, upper = heights(chart)
         blank = any(np.isnan(line.y).any() for line in chart.lines)
@@ -105,24 +106,25 @@ class ChartPlot:
             return
         if (lower, upper) != self.reach:
             self.reach = (lower, upper)
-            self.handle.axes = axes(self.reach, chart.log)
+            self.handle.axes = axes(self.reach, chart.log, self.language)
             self.handle.scales = scales(self.reach, chart.log)
 
     def remove(self) -> None:
-        """Take it out of the window."""
+        """Remove the chart from the window."""
         self.place.remove()
 
 
-def axes(reach: tuple[float, float], log: bool) -> tuple[uplot.Axis, ...]:
-    """The axis across and the one up, marked by powers of ten if wanted: uPlot would write the small ones as 0."""
+def axes(reach: tuple[float, float], log: bool, language: Language) -> tuple[uplot.Axis, ...]:
+    """The x axis and the y axis. log: marks of y at powers of ten, since uPlot would write the small ones as 0."""
     across = uplot.Axis(size=ACROSS)
     if not log:
         return across, uplot.Axis(size=UP)
     marks = [float(mark) for mark in powers(*reach)]
-    return across, uplot.Axis(size=UP, splits=tuple(marks), values=tuple(significant_digits(mark, 2) for mark in marks))
+    shown = tuple(with_decimal_comma(significant_digits(mark, 2))[language] for mark in marks)
+    return across, uplot.Axis(size=UP, splits=tuple(marks), values=shown)
 
 
 def scales(reach: tuple[float, float], log: bool) -> dict[str, uplot.Scale]:
-    """Numbers across, and up from where to where, by their powers of ten if wanted."""
+    """The scale of x, of numbers and not of dates, and of y with the range `reach`; log: y is logarithmic."""
     up = uplot.Scale(range=reach, distr=3) if log else uplot.Scale(range=reach)
     return {"x": uplot.Scale(time=False), "y": up}

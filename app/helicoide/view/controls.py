@@ -1,7 +1,7 @@
-"""The rows with which a person wishes something, as controls of viser.
+"""The rows that make requests, as controls of viser.
 
-A control that a person has just touched is left alone for a moment, so that it is never pulled from under their hand.
-Each works out everything that it shows before it is put up, so that a row that raises leaves nothing behind.
+A control is not written for `UNTOUCHED` seconds after the user changed it. Each control computes all that it shows
+before it is added, so that a row that raises adds nothing.
 """
 
 from __future__ import annotations
@@ -31,12 +31,15 @@ from helicoide.view.rows import (
 )
 
 UNTOUCHED = 0.7
-# Colours of viser, by which static/panel.css knows the weight of a button.
+# Colours of viser, by which static/panel.css recognizes the weight of a button.
 COLOURS: dict[Weight, Literal["blue", "gray", "red"]] = {"primary": "blue", "plain": "gray", "destructive": "red"}
 
 
 class ValueControl:
-    """A control with a value: written when it differs, unless it was touched a moment ago; deaf while disabled."""
+    """A control with a value. It is written when it differs, but not just after the user changed it.
+
+    While it is disabled, it makes no requests.
+    """
 
     def __init__(
         self,
@@ -58,7 +61,7 @@ class ValueControl:
         bind.on_value(handle, touched)
 
     def refresh(self, view: View) -> None:
-        """Show what the view says now."""
+        """Update the control to a view."""
         self.view = view
         disabled = not self.enabled(view)
         if disabled != self.handle.disabled:
@@ -70,12 +73,12 @@ class ValueControl:
             self.handle.value = value
 
     def remove(self) -> None:
-        """Take it out of the window."""
+        """Remove the control from the window."""
         self.handle.remove()
 
 
 class ButtonControl:
-    """A button; deaf while disabled or hidden."""
+    """A button. While it is disabled or hidden, it makes no requests."""
 
     def __init__(self, gui: viser.GuiApi, row: Button, view: View, ask: Ask) -> None:
         self.row, self.view = row, view
@@ -95,19 +98,19 @@ class ButtonControl:
         }
 
     def refresh(self, view: View) -> None:
-        """Show what the view says now."""
+        """Update the control to a view."""
         self.view = view
         for name, value in self._shown(view).items():
             if value != getattr(self.handle, name):
                 setattr(self.handle, name, value)
 
     def remove(self) -> None:
-        """Take it out of the window."""
+        """Remove the control from the window."""
         self.handle.remove()
 
 
 def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> ValueControl:
-    """A slider, whose value keeps to its steps."""
+    """A slider, whose value is rounded to its steps."""
 
     def value(view: View) -> float:
         steps = round((row.value(view) - row.lower) / row.step)
@@ -123,13 +126,13 @@ def slider(gui: viser.GuiApi, row: Slider, view: View, ask: Ask) -> ValueControl
 
 
 def checkbox(gui: viser.GuiApi, row: Checkbox, view: View, ask: Ask) -> ValueControl:
-    """A box to tick."""
+    """A checkbox."""
     handle = gui.add_checkbox(row.label[view.seat.language], row.value(view))
     return ValueControl(handle, row.value, row.request, ask, view)
 
 
 class ChoiceControl(ValueControl):
-    """A list to choose from, which shows what can be chosen now."""
+    """A dropdown, whose options are updated with the view."""
 
     def __init__(self, gui: viser.GuiApi, row: Dropdown, view: View, ask: Ask) -> None:
         self.row = row
@@ -140,7 +143,7 @@ class ChoiceControl(ValueControl):
         super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._wish, ask, view)
 
     def _words(self, view: View) -> dict[str, str]:
-        """What is shown for each key; a number tells those apart that are called alike."""
+        """The text of each key; equal texts get a number."""
         options = self.row.options
         known = options(view) if callable(options) else options
         words = [text[view.seat.language] for _, text in known]
@@ -154,7 +157,7 @@ class ChoiceControl(ValueControl):
         return self.row.request(keys[word]) if word in keys else None
 
     def refresh(self, view: View) -> None:
-        """Show what can be chosen, and what is."""
+        """Update the options and the choice to a view."""
         words = tuple(self._words(view).values())
         if words != self.handle.options:
             self.handle.options = words
@@ -169,7 +172,7 @@ def vector_boxes(gui: viser.GuiApi, row: VectorRow, view: View, ask: Ask) -> Val
 
 
 class EntryControl:
-    """A line to type in with its button."""
+    """A text field with its button."""
 
     def __init__(self, gui: viser.GuiApi, row: TextEntry, view: View, ask: Ask) -> None:
         self.row, language = row, view.seat.language
@@ -179,13 +182,13 @@ class EntryControl:
         bind.on_press(self.button, lambda: ask(lambda: row.request(self.text.value)))
 
     def refresh(self, view: View) -> None:
-        """What is typed stays until the view says something else than before."""
+        """Update the text, but only if the view's own text has changed; otherwise what was typed stays."""
         said = self.row.shown(view)
         if said != self.said:
             self.said = self.text.value = said
 
     def remove(self) -> None:
-        """Take it out of the window."""
+        """Remove the control from the window."""
         self.text.remove()
         self.button.remove()
 
@@ -199,9 +202,9 @@ class UploadControl:
         bind.on_upload(self.handle, lambda name, content: ask(lambda: row.request(self.view, name, content)))
 
     def refresh(self, view: View) -> None:
-        """It looks the same in every view."""
+        """Keep the view for the next file; the button looks the same in every view."""
         self.view = view
 
     def remove(self) -> None:
-        """Take it out of the window."""
+        """Remove the control from the window."""
         self.handle.remove()

@@ -1,4 +1,4 @@
-"""The step of a lesson at the left edge of a window, beside the panel whose controls it asks for."""
+"""The current step of a lesson, in a panel at the left edge of a window."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from helicoide.view.panels.lesson import step_rows
 from helicoide.view.placed_rows import PlacedRow, place_rows
 from helicoide.view.rows import Act, View
 
-WIDTH, LARGE = 320.0, 480.0  # px; the latter on a projector
+WIDTH, LARGE = 320.0, 480.0  # px; LARGE on a projector
 
 
 class DockedLesson:
-    """There while a person is in a lesson about the arm that stands there."""
+    """The panel of a lesson, shown while the seat has a lesson about the current robot."""
 
     def __init__(self, gui: viser.GuiApi, act: Act) -> None:
         self.gui, self.act = gui, act
@@ -22,7 +22,7 @@ class DockedLesson:
         self.key: tuple[object, ...] = ()
 
     def show(self, view: View) -> None:
-        """Bring it to a view: put up, taken down, or kept in step."""
+        """Add, remove or update the panel for a view."""
         key = _key(view)
         if key != self.key:
             self._put_up(view, key)
@@ -42,7 +42,7 @@ class DockedLesson:
             self.panel = self.gui.add_panel()
             self.tab = self.panel.add_tab(load_lesson(view.seat.lesson).title[view.seat.language])
             self.panel.dock_left()
-            self.panel.expand()  # a phone shows it as a section of its sheet
+            self.panel.expand()  # on a phone it is a section of the bottom sheet
             self.panel.set_width(LARGE if view.seat.projector else WIDTH)
         joints = load_lesson(view.seat.lesson).steps[view.seat.step].joints
         with self.tab:
@@ -50,7 +50,7 @@ class DockedLesson:
 
 
 def _key(view: View) -> tuple[object, ...]:
-    """What it is built for; nothing where there is no lesson, or its arm is still on its way."""
+    """What the panel depends on; empty if there is no lesson, or its robot is not loaded yet."""
     seat, robot = view.seat, view.state.robot
     if seat.lesson is None or load_lesson(seat.lesson).robot != robot.name:
         return ()

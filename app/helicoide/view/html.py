@@ -1,6 +1,6 @@
-"""HTML on its way to the page: only Markup is taken as HTML, any other string is shown as the text that it is.
+"""Send HTML to the page: Markup is sent as HTML, any other string is escaped and shown as text.
 
-Here alone HTML reaches viser.
+No other module passes HTML to viser.
 """
 
 from __future__ import annotations
@@ -10,17 +10,17 @@ from markupsafe import Markup, escape
 
 
 def put_html(gui: viser.GuiApi, html: str, visible: bool = True) -> viser.GuiHtmlHandle:
-    """Put HTML where the GUI stands."""
+    """Add HTML in the current container of the GUI."""
     return gui.add_html(str(escape(html)), visible=visible)
 
 
 def show(handle: viser.GuiHtmlHandle, html: str) -> None:
-    """Put other HTML in its place."""
+    """Replace the HTML of a handle, if it differs."""
     written = str(escape(html))
     if written != handle.content:
         handle.content = written
 
 
 def note(words: str) -> Markup:
-    """A sentence in small letters."""
+    """A paragraph in small type."""
     return Markup("<p class='helicoide-note'>{}</p>").format(words)

@@ -1,4 +1,4 @@
-"""What a method reads, and what the one beside it does, as a table."""
+"""A table of the instruments of a method and of the method that it is compared with."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from collections.abc import Iterable, Iterator
 from markupsafe import Markup
 
 from helicoide.ik.methods import named
-from helicoide.readout import Instrument, holding, instruments, near_singular
+from helicoide.readout import Instrument, counted_names, holding, instruments, near_singular
 from helicoide.state import State
-from helicoide.text import Text
+from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.formula import formula_html
 from helicoide.view.rows import View
 
 
 def instrument_table(view: View) -> Markup:
-    """The equation, and a table of what can be read off the method and off the one beside it."""
+    """The equation of the method, and a table of its instruments and those of the compared method."""
     arms = [state for state in (view.state, view.state.compared_state) if state is not None]
     columns = [{instrument.symbol: instrument for instrument in instruments(state)} for state in arms]
     lines = {symbol: instrument for column in columns for symbol, instrument in column.items()}
@@ -28,15 +28,19 @@ def instrument_table(view: View) -> Markup:
         Markup("<tr><td>{}<span>{}</span></td>{}</tr>").format(
             formula_html(_tex(symbol)),
             instrument.title[view.seat.language],
-            _cells(VALUE, (_read(column.get(symbol)) for column in columns)),
+            _cells(VALUE, (_read(column.get(symbol), view.seat.language) for column in columns)),
         )
         for symbol, instrument in lines.items()
     )
     table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>{}")
     held = _cells(VALUE, (_held(state, view) for state in arms))
+    notes = Markup("").join([_counted(view), *_singular(view)])
     return formula_html(named(view.state.request.controller.method).EQUATION) + table.format(
-        head, body, HELD[view.seat.language], held, Markup("").join(_singular(view))
+        head, body, HELD[view.seat.language], held, notes
     )
+
+
+COUNTED = Text(en="J: {rows}", pt_BR="J: {rows}")
 
 
 SINGULAR = Text(en="Singularity: {said}.", pt_BR="Singularidade: {said}.")
@@ -44,7 +48,7 @@ OF_SEVERAL = Text(en="Singularity ({method}): {said}.", pt_BR="Singularidade ({m
 
 
 def _singular(view: View) -> Iterator[Markup]:
-    """What is singular, or nearly so, of each arm, with its method where there are two."""
+    """Notes on a singularity or a near one of each arm; with two arms, each with its method."""
     for state in (view.state, view.state.compared_state):
         said = None if state is None else near_singular(state)
         if state is not None and said is not None:
@@ -53,24 +57,31 @@ def _singular(view: View) -> Iterator[Markup]:
             yield html.note(words.format(method=title, said=said)[view.seat.language])
 
 
+def _counted(view: View) -> Markup:
+    """A note with the task rows to which the numbers refer; empty if there are none."""
+    rows = counted_names(view.state)
+    return html.note(COUNTED.format(rows=rows)[view.seat.language]) if rows else Markup("")
+
+
 def _cells(cell: Markup, words: Iterable[str]) -> Markup:
     return Markup("").join(map(cell.format, words))
 
 
 VALUE = Markup("<td>{}</td>")
-HELD = Text(en="held by", pt_BR="retido por")
+HELD = Text(en="limited by", pt_BR="limitado por")
 
 
 def _tex(symbol: str) -> str:
-    """A symbol such as dt_max with its whole index below the line."""
+    """A symbol such as dt_max in TeX, with its whole index as subscript."""
     return re.sub(r"_(\w{2,})", r"_{\\mathrm{\1}}", symbol)
 
 
-def _read(instrument: Instrument | None) -> str:
+def _read(instrument: Instrument | None, language: Language) -> str:
     if instrument is None:
         return "–"
     value = round(instrument.value, 4) if instrument.unit in ("mm", "°") else instrument.value
-    return f"{value:.4g} {instrument.unit}".replace("-", "−").replace("inf", "∞")
+    shown = number_text(value, ".4g")[language].replace("-", "−").replace("inf", "∞")
+    return f"{shown} {instrument.unit}"
 
 
 def _held(state: State, view: View) -> str:

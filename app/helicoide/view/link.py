@@ -1,8 +1,9 @@
-"""Whether what comes from a page counts: only while its Stop can be heard, only what was made after the last stop by
-someone who could know of it, and only what is fresh.
+"""Which messages from a page are accepted.
 
-The page tells the last two along viser's own socket, where nothing overtakes anything: `HelicoideFence` after all that
-was made before a stop, `HelicoideMadeAt` before each message that a hand makes.
+A message is accepted only while a control channel is open, so that Stop works; only if it was made after the page knew
+of the last stop; and only if it is at most `FRESH` seconds old. For the last two, the page sends on viser's own socket,
+which keeps the order, `HelicoideFence` after all that was made before a stop, and `HelicoideMadeAt` before each message
+of a user action.
 """
 
 from __future__ import annotations
@@ -19,24 +20,25 @@ FRESH = 1.0
 
 @dataclass
 class HelicoideFence(Message, include_in_scene_serialization=False):
-    """The page has let go of everything since the stop of that number; all that it sent before was sent before."""
+    """The user has released everything after the stop with this number; later messages were made after that release."""
 
     number: int
 
 
 @dataclass
 class HelicoideMadeAt(Message, include_in_scene_serialization=False):
-    """The message that follows was made when this server's clock showed `at`, ms, or later."""
+    """The next message was made when this server's clock showed `at`, ms, or later."""
 
     at: float
 
 
 @dataclass
 class Link:
-    """What is known of the page of one window, by its key.
+    """The connection to the page of one window.
 
-    channels: how many control channels the page has open; fence: the number of the last stop; passed: that of the last
-    one which the page has passed; made_at: when what comes now was made at the earliest, s of `monotonic`.
+    key: of the window; channels: number of open control channels of the page; fence: number of the last stop; passed:
+    number of the last stop that the page has confirmed; made_at: earliest time at which the current message was made,
+    s of `monotonic`.
     """
 
     key: str
@@ -47,12 +49,12 @@ class Link:
 
     @property
     def drives(self) -> bool:
-        """Whether what comes now counts."""
+        """Whether the current message is accepted."""
         return self._may_drive and self._fresh
 
     @property
     def late(self) -> bool:
-        """Whether what comes now would have counted, had it not been on its way for so long."""
+        """Whether the current message is rejected only because it is too old."""
         return self._may_drive and not self._fresh
 
     @property
@@ -64,12 +66,12 @@ class Link:
         return monotonic() - self.made_at <= FRESH  # false for NaN
 
     def close(self) -> int:
-        """Nothing counts until the page has passed the fence of this number."""
+        """Accept nothing until the page has passed a new fence; returns the number of that fence."""
         self.fence += 1
         return self.fence
 
     def hear(self, message: HelicoideFence | HelicoideMadeAt) -> bool:
-        """Take what the page says of what it sends; returns whether it passed the fence with it."""
+        """Take a fence or a time from the page; returns whether the page has now passed the current fence."""
         if isinstance(message, HelicoideMadeAt):
             self.made_at = message.at / 1000 if isinstance(message.at, int | float) else float("-inf")
             return False
@@ -80,7 +82,7 @@ class Link:
 
 
 def heard_from(server: viser.ViserServer, hear: Callable[[int, HelicoideFence | HelicoideMadeAt], None]) -> None:
-    """Call `hear` with the number of the client and each of these messages, in the order of all that it sends."""
+    """Call `hear` with the client number and each of these messages, in the order in which the client sends them."""
 
     def heard(client_id: int, message: Message) -> None:
         assert isinstance(message, HelicoideFence | HelicoideMadeAt)

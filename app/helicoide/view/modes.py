@@ -1,4 +1,4 @@
-"""What the filtered inverse has learnt of each singular value, as a table."""
+"""A table of the modes of a filtered inverse, one line for each singular value."""
 
 from __future__ import annotations
 
@@ -14,18 +14,20 @@ from helicoide.view.rows import View
 
 MODES = Text(en="Modes of Θ", pt_BR="Modos de Θ")
 NONE = Text(
-    en="A filtered inverse has modes, once it drives the arm to a target.",
-    pt_BR="Uma inversa filtrada tem modos, assim que leva o braço a um alvo.",
+    en="The modes appear once a filtered inverse drives the arm to a target.",
+    pt_BR="Os modos aparecem quando uma inversa filtrada leva o braço a um alvo.",
 )
 ABOUT = Text(
-    en="In the axes of J (Vargas 2013, §4.4) Θ is a diagonal dᵢ on its way to 1/σᵢ, so that σᵢdᵢ comes to 1, and "
-    "residuals rᵢⱼ on their way to 0. A small σ learns slowly: τ, in seconds, is its time constant.",
-    pt_BR="Nos eixos de J (Vargas 2013, §4.4) Θ é uma diagonal dᵢ que vai para 1/σᵢ, de modo que σᵢdᵢ chega a 1, e "
-    "resíduos rᵢⱼ que vão para 0. Um σ pequeno aprende devagar: τ, em segundos, é a sua constante de tempo.",
+    en="In the singular vectors of J (Vargas 2013, §4.4), Θ has diagonal terms dᵢ and residuals rᵢⱼ. dᵢ converges to "
+    "1/σᵢ, so that σᵢdᵢ converges to 1. The residuals converge to 0. τᵢ is the time constant in seconds; it is large "
+    "where σᵢ is small.",
+    pt_BR="Nos vetores singulares de J (Vargas 2013, §4.4), Θ tem termos diagonais dᵢ e resíduos rᵢⱼ. dᵢ converge "
+    "para 1/σᵢ, de modo que σᵢdᵢ converge para 1. Os resíduos convergem para 0. τᵢ é a constante de tempo em "
+    "segundos; ela é grande onde σᵢ é pequeno.",
 )
 LEFT = Text(
-    en="Residuals ‖R‖ = {R:.3g}; V_c = {V:.3g}, at least {floor:.3g} with these joints.",
-    pt_BR="Resíduos ‖R‖ = {R:.3g}; V_c = {V:.3g}, no mínimo {floor:.3g} com estas juntas.",
+    en="Residuals ‖R‖ = {R:.3g}; V_c = {V:.3g}, lower bound {floor:.3g} in this posture.",
+    pt_BR="Resíduos ‖R‖ = {R:.3g}; V_c = {V:.3g}, limite inferior {floor:.3g} nesta postura.",
 )
 TABLE = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}</table>")
 NUMBER = untranslated("{value:.3g}")
@@ -36,7 +38,7 @@ LINE = Markup("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>"
 
 
 def mode_table(view: View) -> Markup:
-    """σᵢ, dᵢ, σᵢdᵢ and the time constant of each mode, and what is left besides."""
+    """A table with σᵢ, dᵢ, σᵢdᵢ and τᵢ of each mode, and below it ‖R‖ and V_c."""
     language, found = view.seat.language, modes(view.state)
     if found is None:
         return html.note(NONE[language])

@@ -1,4 +1,4 @@
-"""What of all that can go wrong is news: what other programs do is none, and each kind of failure is told once."""
+"""Filter the log: errors caused by other programs are dropped, and each kind of failure is logged once."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ UNUSABLE = "a message from a page could not be used: %s: %.200r (%s, line %d)"
 
 
 class Once(logging.Filter):
-    """Drops the tracebacks of what others do, and of what has been told before.
+    """Drops errors that other programs cause, and errors that were logged before.
 
-    Others talk no HTTP, open connections to spare, and leave when they like. What they send that viser cannot use is
-    one line; where our own code failed, its traceback is kept.
+    Other programs may send something that is not HTTP, leave a connection unused, or disconnect at any time. A message
+    that viser cannot use becomes one line; a traceback through our own code is kept.
     """
 
     def __init__(self) -> None:
@@ -24,7 +24,7 @@ class Once(logging.Filter):
         self.told: set[tuple[str, type[BaseException], str, int | None]] = set()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Whether a record is news."""
+        """Whether a record is logged."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return True
@@ -44,7 +44,7 @@ class Once(logging.Filter):
 
 
 def tell_once() -> None:
-    """Let the log tell each kind of failure once from now on."""
+    """Log each kind of failure once from now on."""
     for name in ("websockets.server", "asyncio", "helicoide"):
         logger = logging.getLogger(name)
         for old in [one for one in logger.filters if isinstance(one, Once)]:

@@ -1,4 +1,4 @@
-"""Rows for what the joints do besides their task: the objective, its weight, its way, its settings."""
+"""Rows for the secondary objective: its choice, its weight, how it is applied, and its settings."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
 
 def objective_rows(robot: Robot) -> list[Row]:
-    """What the joints do besides: an objective that this robot can have, its weight, its settings."""
+    """Rows to choose a secondary objective among those that apply to the robot, and to set it."""
     known = [(name, objectives.named(name)) for name in objectives.names()]
     options = [(name, one.TITLE) for name, one in known if one.applies(robot) is None]
     return [
@@ -26,7 +26,9 @@ def objective_rows(robot: Robot) -> list[Row]:
             _chosen,
             lambda name: ForArm(gate.choose_objective(name or None)),
         ),
-        Folder(Text(en="How", pt_BR="Como"), DependentRows(_chosen, partial(_how, robot))),
+        Folder(
+            Text(en="Objective settings", pt_BR="Ajustes do objetivo"), DependentRows(_chosen, partial(_how, robot))
+        ),
     ]
 
 
@@ -36,7 +38,7 @@ def _chosen(view: View) -> str:
 
 
 def _how(robot: Robot, name: str) -> list[Row]:
-    """Weight, way and settings of an objective; what it is told after it has been taken away is not heard."""
+    """Rows for the weight, the use and the settings of an objective; defaults if it is not the current one."""
     if not name:
         return [HtmlRow(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
     objective, default = objectives.named(name), SecondaryObjective(name, objectives.named(name).Options())
@@ -46,7 +48,7 @@ def _how(robot: Robot, name: str) -> list[Row]:
         return there if there is not None and there.objective == name else default
 
     as_row = Checkbox(
-        Text(en="as a row of the task", pt_BR="como linha da tarefa"),
+        Text(en="use as a task row", pt_BR="usar como linha da tarefa"),
         lambda view: second(view).as_row,
         lambda on: ForArm(gate.objective_as_row(on)),
     )
@@ -62,7 +64,10 @@ def _how(robot: Robot, name: str) -> list[Row]:
         ),
         *([as_row] if objective.AUGMENTS else []),
         Checkbox(
-            Text(en="weights grow at limits (Algorithm 1)", pt_BR="pesos crescem nos limites (Algoritmo 1)"),
+            Text(
+                en="adapt weights near joint limits (Algorithm 1)",
+                pt_BR="adaptar pesos perto dos limites de junta (Algoritmo 1)",
+            ),
             lambda view: second(view).adapts,
             lambda on: ForArm(gate.grow_weights(on)),
         ),

@@ -1,4 +1,4 @@
-"""Rows for what stands around the arm: obstacles in its way, and the entry point of its instrument."""
+"""Rows for obstacles, and for the entry point of an instrument."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from helicoide.view.rows import (
     View,
 )
 
-ADD = Text(en="Add a sphere", pt_BR="Acrescentar uma esfera")
+ADD = Text(en="Add sphere", pt_BR="Adicionar esfera")
 
 
 def obstacle_rows(robot: Robot) -> Folder:
-    """Spheres: one more, and for each its centre, its radius, and its end."""
+    """Rows that add a sphere, and for each sphere its centre, its radius and its removal."""
     return Folder(Text(en="Obstacles", pt_BR="Obstáculos"), DependentRows(_count, partial(_spheres, robot)), open=False)
 
 
@@ -45,7 +45,7 @@ def _spheres(robot: Robot, count: int) -> list[Row]:
 
 def _sphere(robot: Robot, index: int) -> list[Row]:
     n = index + 1
-    remove = Text(en="Take sphere {n} away", pt_BR="Tirar a esfera {n}").format(n=n)
+    remove = Text(en="Remove sphere {n}", pt_BR="Remover esfera {n}").format(n=n)
 
     def centre(view: View) -> Array:
         ends = view.state.problem.obstacles.ends
@@ -75,9 +75,11 @@ def _sphere(robot: Robot, index: int) -> list[Row]:
 
 
 def entry_rows() -> Folder:
-    """The entry point: whether it is held, and where."""
+    """The entry point: whether it is held, and its position."""
     return Folder(
-        Text(en="Entry point (remote centre of motion)", pt_BR="Ponto de entrada (centro remoto de movimento)"),
+        Text(
+            en="Entry point (remote centre of motion, RCM)", pt_BR="Ponto de entrada (centro remoto de movimento, RCM)"
+        ),
         DependentRows(_held, _entry),
         open=False,
     )
@@ -89,11 +91,11 @@ def _held(view: View) -> bool:
 
 def _entry(held: bool) -> list[Row]:
     hold = Checkbox(
-        Text(en="Keep the instrument in the entry point", pt_BR="Manter o instrumento no ponto de entrada"),
+        Text(en="Enforce the RCM", pt_BR="Impor o centro remoto (RCM)"),
         _held,
         lambda on: ForArm(gate.hold_entry(on)),
     )
-    where = VectorRow(Text(en="entry x y z [mm]", pt_BR="entrada x y z [mm]"), 1.0, _point, _set_point)
+    where = VectorRow(Text(en="entry point x y z [mm]", pt_BR="ponto de entrada x y z [mm]"), 1.0, _point, _set_point)
     return [hold, where] if held else [hold]
 
 

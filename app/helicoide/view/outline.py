@@ -1,4 +1,4 @@
-"""An arm drawn by its sharp edges alone: where it will be, or where another one is."""
+"""An arm drawn by its sharp edges alone, for the goal and for a compared arm."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ THICKNESS = 0.0016
 
 
 class Outline:
-    """The frames of the outline and its lines, hidden at first."""
+    """The frames and lines of an outline, hidden at first."""
 
     def __init__(self, stage: Stage, name: str, colour: Colour) -> None:
         scene, thickness = stage.scene, THICKNESS * stage.size
@@ -27,18 +27,18 @@ class Outline:
         self.shown, self.colour = False, colour
 
     def show(self, shown: bool) -> None:
-        """Show or hide it."""
+        """Show or hide the outline."""
         if shown != self.shown:
             self.shown = shown
             for frame in self.frames:
                 frame.visible = shown
 
     def write(self, poses: Array, gripper: float) -> None:
-        """Bring it to link poses (m + 1, 4, 4), m; gripper: 0 closed to 1 open."""
+        """Move the outline to link poses (m + 1, 4, 4), m; gripper: 0 closed to 1 open."""
         self.placed.write(np.asarray(poses), gripper)
 
     def paint(self, colour: Colour) -> None:
-        """Give it another colour."""
+        """Change the colour."""
         if colour != self.colour:
             self.colour = colour
             for line in self.lines:

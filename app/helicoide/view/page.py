@@ -1,4 +1,4 @@
-"""What the port answers to a plain GET: viser's page made ours, the files of static/, and a sign of life."""
+"""Answers to a plain GET: viser's page with our additions, pages of text, the files of static/, a health check."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from helicoide.export import errata
 from helicoide.text import LANGUAGES, Language, Text
 
 STOP = Text(en="Stop motion", pt_BR="Parar o movimento")
-STOP_ALL = Text(en="Stop motion, real arm too", pt_BR="Parar tudo, também o braço real")
+STOP_ALL = Text(en="Stop motion, real arm included", pt_BR="Parar o movimento, inclusive o braço real")
 LOST = Text(
     en="Disconnected: the program does not answer. Trying again…",
     pt_BR="Sem conexão: o programa não responde. Tentando de novo…",
@@ -42,13 +42,13 @@ HINT = {
     "close": Text(en="Close", pt_BR="Fechar"),
 }
 STEPS = (
-    Text(en="Drag the target at the end of the arm.", pt_BR="Arraste o alvo na ponta do braço."),
+    Text(en="Drag the target at the end effector.", pt_BR="Arraste o alvo no efetuador."),
     Text(en="Move a joint: tab Robot, Joints.", pt_BR="Mova uma junta: aba Robô, Juntas."),
-    Text(en="Press Play under Path.", pt_BR="Pressione Iniciar em Trajetória."),
+    Text(en="Press Play under Path.", pt_BR="Pressione Reproduzir em Trajetória."),
 )
 
-# Behind a sub-path, what is addressed from here is found only with a slash at the end. And a list that opens beyond the
-# edge of a phone would widen the page, move itself and push Stop out of view.
+# Behind a sub-path, relative addresses need a slash at the end. Without minimum-scale, a list that opens beyond the
+# edge of a phone widens the page and pushes Stop out of view.
 TAGS = Markup(
     '<script>location.pathname.endsWith("/") || location.replace(location.pathname + "/" + location.search);</script>'
     '<meta name="viewport" content="width=device-width, initial-scale=1, minimum-scale=1" />'
@@ -60,7 +60,7 @@ TAGS = Markup(
 )
 TITLES, HEAD_ENDS = (Markup("<title>Viser</title>"), Markup("<title>Helicoide</title>")), Markup("</head>")
 
-# A long page, beside the lab.
+# A page of text, opened in another tab of the browser.
 LONG = Markup("""\
 <!doctype html>
 <html lang="{language}"><head><meta charset="utf-8">
@@ -85,7 +85,7 @@ POLICY = "; ".join(
     )
 )
 
-# Written out because the tables of operating systems differ.
+# Fixed here, because the tables of operating systems differ.
 TYPES = {
     ".css": "text/css; charset=utf-8",
     ".html": "text/html; charset=utf-8",
@@ -97,7 +97,7 @@ TYPES = {
 
 
 def site(static: Path) -> Callable[[Request], Response]:
-    """Answer any GET; files are found in a table made once, so no path leads out of the folder."""
+    """The answer to any GET. Files are found in a table made at the start, so no path leads out of the folder."""
     page = gzip.compress(_page().encode())
     pages = {f"/pages/{language}/sources": _long(language) for language in LANGUAGES}
     files = {f"/static/{file.relative_to(static).as_posix()}": file for file in static.rglob("*") if file.is_file()}
@@ -107,7 +107,7 @@ def site(static: Path) -> Callable[[Request], Response]:
         if path == "/healthz":
             return reply(HTTPStatus.OK, b"ok")
         if path == "/" and "websocket" in parse_qs(query, keep_blank_values=True):
-            # such a link would make our page obey another server
+            # such a link would connect our page to another server
             return reply(HTTPStatus.FOUND, headers={"Location": "./"})
         if path == "/":
             return reply(HTTPStatus.OK, page, {"Content-Type": TYPES[".html"], "Content-Encoding": "gzip"})
@@ -121,7 +121,7 @@ def site(static: Path) -> Callable[[Request], Response]:
 
 
 def reply(status: HTTPStatus, body: bytes = b"", headers: Mapping[str, str] = MappingProxyType({})) -> Response:
-    """Make one answer: the headers that every answer carries, overridden by those given."""
+    """A response with the headers that all responses have, overridden by those given."""
     base = {
         "Content-Type": TYPES[".txt"],
         "Content-Length": str(len(body)),

@@ -32,12 +32,12 @@ ARM = Text(en="Arm: {title}", pt_BR="Braço: {title}")
 
 
 def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
-    """Every command by its name, with what it asks for."""
+    """Every command: its name and its request."""
     yield STOP, Stop()
     yield READY, ForArm(gate.get_ready())
     if robot.panes:
         yield PARK, ForArm(gate.park())
-    yield Text(en="Play the path", pt_BR="Iniciar a trajetória"), ForArm(gate.play())
+    yield Text(en="Play the path", pt_BR="Reproduzir a trajetória"), ForArm(gate.play())
     yield Text(en="Pause the path", pt_BR="Pausar a trajetória"), ForArm(gate.pause())
     for on, words in ((True, PROJECTOR), (False, NO_PROJECTOR)):
         yield words, ForSeat(partial(with_projector, on))
@@ -60,5 +60,5 @@ def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
 
 
 def _toggled(name: str, seat: Seat) -> Seat:
-    """The same person with a layer shown that was hidden, or hidden."""
+    """A seat with a layer shown if it was hidden, and hidden if it was shown."""
     return seat.with_layer(name, not seat.visible_layers[name])

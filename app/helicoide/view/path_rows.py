@@ -1,4 +1,4 @@
-"""Rows for the path that the target follows: which one, in what time, where on it."""
+"""Rows for the path that the target follows: which path, its time scaling, its duration, the place on it."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from helicoide.trajectory import Path
 from helicoide.trajectory.time_optimal import TimingShape
 from helicoide.view.rows import Button, Dropdown, Folder, ForArm, PlayFastest, Row, Slider, View
 
-PLAY = Text(en="Play", pt_BR="Iniciar")
+PLAY = Text(en="Play", pt_BR="Reproduzir")
 PAUSE = Text(en="Pause", pt_BR="Pausar")
 PLACE = Text(en="{s:.1f} of {end:g} s [%]", pt_BR="{s:.1f} de {end:g} s [%]")
 
 
 def path_rows(robot: Robot) -> Folder:
-    """Every path that the arm has ready, and what can be done with one."""
+    """Rows to choose, play, time and scrub one of the preset paths of an arm."""
     known = gate.presets(robot)
     rows: list[Row] = [
         Dropdown(

@@ -1,6 +1,6 @@
-"""Rows placed in a window: built once in its language, then kept in step with the view.
+"""Rows placed in a window: built once in its language, then updated with each view.
 
-A row that raises is marked, and the others go on.
+A row that raises is marked as failed; the others still work.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ class PlacedRow(Protocol):
     """A row in a window."""
 
     def refresh(self, view: View) -> None:
-        """Show what the view says now."""
+        """Update the row to a view."""
 
     def remove(self) -> None:
-        """Take it out of the window."""
+        """Remove the row from the window."""
 
 
 class _IsolatedRow:
-    """A row that fails alone: the log tells it once, and a mark below says so from then on."""
+    """A row whose errors do not reach other rows. The first one is logged, and a mark below the row is shown."""
 
     def __init__(self, gui: viser.GuiApi, row: Row, view: View, act: Act) -> None:
         self.row, self.act, self.failed = row, act, False
@@ -60,7 +60,7 @@ class _IsolatedRow:
         self.mark = html.put_html(gui, html.note(FAILED[view.seat.language]), visible=self.failed)
 
     def _try(self, do: Callable[[], Done]) -> Done | None:
-        """Do it; None where that raises."""
+        """The result of `do`; None if it raises."""
         try:
             return do()
         except Exception:
@@ -88,7 +88,7 @@ class _IsolatedRow:
 
 
 class _Folder:
-    """Rows under a heading; those that change with the view are placed anew when their key does."""
+    """Rows under a heading; dependent rows are replaced when their key changes."""
 
     def __init__(self, gui: viser.GuiApi, row: Folder, view: View, act: Act) -> None:
         self.gui, self.row, self.act = gui, row, act
@@ -97,7 +97,7 @@ class _Folder:
         self._fill(rows, view)
 
     def _wanted(self, view: View) -> Sequence[Row]:
-        """The rows that belong there now."""
+        """The rows for a view; keeps the key of dependent rows."""
         rows = self.row.rows
         if not isinstance(rows, DependentRows):
             return rows
@@ -158,7 +158,7 @@ class _Bar:
 
 
 def place_rows(gui: viser.GuiApi, rows: Iterable[Row], view: View, act: Act) -> list[PlacedRow]:
-    """Build rows where the GUI stands, in the language of the view's seat."""
+    """Build rows in the current container of the GUI, in the language of the view's seat."""
     return [_IsolatedRow(gui, row, view, act) for row in rows]
 
 

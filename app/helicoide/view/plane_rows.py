@@ -1,4 +1,4 @@
-"""Rows for the planes: where they come from, how near is near, and files of them."""
+"""Rows for the planes: how to add, measure and remove them, their zones, and files of planes."""
 
 from __future__ import annotations
 
@@ -42,27 +42,27 @@ from helicoide.view.rows import (
 )
 
 FILE = "planes.toml"
-PRINTED = Text(en="As the source prints them", pt_BR="Como a fonte os imprime")
-NUMBERS = Text(en="Give {n} numbers with blanks between them.", pt_BR="Dê {n} números separados por espaços.")
+PRINTED = Text(en="As printed in the source", pt_BR="Como impressos na fonte")
+NUMBERS = Text(en="Enter {n} numbers separated by spaces.", pt_BR="Digite {n} números separados por espaços.")
 
 
 def plane_rows(robot: Robot) -> Folder:
-    """Everything about the planes of an arm."""
-    restore = Text(en="Back to the measured planes", pt_BR="Planos de volta aos medidos")
+    """All rows about the planes of an arm."""
+    restore = Text(en="Reset planes", pt_BR="Restaurar planos")
     rows: list[Row] = [
         Button(lambda _: restore, lambda _: ForArm(gate.restore_planes()), Icon.RESTORE, _free, _has(robot.panes)),
         *(_tours() if available_readings(robot) else []),
         HtmlRow(_read),
         *([Folder(PRINTED, [HtmlRow(_printed)], open=False)] if printed_planes(robot) else []),
-        Folder(Text(en="Give a plane", pt_BR="Dar um plano"), _given(), open=False),
+        Folder(Text(en="Define a plane", pt_BR="Definir um plano"), _given(), open=False),
         Folder(
-            Text(en="From a cloud of points", pt_BR="De uma nuvem de pontos"),
+            Text(en="From a point cloud", pt_BR="De uma nuvem de pontos"),
             [
                 _units(),
                 *map(_upload, PLANE_READINGS),
                 HtmlRow(_legend),
                 Button(
-                    lambda _: Text(en="Remove the clouds", pt_BR="Remover as nuvens"),
+                    lambda _: Text(en="Remove clouds", pt_BR="Remover nuvens"),
                     lambda _: ForArm(gate.clear_clouds()),
                     Icon.TRASH,
                     shown=_has_clouds,
@@ -71,9 +71,9 @@ def plane_rows(robot: Robot) -> Folder:
             ],
             open=False,
         ),
-        Folder(Text(en="Zones", pt_BR="Zonas"), _zones(), open=False),
-        Folder(Text(en="Take away", pt_BR="Tirar"), DependentRows(_movable, _removable), open=False),
-        Button(lambda _: Text(en="Save the planes", pt_BR="Salvar os planos"), _save, Icon.DOWNLOAD),
+        Folder(Text(en="Distances to planes", pt_BR="Distâncias aos planos"), _zones(), open=False),
+        Folder(Text(en="Remove", pt_BR="Remover"), DependentRows(_movable, _removable), open=False),
+        Button(lambda _: Text(en="Save planes", pt_BR="Salvar planos"), _save, Icon.DOWNLOAD),
         Upload(
             Text(en="Load planes", pt_BR="Carregar planos"),
             lambda _, name, content: ForArm(gate.take_planes_of(content, name)),
@@ -112,7 +112,7 @@ def _has_clouds(view: View) -> bool:
 
 
 def _legend(view: View) -> Markup:
-    """What the colours of the clouds stand for."""
+    """What the colours of the clouds mean."""
     if not view.state.clouds:
         return Markup("")
     marks = ((ON_IT, POINTS_ON[view.seat.language]), (OFF_IT, POINTS_OFF[view.seat.language]))
@@ -120,8 +120,8 @@ def _legend(view: View) -> Markup:
     return Markup("<ul class='helicoide-note'>{}</ul>").format(Markup("").join(rows))
 
 
-POINTS_ON = Text(en="points on the plane that was found", pt_BR="pontos no plano encontrado")
-POINTS_OFF = Text(en="other points of the cloud", pt_BR="outros pontos da nuvem")
+POINTS_ON = Text(en="points on the fitted plane", pt_BR="pontos no plano ajustado")
+POINTS_OFF = Text(en="other points", pt_BR="outros pontos")
 
 
 def _printed(view: View) -> Markup:
@@ -133,7 +133,7 @@ def _printed(view: View) -> Markup:
 
 
 def numbers(text: str, count: int) -> list[float] | None:
-    """So many numbers from a line; None where it holds anything else."""
+    """The `count` numbers of a line; None if the line holds anything else."""
     words = text.replace(",", " ").replace(";", " ").split()
     try:
         found = [float(word) for word in words]
@@ -151,7 +151,7 @@ def _typed(count: int, wish: Callable[[Array], Update]) -> Callable[[str], PageR
 
 
 def _given() -> list[Row]:
-    put = Text(en="Put it there", pt_BR="Colocar")
+    put = Text(en="Add", pt_BR="Adicionar")
     return [
         Button(_pick_label, _pick, Icon.POINTER, _free),
         TextEntry(
@@ -161,22 +161,22 @@ def _given() -> list[Row]:
             _typed(4, lambda v: gate.add_plane([*v[:3], v[3] / 1000])),
         ),
         TextEntry(
-            Text(en="three points, x y z each [mm]", pt_BR="três pontos, x y z cada [mm]"),
+            Text(en="three points: x y z each [mm]", pt_BR="três pontos: x y z de cada um [mm]"),
             lambda _: "500 300 0  700 300 0  500 300 400",
             put,
             _typed(9, lambda v: gate.add_plane_through(v.reshape(3, 3) / 1000)),
         ),
         TextEntry(
-            Text(en="box: two corners, x y z each [mm]", pt_BR="caixa: dois vértices, x y z cada [mm]"),
+            Text(en="box: two corners, x y z each [mm]", pt_BR="caixa: dois vértices, x y z de cada um [mm]"),
             lambda _: "200 -320 0  900 320 640",
-            Text(en="Put the box there", pt_BR="Colocar a caixa"),
+            Text(en="Add box", pt_BR="Adicionar caixa"),
             _typed(6, lambda v: gate.set_box(v[:3] / 1000, v[3:] / 1000)),
         ),
     ]
 
 
-PICK = Text(en="Click three points", pt_BR="Clicar três pontos")
-PICKING = Text(en="Point {n} of 3 … or cancel", pt_BR="Ponto {n} de 3 … ou cancelar")
+PICK = Text(en="Pick three points", pt_BR="Clicar três pontos")
+PICKING = Text(en="Point {n} of 3 (press to cancel)", pt_BR="Ponto {n} de 3 (pressione para cancelar)")
 
 
 def _pick_label(view: View) -> Text:
@@ -190,10 +190,10 @@ def _pick(view: View) -> PageRequest:
 
 
 def _units() -> Dropdown:
-    """What the numbers of a file count, where it does not say so itself."""
+    """The unit of a file that does not state its unit."""
     return Dropdown(
         Text(en="unit of the file", pt_BR="unidade do arquivo"),
-        [("", Text(en="as it looks", pt_BR="ao que parece")), *((unit, UNIT_TITLES[unit]) for unit in UNITS)],
+        [("", Text(en="automatic", pt_BR="automática")), *((unit, UNIT_TITLES[unit]) for unit in UNITS)],
         lambda view: view.seat.cloud_unit,
         lambda unit: ForSeat(lambda seat: replace(seat, cloud_unit=unit if unit in UNITS else "")),
     )
@@ -204,7 +204,9 @@ def _upload(reading: PlaneReading) -> Upload:
         unit = next((unit for unit in UNITS if unit == view.seat.cloud_unit), None)
         return ReadCloud(name, content, reading.name, unit)
 
-    return Upload(Text(en="Look for: {title}", pt_BR="Procurar: {title}").format(title=reading.title), wish)
+    return Upload(
+        Text(en="Fit to a cloud: {title}", pt_BR="Ajustar a uma nuvem: {title}").format(title=reading.title), wish
+    )
 
 
 def _zones() -> list[Row]:
@@ -217,7 +219,7 @@ def _zones() -> list[Row]:
 
     return [
         Slider(
-            Text(en="critical [mm]", pt_BR="crítica [mm]"),
+            Text(en="safety distance [mm]", pt_BR="distância de segurança [mm]"),
             1000 * LEAST_CRITICAL,
             1000 * MOST_CRITICAL,
             1.0,
@@ -225,7 +227,7 @@ def _zones() -> list[Row]:
             critical,
         ),
         Slider(
-            Text(en="warning [mm]", pt_BR="aviso [mm]"),
+            Text(en="warning distance [mm]", pt_BR="distância de aviso [mm]"),
             1000 * (LEAST_CRITICAL + LEAST_DEPTH),
             1000 * MOST_WARNING,
             1.0,
@@ -236,7 +238,7 @@ def _zones() -> list[Row]:
 
 
 def _movable(view: View) -> tuple[tuple[int, str], ...]:
-    """The number and the name of each plane that can be taken away."""
+    """The number and the name of each plane that can be removed."""
     return tuple((k, pane.name) for k, pane in enumerate(view.state.problem.planes.panes) if pane.movable)
 
 
@@ -245,7 +247,7 @@ def _removable(planes: tuple[tuple[int, str], ...]) -> list[Row]:
 
 
 def _remove(index: int, name: str) -> Button:
-    label = Text(en="Take plane {name} away", pt_BR="Tirar o plano {name}").format(name=name)
+    label = Text(en="Remove plane {name}", pt_BR="Remover o plano {name}").format(name=name)
     return Button(lambda _: label, lambda _: ForArm(gate.remove_plane(index)), Icon.TRASH, _free, weight="destructive")
 
 

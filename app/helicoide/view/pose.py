@@ -1,4 +1,4 @@
-"""Where nodes of the scene stand."""
+"""Poses of nodes of the scene."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from helicoide.geometry import rotation
 
 
 def place_node(node: viser.SceneNodeHandle, T_parent_node: Array) -> None:
-    """Bring a node to its pose (4, 4), m, unless it stands there.
+    """Move a node to its pose (4, 4), m, unless it has that pose already.
 
-    Said by viser's messages directly: its own handles take ten times as long to compare what they are given.
+    This sends viser's messages directly: setting the attributes of its handles takes ten times as long.
     """
     impl = node._impl
     x, y, z = T_parent_node[:3, 3].tolist()

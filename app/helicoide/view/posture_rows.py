@@ -1,4 +1,4 @@
-"""Every posture of the goal as rows: the list, the way to one of them, and what the choice weighs."""
+"""Rows for the postures of the goal: their list, a choice of one, and the weights of the joints."""
 
 from __future__ import annotations
 
@@ -22,34 +22,35 @@ from helicoide.text import Language, Text, join_texts, untranslated
 from helicoide.view import html
 from helicoide.view.rows import Button, Dropdown, Folder, ForArm, HtmlRow, ListPostures, Row, Slider, View
 
-HERE_WITHIN = np.radians(0.5)  # rad, or as a share of the reach where a joint slides
+HERE_WITHIN = np.radians(0.5)  # rad; for a prismatic joint a share of the reach
 
 ABOUT = Text(
-    en="In how many ways the arm can bring its end effector to the target, and which of them it has now.",
-    pt_BR="De quantas maneiras o braço leva o efetuador ao alvo, e em qual delas ele está agora.",
+    en="All postures that bring the end effector to the target. The current one is marked.",
+    pt_BR="Todas as posturas que levam o efetuador ao alvo. A atual está marcada.",
 )
-LIST = Text(en="List the postures", pt_BR="Listar as posturas")
+LIST = Text(en="List postures", pt_BR="Listar posturas")
 GO = Text(en="Go to posture", pt_BR="Ir para a postura")
 CHOOSE = Text(en="choose …", pt_BR="escolha …")
 HEAD = Text(
     en="For x y z = {x:.0f}, {y:.0f}, {z:.0f} mm: {status}.",
     pt_BR="Para x y z = {x:.0f}; {y:.0f}; {z:.0f} mm: {status}.",
 )
-HERE = Text(en="the arm is here", pt_BR="o braço está nesta")
-TOO_NEAR = Text(en="too near: {what}", pt_BR="perto demais: {what}")
-MISSES = Text(en="misses by {mm:.1f} mm and {degrees:.1f}°", pt_BR="erra por {mm:.1f} mm e {degrees:.1f}°")
+HERE = Text(en="current posture", pt_BR="postura atual")
+TOO_NEAR = Text(en="too close: {what}", pt_BR="perto demais: {what}")
+MISSES = Text(en="{mm:.1f} mm and {degrees:.1f}° from the target", pt_BR="a {mm:.1f} mm e {degrees:.1f}° do alvo")
 JOINT = untranslated("{value:.1f}{unit}")
-COST = Text(en="motion {cost:.2f}", pt_BR="movimento {cost:.2f}")
-WEIGHTS = Text(en="Weights of the choice", pt_BR="Pesos da escolha")
+COST = Text(en="cost {cost:.2f}", pt_BR="custo {cost:.2f}")
+WEIGHTS = Text(en="Joint weights", pt_BR="Pesos das juntas")
 WEIGHT = Text(en="weight {n} {title}", pt_BR="peso {n} {title}")
 WHY_WEIGHTS = Text(
-    en="The list begins with the least motion: the sum of what each joint turns from where the arm stood, in radians, "
-    "times its weight (a slide counts in reaches of the arm). Large weights near the base let the small links move. "
-    "What comes too near to an obstacle or a plane, or is outside the limits, stands last (Campos 1998, s.17).",
-    pt_BR="A lista começa pelo menor movimento: a soma de quanto cada junta gira desde onde o braço estava, em "
-    "radianos, vezes o peso dela (uma junta prismática conta em alcances do braço). Pesos grandes perto da base deixam "
-    "que os elos pequenos se movam. O que fica perto demais de um obstáculo ou plano, ou fora dos limites, vem no fim "
-    "(Campos 1998, s.17).",
+    en="The list is sorted by cost: the sum of the joint motions from the current posture, in radians, each times its "
+    "weight (for a prismatic joint, the motion divided by the reach). Large weights near the base favour motion of "
+    "the outer links. Postures too close to an obstacle or a plane, or outside the joint limits, come last (Campos "
+    "1998, s.17).",
+    pt_BR="A lista está em ordem de custo: a soma dos movimentos das juntas desde a postura atual, em radianos, cada "
+    "um vezes o seu peso (numa junta prismática, o movimento dividido pelo alcance). Pesos grandes perto da base "
+    "favorecem o movimento dos elos mais distantes. Posturas perto demais de um obstáculo ou plano, ou fora dos "
+    "limites das juntas, vêm no fim (Campos 1998, s.17).",
 )
 
 
@@ -98,7 +99,7 @@ def _names(state: State) -> tuple[Text, ...]:
 
 
 def _listed(view: View) -> Markup:
-    """The list: it is written anew only when it changes, or when the arm comes to a posture of it or leaves it."""
+    """The list. It is formatted again only when it changes, or when the arm reaches or leaves one of its postures."""
     state, listed = view.state, view.state.postures.listing
     if listed is None:
         return Markup("")
@@ -106,7 +107,7 @@ def _listed(view: View) -> Markup:
 
 
 def _place(listed: PostureList, state: State) -> int | None:
-    """Which posture the arm has now."""
+    """The place in the list of the posture that the arm has now; None if it has none of them."""
     robot = state.robot
     scale = np.where([joint.is_prismatic for joint in robot.variables], robot.reach, 1.0)
     for place, row in enumerate(listed.rows):
@@ -134,7 +135,7 @@ def _written(listed: PostureList, problem: Problem, here: int | None, language: 
 
 
 def _notes(row: Ranked, problem: Problem, here: bool) -> Iterator[Text]:
-    """What is to be said of a posture besides its joints."""
+    """Remarks on a posture besides its joint values."""
     if here:
         yield HERE
     near = too_near(problem, row.q)

@@ -1,4 +1,4 @@
-"""What a panel is made of: rows that say what they show of a State and a Seat, and what they wish."""
+"""The kinds of rows in a panel. A row says what it shows of a State and a Seat, and which request it makes."""
 
 from __future__ import annotations
 
@@ -22,10 +22,9 @@ Key = TypeVar("Key", bound=Hashable)
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What one window shows: its arm, its person, and what that person has of the studies.
+    """What one window shows: the state of its arm, its seat, and the seat's study panel.
 
-    ready: whether the kernels are there, so that numbers can be worked out at once; own: whether the arm is the
-    person's own, and not the one that all share.
+    ready: whether the kernels are compiled; own: whether the arm belongs to this seat alone, and is not the shared one.
     """
 
     state: State
@@ -35,56 +34,56 @@ class View:
     own: bool = False
 
     def handles_moved(self, old: View | None) -> bool:
-        """Whether what can be dragged may stand elsewhere than in an older view, or be in another hand."""
+        """Whether handles may have moved since an older view, or another pointer may hold one."""
         before, now = None if old is None else old.state, self.state
         return before is None or before.problem is not now.problem or before.request.drag is not now.request.drag
 
 
 @dataclass(frozen=True)
 class ForArm:
-    """A wish about the arm."""
+    """A request to change the state of the arm."""
 
     update: Update
 
 
 @dataclass(frozen=True)
 class ForSeat:
-    """A wish about the window itself."""
+    """A request to change the seat of this window."""
 
     update: SeatUpdate
 
 
 @dataclass(frozen=True)
 class ForLab:
-    """A wish for another robot, by name."""
+    """A request for another robot, by name."""
 
     robot: str
 
 
 @dataclass(frozen=True)
 class ForDesk:
-    """A wish about the studies."""
+    """A request to change the study panel."""
 
     update: StudyPanelUpdate
 
 
 @dataclass(frozen=True, eq=False)
 class Play:
-    """A wish to see what an arm did on the arm; it is put up first where another one stands there."""
+    """A request to replay a recorded motion on the arm. A motion of another robot loads that robot first."""
 
     motion: Motion
 
 
 @dataclass(frozen=True)
 class Tour:
-    """A wish that the arm reads every plane that it can; real: with a RealSense, and not the simulated camera."""
+    """A request to measure the planes with the camera. real: with a RealSense, not with the simulated camera."""
 
     real: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class ReadCloud:
-    """A wish to look for a plane in the cloud of a file; plane: its name; unit: as it was chosen, if it was."""
+    """A request to find a plane in the point cloud of a file. unit: of its coordinates; None if it was not chosen."""
 
     name: str
     content: bytes
@@ -94,48 +93,53 @@ class ReadCloud:
 
 @dataclass(frozen=True)
 class CountMap:
-    """A wish for a map of the workspace."""
+    """A request to compute a map of the workspace."""
 
     kind: MapKind
 
 
 @dataclass(frozen=True)
 class ListPostures:
-    """A wish to see every posture of the goal."""
+    """A request to list every posture of the goal."""
+
+
+@dataclass(frozen=True)
+class TrySingular:
+    """A request to drive the tool through a singular posture."""
 
 
 @dataclass(frozen=True)
 class PlayTaught:
-    """A wish to go through the waypoints that were taught."""
+    """A request to follow the taught waypoints."""
 
 
 @dataclass(frozen=True)
 class PlayFastest:
-    """A wish to follow the path in the least time that the joints allow."""
+    """A request to follow the path in the least time that the joints allow."""
 
 
 @dataclass(frozen=True)
 class Stop:
-    """A wish that nothing moves."""
+    """A request to stop all motion."""
 
 
 @dataclass(frozen=True)
 class OwnArm:
-    """A wish for an arm of one's own, or, off, for the shared one again."""
+    """A request for an arm of one's own (on), or for the shared arm again (off)."""
 
     on: bool
 
 
 @dataclass(frozen=True)
 class ShowTab:
-    """A wish to see the tab of that number, from 0."""
+    """A request to show a tab by its number, from 0."""
 
     index: int
 
 
 @dataclass(frozen=True, eq=False)
 class Save:
-    """A wish to have a file."""
+    """A request to download a file."""
 
     name: str
     content: bytes
@@ -151,6 +155,7 @@ PageRequest = (
     | ReadCloud
     | CountMap
     | ListPostures
+    | TrySingular
     | PlayTaught
     | PlayFastest
     | Stop
@@ -159,9 +164,9 @@ PageRequest = (
     | Save
 )
 Act = Callable[[PageRequest], None]
-"""Hands on a wish."""
+"""Sends a request."""
 Ask = Callable[[Callable[[], PageRequest | None]], None]
-"""Makes a wish and hands it on, unless it comes to none."""
+"""Makes a request and sends it, unless it is None."""
 
 
 def always(view: View) -> bool:
@@ -171,7 +176,7 @@ def always(view: View) -> bool:
 
 @dataclass(frozen=True)
 class HtmlRow:
-    """HTML made from the view; computed: with kernels, so that it waits until they are there."""
+    """HTML made from the view. computed: it needs the kernels, so it stays empty until they are compiled."""
 
     html: Callable[[View], Markup]
     computed: bool = False
@@ -179,7 +184,7 @@ class HtmlRow:
 
 @dataclass(frozen=True)
 class Slider:
-    """A number with a slider and a box; its label may say more of the number than the slider does."""
+    """A number with a slider and a box. A label that depends on the view may show the number in another form."""
 
     label: Text | Callable[[View], Text]
     lower: float
@@ -195,7 +200,7 @@ Weight = Literal["primary", "plain", "destructive"]
 
 @dataclass(frozen=True)
 class Button:
-    """A press; weight: whether it is the first thing to do there, one among others, or takes something away."""
+    """A button. weight: whether it is the main action, one among others, or removes something."""
 
     label: Callable[[View], Text]
     request: Callable[[View], PageRequest]
@@ -216,7 +221,7 @@ class Checkbox:
 
 @dataclass(frozen=True)
 class Dropdown:
-    """One of several; `options` are keys with what is shown for them, and may change with the view."""
+    """A choice of one of several options. `options`: keys with their titles, which may depend on the view."""
 
     label: Text
     options: Sequence[tuple[str, Text]] | Callable[[View], Sequence[tuple[str, Text]]]
@@ -236,7 +241,7 @@ class VectorRow:
 
 @dataclass(frozen=True)
 class TextEntry:
-    """A line to type in, and a button that hands on what stands there."""
+    """A text field, and a button that sends its content."""
 
     label: Text
     shown: Callable[[View], str]
@@ -246,7 +251,7 @@ class TextEntry:
 
 @dataclass(frozen=True)
 class Upload:
-    """A button that takes a file from the person: its name and its content, and what the window showed then."""
+    """A button that uploads a file. `request` takes the view at that time, the file's name and its content."""
 
     label: Text
     request: Callable[[View, str, bytes], PageRequest]
@@ -254,14 +259,14 @@ class Upload:
 
 @dataclass(frozen=True)
 class Bar:
-    """How far something is, 0 to 1; hidden while it is None."""
+    """A progress bar, 0 to 1; hidden while `share` is None."""
 
     share: Callable[[View], float | None]
 
 
 @dataclass(frozen=True)
 class Plot:
-    """The chart of that number among those of the view; hidden where there is none."""
+    """Chart number `index` of the view, from 0; hidden if there is none."""
 
     charts: Callable[[View], Sequence[Chart]]
     index: int
@@ -269,7 +274,7 @@ class Plot:
 
 @dataclass(frozen=True)
 class DependentRows(Generic[Key]):
-    """Rows that hang on a key of the view, such as a tuple of names, and are placed anew when that changes."""
+    """Rows that depend on a key of the view, such as a tuple of names. They are replaced when the key changes."""
 
     key: Callable[[View], Key]
     rows: Callable[[Key], Sequence[Row]]

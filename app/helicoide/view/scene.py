@@ -1,4 +1,4 @@
-"""What all windows in front of a workcell share: ground and the shared layers; and the light, for all of them."""
+"""The scene that all windows of a workcell share: the ground and the shared layers. The lights are for all scenes."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from helicoide.view.rows import View
 from helicoide.view.shapes import Shape
 
 NOBODY = Seat(token="", language="en")
-# From the side and above; what is looked at lies to the right of the arm, which the panel would cover else.
+# From the side and above; the camera looks to the right of the arm, since the panel covers the right side.
 FROM_THE_SIDE, TO_THE_RIGHT, FARTHER = np.array([0.49, -1.44, 0.57]), np.array([0.28, 0.1, 0.0]), 1.25
 
 
 def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
-    """From where a robot is seen first, and where to, (3,) m each: as its file says, else from the side.
+    """The first camera position and the point that it looks at, (3,) m each: from the robot's file, or from the side.
 
-    upright: on a phone, whose panel is below the arm, and not over what is to the right of it.
+    upright: for a phone, where the panel is below the arm and not at the right.
     """
     if robot.camera is not None and not upright:
         return robot.camera
@@ -35,13 +35,13 @@ def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
 
 
 def light_scene(server: viser.ViserServer) -> None:
-    """Set up what is the same in front of every workcell."""
+    """Set the up direction and the lights, the same for every workcell."""
     server.scene.set_up_direction("+z")
-    server.scene.configure_default_lights(cast_shadow=False)  # two frames of three, without a graphics card
+    server.scene.configure_default_lights(cast_shadow=False)  # without a GPU, shadows cost two of three frames
 
 
 class Scene:
-    """What every window shows alike."""
+    """The part of the scene that is the same in every window."""
 
     def __init__(self, scene: viser.SceneApi, robot: Robot, shapes: list[Shape]) -> None:
         stage = Stage(scene, robot, shapes, lambda wish: None, "")
@@ -52,5 +52,5 @@ class Scene:
         self.layers = Layers(stage, shared=True)
 
     def update(self, view: View) -> None:
-        """Bring the shared scene to a state."""
+        """Update the shared scene to a view."""
         self.layers.update(view)

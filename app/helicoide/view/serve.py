@@ -1,4 +1,4 @@
-"""Open viser behind a guarded door: who may connect, what the port answers, and our own channels beside viser's."""
+"""Start viser's server with our own checks of connections, our answers to GET, and our channels beside viser's."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ Door = Callable[[ServerConnection, Request], Response | None]
 
 CHANNEL_BYTES = 4096  # the longest message a page may send on a channel
 PAGE_BYTES = 1 << 20  # and on viser's own socket, which takes files in parts of half that size
-CHANNEL_RATE, PAGE_RATE = 50.0, 500.0  # messages a second that are read; who sends more waits
+CHANNEL_RATE, PAGE_RATE = 50.0, 500.0  # messages read per second; further ones wait
 
 TAKEN = Text(
     en="Port {port} of {host} is already taken: choose another with --port.",
@@ -76,14 +76,14 @@ def serve(
     """Open viser on exactly this port (0: any free one), with our page, the static files and the channels by path.
 
     origins: further addresses under which the page is opened, such as that of a proxy.
-    Raises HelicoideError when the port cannot be had, for an origin that is none, or when viser serves in a way that
-    our checks do not cover.
+    Raises HelicoideError if the port is not available, if an origin is not valid, or if viser serves in a way that our
+    checks do not cover.
     """
     known = frozenset(map(_origin, origins))
     tell_once()
     listener = _listen(host, port)
     address, port = listener.getsockname()
-    banner = io.StringIO()  # viser prints one whatever it is told
+    banner = io.StringIO()  # viser prints a banner even if not verbose
     with _guarded(listener, _door(port, site(static), channels, known), channels), contextlib.redirect_stdout(banner):
         server = viser.ViserServer(host=host, port=port, verbose=False)
     if not _refuses_foreign_pages(address, server.get_port()):
@@ -97,7 +97,7 @@ def serve(
 
 
 def _woken_once(loop: asyncio.AbstractEventLoop) -> None:
-    """Let the loop not wake itself: viser does so at every message, and lets another thread run each time."""
+    """Keep the loop from waking itself: viser makes it do so at every message, which switches threads each time."""
     from_elsewhere = loop.call_soon_threadsafe
 
     def call(*args: Any, **options: Any) -> asyncio.Handle:
@@ -108,17 +108,17 @@ def _woken_once(loop: asyncio.AbstractEventLoop) -> None:
 
 
 def _listen(host: str, port: int) -> socket.socket:
-    """Take the port ourselves: viser would silently take the next free one, or the one its environment names."""
+    """Open the port here: viser would silently take the next free one, or the one in its environment variable."""
     if port not in range(65536):
         raise HelicoideError(NO_PORT.format(port=port))
     try:
-        listener = socket.create_server((socket.gethostbyname(host), port))  # it would hide what is wrong with a name
+        listener = socket.create_server((socket.gethostbyname(host), port))  # create_server hides the name error
     except OSError as error:
         text = {errno.EADDRINUSE: TAKEN, errno.EACCES: RESERVED}.get(error.errno or 0, CLOSED)
         raise HelicoideError(text.format(host=host, port=port, reason=os_error_reason(error))) from error
     except UnicodeError as error:  # a name that no host can have
         raise HelicoideError(CLOSED.format(host=host, port=port, reason=NO_HOST)) from error
-    # asyncio does this only for sockets that name their protocol; small messages would wait for acknowledgements
+    # asyncio sets this only for sockets with a named protocol; without it, small messages wait for acknowledgements
     listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return listener
 
@@ -137,9 +137,9 @@ def _origin(address: str) -> str:
 def _door(
     port: int, answer: Callable[[Request], Response], channels: Mapping[str, Channel], origins: Collection[str]
 ) -> Door:
-    """Decide on each request: a page of this host gets its socket, a GET its answer, anything else a refusal.
+    """The check of each request: a page of this host gets its socket, a GET its answer, anything else a refusal.
 
-    A host of another name may be a foreign one that was made to point here.
+    Unknown host names are refused, since a foreign name may be made to point here (DNS rebinding).
     """
     beyond = {urlsplit(origin).netloc for origin in origins}
 
@@ -161,14 +161,14 @@ def _door(
 
 
 def _refusal(origin: str, name: str) -> bytes:
-    """What a page of an origin that is not known is told."""
+    """The answer to a page of an unknown origin, in both languages."""
     words = UNKNOWN.format(origin=origin or "?", name=name)
     return f"{words.en}\n\n{words.pt_BR}\n".encode(errors="replace")
 
 
 @contextlib.contextmanager
 def _guarded(listener: socket.socket, check: Door, channels: Mapping[str, Channel]) -> Iterator[None]:
-    """Wrap the one call with which viser serves while viser starts."""
+    """Replace `websockets.asyncio.server.serve`, which viser calls once, while viser starts."""
     real = websockets.asyncio.server.serve
 
     def guarded(handler: Channel, *_: object, **options: Any) -> websockets.asyncio.server.serve:
@@ -192,7 +192,7 @@ def _path(request: Request) -> str:
 
 
 def _refuses_foreign_pages(address: str, port: int) -> bool:
-    """Try the door as a page of another site would: a viser that serves in a new way must not go unnoticed."""
+    """Whether a page of another site is refused, by trying it: a new viser might serve without our checks."""
     handshake = {
         "Connection": "Upgrade",
         "Upgrade": "websocket",

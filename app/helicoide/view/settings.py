@@ -1,4 +1,4 @@
-"""Rows for the settings of an options class: a slider, a choice or a tick for each."""
+"""Rows for the settings of an options class: a slider, a dropdown or a checkbox for each."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from math import ceil, floor, log10
 from typing import Any
 
 from helicoide.ik.method import OneOf, Quantity, YesNo, settings
-from helicoide.text import Text, untranslated
+from helicoide.text import Text, number_text, untranslated
 from helicoide.view.rows import Checkbox, Dropdown, PageRequest, Row, Slider, View
 
 NONE = Text(en="none", pt_BR="nenhum")
 NOTHING_TO_SET = Text(en="Nothing can be set.", pt_BR="Não há o que ajustar.")
 STEPS, PER_DECADE = 50, 20
-DECADES = "\u2063"  # an invisible mark in the label, by which the page knows such a slider
+DECADES = "\u2063"  # an invisible mark in the label, by which the page finds logarithmic sliders
 Options = Callable[[View], Any]
 Change = Callable[[str, object], PageRequest]
 
@@ -21,8 +21,8 @@ Change = Callable[[str, object], PageRequest]
 def rows_of(kind: type, length: float, options: Options, change: Change) -> list[Row]:
     """A row for each setting of an options class.
 
-    length: the characteristic length, m, for what is shown in mm; options: what is set now; change: the wish that sets
-    one by name.
+    length: the characteristic length, m, for what is shown in mm; options: the current values; change: makes the
+    request that sets one of them by name.
     """
     rows: list[Row] = []
     for name, setting in settings(kind).items():
@@ -48,7 +48,7 @@ def _wish(change: Change, name: str) -> Callable[[object], PageRequest]:
 def _quantity(
     setting: Quantity, length: float, value: Callable[[View], float], wish: Callable[[object], PageRequest]
 ) -> Row:
-    """A slider in the unit of the screen, in steps of a power of ten."""
+    """A slider in the unit on the screen, with steps of a power of ten."""
     unit = (1000 * length) ** setting.lengths
     if setting.decades:
         return _decades(setting, unit, value, wish)
@@ -67,11 +67,11 @@ def _quantity(
 def _decades(
     setting: Quantity, unit: float, value: Callable[[View], float], wish: Callable[[object], PageRequest]
 ) -> Row:
-    """A slider through powers of ten, whose label shows the value; what viser shows of the exponent, the page hides."""
+    """A logarithmic slider. Its label shows the value; the page hides the exponent that viser shows."""
 
     def label(view: View) -> Text:
         return untranslated("{title}: {said} {unit}{decades}").format(
-            title=setting.title, said=f"{value(view) * unit:.3g}", unit=setting.unit, decades=DECADES
+            title=setting.title, said=number_text(value(view) * unit, ".3g"), unit=setting.unit, decades=DECADES
         )
 
     return Slider(

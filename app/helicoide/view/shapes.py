@@ -1,4 +1,4 @@
-"""A robot's meshes, read from its URDF once: per URDF link the shape, its edges, and where it sits on the arm."""
+"""A robot's meshes, read from its URDF once: for each URDF link its shape, its edges, and its pose on the arm."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ NO_GRIPPER = Text(
 class Shape:
     """One URDF link: its GLB, its sharp edges (e, 2, 3) m, the arm's link that carries it, and its pose on that link.
 
-    T_link_shape (4, 4), m, with the gripper closed; `slide` (3,), m: how far it moves there when the gripper opens.
+    T_link_shape (4, 4), m, with the gripper closed; `slide` (3,), m: displacement when the gripper opens fully.
     """
 
     name: str
@@ -43,9 +43,9 @@ class Shape:
 
 @lru_cache(maxsize=32)
 def load_shapes(robot: Robot) -> list[Shape]:
-    """The shapes of a robot, with lines and cylinders where less than half of it can be drawn.
+    """The shapes of a robot. If fewer than half of its moving links have meshes, the others get lines and cylinders.
 
-    Raises HelicoideError when the URDF is broken.
+    Raises HelicoideError if the URDF is broken.
     """
     closed = _urdf(robot)
     opened = closed
@@ -64,7 +64,7 @@ def load_shapes(robot: Robot) -> list[Shape]:
 
 
 def _lines(robot: Robot, seen: Set[int]) -> list[Shape]:
-    """The shapes of an arm of which too little else can be seen; not of its links that are."""
+    """Lines and cylinders for the links without a mesh. seen: the links that have one."""
     shortest = SHORTEST_EDGE * robot.reach
     return [
         Shape(name, _glb(scene), _edges(scene, shortest), i, np.eye(4), np.zeros(3))
@@ -74,7 +74,7 @@ def _lines(robot: Robot, seen: Set[int]) -> list[Shape]:
 
 
 def _glb(scene: trimesh.Scene) -> bytes:
-    """The scene as a page takes it; opaque textures as JPEG, which is written 25 times as fast as PNG."""
+    """The scene as GLB; opaque textures as JPEG, which is written 25 times as fast as PNG."""
     materials = [getattr(mesh.visual, "material", None) for mesh in scene.geometry.values()]
     for texture in (getattr(material, name, None) for material in materials for name in ("image", "baseColorTexture")):
         if texture is not None and texture.mode == "RGB":
@@ -83,7 +83,7 @@ def _glb(scene: trimesh.Scene) -> bytes:
 
 
 def _urdf(robot: Robot) -> yourdfpy.URDF:
-    """The URDF with its meshes; the joints of the arm stand at zero, also those that follow others."""
+    """The URDF with its meshes. Mimic rules of the arm's joints are removed, so that all joints are at zero."""
     urdf = urdf_file.read_urdf(robot.urdf, robot.parameters).robot
     of_arm = {joint.name for joint in robot.joints}
     for joint in urdf.joints:
@@ -111,7 +111,7 @@ def _shape(robot: Robot, closed: yourdfpy.URDF, opened: yourdfpy.URDF, name: str
 
 
 def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
-    """The meshes of one URDF link, in its frame; what has no surface is left out."""
+    """The meshes of one URDF link, in its frame, without those that have no surface."""
     tree, scene = urdf.scene.graph, trimesh.Scene()
     for node in tree.nodes_geometry:
         if tree.transforms.parents[node] == name:
@@ -122,12 +122,12 @@ def _visuals(urdf: yourdfpy.URDF, name: str) -> trimesh.Scene:
 
 
 def _plain(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
-    """A box, cylinder or sphere as a mesh that can be changed, with edges that look sharp; any other mesh as it is."""
+    """A box, cylinder or sphere as an editable mesh with sharp edges; any other mesh unchanged."""
     return mesh.smooth_shaded if isinstance(mesh, trimesh.primitives.Primitive) else mesh
 
 
 def _bare(scene: trimesh.Scene) -> trimesh.Trimesh:
-    """The meshes of a scene as one, without colours and textures, which take long to join."""
+    """The meshes of a scene as one mesh, without colours and textures, which are slow to join."""
     bare = trimesh.Scene()
     for T, name in (scene.graph[node] for node in scene.graph.nodes_geometry):
         mesh = scene.geometry[name]
@@ -137,7 +137,7 @@ def _bare(scene: trimesh.Scene) -> trimesh.Trimesh:
 
 
 def _edges(scene: trimesh.Scene, shortest: float) -> Array:
-    """The sharp edges of a shape that are at least so long, (e, 2, 3), m; of a smooth shape those that show it best."""
+    """The sharp edges (e, 2, 3), m, longer than `shortest`; for a smooth shape the sharpest and longest edges."""
     mesh = _bare(scene)
     mesh.merge_vertices()
     edges, angles = mesh.vertices[mesh.face_adjacency_edges], mesh.face_adjacency_angles

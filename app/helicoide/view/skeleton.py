@@ -1,4 +1,4 @@
-"""An arm of which its file shows nothing: its links as lines, its turning joints as cylinders, its slides as bars."""
+"""Drawing of an arm without meshes: links as lines, revolute joints as cylinders, prismatic joints as bars."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OF_LINES, OF_JOINTS = (150, 155, 165, 255), (235, 130, 60, 255)
 
 
 def skeleton_meshes(robot: Robot) -> list[tuple[str, trimesh.Scene]]:
-    """The name of each URDF link that moves, base first, and what is drawn of it in the frame of the arm's link."""
+    """The base and each moving link: its URDF name, and its drawing in the frame of the arm's link."""
     names = [robot.base_link, *(joint.link for joint in robot.joints)]
     origins = np.array([np.zeros(3), *robot.points])
     ends = np.array([*robot.points, robot.T_world_tool_0[:3, 3]]) - origins
@@ -38,7 +38,7 @@ def _solid(joint: Joint, size: float) -> trimesh.Trimesh:
 
 
 def _painted(mesh: trimesh.Trimesh, colour: tuple[int, int, int, int]) -> trimesh.Trimesh:
-    """The mesh in a colour, its faces flat where it has edges."""
+    """The mesh in one colour, flat shaded at its edges."""
     flat = mesh.smooth_shaded
     colours = np.tile(np.array(colour, dtype=np.uint8), (len(flat.vertices), 1))
     return trimesh.Trimesh(flat.vertices, flat.faces, vertex_colors=colours, process=False)

@@ -1,4 +1,4 @@
-"""Forward kinematics joint by joint, in the words and units of the sources."""
+"""Forward kinematics joint by joint, in the notation and units of the sources."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Cells = tuple[Text, ...]
 
 
 def stage_rows() -> Folder:
-    """A table that is worked out while it is chosen."""
+    """A table that is computed only while it is chosen."""
     return Folder(
         TITLE,
         [
@@ -50,7 +50,7 @@ def _table(view: View) -> Markup:
     return _written(view.state.robot, view.state.arm, view.seat.stages, view.seat.language)
 
 
-@lru_cache(maxsize=8)  # all windows ask the same of an arm that has not moved
+@lru_cache(maxsize=8)  # all windows show the same table until the arm moves
 def _written(robot: Robot, arm: ArmState, kind: StageKind, language: Language) -> Markup:
     found = text_table(robot, arm.q, kind, as_source=True)
     joints = Markup("").join(
@@ -61,7 +61,7 @@ def _written(robot: Robot, arm: ArmState, kind: StageKind, language: Language) -
 
 
 def _in_fours(matrix: Sequence[Cells]) -> Iterator[Cells]:
-    """The rows of a matrix; a dual quaternion with its dual part below."""
+    """The rows of a matrix, four cells each, so that a dual quaternion has its dual part below."""
     return (row[k : k + 4] for row in matrix for k in range(0, len(row), 4))
 
 

@@ -1,4 +1,4 @@
-"""Rows for teaching by showing: record where the arm stands, put the points in order, go through them."""
+"""Rows for teaching a path: record postures of the arm as points, order the points, and follow them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ ADD = Text(en="Add waypoint", pt_BR="Adicionar ponto")
 
 
 def teaching_rows(robot: Robot) -> Folder:
-    """Record where the arm stands, the points themselves, and what can be done with all of them."""
+    """Rows that record the arm's posture, edit each point, and follow, save and load all points."""
     rows: list[Row] = [
         Dropdown(
             Text(en="move type", pt_BR="tipo de movimento"),
@@ -46,23 +46,26 @@ def teaching_rows(robot: Robot) -> Folder:
             lambda way: ForSeat(lambda seat: replace(seat, way=way)),
         ),
         Button(lambda _: ADD, lambda view: ForArm(gate.record(view.seat.way)), Icon.PLUS),
-        Folder(Text(en="Points", pt_BR="Pontos"), DependentRows(_names, partial(_points, robot.gripper is not None))),
+        Folder(
+            Text(en="Waypoints", pt_BR="Pontos"), DependentRows(_names, partial(_points, robot.gripper is not None))
+        ),
         scaling(lambda view: view.state.taught.shape, gate.choose_leg_shape),
         Button(
-            lambda _: Text(en="Go through the points", pt_BR="Percorrer os pontos"),
+            lambda _: Text(en="Run waypoints", pt_BR="Executar os pontos"),
             lambda _: PlayTaught(),
             Icon.PLAYER_PLAY,
             lambda view: bool(view.state.taught.waypoints) and not view.state.arm.parked,
             weight="primary",
         ),
         Button(
-            lambda _: Text(en="Save the points", pt_BR="Salvar os pontos"),
+            lambda _: Text(en="Save waypoints", pt_BR="Salvar pontos"),
             lambda view: Save(FILE, encode_waypoints(view.state.taught)),
             Icon.DOWNLOAD,
             lambda view: bool(view.state.taught.waypoints),
         ),
         Upload(
-            Text(en="Load points", pt_BR="Carregar pontos"), lambda _, __, content: ForArm(gate.take_waypoints(content))
+            Text(en="Load waypoints", pt_BR="Carregar pontos"),
+            lambda _, __, content: ForArm(gate.take_waypoints(content)),
         ),
     ]
     return Folder(Text(en="Teach a path", pt_BR="Ensinar uma trajetória"), rows, open=False)
@@ -80,9 +83,9 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
     def here(view: View) -> Waypoint:
         return view.state.taught.waypoints[place]
 
-    earlier = Text(en="{name}: one place earlier", pt_BR="{name}: uma posição antes").format(name=name)
-    again = Text(en="{name}: as the arm stands now", pt_BR="{name}: como o braço está agora").format(name=name)
-    away = Text(en="{name}: take away", pt_BR="{name}: tirar").format(name=name)
+    earlier = Text(en="{name}: move up", pt_BR="{name}: mover para cima").format(name=name)
+    again = Text(en="{name}: use current posture", pt_BR="{name}: usar a postura atual").format(name=name)
+    away = Text(en="{name}: remove", pt_BR="{name}: remover").format(name=name)
     return [
         TextEntry(
             Text(en="name", pt_BR="nome"),
@@ -97,7 +100,7 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
             lambda way: ForArm(gate.set_way(name, way)),
         ),
         Slider(
-            Text(en="stay [s]", pt_BR="espera [s]"),
+            Text(en="dwell [s]", pt_BR="espera [s]"),
             0.0,
             LONGEST_STAY,
             0.1,
@@ -125,12 +128,12 @@ def _grip(name: str, here: Callable[[View], Waypoint]) -> Dropdown:
 
 
 def ball_rows(robot: Robot) -> Folder:
-    """Something to grasp: the ball put somewhere, or on its stand with the points that carry it to another."""
+    """The ball to grasp: place it, or put it on its stand and teach the points that carry it to another stand."""
     carried = Text(
-        en="Golf ball, from stand to stand: teach the points (Cerbaro 2022, fig. 21)",
-        pt_BR="Bola de golfe, de um suporte a outro: ensinar os pontos (Cerbaro 2022, fig. 21)",
+        en="Teach the golf ball pick-and-place (Cerbaro 2022, fig. 21)",
+        pt_BR="Ensinar a pegar e levar a bola de golfe (Cerbaro 2022, fig. 21)",
     )
-    away = Text(en="Take the ball away", pt_BR="Tirar a bola")
+    away = Text(en="Remove ball", pt_BR="Remover a bola")
     rows: list[Row] = [
         *([Button(lambda _: carried, lambda _: ForArm(gate.pick_and_place()))] if robot.name in gate.POINTS else []),
         VectorRow(Text(en="ball, x y z [mm]", pt_BR="bola, x y z [mm]"), 1.0, _ball, _put),
@@ -142,11 +145,11 @@ def ball_rows(robot: Robot) -> Folder:
             weight="destructive",
         ),
     ]
-    return Folder(Text(en="A ball to grasp", pt_BR="Uma bola para pegar"), rows, open=False)
+    return Folder(Text(en="Ball to grasp", pt_BR="Bola para pegar"), rows, open=False)
 
 
 def _ball(view: View) -> tuple[float, float, float]:
-    """Where the ball is, mm; the origin where there is none."""
+    """The centre of the ball, mm; the origin if there is none."""
     ball = view.state.ball
     x, y, z = (0.0, 0.0, 0.0) if ball is None else (round(1000 * float(value), 1) for value in ball.centre)
     return x, y, z

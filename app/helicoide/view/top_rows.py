@@ -1,4 +1,4 @@
-"""What stands above the tabs: the language, whose arm it is, and the size for a projector."""
+"""The rows above the tabs: language, own or shared arm, and the size for a projector."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from helicoide.text import LANGUAGES, Language, Text, untranslated
 from helicoide.view.rows import Button, Checkbox, Dropdown, ForSeat, OwnArm, Row
 
 LANGUAGE_NAMES: dict[Language, str] = {"en": "English", "pt_BR": "Português (Brasil)"}
-OWN = Text(en="My own arm", pt_BR="Meu próprio braço")
-SHARED = Text(en="Back to the shared arm", pt_BR="Voltar ao braço comum")
+OWN = Text(en="Use my own arm", pt_BR="Usar meu próprio braço")
+SHARED = Text(en="Return to the shared arm", pt_BR="Voltar ao braço comum")
 PROJECTOR = Text(en="Projector", pt_BR="Projetor")
 
 
 def top_rows() -> list[Row]:
-    """Their rows, the same for every robot."""
+    """The rows, the same for every robot."""
     return [
         Dropdown(
             Text(en="Language · Idioma", pt_BR="Idioma · Language"),
@@ -36,5 +36,5 @@ def top_rows() -> list[Row]:
 
 
 def with_projector(on: bool, seat: Seat) -> Seat:
-    """The same person in front of a projector, or no longer."""
+    """A seat with the size for a projector, or with the normal size."""
     return replace(seat, projector=on)

@@ -1,6 +1,6 @@
-"""Files that a window sends: how much of them is taken into memory, and for how long.
+"""Uploads of files, one at a time, with limits on size, number of parts and waiting time.
 
-viser by itself gathers the parts of any number of files of any size, and keeps the last file with its button.
+viser alone would collect any number of files of any size, and keep the last file of each button.
 """
 
 from __future__ import annotations
@@ -30,23 +30,24 @@ TOO_BIG = Text(
     pt_BR="Este arquivo tem {mb:.0f} MB: um arquivo pode ter até {most:.0f} MB.",
 )
 BUSY = Text(
-    en="Another file is still on its way: wait until it has arrived.",
+    en="Another file is still being uploaded: wait until it is done.",
     pt_BR="Outro arquivo ainda está sendo enviado: espere ele chegar.",
 )
 BROKEN = Text(
-    en="The file did not come as it was announced and was dropped: send it again.",
-    pt_BR="O arquivo não chegou como foi anunciado e foi descartado: envie-o de novo.",
+    en="The upload did not match its announced size and was discarded: send the file again.",
+    pt_BR="O envio não correspondeu ao tamanho anunciado e foi descartado: envie o arquivo de novo.",
 )
 STALLED = Text(
-    en="The rest of the file did not come, so it was dropped: send it again.",
-    pt_BR="O resto do arquivo não chegou, por isso ele foi descartado: envie-o de novo.",
+    en="The upload was interrupted and discarded: send the file again.",
+    pt_BR="O envio foi interrompido e descartado: envie o arquivo de novo.",
 )
 
 
 class Uploads:
-    """What one window sends; `refuse` is told why a file is not taken. Only on the event loop of the server.
+    """The uploads of one window, one file at a time. `refuse` takes the reason why a file is not accepted.
 
-    The callback of a button has to take the file before it awaits anything: afterwards it is gone.
+    Use it only on the event loop of the server. The callback of a button has to read the file before its first await:
+    afterwards the file is removed.
     """
 
     def __init__(self, client: viser.ClientHandle, refuse: Callable[[Text], None]) -> None:
@@ -59,7 +60,7 @@ class Uploads:
         self._connection.register_handler(FileTransferPart, self._part)
 
     def close(self) -> None:
-        """The window leaves: what is on its way is dropped, and nothing more is taken."""
+        """Drop an unfinished upload, and accept no more."""
         self._connection.unregister_handler(FileTransferStartUpload, self._start)
         self._connection.unregister_handler(FileTransferPart, self._part)
         self._end()
@@ -79,7 +80,7 @@ class Uploads:
         self._look_whether_done(message)
 
     def _part(self, client_id: ClientId, message: FileTransferPart) -> None:
-        """A part of a file comes; parts of what was not taken are let go."""
+        """A part of a file arrives; parts of a file that was not accepted are ignored."""
         begun = self._begun
         if begun is None or message.transfer_uuid != begun.transfer_uuid:
             return
@@ -92,7 +93,7 @@ class Uploads:
         self._look_whether_done(begun)
 
     def _look_whether_done(self, begun: FileTransferStartUpload) -> None:
-        """Once the file is there, its button lets go of it as soon as the callbacks had their turn."""
+        """When a file is complete, remove it from its button after the callbacks have run."""
         if begun.transfer_uuid not in self._gui._current_file_upload_states:
             self._end()
             self._hide(begun)
@@ -104,25 +105,25 @@ class Uploads:
             button._impl.value = UploadedFile("", b"")
 
     def _button(self, uuid: object) -> GuiUploadButtonHandle | None:
-        """The upload button of that name; None for other controls, and for what is no name."""
+        """The upload button with that uuid; None for other controls, and if `uuid` is not a string."""
         button = self._gui._gui_input_handle_from_uuid.get(uuid) if isinstance(uuid, str) else None
         return button if isinstance(button, GuiUploadButtonHandle) else None
 
     def _wait(self) -> None:
-        """Give the next part its time."""
+        """Start the time limit of the next part."""
         if self._deadline is not None:
             self._deadline.cancel()
         self._deadline = self._gui._event_loop.call_later(PATIENCE, self._drop, STALLED)
 
     def _drop(self, why: Text) -> None:
-        """Let go of what has come of a file, and say why."""
+        """Drop an unfinished file, and say why."""
         begun = self._begun
         self._end()
         if begun is not None:
             self._decline(begun, why)
 
     def _end(self) -> None:
-        """Nothing is on its way any more."""
+        """End the current upload and forget its parts."""
         if self._deadline is not None:
             self._deadline.cancel()
         if self._begun is not None:
@@ -130,19 +131,19 @@ class Uploads:
         self._begun = self._deadline = None
 
     def _decline(self, message: FileTransferStartUpload, why: Text) -> None:
-        """Say why a file is not taken; to the page it is over, or its button would stay locked and its bar on view."""
+        """Say why a file is not accepted. The page is told that it is complete, or its button would stay locked."""
         of = {"source_component_uuid": message.source_component_uuid, "transfer_uuid": message.transfer_uuid}
         self._connection.queue_message(FileTransferPartAck(**of, transferred_bytes=1, total_bytes=1))
         self._hide(message)
         self._refuse(why)
 
     def _hide(self, message: FileTransferStartUpload) -> None:
-        """Take viser's own words about a file away, which are English; what becomes of it is said in ours."""
+        """Remove viser's own notification about a file, which is in English only."""
         self._connection.queue_message(RemoveNotificationMessage(f"upload-{message.transfer_uuid}"))
 
 
 def _why_not(message: FileTransferStartUpload) -> Text | None:
-    """Why a file is not taken as it is announced; None where it is."""
+    """Why a file is refused when it is announced; None if it is accepted."""
     size, parts = message.size_bytes, message.part_count
     if min(size, parts) < 0 or (size == 0) != (parts == 0):
         return BROKEN
@@ -152,7 +153,7 @@ def _why_not(message: FileTransferStartUpload) -> Text | None:
 
 
 def _fits(message: FileTransferPart, state: Any) -> bool:
-    """Whether a part is one that was announced, and leaves the file at its size once all are there."""
+    """Whether a part was announced, has not come yet, and agrees with the announced size of the file."""
     index, content, parts = message.part_index, message.content, state["parts"]
     if not isinstance(content, bytes) or index in parts or not 0 <= index < state["part_count"]:
         return False

@@ -1,4 +1,4 @@
-"""One browser window: its panels in its language, and its own layers of the scene."""
+"""One browser window: its panels, in the language of its seat, and its own layers of the scene."""
 
 from __future__ import annotations
 
@@ -35,36 +35,36 @@ from helicoide.view.uploads import Uploads
 Client = viser.ClientHandle
 PANEL = untranslated("Helicoide")
 LATE = Text(
-    en="That took more than a second to arrive, so it was ignored: the computer or the network is slow. "
-    "Please try again.",
-    pt_BR="Isso demorou mais de um segundo para chegar e foi ignorado: o computador ou a rede está lento. "
-    "Tente de novo.",
+    en="The command arrived more than a second late and was ignored: the computer or the network is slow. Please try "
+    "again.",
+    pt_BR="O comando chegou com mais de um segundo de atraso e foi ignorado: o computador ou a rede está lento. Tente "
+    "de novo.",
 )
 TOLD_FOR = 10.0
-AT_A_TIME = 0.004  # s of rows that are written before others may come in between
-# s: how long a browser needs to take a scene away, since a node that is put back in the same message keeps its old pose
+AT_A_TIME = 0.004  # s of writing rows, after which other tasks get a turn
+# s that a browser needs to clear a scene: a node that is removed and added in one message keeps its old pose
 CLEARED = 0.15
-# On a projector handles and lines are so much larger; words and panel grow by the page's style.
+# Scale of handles and lines on a projector; the style sheet enlarges text and panel.
 WEIGHT = 1.6
 
 
 def new_seat(token: str, language: Language, lesson: str | None, projector: bool = False) -> Seat:
-    """A new person, with every optional layer shown or not as it says of itself."""
+    """A new seat; each optional layer is shown or hidden by its own default."""
     shows = MappingProxyType({layer.NAME: bool(layer.SHOWN) for layer in layers.optional()})
     return Seat(token=token, language=language, lesson=lesson, visible_layers=shows, projector=projector)
 
 
 def preload(robot: Robot) -> None:
-    """Import all that windows show, which takes the longest of the first one; from any thread."""
+    """Import all layers and panels, which takes most of the first window's time; from any thread."""
     layers.all_layers()
     for panel in panels.all_panels():
         panel.rows(robot)
 
 
 class Window:
-    """A client of viser and the person in front of it.
+    """A client of viser and its seat.
 
-    It is filled row by row, and written row by row: whoever waits for the event loop comes in between.
+    Panels are built and updated row by row, so that other tasks of the event loop run in between.
     """
 
     def __init__(self, client: Client, link: Link, view: View, hand_on: Callable[[Window, PageRequest], None]) -> None:
@@ -73,7 +73,7 @@ class Window:
         self.layers: Layers | None = None
         self.placed: list[list[PlacedRow]] = []
         self.tab: int | None = None
-        self.robot = view.state.robot  # the one that the rows are about
+        self.robot = view.state.robot  # the robot of the rows
         self.top: list[PlacedRow] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
@@ -85,27 +85,27 @@ class Window:
         self._busy = asyncio.Lock()
 
     def leave(self) -> None:
-        """The page is gone."""
+        """Mark the page as closed and end its uploads."""
         self.gone = True
         self.uploads.close()
 
     def tell(self, text: Text) -> None:
-        """Say something to this person alone."""
+        """Show a notification in this window alone."""
         self.client.add_notification(PANEL[self.language], text[self.language], auto_close_seconds=TOLD_FOR)
 
     def tell_late(self) -> None:
-        """Say that what was just done came too late, once while it can be read: a drag is many messages."""
+        """Say that an action arrived too late; at most once in `TOLD_FOR` seconds, since a drag is many messages."""
         if monotonic() - self.told_late >= TOLD_FOR:
             self.told_late = monotonic()
             self.tell(LATE)
 
     @property
     def language(self) -> Language:
-        """What the person speaks."""
+        """The language of the seat."""
         return self.view.seat.language
 
     def act(self, wish: PageRequest) -> None:
-        """Hand on what the person wishes; what the page shows of it is put right later, whatever comes of it."""
+        """Pass a request on. The page is then written again, whether or not the request is granted."""
         if isinstance(wish, ShowTab):
             show_tab(self.client, wish.index)
         else:
@@ -113,7 +113,7 @@ class Window:
             self.hand_on(self, wish)
 
     def stage(self, view: View, shapes: list[Shape]) -> None:
-        """Put up this window's own layers for the arm of a view, and look at it."""
+        """Add this window's own layers for the arm of a view, and point the camera at a new arm."""
         self.view, robot = view, view.state.robot
         who = str(self.client.client_id)
         self.shapes, self.weight = shapes, _weight(view.seat)
@@ -123,7 +123,7 @@ class Window:
             camera.position, camera.look_at = outlook(robot, upright=camera.aspect < 1.0)
 
     async def _restage(self, view: View) -> None:
-        """Put up this window's own layers anew, larger or smaller than they were."""
+        """Replace this window's own layers by larger or smaller ones."""
         self.clear()
         self.client.flush()
         await asyncio.sleep(CLEARED)
@@ -132,12 +132,12 @@ class Window:
             self.draw(view)
 
     def clear(self) -> None:
-        """Take everything off this window's scene."""
+        """Remove everything from this window's scene."""
         self.layers = None
         self.client.scene.reset()
 
     def draw(self, view: View) -> None:
-        """Bring this window's layers to a view."""
+        """Update this window's layers to a view."""
         if self.layers is not None:
             with self.client.atomic():
                 self.layers.update(view)
@@ -157,7 +157,7 @@ class Window:
             await self._fill(view)
 
     async def fill(self, view: View) -> None:
-        """Put the rows and commands for the arm of a view in place of those that are there."""
+        """Replace the rows and commands by those for the arm of a view."""
         async with self._busy:
             for row in chain.from_iterable(self.placed):
                 row.remove()
@@ -179,9 +179,9 @@ class Window:
                 await asyncio.sleep(0)
 
     async def write(self, view: View) -> float:
-        """Bring the words and controls to a view, where it is another one; in another language all is built anew.
+        """Update the rows to a view if it has changed. In another language all panels are built again.
 
-        Returns how long that took, s, without what came in between.
+        Returns the time that this took, s, without the time of other tasks in between.
         """
         if (
             self._busy.locked()
@@ -198,7 +198,7 @@ class Window:
         took, began = 0.0, perf_counter()
         self.docked.show(view)
         for row in (*self.top, *self._in_front()):
-            if self.view is not view or self._busy.locked() or self.gone:  # it is being put up anew
+            if self.view is not view or self._busy.locked() or self.gone:  # superseded
                 break
             with self.client.atomic():
                 row.refresh(view)
@@ -208,12 +208,12 @@ class Window:
         return took + perf_counter() - began
 
     def _in_front(self) -> list[PlacedRow]:
-        """The rows that the person may see: of the tab in front, of all while the page has not said which that is."""
+        """The rows of the tab in front, or of all tabs until the page has said which one is in front."""
         known = self.tab is not None and 0 <= self.tab < len(self.placed)
         return self.placed[self.tab or 0] if known else [*chain.from_iterable(self.placed)]
 
     def restore(self) -> None:
-        """Say again where every handle and control stands: a hand that did not count may have moved some of them."""
+        """Send every handle's pose and every control's value again: a rejected action may have changed them."""
         for name, gizmo in self.client.scene._handle_from_transform_controls_name.items():
             x, y, z = map(float, gizmo.position)
             self.client.scene._queue_scene_message(SetPositionMessage(name, (x, y, z)))
@@ -236,7 +236,7 @@ def _weight(seat: Seat) -> float:
 
 
 def _same(old: View, new: View) -> bool:
-    """Whether two views of a window say the same."""
+    """Whether two views of a window are the same."""
     return (
         old.state is new.state and old.seat is new.seat and old.desk is new.desk and old.ready == new.ready
     ) and old.own == new.own

@@ -1,4 +1,4 @@
-"""The map of the workspace in words, rows and colours."""
+"""The map of the workspace: its rows, its notes and its colour scale."""
 
 from __future__ import annotations
 
@@ -15,39 +15,39 @@ from helicoide.arrays import Array
 from helicoide.kinematics.grid import Counts
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.workspace import MAP_KINDS, MapKind, WorkspaceMap, fixed_tool_text, plane_normal
-from helicoide.text import Text, untranslated
+from helicoide.text import Text, number_text, untranslated, with_decimal_comma
 from helicoide.view import html
 from helicoide.view.rows import Bar, Button, CountMap, Dropdown, Folder, ForArm, ForSeat, HtmlRow, Row, Slider, View
 
-# From low to high, each lighter than the one before, so that they can be told apart without seeing colours.
+# From low to high, each lighter than the one before, so that they differ without colour vision too.
 ANCHORS = np.array([(59, 28, 110), (49, 94, 160), (30, 148, 139), (118, 196, 88), (250, 222, 60)], dtype=np.float64)
 
 TITLES: dict[MapKind, Text] = {
-    "reachable": Text(en="Reach", pt_BR="Alcance"),
+    "reachable": Text(en="Reachable positions", pt_BR="Posições alcançáveis"),
     "dexterous": Text(en="Dexterity", pt_BR="Destreza"),
     "manipulability": Text(en="Manipulability", pt_BR="Manipulabilidade"),
 }
 ABOUT: dict[MapKind, Text] = {
     "reachable": Text(
-        en="Where the tool can come, tried with random postures within the joint limits.",
-        pt_BR="Aonde o efetuador chega, testado com posturas ao acaso dentro dos limites das juntas.",
+        en="Positions that the end effector can reach, sampled with random postures within the joint limits.",
+        pt_BR="Posições que o efetuador alcança, amostradas com posturas aleatórias dentro dos limites das juntas.",
     ),
     "dexterous": Text(
-        en="With what share of all orientations the tool can come to each place.",
-        pt_BR="Com que parcela de todas as orientações o efetuador chega a cada lugar.",
+        en="Share of all orientations that the end effector can take at each position.",
+        pt_BR="Parcela de todas as orientações que o efetuador assume em cada posição.",
     ),
     "manipulability": Text(
-        en="How nimbly the tool can move at each place, in the best posture that was found.",
-        pt_BR="Com que desenvoltura o efetuador se move em cada lugar, na melhor postura encontrada.",
+        en="Largest manipulability w found at each position.",
+        pt_BR="Maior manipulabilidade w encontrada em cada posição.",
     ),
 }
-COUNT = Text(en="Work out the map", pt_BR="Calcular o mapa")
-END = Text(en="End the calculation", pt_BR="Encerrar o cálculo")
-CLEAR = Text(en="Take the map away", pt_BR="Tirar o mapa")
-COUNTED = Text(en="{title}: being worked out.", pt_BR="{title}: em cálculo.")
+COUNT = Text(en="Compute map", pt_BR="Calcular mapa")
+END = Text(en="End calculation", pt_BR="Encerrar o cálculo")
+CLEAR = Text(en="Remove map", pt_BR="Remover mapa")
+COUNTED = Text(en="{title}: computing.", pt_BR="{title}: calculando.")
 FOUND = Text(
-    en="{title}: the tool comes to {measure}, found by {samples} postures in cells of {size:.0f} mm.",
-    pt_BR="{title}: o efetuador alcança {measure}, segundo {samples} posturas em células de {size:.0f} mm.",
+    en="{title}: {measure} reached by {samples} postures, in cells of {size:.0f} mm.",
+    pt_BR="{title}: {measure} com {samples} posturas, em células de {size:.0f} mm.",
 )
 HEIGHT = Text(en="height above the base frame [mm]", pt_BR="altura sobre o referencial da base [mm]")
 DISTANCE = Text(en="distance from the first axis [mm]", pt_BR="distância ao primeiro eixo [mm]")
@@ -58,7 +58,7 @@ SHARE = Text(en="share of all orientations [%]", pt_BR="parcela de todas as orie
 
 @dataclass(frozen=True)
 class Scale:
-    """What the colours of a map stand for, from the least to the greatest value."""
+    """The colour scale of a map, from the least to the greatest value."""
 
     title: Text
     least: float
@@ -76,14 +76,15 @@ def colours(shares: Array) -> NDArray[np.uint8]:
 
 
 def middles(found: WorkspaceMap, steps: Counts | Array) -> Array:
-    """The middles (k, 3), m, base frame, of the cells that are so many steps (k, d) from the first one."""
+    """The centres (k, 3), m, base frame, of the cells with the indices `steps` (k, d)."""
     return np.asarray(found.cells.origin + found.cells.size * (steps + 0.5) @ found.cells.axes)
 
 
 def values(found: WorkspaceMap, steps: Counts) -> Array:
-    """What the cells at those steps (k, d) are coloured by, (k,), in the unit of the scale.
+    """The values (k,) that colour the cells with the indices `steps` (k, d), in the unit of the scale.
 
-    Where a map only says yes or no, it is a length that lets its shape be seen.
+    A reachable map has no values: its cells are coloured by a length that shows the shape, which is the height, or for
+    an arm in a plane the distance from the centre.
     """
     match found.kind, len(found.cells.shape):
         case "reachable", 3:
@@ -99,7 +100,7 @@ def values(found: WorkspaceMap, steps: Counts) -> Array:
 
 @lru_cache(maxsize=4)
 def scale(found: WorkspaceMap, slides: bool) -> Scale:
-    """What a map is coloured by; slides: whether the arm has slides, whose rates have no unit in common with turns."""
+    """The colour scale of a map. slides: whether the arm has prismatic joints, so that w has no single unit."""
     there = values(found, np.argwhere(found.reached.reshape(found.cells.shape)))
     d = len(found.cells.shape)
     title = {
@@ -111,12 +112,12 @@ def scale(found: WorkspaceMap, slides: bool) -> Scale:
 
 
 def scale_of(robot: Robot, found: WorkspaceMap) -> Scale:
-    """What a map of an arm is coloured by."""
+    """The colour scale of a map of an arm."""
     return scale(found, any(joint.is_prismatic for joint in robot.joints))
 
 
 def workspace_rows(robot: Robot) -> Folder:
-    """Everything about maps of the workspace of an arm; one that stays in a plane is not cut."""
+    """All rows about the workspace of an arm. The map of an arm that moves in a plane has no cut."""
     rows: list[Row] = [
         Dropdown(
             Text(en="Map", pt_BR="Mapa"),
@@ -158,7 +159,7 @@ def _has_map(view: View) -> bool:
 
 
 def _about(view: View) -> Markup:
-    """What the map that is chosen shows, or the one that is being worked out, whoever asked for it."""
+    """What the chosen map shows, or which map is being computed, whoever asked for it."""
     counting, language = view.state.workspace.progress, view.seat.language
     if counting is None:
         return html.note(ABOUT[view.seat.map_kind][language])
@@ -166,7 +167,7 @@ def _about(view: View) -> Markup:
 
 
 def _found(view: View) -> Markup:
-    """What the map says as a whole, and what its colours stand for."""
+    """The total of the map, and what its colours mean."""
     found, language = view.state.workspace.map, view.seat.language
     if found is None:
         return Markup("")
@@ -181,16 +182,24 @@ def _found(view: View) -> Markup:
     return Markup(
         "<div class='helicoide-note'>{}<div class='helicoide-scale'>{}"
         "<i style='background: linear-gradient(to right, {})'></i><b>{}</b><b>{}</b></div></div>"
-    ).format(words[language], said.title[language], stops, _number(found, said.least), _number(found, said.greatest))
+    ).format(
+        words[language],
+        said.title[language],
+        stops,
+        _number(found, said.least)[language],
+        _number(found, said.greatest)[language],
+    )
 
 
-def measure_title(found: WorkspaceMap) -> str:
-    """The volume that is reached in litres or m³, or the area in cm² or m²."""
+def measure_title(found: WorkspaceMap) -> Text:
+    """The reachable volume in litres or m³, or the area in cm² or m²."""
     flat = len(found.cells.shape) == 2
     large, small, parts = ("m²", "cm²", 1e4) if flat else ("m³", "L", 1e3)
     value, unit = (found.measure, large) if found.measure >= 1.0 else (parts * found.measure, small)
-    return f"{value:.2f} {unit}" if value < 10 else f"{value:.1f} {unit}" if value < 100 else f"{value:.0f} {unit}"
+    decimals = 2 if value < 10 else 1 if value < 100 else 0
+    return untranslated("{value} {unit}").format(value=number_text(value, f".{decimals}f"), unit=unit)
 
 
-def _number(found: WorkspaceMap, value: float) -> str:
-    return (f"{value:.3g}" if found.kind == "manipulability" else f"{value + 0.0:.0f}").replace("-", "−")
+def _number(found: WorkspaceMap, value: float) -> Text:
+    shown = f"{value:.3g}" if found.kind == "manipulability" else f"{value + 0.0:.0f}"
+    return with_decimal_comma(shown.replace("-", "−"))

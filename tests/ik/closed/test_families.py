@@ -110,7 +110,7 @@ def test_a_singular_wrist_keeps_its_fourth_joint(name: str, family: str) -> None
 def test_other_arms_are_refused_in_words(family: str) -> None:
     robot = load_robot("scara")
     assert closed.found()[family].applies(robot) is not None
-    with pytest.raises(HelicoideError, match="This form is for"):
+    with pytest.raises(HelicoideError, match="This form needs"):
         found(family, robot, np.eye(4), robot.poses["ready"])
 
 

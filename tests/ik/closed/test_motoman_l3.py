@@ -145,7 +145,7 @@ def test_out_of_reach_is_a_value_with_words() -> None:
     answer = closed.solve(motoman_l3, ROBOT, pose((900, 0, 1200), np.eye(3)), NOW)
     assert answer.branches == ()
     assert answer.short == pytest.approx(1499.1)
-    for language, edge in zip(LANGUAGES, ("outer edge", "borda externa"), strict=True):
+    for language, edge in zip(LANGUAGES, ("outer radius", "raio externo"), strict=True):
         assert edge in answer.words[language]
 
 
@@ -257,7 +257,7 @@ def test_a_tool_ahead_of_the_wrist_keeps_its_point() -> None:
 def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     assert isinstance(motoman_l3.applies(robot), Text)
-    with pytest.raises(HelicoideError, match="This form is for"):
+    with pytest.raises(HelicoideError, match="This form needs"):
         closed.solve(motoman_l3, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 

@@ -175,7 +175,7 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     reason = planar2r.applies(robot)
     assert reason is not None
-    with pytest.raises(HelicoideError, match="This form is for"):
+    with pytest.raises(HelicoideError, match="This form needs"):
         closed.solve(planar2r, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 

@@ -154,7 +154,7 @@ def test_limits_are_told() -> None:
 def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     assert planar3r.applies(robot) is not None
-    with pytest.raises(HelicoideError, match="This form is for"):
+    with pytest.raises(HelicoideError, match="This form needs"):
         closed.solve(planar3r, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 

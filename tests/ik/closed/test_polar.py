@@ -57,7 +57,7 @@ def test_on_the_axis_theta_1_is_kept_and_it_is_said(theta1: float) -> None:
     np.testing.assert_allclose(branch.q, [theta1, 0], atol=1e-12)
     assert not branch.within
     assert worst(ROBOT, answer) < 1e-12
-    for language, axis in zip(LANGUAGES, ("axis of the turret", "eixo da torre"), strict=True):
+    for language, axis in zip(LANGUAGES, ("axis of joint 1", "eixo da junta 1"), strict=True):
         assert "ρ = 0" in answer.words[language]
         assert axis in answer.words[language]
 
@@ -94,7 +94,7 @@ def test_a_tool_beside_the_axis_is_another_arm() -> None:
 def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     assert polar.applies(robot) is not None
-    with pytest.raises(HelicoideError, match="This form is for"):
+    with pytest.raises(HelicoideError, match="This form needs"):
         closed.solve(polar, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 

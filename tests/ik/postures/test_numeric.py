@@ -184,7 +184,7 @@ def test_what_only_postures_beyond_the_limits_reach_is_said() -> None:
     answer = numeric.solve(robot, goal, robot.poses["ready"])
     assert answer.branches[0].within
     assert answer.short > 0.1
-    assert "beyond the joint limits" in answer.words.en
+    assert "outside the joint limits" in answer.words.en
     every = numeric.branches(robot, goal, robot.poses["ready"]).branches
     assert any(alike(robot, branch.q, behind, 1e-6) for branch in every)
     assert not any(branch.within for branch in every)

@@ -134,7 +134,7 @@ def test_out_of_reach_the_nearest_posture_is_given_with_what_it_misses(name: str
     assert branch.within
     assert branch.missed > robot.reach
     assert status(answer).en.startswith(f"out of reach by {1000 * branch.missed:.3f} mm")
-    assert status(answer).pt_BR.startswith("fora de alcance por")
+    assert status(answer).pt_BR.startswith("fora do alcance por")
 
 
 def test_a_goal_that_only_postures_beyond_the_limits_reach() -> None:
@@ -144,10 +144,10 @@ def test_a_goal_that_only_postures_beyond_the_limits_reach() -> None:
     every = solve(robot, T, robot.poses["ready"], every=True)
     assert every.branches
     assert not any(branch.within for branch in every.branches)
-    assert status(every).en == "reached only beyond the joint limits"
+    assert status(every).en == "reached only outside the joint limits"
     one = solve(robot, T, robot.poses["ready"])
     assert one.branches[0].within
-    assert "beyond the joint limits" in one.words.en
+    assert "outside the joint limits" in one.words.en
     assert status(one).en.startswith(("not reached", "out of reach"))
 
 
@@ -204,6 +204,6 @@ def test_a_point_off_the_plane_of_an_arm_is_projected(name: str, place: tuple[fl
         asked = (robot, T, robot.poses["ready"], False, False)
         answer = solve(*asked) if way == "front" else solve_by(way, *asked)
         assert (answer.moved, answer.turned) == (pytest.approx(off), 0)
-        assert status(answer).en == f"projected by 0.000° and {1000 * off:.3f} mm to what the arm can take: reached"
+        assert status(answer).en == f"projected by 0.000° and {1000 * off:.3f} mm onto the poses of the arm: reached"
         np.testing.assert_allclose(tool_at(robot, answer.branches[0].q)[:2, 3], place, atol=1e-6)
         assert answer.branches[0].missed == pytest.approx(off)

@@ -129,5 +129,5 @@ def test_an_entry_point_beyond_the_wrist_is_refused() -> None:
 def test_joints_that_follow_others_are_refused() -> None:
     said = refusal(arm(MIXED), through(arm(MIXED), 2))
     assert said is not None
-    assert "follow others" in said.en
-    assert "seguem outras" in said.pt_BR
+    assert "coupled joints" in said.en
+    assert "juntas acopladas" in said.pt_BR

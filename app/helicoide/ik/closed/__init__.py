@@ -1,4 +1,4 @@
-"""Closed forms, a file for each family of arms; `postures.answer.Form` says what such a file holds."""
+"""Closed forms, one module for each family of arms; `postures.answer.Form` describes such a module."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ from helicoide.text import HelicoideError
 
 @cache
 def found() -> dict[str, Form]:
-    """Every closed form by the name of its file."""
+    """Every closed form by its module name."""
     return cast(dict[str, Form], content.modules(__name__))
 
 
 @lru_cache(maxsize=64)
 def of(robot: Robot) -> Mapping[str, Form]:
-    """The closed forms that apply to a robot, the one that is chosen first."""
+    """The closed forms that apply to a robot; the first is the default."""
     known = {name: form for name, form in found().items() if form.applies(robot) is None}
     return MappingProxyType(dict(sorted(known.items(), key=lambda one: (one[1].RANK, one[0]))))
 
 
 def solve(form: Form, robot: Robot, T_world_tool: Array, q: Array) -> Answer:
-    """Every posture of one closed form for a tool pose (4, 4), m, in the order in which it finds them.
+    """Every posture of one closed form for a tool pose (4, 4), m, in the order in which the form gives them.
 
-    q (n,), rad or m: kept where a joint is free. Raises HelicoideError where the form does not apply, for what is no
-    pose, and unless q has n finite values.
+    q (n,), rad or m: a joint that the pose leaves free keeps its value. Raises HelicoideError if the form does not
+    apply, if T_world_tool is not a pose, or if q does not have n finite values.
     """
     if (reason := form.applies(robot)) is not None:
         raise HelicoideError(reason)

@@ -1,7 +1,7 @@
-"""Dual quaternions: each joint is c + s L with c = cos θ/2, s = sin θ/2, and so each step an equation in c : s.
+"""Dual quaternions: the motor of each joint is c + s L, c = cos θ/2, s = sin θ/2, and each step gives the ratio c : s.
 
-What a joint moves, (c + s L) X (c + s L)*, is quadratic in c and s; that it moves X onto Y, (c + s L) X = Y (c + s L),
-is linear. For the PUMA, the Movemaster, and their kin.
+An object X moved by a joint, (c + s L) X (c + s L)*, is quadratic in c and s. The condition that the joint moves X to
+Y, (c + s L) X = Y (c + s L), is linear. For the PUMA, the Movemaster and similar arms.
 """
 
 from __future__ import annotations
@@ -47,18 +47,18 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m; q (n,), rad: kept where a joint is free.
+    """Every posture for a tool pose (4, 4), m. q (n,), rad: a joint that the pose leaves free keeps its value.
 
-    Raises HelicoideError for what is no pose and for another kind of arm.
+    Raises HelicoideError if T_world_tool is not a pose or if the form does not apply.
     """
     return solved(robot, T_world_tool, q, _six, _five)
 
 
 def halves(L: Array, measure: Callable[[Array], float], kept: float) -> list[float]:
-    """θ, rad, of c + s L with measure(c + s L) = 0, a quadratic form A c² + B c s + C s²: no, one or two.
+    """The angles θ, rad, none, one or two, for which measure(c + s L) = A c² + B c s + C s² = 0.
 
-    A and C are its values at c = 1 and at s = 1; half their sum and B give that at c = s. kept: where all are zero.
-    Args: L (16,), a line of length one; measure: an affine function of what the motor moves.
+    A and C are the values at c = 1 and at s = 1; B follows from the value at c = s. Returns [kept] if A, B and C are
+    zero. Args: L (16,), a unit line; measure: an affine function of the object that the motor moves.
     """
     A, C = measure(CL031.blade("1")), measure(L)
     B = 2 * measure(sqrt(0.5) * (CL031.blade("1") + L)) - A - C
@@ -76,7 +76,7 @@ def halves(L: Array, measure: Callable[[Array], float], kept: float) -> list[flo
 def turning(L: Array, X: Array, Y: Array, kept: float) -> float:
     """θ, rad, of the motor m = c + s L with m X = Y m: c a + s b = 0 for a = X − Y, b = L X − Y L, all (16,).
 
-    By least squares tan θ = −2 a·b / (b·b − a·a); kept: where X does not feel the motor.
+    By least squares, tan θ = −2 a·b / (b·b − a·a). Returns kept if a = b = 0, where every θ satisfies the equation.
     """
     a, b = X - Y, CL031.product(L, X) - CL031.product(Y, L)
     if a @ a + b @ b < NONE:
@@ -85,7 +85,7 @@ def turning(L: Array, X: Array, Y: Array, kept: float) -> float:
 
 
 def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
-    """Waist and elbow by quadratic forms, shoulder by a linear one, wrist by half sums of its angles."""
+    """Waist and elbow from quadratic equations, shoulder from a linear one, wrist from σ and τ of `_wrist`."""
     lines, Q, s = _lines(robot), _displacement(robot, T), robot.directions
     W_0, plane = rigid.point(arm.wrist), rigid.plane(s[1], s[1] @ arm.wrist)
     W = rigid.move(Q, W_0)
@@ -98,7 +98,7 @@ def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
 
 
 def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
-    """Waist by a linear form, roll from the rotor, elbow by a quadratic form, shoulder and bend by linear ones."""
+    """Waist, shoulder and bend from linear equations, elbow from a quadratic one, roll from the rotor."""
     lines, Q, R, s = _lines(robot), _displacement(robot, T), arm.T_world_base, robot.directions
     y, M = R[:3, 1], R[:3, :3] @ arm.normal(arm.seen(T), float(q[0]))[0]
     W_0 = rigid.point(robot.points[3] - ((robot.points[3] - R[:3, 3]) @ y) * y)
@@ -117,7 +117,10 @@ def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
 
 
 def _elbow(robot: Robot, lines: list[Array], W_0: Array, W: Array, q: Array) -> Iterator[tuple[float, float, float]]:
-    """θ₂, θ₃, rad, of m₂ m₃ that moves W₀ to W, in the plane across both axes, and k = (δ² − ρ² − a²)/2a, m."""
+    """θ₂, θ₃, rad, for which m₂ m₃ moves W₀ to W, and k = (δ² − ρ² − a²)/2a, m. Axes 2 and 3 are parallel.
+
+    a, ρ, δ, m: from axis 2 to axis 3, from axis 3 to W₀, from axis 2 to W.
+    """
     s2, between = robot.directions[1], robot.points[2] - robot.points[1]
     between = between - (between @ s2) * s2
     a = float(np.linalg.norm(between))
@@ -130,9 +133,9 @@ def _elbow(robot: Robot, lines: list[Array], W_0: Array, W: Array, q: Array) -> 
 
 
 def _wrist(s: Array, M: Array, q: Array) -> Iterator[tuple[float, float, float]]:
-    """θ₄, θ₅, θ₆, rad, of the turn M about the wrist: σ and τ are half the sum and half the difference of θ₄ and θ₆.
+    """θ₄, θ₅, θ₆, rad, of the rotation M about the wrist, with σ = (θ₄ + θ₆)/2 and τ = (θ₄ − θ₆)/2.
 
-    Where axis 6 is turned by φ about axis 5 from axis 4 at q = 0, θ₅ counts from there.
+    φ is the angle about axis 5 from axis 4 to axis 6 at q = 0; it is subtracted from θ₅.
     """
     phi = atan2(s[4] @ np.cross(s[3], s[5]), s[3] @ s[5])
     w, x, y, z = _parts(CL031.product(M, rigid.rotor(s[4], phi)), s[3], s[4])
@@ -147,7 +150,7 @@ def _wrist(s: Array, M: Array, q: Array) -> Iterator[tuple[float, float, float]]
 
 
 def _parts(M: Array, i: Array, j: Array) -> tuple[float, float, float, float]:
-    """The rotor of a motor (16,) by 1, i, j and i j, for unit directions (3,) at right angles."""
+    """The components along 1, i, j and i j of the rotor of a motor (16,), for orthogonal unit vectors i and j (3,)."""
     w, *v = _rotor(M)
     return float(w), float(i @ v), float(j @ v), float(np.cross(i, j) @ v)
 
@@ -157,7 +160,7 @@ def _rotor(M: Array) -> Array:
 
 
 def _direction(v: Array) -> Array:
-    """A direction (3,) as a line through the origin without its moment's place: (16,)."""
+    """The line (16,) through the origin in a direction (3,)."""
     return rigid.line(v, np.zeros(3))
 
 
@@ -166,7 +169,7 @@ def _lines(robot: Robot) -> list[Array]:
 
 
 def _displacement(robot: Robot, T: Array) -> Array:
-    """Q Q₀*, (16,): from where the tool is at q = 0 to the goal."""
+    """The motor Q Q₀* (16,) from the tool pose at q = 0 to the goal T (4, 4), m."""
     return rigid.motor_from_pose(T @ np.linalg.inv(robot.T_world_tool_0))
 
 

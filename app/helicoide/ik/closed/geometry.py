@@ -1,4 +1,4 @@
-"""Geometry: the PUMA and its kin cut into plane triangles, seen from above and from the side; then the wrist."""
+"""Geometry: plane triangles for the arm, seen from above and from the side, then the wrist. For PUMA-like arms."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ EQUATIONS = (
     r" \theta_4 = \angle_{\hat s_4}(\hat s_5, \hat n),\quad \theta_5 = \angle_{\hat n}(\hat s_6(0), \hat s_6),"
     r"\quad \theta_6 = \angle_{\hat s_6}(R^T \hat n, \hat s_5)",
 )
-# A tube about the waist that the wrist touches, m², and sines of a wrist that is stretched.
+# Square of a side, m², that counts as zero: the wrist is as near to the waist as possible. Sine of a stretched wrist.
 TOUCHES, STRETCHED = 1e-12, 1e-10
 
 
@@ -38,9 +38,9 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m; q (6,), rad: kept where a joint is free.
+    """Every posture for a tool pose (4, 4), m. q (6,), rad: a joint that the pose leaves free keeps its value.
 
-    Raises HelicoideError for what is no pose and for another kind of arm.
+    Raises HelicoideError if T_world_tool is not a pose or if the form does not apply.
     """
     if (arm := elbow_wrist(robot)) is None:
         raise HelicoideError(ELSE)
@@ -48,7 +48,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
 
 
 def _postures(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
-    """From above: a right triangle with the side d; from the side: upper arm and forearm as sides l₁ and l₂."""
+    """From above, a right triangle with side d gives θ₁. From the side, one with sides l₁ and l₂ gives θ₂ and θ₃."""
     g, base, s = T @ np.linalg.inv(robot.T_world_tool_0), arm.T_world_shoulder, robot.directions
     (e_x, _, e_z), (w_x, d, w_z) = (_seen(base, p) for p in (robot.points[2], arm.wrist))
     x, y, z = _seen(base, g[:3, :3] @ arm.wrist + g[:3, 3])
@@ -70,7 +70,7 @@ def _postures(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Ste
 
 
 def _wrist(s: Array, R: Array, q: Array) -> Iterator[tuple[float, float, float]]:
-    """θ₄, θ₅, θ₆, rad, of the turn R (3, 3): axis 5 stands square on axis 4 and on where axis 6 has to point."""
+    """θ₄, θ₅, θ₆, rad, of the rotation R (3, 3): axis 5 is normal to axis 4 and to the required direction of axis 6."""
     normal = np.cross(s[3], R @ s[5])
     if (sine := float(np.linalg.norm(normal))) < STRETCHED:
         normal, sine = _turn(float(q[3]), s[3]) @ s[4], 0.0
@@ -81,7 +81,7 @@ def _wrist(s: Array, R: Array, q: Array) -> Iterator[tuple[float, float, float]]
 
 
 def _angle(axis: Array, a: Array, b: Array) -> float:
-    """From a direction (3,) to another about an axis (3,), rad."""
+    """The angle from a to b about an axis, all (3,), rad."""
     return atan2(axis @ np.cross(a, b) / np.linalg.norm(axis), a @ b)
 
 

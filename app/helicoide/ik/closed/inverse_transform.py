@@ -1,6 +1,6 @@
-"""Inverse transforms: (⁰A₁)⁻¹ T = ¹A₅ is read entry by entry, one unknown at a time; the Movemaster by its DH rows.
+"""Inverse transforms of the DH rows: the entries of (⁰A₁)⁻¹ T = ¹A₅ give one unknown after another.
 
-The form `puma560` solves the PUMA in the same way.
+For arms with the DH rows of the Movemaster; `puma560` uses the same method for the PUMA.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ TWISTS = (pi / 2, 0.0, 0.0, pi / 2, 0.0)
 SAME = 1e-9
 
 _ELSE = Text(
-    en="This form is for arms with the DH rows of the Movemaster (standard): α = 90°, 0, 0, 90°, 0 and lengths d₁, a₁, "
-    "a₂, a₃, d₅ alone.",
-    pt_BR="Esta forma vale para braços com as linhas DH do Movemaster (padrão): α = 90°, 0, 0, 90°, 0 e só os "
-    "comprimentos d₁, a₁, a₂, a₃ e d₅.",
+    en="This form needs the DH rows of the Movemaster (standard): α = 90°, 0, 0, 90°, 0 and only the lengths d₁, a₁, "
+    "a₂, a₃, d₅.",
+    pt_BR="Esta forma exige as linhas DH do Movemaster (padrão): α = 90°, 0, 0, 90°, 0 e só os comprimentos d₁, a₁, "
+    "a₂, a₃ e d₅.",
 )
 
 
@@ -57,9 +57,9 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m; q (5,), rad: kept where a joint is free.
+    """Every posture for a tool pose (4, 4), m. q (5,), rad: a joint that the pose leaves free keeps its value.
 
-    Raises HelicoideError for what is no pose and for another kind of arm.
+    Raises HelicoideError if T_world_tool is not a pose or if the form does not apply.
     """
     if (reason := applies(robot)) is not None:
         raise HelicoideError(reason)
@@ -67,7 +67,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
 
 
 def _postures(robot: Robot, T_world_tool: Array, q: Array) -> Iterator[Steps]:
-    """The equations in their order, for a pose of the subspace; n, o, a, p are the columns of T."""
+    """The steps of `EQUATIONS` for a pose that the arm can take; n, o, a, p are the columns of T."""
     shifts = np.array([row.theta for row in robot.dh.rows])
     (d1, a1), (_, a2), (_, a3), _, (d5, _) = ((row.d, row.a) for row in robot.dh.rows)
     T = np.linalg.inv(robot.dh.T_world_dh) @ T_world_tool @ np.linalg.inv(robot.dh.T_dh_tool)

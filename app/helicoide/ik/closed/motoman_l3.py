@@ -1,4 +1,4 @@
-"""The Motoman L-3 and its kin: five joints, four postures, a hand that points within the plane of the arm."""
+"""The Motoman L-3 and similar arms: five joints, four postures; the tool points within the plane of the arm."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from helicoide.ik.postures.branch import check_pose, sentences, wrap
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
-TITLE = Text(en="Motoman L-3 and its kin", pt_BR="Motoman L-3 e semelhantes")
+TITLE = Text(en="Motoman L-3 family", pt_BR="família do Motoman L-3")
 SOURCE = "Campos 1998, Cinemática inversa de manipuladores, s.36 and s.55; after Craig, Introduction to Robotics, ch. 4"
 RANK, OF_POINTS = 0, False
 EQUATIONS = (
@@ -36,23 +36,23 @@ EQUATIONS = (
 
 
 _ELSE = Text(
-    en="This form is for five turning joints: a shoulder, an elbow and a bend with parallel axes on a waist that the "
-    "shoulder's axis crosses, and a roll that crosses the bend and carries the tool.",
-    pt_BR="Esta forma vale para cinco juntas de revolução: ombro, cotovelo e flexão de eixos paralelos sobre uma "
-    "cintura que o eixo do ombro cruza, e um rolamento que cruza a flexão e leva o efetuador.",
+    en="This form needs five revolute joints: shoulder, elbow and wrist pitch with parallel axes, a waist axis that "
+    "the shoulder axis crosses, and a wrist roll axis that crosses the pitch axis and carries the end effector.",
+    pt_BR="Esta forma exige cinco juntas de revolução: ombro, cotovelo e arfagem do punho com eixos paralelos, um "
+    "eixo da cintura que o do ombro cruza, e um eixo de rolagem que cruza o da arfagem e leva o efetuador.",
 )
 _SIDES = (Text(en="front, {elbow}", pt_BR="à frente, {elbow}"), Text(en="back, {elbow}", pt_BR="para trás, {elbow}"))
 _FOUR = Text(
-    en="Four postures: to the front or over the back, elbow up or elbow down.",
+    en="Four postures: to the front or to the back, elbow up or elbow down.",
     pt_BR="Quatro posturas: à frente ou para trás, cotovelo para cima ou para baixo.",
 )
 _TWO = Text(
-    en="Two postures: the wrist lies on the edge of the workspace.",
+    en="Two postures: the wrist is on the boundary of the workspace.",
     pt_BR="Duas posturas: o punho está na borda do espaço de trabalho.",
 )
 _FREE = Text(
-    en="The hand stands upright over the axis of the waist: every θ₁ serves; the present one is kept.",
-    pt_BR="A mão está a prumo sobre o eixo da cintura: qualquer θ₁ serve; mantém-se o atual.",
+    en="The end effector is vertical on the waist axis: θ₁ is arbitrary and keeps its value.",
+    pt_BR="O efetuador está na vertical sobre o eixo da cintura: θ₁ é arbitrário e mantém o valor.",
 )
 
 
@@ -62,10 +62,10 @@ def applies(robot: Robot) -> Text | None:
 
 
 def pointed(robot: Robot, T_world_tool: Array, q: Array) -> Pointing:
-    """The steps of the projection of a pose (4, 4), m, seen from the base: M, K, Ẑ', θ and the turned orientation.
+    """The steps of the projection of a pose (4, 4), m, in the base frame: M, K, Ẑ', θ and the rotated orientation.
 
-    q (5,), rad: its θ₁ gives the plane where the pose leaves it open. Raises HelicoideError for a robot of another kind
-    and for what is no pose. Source: Campos 1998, s.36 and s.55; Craig, ch. 4.
+    q (5,), rad: θ₁ defines the plane of the arm if the pose does not. Raises HelicoideError if the form does not apply
+    or if T_world_tool is not a pose. Source: Campos 1998, s.36 and s.55; Craig, ch. 4.
     """
     if (arm := elbow_turret(robot)) is None:
         raise HelicoideError(_ELSE)
@@ -73,10 +73,11 @@ def pointed(robot: Robot, T_world_tool: Array, q: Array) -> Pointing:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m, whose pointing axis is first turned into the plane of the arm.
+    """Every posture for a tool pose (4, 4), m, after its pointing axis is rotated into the plane of the arm.
 
-    q (5,), rad: θ₁ is kept where the hand stands upright over the waist, θ₂ where equal links fold onto the shoulder.
-    Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.36, s.55; Craig.
+    q (5,), rad: θ₁ is kept where the tool is vertical on the waist axis, θ₂ where equal links fold onto the shoulder.
+    Raises HelicoideError if the form does not apply or if T_world_tool is not a pose. Source: Campos 1998, s.36, s.55;
+    Craig.
     """
     if (arm := elbow_turret(robot)) is None:
         raise HelicoideError(_ELSE)
@@ -103,7 +104,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
 def _steps(links: elbow.Annulus, T: Array, theta1: float, kept: float) -> list[dict[str, float]]:
     """The steps by symbol for one θ₁, rad, and a pose of the wrist (4, 4), m, in the order of the source.
 
-    In the plane of the arm (u, −p_z) is the point of a planar arm with the angles θ₂ and θ₃.
+    (u, −p_z) is the end point of a planar arm with the angles θ₂ and θ₃. kept: θ₂, rad, where it is free.
     """
     c1, s1, R = cos(theta1), sin(theta1), T[:3, :3]
     u = float(c1 * T[0, 3] + s1 * T[1, 3])
@@ -129,7 +130,7 @@ def _joints(arm: ElbowTurret, steps: Mapping[str, float]) -> Array:
 
 
 def _name(arm: ElbowTurret, side: int, steps: Mapping[str, float]) -> Text:
-    """Front where the wrist lies before the waist, u > 0; up where the elbow lies above the way to the wrist."""
+    """Front if the wrist lies before the waist, u > 0; up if the elbow lies above the line from shoulder to wrist."""
     front = steps["u"] > 0 if abs(steps["u"]) > arm.turret.over else side == 0
     if steps["s₃"] == 0:
         bend = elbow.STRETCHED if steps["c₃"] > 0 else elbow.FOLDED

@@ -1,4 +1,4 @@
-"""The Movemaster and its kin: four postures, the waist to the front or turned back, the elbow up or down."""
+"""The Movemaster and similar arms: four postures, waist to the front or to the back, elbow up or down."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from helicoide.ik.postures.subspace import Projection
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
-TITLE = Text(en="Movemaster and its kin", pt_BR="Movemaster e semelhantes")
+TITLE = Text(en="Movemaster family", pt_BR="família do Movemaster")
 SOURCE = "Cerbaro 2022, tabs. 6 and 8 (geometry); Campos 1998, s.36 and s.44–55 (plane of the arm, elbow)"
 RANK, OF_POINTS = 0, False
 EQUATIONS = (
@@ -53,10 +53,10 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m, whose pointing axis is first turned into the plane of the arm.
+    """Every posture for a tool pose (4, 4), m, after its pointing axis is rotated into the plane of the arm.
 
-    q (5,), rad: θ₁ is kept where the hand stands upright over the waist, θ₂ where equal links fold onto the shoulder.
-    Raises HelicoideError for a robot of another kind.
+    q (5,), rad: θ₁ is kept where the tool is vertical on the waist axis, θ₂ where equal links fold onto the shoulder.
+    Raises HelicoideError if the form does not apply.
     """
     if (arm := side_of(robot)) is None:
         raise HelicoideError(ELSE)
@@ -67,11 +67,12 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     )
 
 
-@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
+@dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
 class Words:
-    """What is said of what `joint_values` found and noted for a goal (4, 4), m, to which the pose was turned.
+    """Names, sentences and intermediate values for the postures that `joint_values` found.
 
-    theta1: that of the posture before, rad, which gives the plane where the goal leaves it open.
+    T_world_goal (4, 4), m: the pose after its rotation into the plane of the arm; rows, noted: results of
+    `joint_values`; theta1: the current θ₁, rad, which defines the plane of the arm if the goal does not.
     """
 
     arm: Side
@@ -82,7 +83,7 @@ class Words:
 
     @cached_property
     def names(self) -> Sequence[Text]:
-        """Of each posture."""
+        """The name of each posture."""
         return [
             SIDES[int(row[BACK])].format(elbow=elbow.UP if up else elbow.DOWN)
             for row, (_, _, wrist) in zip(self.rows, self._seen(self.rows[:, 0]), strict=True)
@@ -91,7 +92,7 @@ class Words:
 
     @cached_property
     def words(self) -> Text:
-        """How many there are, or how far the goal lies beyond reach, and which joints are free."""
+        """The number of postures or the distance of the goal from the workspace, and which joints are free."""
         return sentences(
             Projection(self.T_world_goal, 0.0, float(self.noted[TURNED])).words,
             COUNTED.format(n=len(self.rows)) if len(self.rows) else self.arm.links.words(self.nearer),
@@ -101,7 +102,7 @@ class Words:
 
     @cached_property
     def values(self) -> Sequence[Mapping[str, float]]:
-        """What the equations gave on the way to each posture, by symbol."""
+        """Intermediate values of the equations for each posture, by symbol."""
         return list(self._values())
 
     @property
@@ -111,7 +112,7 @@ class Words:
 
     @property
     def nearer(self) -> float:
-        """How far the wrist lies from the shoulder, m, with the waist to the front or turned back as it is nearer."""
+        """Distance from the shoulder to the wrist, m, for the waist direction that comes nearer to the workspace."""
         M, _ = self.arm.turret.normal(self.T, self.theta1)
         heading = float(np.arctan2(-M[0], M[1]))
         sizes = [abs(wrist) for _, _, wrist in self._seen([heading, heading + pi])]
@@ -119,14 +120,14 @@ class Words:
 
     @cached_property
     def T(self) -> Array:
-        """The goal seen from the base, (4, 4), m."""
+        """The goal in the base frame, (4, 4), m."""
         return self.arm.turret.seen(self.T_world_goal)
 
     def _seen(self, headings: Sequence[float] | Array) -> Iterator[tuple[complex, float, complex]]:
         return (seen(self.arm.packed, rows_of(self.T), float(theta1)) for theta1 in headings)
 
     def _values(self) -> Iterator[Mapping[str, float]]:
-        """What the equations gave on the way to each posture, by symbol; angles about the y of the base, rad and m."""
+        """`values` in m and rad; θ₂, θ₃ and θ₄ about the y axis of the base."""
         for row, (zeta, alpha, wrist) in zip(self.rows, self._seen(self.rows[:, 0]), strict=True):
             theta = row[:5] * [1.0, *self.arm.packed[SIGNS, :3], 1.0]
             _, cosine, _ = elbows(wrist, row_of(self.arm.packed[LINKS]), elbow.EDGE)
@@ -142,20 +143,20 @@ SIDES = (
     Text(en="waist turned back, {elbow}", pt_BR="cintura virada para trás, {elbow}"),
 )
 ELSE = Text(
-    en="This form is for five turning joints: a waist; shoulder, elbow and bend with parallel axes across it; a roll "
-    "that carries the tool in the plane of the arm.",
-    pt_BR="Esta forma vale para cinco juntas de revolução: cintura; ombro, cotovelo e flexão de eixos paralelos, "
-    "transversais a ela; e um rolamento que leva o efetuador no plano do braço.",
+    en="This form needs five revolute joints: a waist; shoulder, elbow and wrist pitch with parallel axes "
+    "perpendicular to it; a wrist roll that carries the end effector in the plane of the arm.",
+    pt_BR="Esta forma exige cinco juntas de revolução: cintura; ombro, cotovelo e arfagem do punho com eixos "
+    "paralelos, perpendiculares a ela; e uma rolagem que leva o efetuador no plano do braço.",
 )
 COUNTED = Text(
     en="Postures: {n}; the waist to the front or turned back, the elbow up or down.",
     pt_BR="Posturas: {n}; a cintura de frente ou virada para trás, o cotovelo para cima ou para baixo.",
 )
 OVER = Text(
-    en="The hand stands upright over the axis of the waist: every θ₁ serves; the present one is kept.",
-    pt_BR="A mão está a prumo sobre o eixo da cintura: qualquer θ₁ serve; mantém-se o atual.",
+    en="The end effector is vertical on the waist axis: θ₁ is arbitrary and keeps its value.",
+    pt_BR="O efetuador está na vertical sobre o eixo da cintura: θ₁ é arbitrário e mantém o valor.",
 )
 FOLDED = Text(
-    en="The wrist lies on the axis of the shoulder: every θ₂ serves; the present one is kept.",
-    pt_BR="O punho está sobre o eixo do ombro: qualquer θ₂ serve; mantém-se o atual.",
+    en="The wrist is on the shoulder axis: θ₂ is arbitrary and keeps its value.",
+    pt_BR="O punho está sobre o eixo do ombro: θ₂ é arbitrário e mantém o valor.",
 )

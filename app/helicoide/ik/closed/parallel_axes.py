@@ -1,4 +1,4 @@
-"""Three parallel axes, as in the UR family: eight postures, two shoulders × two elbows × the wrist and its flip."""
+"""Three parallel axes, as in the UR family: eight postures from two shoulders × two elbows × two wrists."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ EQUATIONS = (
     r"\theta_1 = \operatorname{Atan2}(B, A) \pm \operatorname{Atan2}(\sqrt{A^2 + B^2 - C^2}, C)",
     r"A = h \cdot v - (\hat s_1 \cdot h)(\hat s_1 \cdot v), \quad B = (\hat s_1 \times h) \cdot v, \quad"
     r"C = h \cdot (W - p_1) - (\hat s_1 \cdot h)(\hat s_1 \cdot v)",
-    r"u = R^T R_1 h, \quad h \cdot R_5 \hat s_6 = \hat s_6 \cdot u: \quad \theta_5 \text{ in the same way}",
+    r"u = R^T R_1 h, \quad h \cdot R_5 \hat s_6 = \hat s_6 \cdot u \;\Rightarrow\; \theta_5",
     r"R_6 u = R_5^T h: \quad \theta_6 = \operatorname{Atan2}(\hat s_6 \cdot (u \times R_5^T h),"
     r"\; u \cdot R_5^T h - (\hat s_6 \cdot u)(\hat s_6 \cdot R_5^T h))",
     r"R_h(\varphi) = R_1^T R R_6^T R_5^T, \quad \varphi = \theta_2 + \theta_3 + \theta_4",
@@ -68,14 +68,14 @@ EQUATIONS = (
 
 
 def applies(robot: Robot) -> Text | None:
-    """To six turning joints with axes 2, 3 and 4 parallel, the first one not, and the last two meeting at a point."""
+    """Applies to six revolute joints: axes 2, 3 and 4 parallel, axis 1 not parallel to them, axes 5 and 6 meet."""
     return ELSE if parallel_arm(robot) is None else None
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m, polished by Newton's method and verified by forward kinematics.
+    """Every posture for a tool pose (4, 4), m, refined by Newton's method and verified by forward kinematics.
 
-    q (6,), rad: kept where a joint is free. Raises HelicoideError for another kind of arm.
+    q (6,), rad: a joint that the pose leaves free keeps its value. Raises HelicoideError if the form does not apply.
     """
     if (arm := parallel_arm(robot)) is None:
         raise HelicoideError(ELSE)
@@ -84,9 +84,9 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
 
 
-@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
+@dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
 class Words:
-    """What is said of the postures in the rows of `joint_values`."""
+    """Names, sentences and intermediate values for the postures in the rows of `joint_values`."""
 
     arm: Array
     T_world_tool: Array
@@ -95,7 +95,7 @@ class Words:
 
     @cached_property
     def names(self) -> Sequence[Text]:
-        """Of each posture."""
+        """The name of each posture."""
         return [
             NAME.format(shoulder=SIDES[bool(row[LEFT])], elbow=ELBOWS[bool(row[UP])], wrist=WRISTS[bool(row[FLIPPED])])
             for row in self.rows
@@ -103,14 +103,14 @@ class Words:
 
     @cached_property
     def words(self) -> Text:
-        """How many there are, or how far the goal lies beyond reach, and which joints are free."""
+        """The number of postures or the distance of the goal from the workspace, and which joints are free."""
         count = len(self.rows)
         said = OUTSIDE.format(short=1000 * self.short) if self.short else TURNED
         return sentences(COUNTED.format(n=count) if count else said, *(FREE_WORDS[joint] for joint in self.free))
 
     @cached_property
     def values(self) -> Sequence[Mapping[str, float]]:
-        """What the equations gave on the way to each posture, by symbol."""
+        """Intermediate values of the equations for each posture, by symbol."""
         return list(self._values())
 
     @cached_property
@@ -120,7 +120,7 @@ class Words:
         return (0,) * bool(loose & FREE_WAIST) + (1,) * bool(loose & FREE_SHOULDER) + (5,) * bool(loose & FREE_WRIST)
 
     def _values(self) -> Iterator[Mapping[str, float]]:
-        """Lengths in m, angles in rad; θ₃ and θ₄ about h."""
+        """`values` in m and rad; θ₃ and θ₄ about h."""
         arm = self.arm
         v = centre_from_waist(arm, self.T_world_tool)
         for row in self.rows:
@@ -153,31 +153,31 @@ COUNTED = Text(
     pt_BR="Posturas: {n}; ombro à esquerda ou à direita, cotovelo para cima ou para baixo, punho virado ou não.",
 )
 OUTSIDE = Text(
-    en="Out of reach by {short:.3g} mm, in whatever orientation.",
-    pt_BR="Fora de alcance por {short:.3g} mm, em qualquer orientação.",
+    en="Out of reach by {short:.3g} mm, in any orientation.",
+    pt_BR="Fora do alcance por {short:.3g} mm, em qualquer orientação.",
 )
 TURNED = Text(
-    en="The tool can be where it has to be, but the arm cannot give it this orientation there.",
-    pt_BR="O efetuador chega aonde precisa, mas ali o braço não consegue lhe dar esta orientação.",
+    en="The end effector reaches this position, but not in this orientation.",
+    pt_BR="O efetuador alcança esta posição, mas não com esta orientação.",
 )
 FREE_WORDS = {
     0: Text(
-        en="The wrist stands over the axis of the waist: joint 1 may take any value, and keeps its own.",
-        pt_BR="O punho está sobre o eixo da cintura: a junta 1 aceita qualquer valor e mantém o atual.",
+        en="The wrist is on the waist axis: joint 1 is arbitrary and keeps its value.",
+        pt_BR="O punho está sobre o eixo da cintura: a junta 1 é arbitrária e mantém o valor.",
     ),
     1: Text(
-        en="The arm is folded onto its shoulder: joint 2 may take any value, and keeps its own.",
-        pt_BR="O braço está dobrado sobre o ombro: a junta 2 aceita qualquer valor e mantém o atual.",
+        en="The arm is folded onto its shoulder: joint 2 is arbitrary and keeps its value.",
+        pt_BR="O braço está dobrado sobre o ombro: a junta 2 é arbitrária e mantém o valor.",
     ),
     5: Text(
-        en="The wrist is singular: joint 6 turns about a parallel to joints 2, 3 and 4; it keeps its value.",
-        pt_BR="O punho está singular: a junta 6 gira em torno de uma paralela às juntas 2, 3 e 4; ela mantém o valor "
-        "atual.",
+        en="The wrist is singular: the axis of joint 6 is parallel to those of joints 2, 3 and 4; joint 6 keeps its "
+        "value.",
+        pt_BR="O punho está singular: o eixo da junta 6 é paralelo aos das juntas 2, 3 e 4; a junta 6 mantém o valor.",
     ),
 }
 ELSE = Text(
-    en="The form is for six turning joints, the second, third and fourth parallel to each other and not to the first, "
-    "the last two meeting at a point.",
-    pt_BR="A forma vale para seis juntas de revolução: a segunda, a terceira e a quarta paralelas entre si e não à "
-    "primeira, e as duas últimas se cruzando num ponto.",
+    en="This form needs six revolute joints: axes 2, 3 and 4 parallel to each other and not to axis 1, and axes 5 and "
+    "6 intersecting.",
+    pt_BR="Esta forma exige seis juntas de revolução: eixos 2, 3 e 4 paralelos entre si e não ao eixo 1, e eixos 5 e "
+    "6 que se cruzam.",
 )

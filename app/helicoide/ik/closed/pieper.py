@@ -1,4 +1,4 @@
-"""Six turning joints with a spherical wrist, last or first: every posture, by Pieper's polynomial of degree 4."""
+"""Six revolute joints with a spherical wrist, last or first: every posture, by Pieper's polynomial of degree 4."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ EQUATIONS = (
     r"r = p_x^2 + p_y^2 + p_z^2 = 2 a_1 (k_1 c_2 + k_2 s_2) + k_3, \quad"
     r"z = p_z = s\alpha_1 (k_1 s_2 - k_2 c_2) + k_4",
     r"a_1 = 0: r = k_3; \quad s\alpha_1 = 0: z = k_4; \quad"
-    r"\text{else } \frac{(r - k_3)^2}{4 a_1^2} + \frac{(z - k_4)^2}{s^2\alpha_1} = k_1^2 + k_2^2",
+    r"a_1 s\alpha_1 \ne 0: \frac{(r - k_3)^2}{4 a_1^2} + \frac{(z - k_4)^2}{s^2\alpha_1} = k_1^2 + k_2^2",
     r"g_1 = c_2 f_1 - s_2 f_2 + a_1, \quad g_2 = c\alpha_1 (s_2 f_1 + c_2 f_2) - s\alpha_1 (f_3 + d_2), \quad"
     r"\theta_1 = \operatorname{Atan2}(p_y, p_x) - \operatorname{Atan2}(g_2, g_1)",
     r"c_5 = \frac{c\alpha_4 c\alpha_5 - m_{33}}{s\alpha_4 s\alpha_5}, \quad M = R_x(\alpha_3)^T ({}^0_3 R)^T R",
@@ -49,15 +49,15 @@ EQUATIONS = (
 
 
 def applies(robot: Robot) -> Text | None:
-    """To six turning joints whose last or first three axes meet at a point, and whose others place it in space."""
+    """Applies to six revolute joints: the last or first three axes meet at a point, the other joints position it."""
     arm = arm_of(robot)
     return arm if isinstance(arm, Text) else None
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m, polished by Newton's method and verified by forward kinematics.
+    """Every posture for a tool pose (4, 4), m, refined by Newton's method and verified by forward kinematics.
 
-    q (6,), rad: kept where a joint is free. Raises HelicoideError for another kind of arm.
+    q (6,), rad: a joint that the pose leaves free keeps its value. Raises HelicoideError if the form does not apply.
     """
     if isinstance(arm := arm_of(robot), Text):
         raise HelicoideError(arm)
@@ -66,9 +66,9 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
-@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
+@dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
 class Words:
-    """What is said of the postures in the rows of `joint_values`."""
+    """Names, sentences and intermediate values for the postures in the rows of `joint_values`."""
 
     arm: Arm
     T_world_tool: Array
@@ -76,12 +76,12 @@ class Words:
 
     @cached_property
     def names(self) -> Sequence[Text]:
-        """Of each posture."""
+        """The name of each posture."""
         return [(FLIPPED_POSTURE if row[FLIPPED] else POSTURE).format(n=int(row[ARM])) for row in self.rows]
 
     @cached_property
     def words(self) -> Text:
-        """How many there are, or how far the goal lies beyond reach, and which joints are free."""
+        """The number of postures or the distance of the goal from the workspace, and which joints are free."""
         count, joints = len(self.rows), ", ".join(str(joint + 1) for joint in self.free)
         short = 0.0 if count else self.short
         return sentences(
@@ -91,7 +91,7 @@ class Words:
 
     @cached_property
     def values(self) -> Sequence[Mapping[str, float]]:
-        """What the equations gave on the way to each posture, by symbol."""
+        """Intermediate values of the equations for each posture, by symbol."""
         return [_values(self.arm, self.T, self.arm.turned(row[:6]) + self.arm.shifts) for row in self.rows]
 
     @cached_property
@@ -103,7 +103,7 @@ class Words:
 
     @cached_property
     def short(self) -> float:
-        """How far the wrist centre lies from where it can be, m."""
+        """Distance of the wrist centre from its workspace, m."""
         return beyond(self.arm, self.T[:3, 3])
 
     @cached_property
@@ -113,7 +113,7 @@ class Words:
 
 
 def _values(arm: Arm, T: Array, theta: Array) -> Mapping[str, float]:
-    """What the equations gave on the way to a posture θ (6,), rad, by symbol; m, m² and rad."""
+    """Intermediate values of the equations for a posture θ (6,), rad, by symbol; m, m² and rad."""
     _, theta2, theta3, *_ = map(float, theta)
     f1, f2, f3 = map(float, arm.f @ [1, cos(theta3), sin(theta3)])
     ca1, sa1, c2, s2 = cos(arm.alpha[0]), sin(arm.alpha[0]), cos(theta2), sin(theta2)
@@ -127,18 +127,18 @@ def _values(arm: Arm, T: Array, theta: Array) -> Mapping[str, float]:
 POSTURE = Text(en="arm posture {n}", pt_BR="postura {n} do braço")
 FLIPPED_POSTURE = Text(en="arm posture {n}, wrist flipped", pt_BR="postura {n} do braço, punho virado")
 COUNTED = Text(
-    en="Postures: {n}; each posture of the arm with the wrist as it is and flipped.",
-    pt_BR="Posturas: {n}; cada postura do braço com o punho como está e virado.",
+    en="Postures: {n}; each arm posture with the wrist flipped or not.",
+    pt_BR="Posturas: {n}; cada postura do braço com o punho virado ou não.",
 )
 OUTSIDE = Text(
-    en="Out of reach: the wrist centre lies {short:.3g} mm beyond the edge of its workspace.",
-    pt_BR="Fora de alcance: o centro do punho fica {short:.3g} mm além da borda do espaço de trabalho dele.",
+    en="Out of reach: the wrist centre is {short:.3g} mm outside its workspace.",
+    pt_BR="Fora do alcance: o centro do punho fica {short:.3g} mm fora do seu espaço de trabalho.",
 )
 TURNED = Text(
-    en="The wrist centre can be where it has to be, but the wrist cannot take this orientation there.",
-    pt_BR="O centro do punho chega aonde precisa, mas ali o punho não assume esta orientação.",
+    en="The wrist centre reaches its position, but the wrist cannot take this orientation there.",
+    pt_BR="O centro do punho alcança a sua posição, mas ali o punho não assume esta orientação.",
 )
 KEPT = Text(
-    en="Singular: the goal alone does not determine joints {joints}; what may take any value keeps its own.",
-    pt_BR="Singular: o alvo sozinho não determina as juntas {joints}; a que aceita qualquer valor mantém o atual.",
+    en="Singular: the goal does not determine joints {joints}; an arbitrary joint keeps its value.",
+    pt_BR="Singular: o alvo não determina as juntas {joints}; uma junta arbitrária mantém o valor.",
 )

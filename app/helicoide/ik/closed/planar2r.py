@@ -1,4 +1,4 @@
-"""Planar arms with two joints: for a point two postures, each with an orientation of its own."""
+"""Planar arms with two joints: two postures for a point, each with its own orientation."""
 
 from __future__ import annotations
 
@@ -38,10 +38,11 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for the point of a tool pose (4, 4), m; q (n,), rad: θ₁ is kept where the point leaves it free.
+    """Every posture for the position of a tool pose (4, 4), m. q (n,), rad: θ₁ is kept where the position is at axis 1.
 
-    A goal of this arm is a point: what is solved for takes the orientation φ = θ₁ + θ₂ of the nearer posture.
-    Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.8–12, s.44–54.
+    The orientation is not asked for: the goal takes φ = θ₁ + θ₂ of the nearer posture.
+    Raises HelicoideError if the form does not apply or if T_world_tool is not a pose.
+    Source: Campos 1998, s.8–12, s.44–54.
     """
     if isinstance(arm := planar(robot, 2), Text):
         raise HelicoideError(arm)

@@ -39,10 +39,10 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m, of which the tilt and the height are left out.
+    """Every posture for a tool pose (4, 4), m, projected to the plane of the arm.
 
-    The frame {E} on the third axis has (x, y, φ); q (n,), rad: θ₁ is kept where that frame leaves it free.
-    Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.38–54.
+    The frame {E} on the third axis has (x, y, φ). q (n,), rad: θ₁ is kept where {E} leaves it free.
+    Raises HelicoideError if the form does not apply or if T_world_tool is not a pose. Source: Campos 1998, s.38–54.
     """
     if isinstance(arm := planar(robot, 3), Text):
         raise HelicoideError(arm)
@@ -64,7 +64,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
 
 
 def _with_wrist(two: elbow.Algebraic, phi: float) -> Array:
-    """θ₃ = φ − θ₁ − θ₂ after the other two, (3,), rad. Source: Campos 1998, s.49."""
+    """(θ₁, θ₂, θ₃), rad, with θ₃ = φ − θ₁ − θ₂. Source: Campos 1998, s.49."""
     return np.array([two.theta1, two.theta2, float(wrap(phi - two.theta1 - two.theta2))])
 
 

@@ -1,4 +1,4 @@
-"""The polar arm: a turret and a slide; its position forces its orientation."""
+"""The polar arm: a revolute joint and a slide. Its position determines its orientation."""
 
 from __future__ import annotations
 
@@ -24,23 +24,26 @@ EQUATIONS = (
     r"\theta_1 = \operatorname{Atan2}(-x, y)",
     r"d_2 = \rho",
 )
-# Nearer to the axis than this, m, no direction leads to the point.
+# Below this distance from the axis, m, θ₁ is undefined.
 ON_AXIS = subspace.NOTHING
 
-_NAME = Text(en="drawn out", pt_BR="estendido")
-_DRAWN_IN = Text(en="drawn in onto the axis", pt_BR="recolhido até o eixo")
-_ONE = Text(en="One posture: the slide points at the goal.", pt_BR="Uma postura: o deslizador aponta para o alvo.")
+_NAME = Text(en="extended", pt_BR="estendido")
+_DRAWN_IN = Text(en="retracted onto the axis", pt_BR="recolhido até o eixo")
+_ONE = Text(
+    en="One posture: the prismatic joint points at the goal.",
+    pt_BR="Uma postura: a junta prismática aponta para o alvo.",
+)
 _UNDEFINED = Text(
-    en="ρ = 0: the goal lies on the axis of the turret, where every θ₁ serves; the present one is kept.",
-    pt_BR="ρ = 0: o alvo está sobre o eixo da torre, onde qualquer θ₁ serve; mantém-se o atual.",
+    en="ρ = 0: the goal is on the axis of joint 1: θ₁ is arbitrary and keeps its value.",
+    pt_BR="ρ = 0: o alvo está sobre o eixo da junta 1: θ₁ é arbitrário e mantém o valor.",
 )
 _STROKE = Text(
-    en="The slide would have to be {far:.3g} mm beyond its stroke.",
-    pt_BR="O deslizador teria de passar {far:.3g} mm do seu curso.",
+    en="Out of reach: the prismatic joint would be {far:.3g} mm beyond its stroke.",
+    pt_BR="Fora do alcance: a junta prismática passaria {far:.3g} mm do seu curso.",
 )
 _ELSE = Text(
-    en="This form is for a turning joint and a slide that leads straight out from its axis.",
-    pt_BR="Esta forma vale para uma junta de revolução e um deslizador que sai em linha reta do eixo dela.",
+    en="This form needs a revolute joint and a prismatic joint perpendicular to its axis.",
+    pt_BR="Esta forma exige uma junta de revolução e uma prismática perpendicular ao eixo dela.",
 )
 
 
@@ -50,9 +53,9 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """The posture for a tool pose (4, 4), m, of which (x, y) is kept; q (2,), rad and m: θ₁ is kept at ρ = 0.
+    """The posture for the (x, y) of a tool pose (4, 4), m. q (2,), rad and m: θ₁ is kept at ρ = 0.
 
-    Raises HelicoideError for a robot of another kind and for what is no pose. Source: Campos 1998, s.31–34.
+    Raises HelicoideError if the form does not apply or if T_world_tool is not a pose. Source: Campos 1998, s.31–34.
     """
     if (arm := polar_arm(robot)) is None:
         raise HelicoideError(_ELSE)

@@ -1,4 +1,4 @@
-"""The PUMA 560: all eight postures, two shoulders × two elbows × the wrist and its flip."""
+"""The PUMA 560: eight postures from two shoulders × two elbows × two wrists."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ EQUATIONS = (
 
 
 def applies(robot: Robot) -> Text | None:
-    """To arms whose modified DH rows are those of the PUMA, with any a₂ ≠ 0, a₃, d₃ and d₄."""
+    """Applies to arms whose modified DH rows are those of the PUMA, with any a₂ ≠ 0, a₃, d₃ and d₄."""
     return ELSE if puma(robot) is None else None
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m; q (6,), rad: kept where a joint is free.
+    """Every posture for a tool pose (4, 4), m. q (6,), rad: a joint that the pose leaves free keeps its value.
 
-    Raises HelicoideError for another kind of arm.
+    Raises HelicoideError if the form does not apply.
     """
     if (arm := puma(robot)) is None:
         raise HelicoideError(ELSE)
@@ -52,9 +52,9 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
-@dataclass(eq=False)  # frozen, it would take four times as long to make, which is felt
+@dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
 class Words:
-    """What is said of the postures in the rows of `joint_values`."""
+    """Names, sentences and intermediate values for the postures in the rows of `joint_values`."""
 
     arm: Puma
     T_world_tool: Array
@@ -62,13 +62,13 @@ class Words:
 
     @cached_property
     def names(self) -> Sequence[Text]:
-        """Of each posture."""
+        """The name of each posture."""
         every = names(bool(self.arm.lengths[2] >= 0))
         return [every[int(row)] for row in self.rows[:, NUMBER]]
 
     @cached_property
     def words(self) -> Text:
-        """How many there are, or how far the goal lies beyond reach, and which joints are free."""
+        """The number of postures or the distance of the goal from the workspace, and which joints are free."""
         return sentences(
             COUNTED.format(n=len(self.rows)) if len(self.rows) else _outside(self.arm.lengths, self.short),
             *(FREE_WORDS[joint] for joint in self.free if joint in FREE_WORDS),
@@ -76,7 +76,7 @@ class Words:
 
     @cached_property
     def values(self) -> Sequence[Mapping[str, float]]:
-        """What the equations gave on the way to each posture, by symbol."""
+        """Intermediate values of the equations for each posture, by symbol."""
         return [_values(self.arm.lengths, self.T, theta) for theta in self.theta]
 
     @cached_property
@@ -86,7 +86,7 @@ class Words:
 
     @property
     def short(self) -> float:
-        """How far the wrist centre lies from where the arm brings it, m."""
+        """Distance of the wrist centre from its workspace, m."""
         return beyond(self.arm.lengths, self.T[:3, 3])
 
     @property
@@ -96,13 +96,13 @@ class Words:
 
     @cached_property
     def T(self) -> Array:
-        """The wrist in the base of the rows, (4, 4), m."""
+        """The pose of the wrist in the base frame of the DH rows, (4, 4), m."""
         return np.asarray(self.arm.frames[0] @ self.T_world_tool @ self.arm.frames[1])
 
 
 @cache
 def names(passes_left: bool) -> tuple[Text, ...]:
-    """Of the rows of `postures`: the upper arm passes the waist at d₃, to its left where that is positive."""
+    """The names of the eight postures by their number in `joint_values`. passes_left: d₃ ≥ 0, see `puma_arm`."""
     left_and_up = [((row < 4) == passes_left, (row < 4) == (row % 4 < 2)) for row in range(8)]
     return tuple(
         NAME.format(shoulder=SHOULDER[left], elbow=ELBOW[up], wrist=WRIST[row % 2])
@@ -111,7 +111,7 @@ def names(passes_left: bool) -> tuple[Text, ...]:
 
 
 def _free(T: Array, theta: Array, lengths: Array) -> tuple[int, ...]:
-    """The joints that are not determined: of the waist or the shoulder below the wrist centre, of a singular wrist."""
+    """The joints that are not determined: 1 or 2 with the wrist centre on its axis, 4 and 6 at a singular wrist."""
     if not len(theta):
         return ()
     p = T[:3, 3]
@@ -122,7 +122,7 @@ def _free(T: Array, theta: Array, lengths: Array) -> tuple[int, ...]:
 
 
 def _values(lengths: Array, T: Array, theta: Array) -> Mapping[str, float]:
-    """What the equations gave on the way to a posture, by symbol; m, m² and rad."""
+    """Intermediate values of the equations for a posture, by symbol; m, m² and rad."""
     a2, a3, d3, d4 = map(float, lengths)
     px, py, pz = map(float, T[:3, 3])
     K = (px**2 + py**2 + pz**2 - a2**2 - a3**2 - d3**2 - d4**2) / (2 * a2)
@@ -140,8 +140,8 @@ def _outside(lengths: Array, short: float) -> Text:
 
 
 ELSE = Text(
-    en="The form is for arms with the DH rows of the PUMA 560 (modified): α = 0, −90°, 0, −90°, 90°, −90°.",
-    pt_BR="A forma vale para braços com as linhas DH modificadas do PUMA 560: α = 0, −90°, 0, −90°, 90°, −90°.",
+    en="This form needs the DH rows of the PUMA 560 (modified): α = 0, −90°, 0, −90°, 90°, −90°.",
+    pt_BR="Esta forma exige as linhas DH modificadas do PUMA 560: α = 0, −90°, 0, −90°, 90°, −90°.",
 )
 NAME = Text(en="{shoulder}, {elbow}{wrist}", pt_BR="{shoulder}, {elbow}{wrist}")
 SHOULDER = {
@@ -159,23 +159,21 @@ COUNTED = Text(
 )
 FREE_WORDS = {
     0: Text(
-        en="The wrist centre is on the axis of the waist: joint 1 may take any value, and keeps its own.",
-        pt_BR="O centro do punho está no eixo da cintura: a junta 1 aceita qualquer valor e mantém o atual.",
+        en="The wrist centre is on the waist axis: joint 1 is arbitrary and keeps its value.",
+        pt_BR="O centro do punho está no eixo da cintura: a junta 1 é arbitrária e mantém o valor.",
     ),
     1: Text(
-        en="The wrist centre is on the axis of the shoulder: joint 2 may take any value, and keeps its own.",
-        pt_BR="O centro do punho está no eixo do ombro: a junta 2 aceita qualquer valor e mantém o atual.",
+        en="The wrist centre is on the shoulder axis: joint 2 is arbitrary and keeps its value.",
+        pt_BR="O centro do punho está no eixo do ombro: a junta 2 é arbitrária e mantém o valor.",
     ),
     3: Text(
-        en="The wrist is singular: joints 4 and 6 turn about one line, so only both together count; "
-        "joint 4 keeps its value.",
-        pt_BR="O punho está singular: as juntas 4 e 6 giram em torno da mesma reta e só o conjunto importa; "
-        "a junta 4 mantém o valor atual.",
+        en="The wrist is singular: the axes of joints 4 and 6 coincide; joint 4 keeps its value.",
+        pt_BR="O punho está singular: os eixos das juntas 4 e 6 coincidem; a junta 4 mantém o valor.",
     ),
 }
 OUTSIDE = Text(
-    en="Out of reach by {short:.3g} mm: the arm brings the wrist centre to {inner:.4g} … {outer:.4g} mm from the "
-    "shoulder in its plane, and no nearer than {side:.4g} mm to the axis of the waist.",
-    pt_BR="Fora de alcance por {short:.3g} mm: o braço leva o centro do punho de {inner:.4g} a {outer:.4g} mm do "
-    "ombro, no plano do braço, e a não menos de {side:.4g} mm do eixo da cintura.",
+    en="Out of reach by {short:.3g} mm: the wrist centre reaches {inner:.4g} … {outer:.4g} mm from the shoulder in "
+    "the plane of the arm, and at least {side:.4g} mm from the waist axis.",
+    pt_BR="Fora do alcance por {short:.3g} mm: o centro do punho alcança de {inner:.4g} a {outer:.4g} mm do ombro, no "
+    "plano do braço, e no mínimo {side:.4g} mm do eixo da cintura.",
 )

@@ -1,6 +1,7 @@
-"""Screws: the product of exponentials, cut into the subproblems of Paden and Kahan; for the PUMA, the Movemaster, kin.
+"""Screws: the product of exponentials, split into the subproblems of Paden and Kahan.
 
-With g = T T₀⁻¹, a point on an axis does not feel that joint, and drops it from e^(ξ̂₁θ₁) … e^(ξ̂ₙθₙ) = g.
+For the PUMA, the Movemaster and similar arms. With g = T T₀⁻¹, e^(ξ̂₁θ₁) … e^(ξ̂ₙθₙ) = g is applied to a point on an
+axis: that joint does not move it, so its exponential drops out.
 """
 
 from __future__ import annotations
@@ -44,15 +45,18 @@ def applies(robot: Robot) -> Text | None:
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
-    """Every posture for a tool pose (4, 4), m; q (n,), rad: kept where a joint is free.
+    """Every posture for a tool pose (4, 4), m. q (n,), rad: a joint that the pose leaves free keeps its value.
 
-    Raises HelicoideError for what is no pose and for another kind of arm.
+    Raises HelicoideError if T_world_tool is not a pose or if the form does not apply.
     """
     return solved(robot, T_world_tool, q, _six, _five)
 
 
 def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
-    """Elbow by subproblem 3, waist and shoulder by 2, wrist by 2 and 1. Source: Murray, Li and Sastry 1994, §3.3.2."""
+    """Subproblem 3 for the elbow, 2 for waist and shoulder, 2 and 1 for the wrist.
+
+    Source: Murray, Li and Sastry 1994, §3.3.2.
+    """
     axes, g, W = [axis_of(joint) for joint in robot.joints], T @ np.linalg.inv(robot.T_world_tool_0), arm.wrist
     s5, s6, there = axes[4].direction, axes[5].direction, _moved(g, W)
     waist, roll, far = Axis(axes[0].direction, arm.shoulder), Axis(axes[3].direction, W), _apart(there, arm.shoulder)
@@ -67,7 +71,7 @@ def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
 
 
 def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
-    """Waist, hand and roll by subproblem 1 on directions, elbow by 3, shoulder and bend by 1."""
+    """Subproblem 1 on directions for waist, hand and roll; 3 for the elbow; 1 for shoulder and bend."""
     axes, g, R = [axis_of(joint) for joint in robot.joints], T @ np.linalg.inv(robot.T_world_tool_0), arm.T_world_base
     s, y, M = robot.directions, R[:3, 1], R[:3, :3] @ arm.normal(arm.seen(T), float(q[0]))[0]
     p2, p4 = (p - ((p - R[:3, 3]) @ y) * y for p in robot.points[[1, 3]])
@@ -88,7 +92,7 @@ def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
 
 
 def _turned(direction: Array, a: Array, b: Array, kept: float) -> float:
-    """Subproblem 1 on directions (3,)."""
+    """Subproblem 1 for directions (3,): θ, rad. kept: θ where a lies on the axis."""
     return turn_to(Axis(direction, np.zeros(3)), a, b, kept)
 
 
@@ -101,7 +105,7 @@ def _apart(p: Array, q: Array) -> float:
 
 
 def _undone(robot: Robot, angles: tuple[float, ...], first: int) -> Array:
-    """e^(−ξ̂ₖθₖ) … e^(−ξ̂ᵢθᵢ), (4, 4), of joints from number i = first on."""
+    """e^(−ξ̂ₖθₖ) … e^(−ξ̂ᵢθᵢ), (4, 4), for consecutive joints from index i = first."""
     T = np.eye(4)
     for joint, angle in zip(robot.joints[first:], angles, strict=False):
         T = screw_transform(joint, -angle) @ T

@@ -1,1 +1,1 @@
-"""Families of arms that closed forms know, recognised from their axes, and what the forms share."""
+"""Families of arms with closed forms, recognised from their axes, and functions that the forms share."""

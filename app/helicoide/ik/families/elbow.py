@@ -1,6 +1,6 @@
-"""Two links and the elbow between them, in their plane: the triangle that most closed forms come down to.
+"""Two links and the elbow between them, in their plane: the triangle to which most closed forms reduce.
 
-Both roads of the source: algebraic, by x² + y² and a change to polar coordinates, and geometric, by the law of cosines.
+Both derivations of the source: algebraic, by x² + y² and polar coordinates, and geometric, by the law of cosines.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ import numpy as np
 from helicoide.ik.postures.branch import wrap
 from helicoide.text import Text
 
-# A point nearer to an edge than this part of the outer radius lies on it: there rounding would tear θ₂ from 0 or π.
+# A point nearer to an edge than this fraction of the outer radius is on it. Rounding would otherwise change θ₂ from 0
+# or π by its square root.
 EDGE = 1e-12
 
 UP = Text(en="elbow up", pt_BR="cotovelo para cima")
@@ -49,7 +50,7 @@ class Annulus:
         return min(abs(r - self.outer), abs(r - self.inner)) <= EDGE * self.outer
 
     def at_centre(self, r: float) -> bool:
-        """Whether equal links are folded onto the first axis, so that they may point anywhere."""
+        """Whether equal links are folded with their end on the first axis, so that θ₁ is free."""
         return r <= EDGE * self.outer and self.inner <= EDGE * self.outer
 
     def elbows(self, r: float) -> tuple[int, ...]:
@@ -59,7 +60,7 @@ class Annulus:
         return (1,) if self.on_edge(r) else (1, -1)
 
     def words(self, r: float) -> Text | None:
-        """How far a point at the distance r, m, lies beyond which edge; None inside."""
+        """How far a point at the distance r, m, lies beyond an edge, in words; None inside."""
         if not self.beyond(r):
             return None
         return (_OUTSIDE if r > self.outer else _IN_HOLE).format(
@@ -68,20 +69,18 @@ class Annulus:
 
 
 _OUTSIDE = Text(
-    en="Out of reach: {far:.3g} mm beyond the outer edge of the workspace of the two links, of radius {outer:.4g} mm.",
-    pt_BR="Fora de alcance: {far:.3g} mm além da borda externa do espaço de trabalho dos dois elos, de raio "
-    "{outer:.4g} mm.",
+    en="Out of reach: {far:.3g} mm beyond the outer radius {outer:.4g} mm of the two links.",
+    pt_BR="Fora do alcance: {far:.3g} mm além do raio externo {outer:.4g} mm dos dois elos.",
 )
 _IN_HOLE = Text(
-    en="Out of reach: {far:.3g} mm inside the hole of the workspace of the two links, of radius {inner:.4g} mm.",
-    pt_BR="Fora de alcance: {far:.3g} mm para dentro do vazio do espaço de trabalho dos dois elos, de raio "
-    "{inner:.4g} mm.",
+    en="Out of reach: {far:.3g} mm inside the inner radius {inner:.4g} mm of the two links.",
+    pt_BR="Fora do alcance: {far:.3g} mm para dentro do raio interno {inner:.4g} mm dos dois elos.",
 )
 
 
 @dataclass(frozen=True)
 class Algebraic:
-    """The steps of the algebraic road; angles in rad, lengths in m."""
+    """The steps of the algebraic derivation; angles in rad, lengths in m."""
 
     c2: float
     s2: float
@@ -95,7 +94,7 @@ class Algebraic:
 
 @dataclass(frozen=True)
 class Geometric:
-    """The steps of the geometric road, rad: β to the point, ψ from there to the first link."""
+    """The steps of the geometric derivation, rad: β the direction of the point, ψ from there to the first link."""
 
     c2: float
     theta2: float
@@ -118,7 +117,7 @@ def cosine_of_elbow(x: float, y: float, links: Annulus) -> float:
 def algebraic(x: float, y: float, links: Annulus, sign: int, kept: float) -> Algebraic:
     """s₂ = ±√(1 − c₂²), k₁ = l₁ + l₂c₂, k₂ = l₂s₂, γ = Atan2(k₂, k₁), θ₁ = Atan2(y, x) − γ.
 
-    Args: x, y, m, within reach; sign: of s₂; kept: θ₁, rad, where the point leaves it free.
+    Args: x, y, m, within reach; sign: of s₂; kept: θ₁, rad, where it is free.
     Source: Campos 1998, s.44–48.
     """
     c2 = cosine_of_elbow(x, y, links)
@@ -132,7 +131,7 @@ def algebraic(x: float, y: float, links: Annulus, sign: int, kept: float) -> Alg
 def geometric(x: float, y: float, links: Annulus, sign: int, kept: float) -> Geometric:
     """cos ψ = (x² + y² + l₁² − l₂²) / 2l₁√(x² + y²), θ₁ = β ± ψ with + where θ₂ < 0 and − where θ₂ > 0.
 
-    The same arguments as `algebraic`. Source: Campos 1998, s.52–54.
+    Args as in `algebraic`. Source: Campos 1998, s.52–54.
     """
     c2, r = cosine_of_elbow(x, y, links), hypot(x, y)
     theta2 = sign * float(np.arccos(c2))
@@ -148,7 +147,7 @@ def geometric(x: float, y: float, links: Annulus, sign: int, kept: float) -> Geo
 
 @dataclass(frozen=True)
 class Posture:
-    """One way to bend the two links to a point: its name and the steps of both roads there."""
+    """One posture of the two links for a point: its name and the steps of both derivations."""
 
     name: Text
     algebraic: Algebraic
@@ -163,7 +162,7 @@ class Posture:
 
 
 def postures(x: float, y: float, links: Annulus, kept: float) -> tuple[Posture, ...]:
-    """Every way to bend the links to a point: two inside, one on an edge, none outside; arguments as in `algebraic`."""
+    """Every posture of the links for a point: two inside, one on an edge, none outside. Args as in `algebraic`."""
     r = hypot(x, y)
     return tuple(
         Posture(_name(sign, links, r), algebraic(x, y, links, sign, kept), geometric(x, y, links, sign, kept))
@@ -172,14 +171,14 @@ def postures(x: float, y: float, links: Annulus, kept: float) -> tuple[Posture, 
 
 
 def _name(sign: int, links: Annulus, r: float) -> Text:
-    """Above zero θ₂ leaves the elbow to the right of the way to the point, which is below for a point to the front."""
+    """The name of a posture: for θ₂ > 0 the elbow is right of the line to the point, that is below it if x > 0."""
     if not links.on_edge(r):
         return DOWN if sign > 0 else UP
     return STRETCHED if abs(r - links.outer) < abs(r - links.inner) else FOLDED
 
 
 def free_or_edge(x: float, y: float, links: Annulus) -> Text | None:
-    """What is said of a point that has one posture only; None for others."""
+    """The sentence for a point with only one posture; None for others."""
     r = hypot(x, y)
     if links.at_centre(r):
         return _FREE
@@ -187,10 +186,10 @@ def free_or_edge(x: float, y: float, links: Annulus) -> Text | None:
 
 
 _FREE = Text(
-    en="One posture, folded; the arm may be turned freely about the axis on which the point lies.",
-    pt_BR="Uma postura só, dobrada; o braço pode girar à vontade em torno do eixo sobre o qual está o ponto.",
+    en="One posture, folded; the rotation about the axis through the point is arbitrary.",
+    pt_BR="Uma postura, dobrada; a rotação em torno do eixo que passa pelo ponto é arbitrária.",
 )
 _ON_EDGE = Text(
-    en="One posture: the point lies on the edge of the workspace.",
-    pt_BR="Uma postura só: o ponto está na borda do espaço de trabalho.",
+    en="One posture: the point is on the boundary of the workspace.",
+    pt_BR="Uma postura: o ponto está na borda do espaço de trabalho.",
 )

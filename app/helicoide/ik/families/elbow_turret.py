@@ -1,4 +1,4 @@
-"""Arms on a turret whose joints cross as in the Motoman L-3: the shoulder the waist, and the roll the bend."""
+"""Arms on a turret as in the Motoman L-3: the shoulder axis crosses the waist axis, the roll axis the bend axis."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from helicoide.kinematics.robot import Robot
 
 @dataclass(frozen=True, eq=False)
 class ElbowTurret:
-    """Such an arm in the frames of the source: θ = signs q + shifts, rad; the frame {W} where bend and roll cross."""
+    """An arm like the Motoman L-3 in the frames of the source: θ = signs q + shifts, rad.
+
+    T_wrist_tool: the tool in the frame {W}, whose origin is where the bend and roll axes cross.
+    """
 
     turret: Turret
     T_world_base: Array
@@ -28,7 +31,7 @@ class ElbowTurret:
 
 @lru_cache(maxsize=16)
 def elbow_turret(robot: Robot) -> ElbowTurret | None:
-    """The robot as such an arm, or None."""
+    """The robot as an `ElbowTurret`, or None."""
     if (base := turret(robot)) is None:
         return None
     T = base.T_world_base.copy()
@@ -56,5 +59,5 @@ def elbow_turret(robot: Robot) -> ElbowTurret | None:
 
 
 def _seen(T_world_base: Array, way: Array) -> tuple[float, float]:
-    """How far a way (3,) leads to the front and up."""
+    """The components of a vector (3,) along x (front) and z (up) of the base."""
     return float(way @ T_world_base[:3, 0]), float(way @ T_world_base[:3, 2])

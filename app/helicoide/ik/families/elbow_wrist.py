@@ -1,4 +1,4 @@
-"""Six turning joints as in the PUMA: a shoulder that the waist crosses, an elbow alongside it, a spherical wrist."""
+"""Six revolute joints as in the PUMA: crossing waist and shoulder axes, a parallel elbow axis, a spherical wrist."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from helicoide.ik.postures.solvability import meeting_point
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-# Axes are parallel, or square, below this sine; links have no length below this distance, m.
+# Axes are parallel, or at right angles, below this sine or cosine; links are longer than this, m.
 SQUARE, NO_LINK = 1e-9, 1e-6
 
 
 @dataclass(frozen=True, eq=False)
 class ElbowWrist:
-    """Such an arm at q = 0, base frame, m.
+    """An arm like the PUMA at q = 0, base frame, m.
 
-    shoulder (3,): where axes 1 and 2 cross; wrist (3,): where axes 4, 5 and 6 do. T_world_shoulder (4, 4): there, z
-    along the first axis, y along the second.
+    shoulder (3,): where axes 1 and 2 cross; wrist (3,): where axes 4, 5 and 6 cross. T_world_shoulder (4, 4): origin at
+    the shoulder, z along the first axis, y along the second.
     """
 
     shoulder: Array
@@ -31,7 +31,7 @@ class ElbowWrist:
 
 @lru_cache(maxsize=16)
 def elbow_wrist(robot: Robot) -> ElbowWrist | None:
-    """The robot as such an arm, or None: axes 1 ⟂ 2 ∥ 3, and 4 ⟂ 5 ⟂ 6."""
+    """The robot as an `ElbowWrist`, or None: axes 1 ⟂ 2 ∥ 3, and 4 ⟂ 5 ⟂ 6."""
     if len(robot.joints) != 6 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return None
     s, points = robot.directions, robot.points
@@ -50,8 +50,8 @@ def elbow_wrist(robot: Robot) -> ElbowWrist | None:
 
 
 ELSE = Text(
-    en="This form is for six turning joints as in the PUMA: a shoulder square to the waist that it crosses, an elbow "
-    "alongside it, and three axes at right angles that meet in the wrist.",
-    pt_BR="Esta forma vale para seis juntas de revolução como no PUMA: ombro perpendicular à cintura, que ele cruza, "
-    "cotovelo paralelo a ele, e três eixos em ângulo reto que se cruzam no punho.",
+    en="This form needs six revolute joints as in the PUMA: a shoulder axis that crosses the waist axis at a right "
+    "angle, an elbow axis parallel to it, and a spherical wrist with axes at right angles.",
+    pt_BR="Esta forma exige seis juntas de revolução como no PUMA: eixo do ombro que cruza o da cintura em ângulo "
+    "reto, eixo do cotovelo paralelo a ele, e punho esférico com eixos em ângulo reto.",
 )

@@ -1,4 +1,4 @@
-"""A pose as an arm's own frames see it: kernels."""
+"""A pose expressed in the frames of an arm: kernels."""
 
 from __future__ import annotations
 

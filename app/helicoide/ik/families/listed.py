@@ -1,4 +1,4 @@
-"""Postures that a road of inverse kinematics comes to, as an answer: projected first, each once, with its steps."""
+"""The postures of a closed form as a `Found`: for the projected goal, each once, with intermediate values."""
 
 from __future__ import annotations
 
@@ -14,18 +14,19 @@ from helicoide.ik.postures.numeric import POSTURE
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-# Joint values (n,), rad, and what the equations gave on the way to them, by symbol.
+# Joint values (n,), rad, and the intermediate values of the equations, by symbol.
 Steps = tuple[Array, Mapping[str, float]]
-MERGED, LOWERED = 1e-6, "₁₂₃₄₅₆"  # postures closer than this in every joint are one, rad
+MERGED, LOWERED = 1e-6, "₁₂₃₄₅₆"  # postures that differ by less than this in every joint are equal, rad
 
 COUNTED = Text(en="Postures: {n}.", pt_BR="Posturas: {n}.")
-OUTSIDE = Text(en="Out of reach by {short:.3g} mm.", pt_BR="Fora de alcance por {short:.3g} mm.")
+OUTSIDE = Text(en="Out of reach by {short:.3g} mm.", pt_BR="Fora do alcance por {short:.3g} mm.")
 
 
 def listed(robot: Robot, T_world_tool: Array, q: Array, road: Callable[[Array, Array], Iterable[Steps]]) -> Found:
-    """What a road finds, which takes a pose of the arm's subspace (4, 4), m, and q (n,), rad, kept where it is free.
+    """The postures that `road` yields for a tool pose, each once.
 
-    Raises HelicoideError for what is no pose and for a wrong q.
+    Args: T_world_tool (4, 4), m: projected to the subspace of the arm first; q (n,), rad: kept where a joint is free;
+    road: a closed form, as a function of the projected pose and q. Raises HelicoideError for an invalid pose or q.
     """
     now = robot.check_joints(q)
     goal = subspace.project(robot, T_world_tool, now)
@@ -44,6 +45,6 @@ def listed(robot: Robot, T_world_tool: Array, q: Array, road: Callable[[Array, A
 
 
 def theta(*angles: float, **steps: float) -> Steps:
-    """Joint values, rad, and by symbol the steps on the way and the angles themselves, wrapped into (−π, π]."""
+    """Joint values wrapped into (−π, π], rad, and by symbol the intermediate values and these angles."""
     joints = wrap(angles)
     return joints, {**steps, **{f"θ{LOWERED[i]}": float(angle) for i, angle in enumerate(joints)}}

@@ -1,6 +1,6 @@
-"""The Movemaster and its kin in the plane of the arm, and all their postures: kernels.
+"""Arms like the Movemaster in the plane of the arm, and all their postures: kernels.
 
-What lies in that plane is a complex number ζ = x − i z there: a turn by θ about y multiplies it by e^(iθ).
+A vector in that plane is a complex number ζ = x − i z: a rotation by θ about y multiplies it by e^(iθ).
 """
 
 from __future__ import annotations
@@ -22,24 +22,24 @@ from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool_kernels import Rows, Triple, dot, tool_row
 
-# Links have a length above this, m; what is turned by less than this sine is turned by rounding alone.
+# Links are longer than this, m; a rotation with a smaller sine is rounding.
 NO_LINK, STILL = 1e-9, 1e-15
 
-# Rows of the packed arm: of T_base_world three, m, and of the tool's rotation at q = 0 as the base sees it three; the
-# last axis in the tool, and in the base at q = 0; ±1, the joints 2, 3 and 4 against the y of the base, and below what
-# distance from the first axis the tool counts as standing over it, m; complex numbers, m, in the plane of the arm: to
-# the shoulder, and from the wrist to the tool; upper arm and forearm as `TwoLinks`.
+# Rows of the packed arm: three of T_base_world, m, and three of the tool rotation at q = 0 in the base; the last axis
+# in the tool, and in the base at q = 0; ±1, the senses of axes 2, 3 and 4 along y of the base, and the distance from
+# the first axis below which the tool is over it, m; complex numbers, m, in the plane of the arm: to the shoulder, and
+# from the wrist to the tool; upper arm and forearm as `TwoLinks`.
 BASE, HOME, HAND, POINTING, SIGNS, ENDS, LINKS, ROWS = 0, 3, 6, 7, 8, 9, 10, 11
 OVER, TO_TOOL = 3, 2
-# Columns of a posture behind its q: the waist turned back, the sign of the bend.
+# Columns of a posture after its q: whether the waist is turned back, and the sign of the bend.
 BACK, BEND = 5, 6
-# Of what is noted behind the postures: the turn into the plane, rad, and whether θ₁ and θ₂ are free.
+# Columns of row NOTED after the postures: the rotation into the plane, rad, and whether θ₁ and θ₂ are free.
 TURNED, FREE_WAIST, FREE_SHOULDER, NOTED = 0, 1, 2, 4
 
 
 @dataclass(frozen=True, eq=False)
 class Side:
-    """Such an arm: its turret and, packed as this file says, (11, 4), the rest."""
+    """An arm like the Movemaster: its turret, and its packed table (11, 4), with the rows above."""
 
     turret: Turret
     packed: Array
@@ -52,7 +52,7 @@ class Side:
 
 @lru_cache(maxsize=64)
 def side_of(robot: Robot) -> Side | None:
-    """The robot as such an arm, or None."""
+    """The robot as a `Side`, or None."""
     if (arm := turret(robot)) is None:
         return None
     R, tool = arm.T_world_base[:3, :3], robot.T_world_tool_0
@@ -71,13 +71,16 @@ def side_of(robot: Robot) -> Side | None:
 
 @kernel_into
 def three(a: Array) -> Triple:
-    """The first three of a row."""
+    """The first three numbers of a row."""
     return a[0], a[1], a[2]
 
 
 @kernel_into
 def seen(arm: Array, tool: Tool, theta1: float) -> tuple[complex, float, complex]:
-    """ζ_P, m, of the tool of the base in the plane of θ₁; α, how far its hand is turned there; and ζ_W, m."""
+    """A tool, given in the base, in the plane of θ₁: ζ_P, m; the rotation α of its hand from q = 0, rad; and ζ_W, m.
+
+    ζ_P is the tool point from the base, ζ_W the wrist from the shoulder.
+    """
     (x, y, z), c, s = tool, cos(theta1), sin(theta1)
     hand, ends = three(arm[HAND]), arm[ENDS]
     zeta = c * x[3] + s * y[3] - 1j * z[3]
@@ -90,7 +93,7 @@ def seen(arm: Array, tool: Tool, theta1: float) -> tuple[complex, float, complex
 
 @kernel_into
 def roll(arm: Array, tool: Tool, theta1: float, alpha: float) -> float:
-    """θ₅ of R_ẑ(θ₅) = R_y(α)ᵀ R_z(θ₁)ᵀ R R₀ᵀ: from the part of the turn about ẑ and its trace."""
+    """θ₅, rad, of R_ẑ(θ₅) = R_y(α)ᵀ R_z(θ₁)ᵀ R R₀ᵀ: from the antisymmetric part along ẑ and the trace."""
     c, s, ca, sa, axis = cos(theta1), sin(theta1), cos(alpha), sin(alpha), three(arm[POINTING])
     x, y, z = turn_of(arm, tool)
     x, y = mixed(x, c, y, s), mixed(y, c, x, -s)
@@ -101,7 +104,7 @@ def roll(arm: Array, tool: Tool, theta1: float, alpha: float) -> float:
 
 @kernel_into
 def turn_of(arm: Array, tool: Tool) -> Rows:
-    """R R₀ᵀ: how the tool is turned against where it stands at q = 0."""
+    """R R₀ᵀ: the rotation of the tool from its orientation at q = 0."""
     (x, y, z), a, b, c = tool, three(arm[HOME]), three(arm[HOME + 1]), three(arm[HOME + 2])
     return (
         (dot(x, a), dot(x, b), dot(x, c)),
@@ -117,10 +120,10 @@ def mixed(a: Triple, c: float, b: Triple, s: float) -> Triple:
 
 
 def joint_values(arm: Array, T_world_tool: Array, q: Array) -> tuple[Array, Array, Array]:
-    """Every posture for a tool pose (4, 4), m, whose hand is first turned into the plane of the arm.
+    """Every posture for a tool pose (4, 4), m, whose hand is first rotated into the plane of the arm.
 
-    Args: arm of `Side`; q (5,), rad: where θ₁ or θ₂ is free, it is kept. Returns rows (k, 7): q, rad, whether the waist
-    is turned back and the sign of the bend; what was solved for, (4, 4), m; and what is noted, as this file says.
+    Args: arm: `Side.packed`; q (5,), rad: where θ₁ or θ₂ is free, it is kept. Returns rows (k, 7): q, rad, whether the
+    waist is turned back and the sign of the bend; the pose solved for, (4, 4), m; and the row NOTED.
     """
     rows, goal = empty((NOTED + 1, 7)), T_world_tool.copy()
     return rows[: joint_values_into(arm, T_world_tool, q, rows, goal)], goal, rows[NOTED]
@@ -128,7 +131,7 @@ def joint_values(arm: Array, T_world_tool: Array, q: Array) -> tuple[Array, Arra
 
 @kernel_into
 def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, goal: Array) -> int:
-    """Write what `joint_values` returns, what is noted into the last of the rows (5, 7); returns how many there are."""
+    """Write the results of `joint_values` into rows (5, 7), the last of them NOTED, and goal; returns the number."""
     x, y, z = rows_of(arm[BASE:])
     world = rows_of(T_world_tool)
     tool = tool_row(x, world), tool_row(y, world), tool_row(z, world)

@@ -1,6 +1,7 @@
-"""The three subproblems of Paden and Kahan: by what angles axes bring a point to a point, or to a distance.
+"""The three subproblems of Paden and Kahan: the angles that rotate a point to a point, or to a distance.
 
-An inverse kinematics by screws is cut into them: a point on an axis does not feel it, and so drops it from a product.
+Inverse kinematics by screws is reduced to them: a rotation does not move a point of its axis, so it drops out of a
+product applied to that point.
 Source: Paden 1986, Kinematics and control of robot manipulators; Kahan 1983, Lectures on computational aspects of
 geometry; Murray, Li and Sastry 1994, A mathematical introduction to robotic manipulation, §3.2.
 """
@@ -15,13 +16,13 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.kinematics.chain import Joint
 
-# Of the largest value: what rounding takes from a radicand, and below which two solutions are one; a length, m, that
-# is none.
+# The fraction of its largest value by which a radicand may be negative, and up to which two solutions are one; a
+# length, m, that counts as zero.
 ROUNDING, NONE = 1e-12, 1e-10
 
 
 class Axis(NamedTuple):
-    """A line about which something turns: its direction (3,), unit, and one of its points (3,), m."""
+    """An axis of rotation: its direction (3,), unit, and one of its points (3,), m."""
 
     direction: Array
     point: Array
@@ -33,7 +34,7 @@ def axis_of(joint: Joint) -> Axis:
 
 
 def _across(axis: Axis, p: Array) -> Array:
-    """The way (3,), m, from the axis to a point."""
+    """The perpendicular (3,), m, from the axis to a point."""
     u = p - axis.point
     return np.asarray(u - (axis.direction @ u) * axis.direction)
 
@@ -42,7 +43,7 @@ def turn_to(axis: Axis, p: Array, q: Array, kept: float) -> float:
     """Subproblem 1, e^(ξ̂θ) p = q: θ = Atan2(wᵀ(u' × v'), u'ᵀ v'), u' = u − w wᵀu, u = p − r, and v' of v = q − r.
 
     Args: p, q (3,), m, equally far from the axis and along it, which is not checked; kept: θ, rad, where they lie on
-    the axis, so that any serves. Source: Murray, Li and Sastry 1994, §3.2, subproblem 1.
+    the axis and every θ is a solution. Source: Murray, Li and Sastry 1994, §3.2, subproblem 1.
     """
     u, v = _across(axis, p), _across(axis, q)
     if min(np.linalg.norm(u), np.linalg.norm(v)) < NONE:
@@ -54,8 +55,8 @@ def turns_to(first: Axis, second: Axis, p: Array, q: Array, kept: tuple[float, f
     """Subproblem 2, e^(ξ̂₁θ₁) e^(ξ̂₂θ₂) p = q, for axes that cross at the point r of the first: no, one or two solutions.
 
     Both circles pass through c = r + α w₁ + β w₂ ± γ w₁ × w₂: α = (w₁ᵀw₂ w₂ᵀu − w₁ᵀv) / ((w₁ᵀw₂)² − 1),
-    β = (w₁ᵀw₂ w₁ᵀv − w₂ᵀu) / ((w₁ᵀw₂)² − 1), γ² = (‖u‖² − α² − β² − 2αβ w₁ᵀw₂) / ‖w₁ × w₂‖²; the rest is
-    subproblem 1, e^(ξ̂₂θ₂) p = c and e^(ξ̂₁θ₁) c = q.
+    β = (w₁ᵀw₂ w₁ᵀv − w₂ᵀu) / ((w₁ᵀw₂)² − 1), γ² = (‖u‖² − α² − β² − 2αβ w₁ᵀw₂) / ‖w₁ × w₂‖². Then subproblem 1
+    solves e^(ξ̂₂θ₂) p = c and e^(ξ̂₁θ₁) c = q.
     Args: as in `turn_to`; kept (2,), rad. Source: Murray, Li and Sastry 1994, §3.2, subproblem 2.
     """
     w1, w2, r = first.direction, second.direction, first.point
@@ -88,7 +89,7 @@ def turns_to_distance(axis: Axis, p: Array, q: Array, distance: float, kept: flo
 
 
 def _roots(radicand: float, largest: float) -> tuple[float, ...]:
-    """±√x: both, one where they are alike but for rounding, none where there is none."""
+    """±√x: both, one if they are equal up to rounding, none if x is negative."""
     if radicand < -ROUNDING * largest:
         return ()
     root = sqrt(max(radicand, 0.0))

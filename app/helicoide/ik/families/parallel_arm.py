@@ -1,4 +1,4 @@
-"""Six turning joints of which the second, third and fourth are parallel, as in the UR family: the arm at q = 0."""
+"""Arms with six revolute joints and parallel axes 2, 3 and 4, as in the UR family: their geometry at q = 0."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from helicoide.ik.postures.solvability import meeting_point
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
 
-# Axes are parallel below this sine: files round them, and what is found is polished. Links have a length above this, m.
+# Axes are parallel below this sine: files round them, and postures are polished. Links are longer than this, m.
 PARALLEL, NO_LINK = 1e-5, 1e-6
-# Rows of the packed arm, of which h lies along the parallel axes, x ahead of the waist, across it and h, and W is where
-# axes 5 and 6 meet. In the base: ŝ₁, h, x and a point of the waist, m. In the tool: ŝ₅, ŝ₆, h, x and W, m. Complex
+# Rows of the packed arm. h is the direction of the parallel axes, x is along h × ŝ₁, and W is the point where axes 5
+# and 6 meet. In the base: ŝ₁, h, x and a point of the waist axis, m. In the tool: ŝ₅, ŝ₆, h, x and W, m. Complex
 # numbers, m, in the plane of x and h × x: from the waist to the shoulder, and from the fourth axis to W; then upper arm
-# and forearm as `TwoLinks`. Then the setting, and from POLISHER on what polishes its postures.
+# and forearm as `TwoLinks`. Then the setting, and from POLISHER on the table of `polisher`.
 WAIST, ALONG, AHEAD, FOOT, FIFTH, SIXTH, ALONG_TOOL, AHEAD_TOOL, CENTRE, ENDS, LINKS, SETTING, POLISHER = range(13)
-# Of the ends; of the setting: h · (W − p₁), m, and ±1, the axes 3 and 4 against h.
+# Columns of the ends; of the setting: h · (W − p₁), m, and ±1, the senses of axes 3 and 4 along h.
 SHOULDER, HAND = 0, 2
 ASIDE, THIRD, FOURTH = range(3)
 
 
 @lru_cache(maxsize=64)
 def parallel_arm(robot: Robot) -> Array | None:
-    """The robot as such an arm, packed, (k, 12), or None."""
+    """The robot packed as an arm of this kind, (k, 12), or None."""
     if len(robot.joints) != 6 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return None
     s, p, T = robot.directions, robot.points, robot.T_world_tool_0
@@ -55,5 +55,5 @@ def parallel_arm(robot: Robot) -> Array | None:
 
 @kernel_into
 def ending(arm: Array, which: int) -> complex:
-    """From the waist to the shoulder, or from the fourth axis to W, m."""
+    """The complex number from the waist to the shoulder, or from the fourth axis to W, m."""
     return complex(arm[ENDS, which], arm[ENDS, which + 1])

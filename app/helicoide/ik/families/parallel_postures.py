@@ -35,23 +35,23 @@ from helicoide.kernels import kernel_into
 from helicoide.kinematics.tool_kernels import Triple, cross, dot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
-ACCEPTED = 1e-9  # what a posture may miss, m and rad
-SLACK = 1e-6  # how far beyond its edge, of its reach, the elbow is tried: axes may be parallel inexactly
-# Columns of a posture behind its q: whether the shoulder is to the left, the elbow up, the wrist flipped, and which
-# joints are free, the sum of these.
+ACCEPTED = 1e-9  # the largest error of a posture, m and rad
+SLACK = 1e-6  # how far beyond its edge, relative to the reach, an elbow is tried: axes may be only nearly parallel
+# Columns of a posture after its q: whether the shoulder is to the left, the elbow up, the wrist flipped; and the free
+# joints, as the sum of the three numbers below.
 LEFT, UP, FLIPPED, LOOSE = range(6, 10)
 FREE_WAIST, FREE_SHOULDER, FREE_WRIST = 1, 2, 4
 
 
 @kernel_into
 def triple(row: Array) -> Triple:
-    """Three numbers."""
+    """The first three numbers of a row."""
     return row[0], row[1], row[2]
 
 
 @kernel_into
 def rotated(axis: Triple, turn: tuple[float, float], v: Triple) -> Triple:
-    """v turned about a unit axis by an angle of which cosine and sine are given (Rodrigues)."""
+    """v rotated about a unit axis (Rodrigues). Args: turn: cosine and sine of the angle."""
     c, s = turn
     w = cross(axis, v)
     along = (1.0 - c) * dot(axis, v)
@@ -64,7 +64,7 @@ def rotated(axis: Triple, turn: tuple[float, float], v: Triple) -> Triple:
 
 @kernel_into
 def back(theta: float) -> tuple[float, float]:
-    """Cosine and sine of a turn by −θ, rad."""
+    """Cosine and sine of −θ, rad."""
     c, s = cosine_and_sine(theta)
     return c, -s
 
@@ -77,7 +77,7 @@ def out_of(T: Array, v: Triple) -> Triple:
 
 @kernel_into
 def into(T: Array, v: Triple) -> Triple:
-    """Rᵀ v."""
+    """Rᵀ v, for the R of a pose (4, 4)."""
     return (
         T[0, 0] * v[0] + T[1, 0] * v[1] + T[2, 0] * v[2],
         T[0, 1] * v[0] + T[1, 1] * v[1] + T[2, 1] * v[2],
@@ -87,14 +87,17 @@ def into(T: Array, v: Triple) -> Triple:
 
 @kernel_into
 def centre_from_waist(arm: Array, T: Array) -> Triple:
-    """v = T W − p₁: where axes 5 and 6 meet, from the foot of the waist, m."""
+    """v = T W − p₁, m: the point where axes 5 and 6 meet, from a point of the waist axis."""
     w, foot = out_of(T, triple(arm[CENTRE])), triple(arm[FOOT])
     return w[0] + T[0, 3] - foot[0], w[1] + T[1, 3] - foot[1], w[2] + T[2, 3] - foot[2]
 
 
 @kernel_into
 def waist_angles(arm: Array, v: Triple, kept: float) -> tuple[int, float, float]:
-    """θ₁ of h · R₁ᵀ v = h · (W − p₁): the parallel axes keep W in a plane that the waist turns."""
+    """The number of θ₁ of h · R₁ᵀ v = h · (W − p₁), and both, rad.
+
+    Joints 2 to 4 move W in a plane normal to h, which the waist rotates.
+    """
     s, h, aside = triple(arm[WAIST]), triple(arm[ALONG]), arm[SETTING, ASIDE]
     lean, height = dot(s, h), dot(s, v)
     return linear(dot(h, v) - lean * height, dot(cross(s, h), v), aside - lean * height, kept)
@@ -102,9 +105,9 @@ def waist_angles(arm: Array, v: Triple, kept: float) -> tuple[int, float, float]
 
 @kernel_into
 def fifth_angles(arm: Array, u: Triple) -> tuple[bool, float, float]:
-    """Whether there is a θ₅ of h · R₅ ŝ₆ = ŝ₆ · u, and both, rad; u = Rᵀ R₁ h is h as the tool has to see it.
+    """Whether there is a θ₅ of h · R₅ ŝ₆ = ŝ₆ · u, and both, rad; u = Rᵀ R₁ h is h in the tool frame.
 
-    The radicand is that of A cos θ + B sin θ = C, in a form that loses nothing where ŝ₆ comes to lie along h.
+    The radicand is that of A cos θ + B sin θ = C, in a form without cancellation where ŝ₆ is nearly along h.
     """
     s5, s6, h = triple(arm[FIFTH]), triple(arm[SIXTH]), triple(arm[ALONG_TOOL])
     a, b, x, n = dot(s5, h), dot(s5, s6), dot(u, s6), cross(u, s6)
@@ -125,9 +128,9 @@ def sixth_angle(arm: Array, u: Triple, there: Triple, kept: float) -> tuple[floa
 
 @kernel_into
 def postures(arm: Array, T: Array, q: Array, rows: Array) -> int:
-    """Write every posture for a tool pose (4, 4), m, into rows (8, 10): q, rad, and the columns of this file.
+    """Write every posture for a tool pose (4, 4), m, into rows (8, 10): q, rad, and the columns above.
 
-    Args: arm of `parallel_arm`; q (6,), rad: kept where a joint is free. Returns how many there are.
+    Args: arm of `parallel_arm`; q (6,), rad: kept where a joint is free. Returns the number of postures.
     """
     k = 0
     s1, s5, s6, v = triple(arm[WAIST]), triple(arm[FIFTH]), triple(arm[SIXTH]), centre_from_waist(arm, T)
@@ -165,14 +168,14 @@ def postures(arm: Array, T: Array, q: Array, rows: Array) -> int:
 
 
 def joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
-    """The rows of `postures`, polished, verified, each once. Arguments as there."""
+    """The rows of `postures`, polished and verified, each once. Args as there."""
     rows = empty((9, 10))
     return rows[: verify(arm, T_world_tool, q, rows)]
 
 
 @kernel_into
 def verify(arm: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
-    """Write the rows of `joint_values` into rows (9, 10), of which the last is room for one; returns how many."""
+    """Write the rows of `joint_values` into rows (9, 10), of which the last is temporary; returns their number."""
     goal, there, k = stand_of(T_world_tool), rows[8], 0
     for found in range(postures(arm, T_world_tool, q, rows)):
         for i in range(LOOSE + 1):

@@ -1,4 +1,4 @@
-"""Arms of six turning joints with a spherical wrist as Pieper's solution sees them: modified rows, the wrist last."""
+"""Arms with six revolute joints and a spherical wrist, for Pieper's solution: modified DH rows, the wrist last."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from helicoide.kinematics.chain import Chain, Joint
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-# A sine, and a length in m, below which an axis has none.
+# A sine, and a length in m, that count as zero.
 NONE = 1e-6
-# The step of differences, rad, and the part of the arm's size, cubed, below which they are zero.
+# The step of finite differences, rad, and the fraction of the cubed arm size below which a determinant is zero.
 STEP, STILL = 1e-5, 1e-9
 
 
-# What the kernels take of an arm.
+# An arm as the argument of the kernels.
 PIEPER = np.dtype(
     [
         ("alpha", "f8", 5),
@@ -42,7 +42,8 @@ PIEPER = np.dtype(
 class Arm:
     """An arm with the wrist last, in modified rows: α₁ … α₅, a₁ … a₃, d₁ … d₄, θ at q = 0 (6,), rad and m.
 
-    T_base_world, T_tool_wrist (4, 4), m. backwards: whether it is the robot seen from its tool, whose wrist is first.
+    T_base_world, T_tool_wrist (4, 4), m. backwards: whether the chain runs from the tool to the base, for a robot whose
+    wrist is first.
     """
 
     alpha: tuple[float, ...]
@@ -54,19 +55,19 @@ class Arm:
     backwards: bool
 
     def wrist(self, T_world_tool: Array) -> Array:
-        """Pose of the last DH frame, whose origin is the wrist centre, d₁ z below, (4, 4), m."""
+        """The pose of the last DH frame, origin at the wrist centre, moved by −d₁ along z, (4, 4), m."""
         T = np.linalg.inv(T_world_tool) if self.backwards else T_world_tool
         T = self.T_base_world @ T @ self.T_tool_wrist
         T[2, 3] -= self.d[0]
         return np.asarray(T)
 
     def turned(self, q: Array) -> Array:
-        """q in the order of this arm: its own inverse."""
+        """q in the joint order of this arm, or from it back to that of the robot."""
         return q[::-1] if self.backwards else q
 
     @cached_property
     def packed(self) -> Chain:
-        """All of it in an array (1,) of PIEPER."""
+        """The arm as an array (1,) of PIEPER."""
         packed = np.zeros(1, PIEPER)
         for name in ("alpha", "a", "d", "f", "size", "k", "shifts", "backwards"):
             packed[name] = getattr(self, name)
@@ -88,7 +89,7 @@ class Arm:
 
     @cached_property
     def size(self) -> Array:
-        """f₁² + f₂² + f₃² in the same form, (3,), m²: c₃² and s₃² fall together."""
+        """f₁² + f₂² + f₃² in the same form, (3,), m²: c₃² and s₃² have the same factor and add up to a constant."""
         (_, a2, a3), (_, _, d3, d4) = self.a, self.d
         ca3, sa3 = cos(self.alpha[2]), sin(self.alpha[2])
         constant = a2**2 + a3**2 + d3**2 + d4**2 + 2 * d3 * d4 * ca3
@@ -104,7 +105,7 @@ class Arm:
 
 @lru_cache(maxsize=64)
 def arm_of(robot: Robot) -> Arm | Text:
-    """The robot as such an arm, or why it is not one."""
+    """The robot as an `Arm`, or why it is not one."""
     if len(robot.joints) != 6 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return JOINTS
     ends = {False: (3, 4, 5), True: (0, 1, 2)}
@@ -113,9 +114,9 @@ def arm_of(robot: Robot) -> Arm | Text:
 
 
 def _rows(robot: Robot, backwards: bool) -> Arm:
-    """The modified rows: of row i they take α and a of row i − 1 of the standard ones, which the axes give.
+    """The modified rows, from the standard ones of the axes: row i has α and a of standard row i − 1.
 
-    β of axes that are nearly parallel is left out: what is found from the rows is a start that is polished.
+    β of nearly parallel axes is ignored, since the postures found from these rows are polished afterwards.
     """
     joints, T_0 = robot.joints, robot.T_world_tool_0
     if backwards:
@@ -135,7 +136,7 @@ def _rows(robot: Robot, backwards: bool) -> Arm:
 
 
 def _seen(joint: Joint, T_tool_world: Array) -> Joint:
-    """A joint as the tool sees it at q = 0: from there it turns the other way."""
+    """A joint at q = 0 in the tool frame, with its direction reversed, as the chain runs from the tool to the base."""
     R, p = T_tool_world[:3, :3], T_tool_world[:3, 3]
     return replace(joint, direction=frozen(-R @ joint.direction), point=frozen(R @ joint.point + p))
 
@@ -145,7 +146,7 @@ def _turns_everywhere(arm: Arm) -> bool:
 
 
 def _moves_everywhere(arm: Arm) -> bool:
-    """Whether ∂(ρ², z)/∂(θ2, θ3) is not zero everywhere: the wrist centre then comes to points all around."""
+    """Whether det ∂(ρ², z)/∂(θ2, θ3) is not zero everywhere: the wrist centre then moves in three dimensions."""
     theta2, theta3 = np.random.default_rng(0).uniform(-np.pi, np.pi, (2, 20))
 
     def at(step2: float, step3: float) -> Array:
@@ -158,7 +159,7 @@ def _moves_everywhere(arm: Arm) -> bool:
 
 
 def meridian(arm: Arm, theta2: Array, theta3: Array) -> tuple[Array, Array]:
-    """Where the wrist centre lies at angles (...), rad: √(g₁² + g₂²) from the first axis, and z along it, m."""
+    """The wrist centre at angles (...), rad: its distance √(g₁² + g₂²) from the first axis, and z along it, m."""
     f1, f2, f3 = (row[0] + row[1] * np.cos(theta3) + row[2] * np.sin(theta3) for row in arm.f)
     c2, s2, ca1, sa1 = np.cos(theta2), np.sin(theta2), cos(arm.alpha[0]), sin(arm.alpha[0])
     across, up = s2 * f1 + c2 * f2, f3 + arm.d[1]
@@ -166,7 +167,7 @@ def meridian(arm: Arm, theta2: Array, theta3: Array) -> tuple[Array, Array]:
 
 
 def beyond(arm: Arm, p: Array) -> float:
-    """How far a point (3,), m, lies from where the wrist centre can be, m, by a grid of θ2 and θ3 that closes in."""
+    """The distance of a point (3,), m, from the workspace of the wrist centre, m, by a refined grid of θ2 and θ3."""
     out, (theta2, theta3), span = hypot(p[0], p[1]), np.zeros(2), np.pi
     far = np.zeros(0)
     while span > 1e-9:
@@ -180,14 +181,16 @@ def beyond(arm: Arm, p: Array) -> float:
 
 
 JOINTS = Text(
-    en="The form is for six turning joints, each moved on its own.",
-    pt_BR="A forma vale para seis juntas de revolução, cada uma com movimento próprio.",
+    en="This form needs six revolute joints, each moving independently.",
+    pt_BR="Esta forma exige seis juntas de revolução, cada uma com movimento independente.",
 )
 WRIST = Text(
-    en="The form is for arms whose last or first three axes meet at a point.",
-    pt_BR="A forma vale para braços cujos três últimos, ou três primeiros, eixos se cruzam num ponto.",
+    en="This form needs the first three or the last three axes to intersect at a point.",
+    pt_BR="Esta forma exige que os três primeiros ou os três últimos eixos se cruzem num ponto.",
 )
 PLACES = Text(
-    en="Three axes meet at a point, but that wrist does not turn freely or the others do not move it everywhere.",
-    pt_BR="Há três eixos que se cruzam, mas esse punho não gira livremente ou os outros não o levam a toda parte.",
+    en="Three axes intersect at a point, but that wrist does not take every orientation, or the other joints do not "
+    "move its centre in three dimensions.",
+    pt_BR="Há três eixos que se cruzam num ponto, mas esse punho não assume toda orientação, ou as outras juntas não "
+    "movem o centro dele em três dimensões.",
 )

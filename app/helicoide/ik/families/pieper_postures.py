@@ -17,22 +17,25 @@ from helicoide.kernels import kernel
 from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.tool_kernels import write_pose
 
-ACCEPTED = 1e-9  # what a posture may miss, m and rad
-# Columns of a posture behind its q: the number of the arm's posture, from 1, whether the wrist is flipped, and which
-# joints are free, the sum of these.
+ACCEPTED = 1e-9  # the largest error of a posture, m and rad
+# Columns of a posture after its q: the number of the posture of θ₁ to θ₃ (from 0 in `postures`, 1 in `joint_values`),
+# whether the wrist is flipped, and the free joints, as the sum of the three numbers below.
 ARM, FLIPPED, LOOSE = 6, 7, 8
 WAIST, SHOULDER, WRIST = 1, 2, 4
 
 
 @kernel
 def at(row: Array, c: float, s: float) -> float:
-    """A constant part and the factors of cos θ₃ and sin θ₃, put together."""
+    """row₀ + row₁ cos θ₃ + row₂ sin θ₃."""
     return float(row[0] + row[1] * c + row[2] * s)
 
 
 @kernel
 def third_angles(arm: Any, r: float, z: float, kept: float, angles: Array) -> int:
-    """How many θ₃ are written into angles (4,): of r = k₃ where a₁ = 0, z = k₄ where sα₁ = 0, else of the quartic."""
+    """Write θ₃ into angles (4,), rad: of r = k₃ if a₁ = 0, of z = k₄ if sα₁ = 0, else of the quartic.
+
+    Returns their number. kept: θ₃ where it is free, rad.
+    """
     a1, sa1, k3, k4, f3, size = arm["a"][0], sin(arm["alpha"][0]), arm["k"][0], arm["k"][1], arm["f"][2], arm["size"]
     if a1 < NONE:
         count, angles[0], angles[1] = linear(k3[1], k3[2], r - k3[0], kept)
@@ -56,7 +59,10 @@ def third_angles(arm: Any, r: float, z: float, kept: float, angles: Array) -> in
 
 @kernel
 def second_angles(arm: Any, theta3: float, r: float, z: float, kept: float) -> tuple[int, float, float]:
-    """θ₂ of k₁c₂ + k₂s₂ = (r − k₃)/2a₁ and k₁s₂ − k₂c₂ = (z − k₄)/sα₁: of both, or of the one that is there."""
+    """The number of θ₂, and two, rad, of k₁c₂ + k₂s₂ = (r − k₃)/2a₁ and k₁s₂ − k₂c₂ = (z − k₄)/sα₁.
+
+    If a₁ or sα₁ is zero, only the other equation is used. kept: θ₂ where it is free, rad.
+    """
     a1, sa1, c, s = arm["a"][0], sin(arm["alpha"][0]), cos(theta3), sin(theta3)
     k1, minus_k2 = at(arm["f"][0], c, s), at(arm["f"][1], c, s)
     k3, k4 = at(arm["k"][0], c, s), at(arm["k"][1], c, s)
@@ -85,7 +91,7 @@ def undo(M: Array, theta: float, alpha: float) -> None:
 def wrist_angles(alpha: Array, M: Array, kept: float, flipped: bool) -> tuple[float, float, float, bool]:
     """θ₄, θ₅, θ₆ of Rz(θ₄) Rx(α₄) Rz(θ₅) Rx(α₅) Rz(θ₆) = M, and whether θ₄ is free and kept; NaN where |c₅| > 1.
 
-    c₅ = (cα₄ cα₅ − m₃₃) / sα₄ sα₅, s₅ of either sign, θ₄ from the last column of M, θ₆ from what is left.
+    c₅ = (cα₄ cα₅ − m₃₃) / sα₄ sα₅, s₅ of either sign, θ₄ from the last column of M, θ₆ from the remaining rotation.
     """
     ca4, ca5, sa4, sa5 = cos(alpha[3]), cos(alpha[4]), sin(alpha[3]), sin(alpha[4])
     c5 = (ca4 * ca5 - M[2, 2]) / (sa4 * sa5)
@@ -106,9 +112,9 @@ def wrist_angles(alpha: Array, M: Array, kept: float, flipped: bool) -> tuple[fl
 
 @kernel
 def postures(arm: Any, T: Array, kept: Array) -> Array:
-    """Every θ for a pose of the wrist (4, 4), m, as rows (k, 9): θ, rad, and the columns of this file, from 0.
+    """Every θ for a pose of the wrist (4, 4), m, as rows (k, 9): θ, rad, and the columns above.
 
-    Args: arm of PIEPER; kept (6,), rad: θ that is kept where it is free.
+    Args: arm of PIEPER; kept (6,), rad: θ where a joint is free.
     """
     rows, angles, M, k, number = np.empty((16, 9)), np.empty(4), np.empty((3, 3)), 0, 0
     alpha, ca1, sa1 = arm["alpha"].copy(), cos(arm["alpha"][0]), sin(arm["alpha"][0])
@@ -146,7 +152,7 @@ def postures(arm: Any, T: Array, kept: Array) -> Array:
 
 @kernel
 def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
-    """Pose of the last DH frame of an arm of PIEPER, whose origin is the wrist centre, d₁ z below, (4, 4), m."""
+    """The pose of the last DH frame of an arm of PIEPER, origin at the wrist centre, moved by −d₁ z, (4, 4), m."""
     T = T_world_tool
     if arm["backwards"]:
         T = np.zeros((4, 4))
@@ -164,7 +170,7 @@ def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
 
 @kernel
 def joint_values(arms: Chain, table: Array, T_world_tool: Array, q: Array) -> Array:
-    """Every posture for a tool pose (4, 4), m, polished, verified, each once: q, rad, and what `postures` notes.
+    """Every posture for a tool pose (4, 4), m, polished and verified, each once: q, rad, and the columns above.
 
     Args: arms (1,) of PIEPER; table of `polish.polisher`; q (6,), rad: kept where a joint is free.
     """

@@ -1,4 +1,4 @@
-"""Planar arms as the source sees them: turning joints with parallel axes, links of lengths l₁, l₂, … in one plane."""
+"""Planar arms in the frames of the source: revolute joints with parallel axes, links of lengths l₁, l₂, …"""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from helicoide.ik.families.elbow import Annulus
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-# Axes count as parallel below this sine; links shorter than this, m, are none.
+# Axes are parallel below this sine; links are longer than this, m.
 PARALLEL, NO_LINK = 1e-9, 1e-9
 
 
@@ -21,8 +21,8 @@ class Planar:
     """A planar arm and the frames in which its closed form is written.
 
     T_world_base (4, 4), m: z along the first axis, x along the first link at q = 0. lengths (n,), m: of all links.
-    θ = signs q + shifts, rad. T_end_tool (4, 4), m: the tool in the frame {E} that stands at (x, y), turned by the sum
-    of all θ; it sits on the third axis, and where there are two, in the plane of the arm under the tool.
+    θ = signs q + shifts, rad. T_end_tool (4, 4), m: the tool in the frame {E}, which is at (x, y), rotated by the sum
+    of all θ. Its origin is on the third axis; with two joints, it is the tool point projected to the plane of the arm.
     """
 
     T_world_base: Array
@@ -53,13 +53,13 @@ class Planar:
         return float(T[0, 3]), float(T[1, 3]), float(np.arctan2(T[1, 0], T[0, 0]))
 
     def tool(self, x: float, y: float, phi: float) -> Array:
-        """T_world_tool (4, 4), m, where {E} stands at (x, y), m, turned by φ, rad. Source: Campos 1998, s.29."""
+        """T_world_tool (4, 4), m, for {E} at (x, y), m, rotated by φ, rad. Source: Campos 1998, s.29."""
         return np.asarray(self.T_world_base @ _turned(x, y, phi) @ self.T_end_tool)
 
 
 @lru_cache(maxsize=16)
 def planar(robot: Robot, count: int) -> Planar | Text:
-    """The planar arm with `count` turning joints, two or three, that a robot is, or why it is not one."""
+    """The robot as a planar arm with `count` revolute joints, two or three, or why it is not one."""
     if len(robot.joints) != count or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return _JOINTS.format(count=count)
     if np.linalg.norm(np.cross(robot.directions[0], robot.directions), axis=1).max() > PARALLEL:
@@ -99,11 +99,11 @@ def _turned(x: float, y: float, phi: float) -> Array:
 
 
 _JOINTS = Text(
-    en="This form is for {count} turning joints, each moved on its own.",
-    pt_BR="Esta forma vale para {count} juntas de revolução, cada uma com movimento próprio.",
+    en="This form needs {count} revolute joints, each moving independently.",
+    pt_BR="Esta forma exige {count} juntas de revolução, cada uma com movimento independente.",
 )
-_AXES = Text(en="This form is for axes that are all parallel.", pt_BR="Esta forma vale para eixos paralelos entre si.")
+_AXES = Text(en="This form needs parallel axes.", pt_BR="Esta forma exige eixos paralelos entre si.")
 _LINKS = Text(
-    en="This form is for two links with a length: the first two axes, and what follows, must not coincide.",
-    pt_BR="Esta forma vale para dois elos com comprimento: os dois primeiros eixos, e o que vem depois, não coincidem.",
+    en="This form needs two links of nonzero length.",
+    pt_BR="Esta forma exige dois elos de comprimento não nulo.",
 )

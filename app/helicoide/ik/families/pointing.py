@@ -1,4 +1,4 @@
-"""The nearest orientation of a hand that can only point within the vertical plane of its arm."""
+"""The nearest orientation of a tool that can only point within the vertical plane of its arm."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from helicoide.ik.families.frames import Tool, rows_of
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.tool_kernels import Triple, cross, dot, tool_row
 
-# A hand counts as pointing straight out of the plane where the sine to its normal is below this.
+# A hand points along the normal of the plane where the sine between the two is below this.
 ACROSS = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
 class Pointing:
-    """How a hand is turned into the plane of the arm; vectors (3,) and R (3, 3) in one frame, angle in rad.
+    """The rotation of a hand into the plane of the arm; vectors (3,) and R (3, 3) in one frame.
 
-    M: normal of the plane; K: axis of the turn; Z: where the hand then points; cosine and sine of the angle; R: the
-    turned orientation.
+    M: normal of the plane; K: axis of the rotation; Z: the direction of the hand after it; cosine and sine of its
+    angle; R: the orientation after it.
     """
 
     M: Array
@@ -33,12 +33,12 @@ class Pointing:
 
     @property
     def angle(self) -> float:
-        """The angle of the turn about K, rad: |θ| = asin|M·Ẑ|."""
+        """The angle of the rotation about K, rad: |θ| = asin|M·Ẑ|."""
         return float(np.arctan2(self.sine, self.cosine))
 
 
 def turned_into_plane(T: Array, hand: Array, M: Array) -> Pointing:
-    """How a tool (4, 4), m, seen from the base, is turned into the plane across M (3,), horizontal and unit.
+    """The rotation of a tool (4, 4), m, base frame, into the plane normal to M (3,), horizontal and unit.
 
     hand: the pointing direction in the frame of the tool, (3,), unit.
     """
@@ -48,11 +48,11 @@ def turned_into_plane(T: Array, hand: Array, M: Array) -> Pointing:
 
 @kernel_into
 def into_plane(tool: Tool, hand: Triple, M: Triple) -> tuple[Triple, Triple, float, float, Tool]:
-    """The smallest turn that brings the direction Ẑ = R·hand into the plane across M: K = M × Ẑ / |M × Ẑ|, Ẑ' = K × M.
+    """The smallest rotation of Ẑ = R·hand into the plane normal to M: K = M × Ẑ / |M × Ẑ|, Ẑ' = K × M.
 
-    cos θ = Ẑ·Ẑ', sin θ = (Ẑ × Ẑ')·K; each axis follows: v' = cos θ v + sin θ K × v + (1 − cos θ)(K·v) K (Rodrigues).
-    Where Ẑ lies along M every direction of the plane is as near; the horizontal one is taken, K down.
-    Returns K, Ẑ', cos θ, sin θ and the tool, turned about its own point.
+    cos θ = Ẑ·Ẑ', sin θ = (Ẑ × Ẑ')·K; each axis v' = cos θ v + sin θ K × v + (1 − cos θ)(K·v) K (Rodrigues).
+    Where Ẑ lies along M, all directions in the plane are equally near; the horizontal one is used, with K down.
+    Returns K, Ẑ', cos θ, sin θ and the tool, rotated about its own point.
     Source: Campos 1998, s.36 and s.55; Craig, Introduction to Robotics, ch. 4.
     """
     x, y, z = tool

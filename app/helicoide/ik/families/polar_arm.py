@@ -1,4 +1,4 @@
-"""Polar arms as the source sees them: a turret and a slide that leads straight out from its axis."""
+"""Polar arms in the frames of the source: a revolute joint and a prismatic joint at a right angle to its axis."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ SQUARE, MEETING = 1e-9, 1e-9
 
 @dataclass(frozen=True, eq=False)
 class PolarArm:
-    """Such an arm: ρ = q₂ + stretch, m. T_world_base (4, 4), m: z along the first axis, y along the slide at q₁ = 0.
+    """A polar arm: ρ = q₂ + stretch, m.
 
-    T_wrist_tool (4, 4): the tool in the frame of the source's matrix, which has its origin.
+    T_world_base (4, 4), m: z along the first axis, y along the second at q₁ = 0. T_wrist_tool (4, 4), m: the tool in
+    the frame of the matrix of the source, which has the same origin.
     """
 
     T_world_base: Array
@@ -32,14 +33,14 @@ class PolarArm:
         return np.asarray(self.T_world_base @ _wrist(theta1, rho) @ self.T_wrist_tool)
 
     def place(self, T_world_tool: Array) -> tuple[float, float]:
-        """(x, y), m, of the tool, seen from the base."""
+        """(x, y), m, of the tool in the base frame."""
         x, y = (np.linalg.inv(self.T_world_base) @ T_world_tool)[:2, 3]
         return float(x), float(y)
 
 
 @lru_cache(maxsize=16)
 def polar_arm(robot: Robot) -> PolarArm | None:
-    """The robot as such an arm, or None: a turning joint and a slide square to its axis, which the tool can meet."""
+    """The robot as a `PolarArm`, or None: a revolute and a prismatic axis at a right angle, the tool in their plane."""
     if [joint.is_prismatic for joint in robot.joints] != [False, True] or any(joint.mimic for joint in robot.joints):
         return None
     z, y = robot.directions

@@ -1,4 +1,4 @@
-"""What closed forms share: θ of A cos θ + B sin θ = C, Newton's last steps, whether two postures are one: kernels."""
+"""Functions of all closed forms: θ of A cos θ + B sin θ = C, final Newton steps, and equality of postures: kernels."""
 
 from __future__ import annotations
 
@@ -16,17 +16,18 @@ from helicoide.ik.postures.packed import LANES, PERIOD, WIDTH, behind_joints, se
 from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.robot import Robot
 
-# What a posture may miss without polish, m and rad, and how many steps there are; sines, or lengths in m, that leave an
-# angle free; what rounding takes from a radicand, of its largest value; postures nearer than MERGED, rad, are one.
+# The largest error of a posture without polishing, m and rad, and the largest number of steps; sines, or lengths in m,
+# below which an angle is free; the fraction of its largest value by which a radicand may be negative; postures nearer
+# than MERGED, rad, are equal.
 EXACT, STEPS = 1e-12, 5
 FREE, ROUNDING, MERGED = 1e-10, 1e-12, 1e-5
 
 
 @kernel_into
 def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float]:
-    """How many θ there are of A cos θ + B sin θ = C, and both: Atan2(B, A) ± Atan2(√(A² + B² − C²), C).
+    """The number of θ of A cos θ + B sin θ = C, and both, rad: Atan2(B, A) ± Atan2(√(A² + B² − C²), C).
 
-    The one kept, rad, where every θ solves it.
+    One, `kept`, rad, where every θ is a solution.
     """
     size = A * A + B * B
     if size < FREE * FREE:
@@ -40,9 +41,9 @@ def linear(A: float, B: float, C: float, kept: float) -> tuple[int, float, float
 
 @lru_cache(maxsize=64)
 def polisher(robot: Robot) -> Array:
-    """A robot as `polished` takes it, (k, 12): the table of a search without limits, in which no turn is taken back.
+    """A robot packed for `polished`, (k, 12): the table of a search without limits and periods.
 
-    The rows of `measure.measured` stand behind it.
+    The rows of `measure.measured` come after it.
     """
     ranges, links = wide(robot), measured(robot)
     ranges[:, PERIOD] = 0.0
@@ -52,9 +53,10 @@ def polisher(robot: Robot) -> Array:
 
 @kernel_into
 def polished(table: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
-    """What is left of a pose, the larger of m and rad, after Newton's steps in q: axes may meet inexactly.
+    """The error of a posture, the larger of m and rad, after Newton's steps, which change q in place.
 
-    Args: table of `polisher`; T_world_tool (4, 4), m, and the same as `measure.stand_of` gives it; q (n,), rad.
+    The steps are needed where axes meet or are parallel only approximately.
+    Args: table of `polisher`; T_world_tool (4, 4), m; goal: its `measure.stand_of`; q (n,), rad.
     """
     links = table[behind_joints(table) + q.shape[0] :]
     missed, turned = remains(links, q, goal)
@@ -66,13 +68,13 @@ def polished(table: Array, T_world_tool: Array, goal: Stand, q: Array) -> float:
 
 @kernel
 def polish(table: Array, T_world_tool: Array, q: Array) -> None:
-    """Newton's steps in q; arguments as in `polished`."""
+    """Newton's steps, which change q in place; arguments as in `polished`."""
     descend(table, goal_of(table, T_world_tool), q, np.zeros((COLUMNS + q.shape[0], LANES)))
 
 
 @kernel_into
 def is_known(rows: Array, k: int, q: Array) -> bool:
-    """Whether one of the first k rows has the posture q (n,), rad."""
+    """Whether one of the first k rows equals the posture q (n,), rad, up to `MERGED` and full turns."""
     for i in range(k):
         j = 0
         while j < q.shape[0] and abs(wrapped(rows[i, j] - q[j])) < MERGED:

@@ -1,4 +1,4 @@
-"""Arms with the rows of the PUMA: their lengths, where they can be, and all their postures: kernels."""
+"""Arms with the DH rows of the PUMA: their lengths, their workspace, and all their postures: kernels."""
 
 from __future__ import annotations
 
@@ -16,24 +16,26 @@ from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool_kernels import Triple
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
-# Modified rows without what is free: α, and which of a and d may differ from zero.
+# The fixed values of the modified rows: α, and which of a and d may differ from zero.
 TWISTS = (0.0, -pi / 2, 0.0, -pi / 2, pi / 2, -pi / 2)
 LENGTHS = ((False, False), (False, False), (True, True), (True, True), (False, False), (False, False))
 SAME = 1e-9
-# What rounding may take from a radicand, m²; the angle, rad, below which two postures are one; sines and, in m, lengths
+# By how much a radicand may be negative, m²; the angle, rad, below which two postures are equal; sines and lengths, m,
 # that count as zero.
 ROUNDING, MERGED, FREE = 1e-12, 1e-6, 1e-10
 
 
-# Rows of the packed arm: a₂, a₃, d₃ and d₄, m; θ at q = 0, rad; of T_dh_world and of T_tool_dh three each, m.
+# Rows of the packed arm: a₂, a₃, d₃ and d₄, m; θ at q = 0, rad; three of T_dh_world and three of T_tool_dh, m.
 LENGTHS_OF, SHIFTS, WORLD, TOOL, ROWS = 0, 1, 2, 5, 8
-NUMBER = 6  # column of a posture behind its q: which of the eight it is
+NUMBER = 6  # column of a posture after its q: which of the eight it is
 
 
 @dataclass(frozen=True, eq=False)
 class Puma:
-    """Such an arm: a₂, a₃, d₃ and d₄ (4,), m; frames (2, 4, 4): T_dh_world and T_tool_dh, m; shifts (6,): θ at q = 0,
-    rad; and all of it, packed as this file says, (8, 6).
+    """An arm with the rows of the PUMA.
+
+    lengths: a₂, a₃, d₃ and d₄ (4,), m; frames (2, 4, 4): T_dh_world and T_tool_dh, m; shifts (6,): θ at q = 0, rad;
+    packed (8, 6): all of it, with the rows above.
     """
 
     lengths: Array
@@ -44,7 +46,7 @@ class Puma:
 
 @lru_cache(maxsize=64)
 def puma(robot: Robot) -> Puma | None:
-    """The robot as such an arm, or None: any a₂ ≠ 0, a₃, d₃ and d₄ in the modified rows of the PUMA."""
+    """The robot as a `Puma`, or None: the modified rows of the PUMA with any a₂ > 0, a₃, d₃ and d₄."""
     rows = robot.dh.rows
     fits = (
         robot.dh.convention == "modified"
@@ -73,17 +75,17 @@ def lengths_of(robot: Robot) -> Array:
 
 @kernel_into
 def is_folded(side: float, pz: float, d3: float) -> bool:
-    """Whether the wrist centre is on the axis of the shoulder, by px² + py² − d₃², m², and pz, m: θ2 is then free."""
+    """Whether the wrist centre is on the shoulder axis, so that θ2 is free. Args: side: px² + py² − d₃², m²; pz, m."""
     return abs(pz) < FREE and side < FREE * (FREE + 2.0 * abs(d3))
 
 
 @kernel_into
 def postures(lengths: Array, wrist: Tool, kept: Triple, rows: Array) -> int:
-    """Write every θ, rad, and its number into rows (8, 7): shoulder +, −, in each elbow +, −, in each the wrist and its
-    flip. Returns how many there are.
+    """Write every θ, rad, and its number into rows (8, 7); returns how many there are.
 
-    Of postures that are one the first counts. Where θ1, θ2 or θ4 is free, the one kept, rad, stays, and no wrist is
-    flipped. Args: lengths: a₂, a₃, d₃, d₄ (4,), m; wrist: DH frame 6 in the base of the rows, m.
+    The order is shoulder +, −, for each elbow +, −, for each the wrist and its flip. Of equal postures only the first
+    is written. Where θ1, θ2 or θ4 is free, it is the one of `kept`, rad; where θ4 is free, there is no flip.
+    Args: lengths: a₂, a₃, d₃, d₄ (4,), m; wrist: DH frame 6 in the base of the rows, m.
     Source: Campos 1998, s.55, after Craig.
     """
     k, (a2, a3, d3, d4) = 0, (lengths[0], lengths[1], lengths[2], lengths[3])
@@ -131,7 +133,7 @@ def postures(lengths: Array, wrist: Tool, kept: Triple, rows: Array) -> int:
 def joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
     """Every posture for a tool pose (4, 4), m, as rows (k, 7): q (6,), rad, and its number as in `postures`.
 
-    Args: arm: `Puma` packed; q (6,), rad: kept where a joint is free.
+    Args: arm: `Puma.packed`; q (6,), rad: kept where a joint is free.
     """
     rows = empty((8, 7))
     return rows[: joint_values_into(arm, T_world_tool, q, rows)]
@@ -139,7 +141,7 @@ def joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
 
 @kernel_into
 def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
-    """Write the rows of `joint_values` into rows (8, 7); returns how many there are."""
+    """Write the rows of `joint_values` into rows (8, 7); returns their number."""
     shifts = arm[SHIFTS]
     kept = (q[0] + shifts[0], q[1] + shifts[1], q[3] + shifts[3])
     count = postures(arm[LENGTHS_OF], framed(arm[WORLD:], T_world_tool, arm[TOOL:]), kept, rows)
@@ -150,7 +152,7 @@ def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array) ->
 
 
 def beyond(lengths: Array, p: Array) -> float:
-    """How far the wrist centre (3,), m, lies from where the arm brings it, m: a shell without a tube about the waist.
+    """The distance of a point (3,), m, from the workspace of the wrist centre, m: a shell outside a cylinder.
 
     √(px² + py²) ≥ |d₃| and |a₂ − ρ| ≤ √(|p|² − d₃²) ≤ a₂ + ρ with ρ² = a₃² + d₄². Source: Campos 1998, s.55 (ranges).
     """
@@ -165,6 +167,6 @@ def beyond(lengths: Array, p: Array) -> float:
 
 
 def wrist_range(lengths: Array) -> tuple[float, float]:
-    """Least and largest distance of the wrist centre from the shoulder in the plane of the arm: |a₂ − ρ|, a₂ + ρ, m."""
+    """Smallest and largest distance of wrist centre and shoulder in the plane of the arm: |a₂ − ρ|, a₂ + ρ, m."""
     a2, rho = float(lengths[0]), hypot(lengths[1], lengths[3])
     return abs(a2 - rho), a2 + rho

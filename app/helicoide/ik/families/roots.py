@@ -1,4 +1,4 @@
-"""Where a trigonometric polynomial of degree two is zero: a kernel."""
+"""The zeros of a trigonometric polynomial of degree two: a kernel."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from helicoide.arrays import Array
 from helicoide.ik.families.polish import linear
 from helicoide.kernels import kernel
 
-CIRCLE = 1e-3  # how far from the unit circle a root may lie
+CIRCLE = 1e-3  # the largest distance of a root from the unit circle
 NONE, STILL, ROUNDS = (
     1e-14,
     1e-15,
     80,
-)  # leading coefficients, and corrections, that count as zero; and how many of those
+)  # leading coefficients and corrections that count as zero; largest number of corrections
 
 
 @kernel
 def zeros(l0: float, c1: float, s1: float, c2: float, s2: float, angles: Array) -> int:
-    """How many θ of l₀ + c₁ cos θ + s₁ sin θ + c₂ cos 2θ + s₂ sin 2θ = 0 are written into angles (4,), rad, in order.
+    """Write the θ of l₀ + c₁ cos θ + s₁ sin θ + c₂ cos 2θ + s₂ sin 2θ = 0 into angles (4,), rad, in increasing order.
 
-    They are the roots w = e^(iθ) on the unit circle of a quartic; tan(θ/2) would have a root at infinity where θ = π.
-    All are sought at once: each correction is Newton's, but for what the others draw.
+    Returns their number. They are the roots w = e^(iθ) on the unit circle of a quartic; tan(θ/2) would have a root at
+    infinity for θ = π. All roots are iterated at once, by Newton's correction with a term for each other root.
     Source: Ehrlich 1967 and Aberth 1973, Iteration methods for finding all zeros of a polynomial simultaneously.
     """
     a, b = c2 - 1j * s2, c1 - 1j * s1

@@ -1,4 +1,4 @@
-"""Arms with elbow and wrist, of six joints or of five with a turret, which the same forms take by other steps."""
+"""Arms with elbow and wrist, with six joints or with five on a turret: the same closed forms by different steps."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from helicoide.text import HelicoideError, Text
 Six = Callable[[Robot, ElbowWrist, Array, Array], Iterator[Steps]]
 Five = Callable[[Robot, Turret, Array, Array], Iterator[Steps]]
 OR_FIVE = Text(
-    en="This form is for arms as the PUMA (six turning joints: shoulder square to the waist that it crosses, elbow "
-    "alongside it, a spherical wrist with right angles) or as the Movemaster (five: shoulder, elbow and bend alongside "
-    "each other, a roll that carries the tool).",
-    pt_BR="Esta forma vale para braços como o PUMA (seis juntas de revolução: ombro perpendicular à cintura, que ele "
-    "cruza, cotovelo paralelo a ele, punho esférico com ângulos retos) ou como o Movemaster (cinco: ombro, cotovelo e "
-    "flexão paralelos, e um rolamento que leva o efetuador).",
+    en="This form needs an arm like the PUMA (six revolute joints: the shoulder axis crosses the waist axis at a "
+    "right angle, the elbow axis is parallel to it, a spherical wrist with axes at right angles) or like the "
+    "Movemaster (five: shoulder, elbow and wrist pitch parallel, a wrist roll that carries the end effector).",
+    pt_BR="Esta forma exige um braço como o PUMA (seis juntas de revolução: o eixo do ombro cruza o da cintura em "
+    "ângulo reto, o do cotovelo é paralelo a ele, punho esférico com eixos em ângulo reto) ou como o Movemaster "
+    "(cinco: ombro, cotovelo e arfagem do punho paralelos, e uma rolagem que leva o efetuador).",
 )
 
 
 def refusal(robot: Robot) -> Text | None:
-    """Why a robot is no such arm; None where it is."""
+    """Why a robot is neither kind of arm; None if it is one."""
     return OR_FIVE if elbow_wrist(robot) is None and turret(robot) is None else None
 
 
 def solved(robot: Robot, T_world_tool: Array, q: Array, by_six: Six, by_five: Five) -> Found:
     """Every posture for a tool pose (4, 4), m, by the steps for the kind of arm; q (n,), rad: kept where one is free.
 
-    Raises HelicoideError for what is no pose and for another kind of arm.
+    Raises HelicoideError for an invalid pose and for another kind of arm.
     """
     if (six := elbow_wrist(robot)) is not None:
         return listed(robot, T_world_tool, q, lambda T, now: by_six(robot, six, T, now))

@@ -1,6 +1,6 @@
-"""Arms of five turning joints on a turret: three parallel joints move a hand in a plane that the first one turns.
+"""Arms with five revolute joints on a turret: three parallel joints move a hand in a plane that the first one rotates.
 
-Their tool can take positions in space, but it can point only within that plane: M·Ẑ = 0.
+The tool can take positions in space, but it can only point within that plane: M·Ẑ = 0.
 """
 
 from __future__ import annotations
@@ -18,18 +18,19 @@ from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.tool_kernels import Triple, dot
 
-# Axes count as parallel, or as square, below this sine; lines as meeting below this distance, m.
+# Axes are parallel, or at right angles, below this sine or cosine; lines meet below this distance, m.
 SQUARE, MEETING = 1e-9, 1e-9
-# A tool nearer to the first axis than this part of the reach stands over it: no direction leads there.
+# A tool nearer to the first axis than this fraction of the reach is over it: its position does not give the plane.
 OVER = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
 class Turret:
-    """Such an arm at q = 0. T_world_base (4, 4), m: z up the first axis, y along the shoulder's, x towards the tool.
+    """An arm on a turret at q = 0.
 
-    hand (3,): the direction in which the tool points, that of the last axis, in the frame of the tool; over: the
-    distance from the first axis, m, below which the tool counts as standing over it.
+    T_world_base (4, 4), m: z along the first axis, y along the shoulder axis, x towards the tool. hand (3,): the
+    direction in which the tool points, that of the last axis, in the frame of the tool; over: the distance from the
+    first axis, m, below which the tool is over it.
     """
 
     T_world_base: Array
@@ -37,20 +38,20 @@ class Turret:
     over: float
 
     def seen(self, T_world_tool: Array) -> Array:
-        """The tool (4, 4), m, from the base."""
+        """The tool (4, 4), m, in the base frame."""
         return np.ascontiguousarray(np.linalg.inv(self.T_world_base) @ T_world_tool)
 
     def normal(self, T_base_tool: Array, theta1: float) -> tuple[Array, bool]:
         """M = (−p_y, p_x, 0)/√(p_x² + p_y²), (3,), and whether the first joint is free.
 
-        Where the tool stands over the first axis, the plane is the one in which it points; if it points along the axis
-        too, the one of θ₁, rad, as it is. Source: Campos 1998, s.55; Craig, ch. 4.
+        Where the tool is over the first axis, the plane is the one in which it points. If it also points along the
+        axis, θ₁, rad, is kept. Source: Campos 1998, s.55; Craig, ch. 4.
         """
         M, is_free = normal_of(rows_of(T_base_tool), tuple(self.hand.tolist()), self.over, theta1)
         return np.array(M), is_free
 
     def pointed(self, T_world_tool: Array, theta1: float) -> tuple[Pointing, Array]:
-        """How a pose (4, 4), m, is turned about its own point into the subspace, seen from the base, and the pose."""
+        """The rotation, base frame, of a pose (4, 4), m, about its own point into the subspace, and the new pose."""
         T = self.seen(T_world_tool)
         turn = turned_into_plane(T, self.hand, self.normal(T, theta1)[0])
         goal = T_world_tool.copy()
@@ -60,7 +61,7 @@ class Turret:
 
 @kernel_into
 def normal_of(tool: Tool, hand: Triple, over: float, theta1: float) -> tuple[Triple, bool]:
-    """The normal of `Turret.normal` for a tool seen from the base, m."""
+    """`Turret.normal` for a tool in the base frame, m."""
     (x, y, _), upright = tool, False
     ahead, aside = x[3], y[3]
     if sqrt(ahead * ahead + aside * aside) < over:
@@ -74,7 +75,7 @@ def normal_of(tool: Tool, hand: Triple, over: float, theta1: float) -> tuple[Tri
 
 @lru_cache(maxsize=64)
 def turret(robot: Robot) -> Turret | None:
-    """The robot as such an arm, or None: its last axis carries the tool point and lies in the plane of the arm."""
+    """The robot as a `Turret`, or None: the last axis passes through the tool point and is in the plane of the arm."""
     if len(robot.joints) != 5 or any(joint.is_prismatic or joint.mimic for joint in robot.joints):
         return None
     z, shoulder, hand = robot.directions[0], robot.directions[1], robot.directions[4]

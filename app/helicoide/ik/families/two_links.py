@@ -1,4 +1,4 @@
-"""Two links in the complex plane, where a turn by θ multiplies by e^(iθ), and the elbow between them: kernels."""
+"""Two links in the complex plane, where a rotation by θ multiplies by e^(iθ), and the elbow between them: kernels."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ TwoLinks = tuple[float, float, float, float]
 
 
 def two_links(l1: complex, l2: complex) -> TwoLinks:
-    """The links as the kernels take them. Args: l₁, l₂, m."""
+    """The links as a `TwoLinks` for the kernels. Args: l₁, l₂, m."""
     return abs(l1), abs(l2), phase(l1), phase(l2 / l1)
 
 
 @kernel_into
 def elbows(z: complex, links: TwoLinks, slack: float) -> tuple[int, float, bool]:
-    """How many elbows bring the links to z, m: 0, 1 or 2; the cosine of the bend; whether equal links are folded there.
+    """The number of elbow postures for the end at z, m; the cosine of the bend; whether the links are folded to z = 0.
 
-    cos = (|z|² − |l₁|² − |l₂|²) / 2|l₁||l₂|, exactly ±1 on the edges and, by `slack` of the reach, beyond them.
-    The rules are those of `elbow.Annulus`.
+    cos = (|z|² − |l₁|² − |l₂|²) / 2|l₁||l₂|, exactly ±1 on the edges, and beyond them up to `slack` times the outer
+    radius. The rules are those of `elbow.Annulus`.
     """
     l1, l2, _, _ = links
     r, inner, outer = sqrt(z.real * z.real + z.imag * z.imag), abs(l1 - l2), l1 + l2

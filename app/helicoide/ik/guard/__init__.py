@@ -1,1 +1,1 @@
-"""The guarded step: a task within hard rows of limits, planes, bodies and an entry point, solved and then checked."""
+"""The guarded step: a task solved under joint limits, planes, bodies and an entry point, and then checked."""

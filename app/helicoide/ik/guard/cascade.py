@@ -1,8 +1,8 @@
-"""Levels: each is solved in what the levels before leave free, and all of them within the same hard rows.
+"""Task levels: each is solved in the null space of the levels before it, all under the same constraints.
 
     minimise ‖Wₖ (Jₖ x − vₖ)‖² + Σ dᵢ xᵢ²  over x = xₖ₋₁ + Zₖ u,   Jⱼ Zₖ = 0 for every j < k
 
-u = 0 keeps to the rows because xₖ₋₁ does, so that a level never takes anything from those before it.
+u = 0 satisfies the constraints because xₖ₋₁ does, so a level never changes what those before it attain.
 Source: Nakamura, Hanafusa and Yoshikawa 1987 (null spaces); Kanoun, Lamiraux and Wieber 2011 (with inequalities).
 """
 
@@ -44,7 +44,7 @@ def normal_equations(task: Task, first: int, end: int, H: Array, g: Array) -> No
 def orthonormalised(rows: Array, basis: Array, count: int, smallest: float) -> int:
     """Extend an orthonormal basis by rows, the longest remainder first, until none is longer than `smallest`.
 
-    Args: rows (m, n), orthogonal to the first `count` rows of basis (n, n); they are used up. Returns the new count.
+    Args: rows (m, n), orthogonal to the first `count` rows of basis (n, n); overwritten. Returns the new count.
     """
     n = basis.shape[0]
     while count < n:
@@ -100,7 +100,7 @@ def times(A: Array, B: Array) -> Array:
 
 @kernel
 def narrowed(task: Task, first: int, end: int, Z: Array) -> Array:
-    """What a level leaves free of Z: Z N with W J Z N = 0."""
+    """The part of Z that a level leaves free: Z N with W J Z N = 0."""
     J, _, weights, _ = task
     felt = times(J[first:end], Z)
     for s in range(first, end):
@@ -111,7 +111,7 @@ def narrowed(task: Task, first: int, end: int, Z: Array) -> Array:
 
 @kernel
 def reduced_rows(A: Array, lower: Array, upper: Array, Z: Array, x: Array) -> tuple[Array, Array, Array]:
-    """lower ≤ [I; A] (x + Z u) ≤ upper as rows of u; those that Z leaves nothing of are zero: they stay as they are."""
+    """lower ≤ [I; A] (x + Z u) ≤ upper as rows of u; rows that do not depend on u, up to rounding, are set to zero."""
     (n, free), bounds = Z.shape, lower.shape[0] - A.shape[0]
     rows, low, high = np.zeros((lower.shape[0], free)), np.empty(lower.shape[0]), np.empty(lower.shape[0])
     for i in range(lower.shape[0]):
@@ -132,9 +132,9 @@ def reduced_rows(A: Array, lower: Array, upper: Array, Z: Array, x: Array) -> tu
 def within_rest(
     task: Task, first: int, end: int, Z: Array, x: Array, A: Array, lower: Array, upper: Array
 ) -> tuple[Array, Array]:
-    """A level's least over x + Z u with lower ≤ [I; A] (x + Z u) ≤ upper; gives the new x and the multipliers.
+    """The minimum of a level over x + Z u with lower ≤ [I; A] (x + Z u) ≤ upper: the new x and the multipliers.
 
-    Where rounding leaves no room, x stays.
+    Where rounding makes this infeasible, x is unchanged and the multipliers are zero.
     """
     n, free = Z.shape
     H, g = np.empty((n, n)), np.empty(n)
@@ -161,10 +161,10 @@ def within_rest(
 def first_level(
     task: Task, end: int, A: Array, lower: Array, upper: Array, H: Array, x: Array, multipliers: Array, spare: Array
 ) -> int:
-    """Write the displacement x that serves the rows of a task before `end`, within lower ≤ [I; A] x ≤ upper.
+    """Write the least-squares displacement x of the rows of a task before `end`, with lower ≤ [I; A] x ≤ upper.
 
-    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); H (n + 1, n): room for what is solved; the others, and
-    what is returned, as in `qp.solve_into`.
+    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); H (n + 1, n): temporary values. Other arguments and
+    result as in `qp.solve_into`.
     """
     n = x.shape[0]
     normal_equations(task, 0, end, H[:n], H[n])
@@ -173,11 +173,11 @@ def first_level(
 
 @kernel
 def descend(task: Task, begins: Indices, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array) -> int:
-    """Write the displacement x that serves the levels in their order, within lower ≤ [I; A] x ≤ upper.
+    """Write the displacement x that solves the levels one after another, with lower ≤ [I; A] x ≤ upper.
 
-    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which another level begins, none
-    where all rows are one level; A, lower, upper as in `qp.solve_into`. Writes x (n,) and the multipliers (levels,
-    b + m); returns the verdict on the first level.
+    Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which further levels begin, empty
+    for one level; A, lower, upper as in `qp.solve_into`. Writes x (n,) and the multipliers (levels, b + m); returns the
+    verdict on the first level.
     """
     (r, n), count = task[0].shape, begins.shape[0]
     end = begins[0] if count > 0 else r

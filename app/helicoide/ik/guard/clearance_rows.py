@@ -1,4 +1,4 @@
-"""The rows of clearances: how fast what is watched may come nearer, and what a step that was tried lost of that."""
+"""The constraint rows of clearances: their velocity dampers, and their correction after a step was tried."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def hard_rows(
     arm: Array, at: At, poses: Array, axes: Array, near: Array, points: Array, box: Array, dt: float,
     A: Array, lower: Array, upper: Array, moves: Array,
 ) -> None:  # fmt: skip
-    """Write the rows lower ≤ [I; A] Δq ≤ upper: the n joints, dampers of w clearances, spare ones for second witnesses.
+    """Write lower ≤ [I; A] Δq ≤ upper: n joint bounds, dampers of w clearances, unused rows for second witnesses.
 
-    Args: poses and axes of `packed.stand`; near (w, 4) and points (p, 4) of `collision.watch`; box of `motion_box`;
-    moves (n, 4): room for the motion of a point.
+    Args: poses and axes of `packed.place_links`; near (w, 4) and points (p, 4) of `collision.watch`; box of
+    `motion_box`; moves (n, 4): temporary values.
     """
     n, swept = at.n, -1
     for i in range(n):
@@ -45,7 +45,7 @@ def hard_rows(
 
 @kernel_into
 def point_displacements(arm: Array, at: At, poses: Array, axes: Array, points: Array, which: int, moves: Array) -> None:
-    """Write J_pᵀ into moves (n, 4) of one of the points (p, 4), m, world; poses and axes of `packed.stand`."""
+    """Write J_pᵀ of one of the points (p, 4), m, world, into moves (n, 4); poses and axes of `packed.place_links`."""
     x, y, z = points[which, 0], points[which, 1], points[which, 2]
     moves[:] = 0.0
     for i in range(int(arm[at.points + which, LINK])):
@@ -57,7 +57,7 @@ def point_displacements(arm: Array, at: At, poses: Array, axes: Array, points: A
 
 @kernel_into
 def shortfall(near: Array, after: Array) -> float:
-    """By how much the worst came closer than it may: the least distance, or where it was if that is nearer; m."""
+    """The largest violation after a step, m: how far a clearance is below 0, or below its value before if negative."""
     worst = 0.0
     for j in range(near.shape[0]):
         worst = max(worst, min(0.0, near[j, LEFT]) - after[j, LEFT])
@@ -69,9 +69,9 @@ def raise_bounds(
     arm: Array, at: At, A: Array, lower: Array, step: Array, near: Array, after: Array, points: Array, poses: Array,
     axes: Array,
 ) -> None:  # fmt: skip
-    """Add to the row of what came too close what its linear prediction lost, and a tenth for the rest.
+    """Raise the bound of each violated clearance by 1.1 times the error of its linear prediction.
 
-    Bodies may be nearest elsewhere after the step: these witnesses have a row of their own.
+    Two bodies may have other witnesses after the step; these get an additional row.
     """
     n, spare = at.n, collision.between_bodies(at, near)
     for j in range(near.shape[0]):

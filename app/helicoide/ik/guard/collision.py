@@ -1,9 +1,8 @@
-"""What is left until something is too near: guarded points to planes, capsules to capsules.
+"""Clearances: the distances left between guarded points and planes, and between pairs of capsules.
 
-Capsules are the bodies of the arm, one against another and against what stands in the way.
-
-The gap between two capsules is the distance of their axes less both radii; it is least between one pair of points, the
-witnesses, and changes with q as the distance of these: ḋ = nᵀ (J_a − J_b) q̇.
+Capsules are the bodies of the arm and the obstacles. The distance of two capsules is that of their axes less both
+radii. The closest points of the two axes are the witnesses; with q the distance changes as between these,
+ḋ = nᵀ (J_a − J_b) q̇. A clearance is a distance less the smallest one allowed.
 """
 
 from __future__ import annotations
@@ -15,8 +14,8 @@ from helicoide.ik.guard.packed import CRITICAL, GUARDED, LEAST, LINK, OFFSET, SE
 from helicoide.ik.guard.rows import FAR, Vector, add_point, at_row, unmoved_rows
 from helicoide.kernels import kernel, kernel_into
 
-# Columns of what is watched: the number of a clearance and what is left of it, m; then of a point and a plane, their
-# rows in `points` and in the arm, of a pair the shares of its witnesses.
+# Columns of a watched clearance: its number and its value, m; then of a point and a plane their rows in `points` and in
+# the arm, of a pair the parameters s and t of its witnesses.
 NUMBER, LEFT, POINT, PLANE, WATCHED = range(5)
 S, T = POINT, PLANE
 
@@ -35,9 +34,9 @@ def point_between(a: Vector, b: Vector, s: float) -> Vector:
 
 @kernel_into
 def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, float]:
-    """Where two straight pieces are nearest: a + s (b − a) and c + t (d − c), 0 ≤ s, t ≤ 1.
+    """s and t of the closest points of two segments, a + s (b − a) and c + t (d − c), 0 ≤ s, t ≤ 1.
 
-    Args: ends, m; a piece may be a point. Source: Ericson 2005, Real-Time Collision Detection, §5.1.9.
+    Args: ends, m; a segment may be a point. Source: Ericson 2005, Real-Time Collision Detection, §5.1.9.
     """
     u, v, w = point_between(b, a, -1.0), point_between(d, c, -1.0), point_between(a, c, -1.0)
     uu, vv, uv, uw, vw = inner(u, u), inner(v, v), inner(u, v), inner(u, w), inner(v, w)
@@ -59,7 +58,7 @@ def closest_shares(a: Vector, b: Vector, c: Vector, d: Vector) -> tuple[float, f
 
 @kernel_into
 def place_bodies(arm: Array, at: At, poses: Array, points: Array) -> None:
-    """Write where the points of an arm are, m, world, into points (p, 4); poses (m + 1, 4, 4) of `packed.stand`."""
+    """Write the points of an arm, m, world, into points (p, 4); poses (m + 1, 4, 4) of `packed.place_links`."""
     for j in range(points.shape[0]):
         x, y, z = at_row(arm, at.points + j)
         pose = poses[int(arm[at.points + j, LINK])]
@@ -69,7 +68,7 @@ def place_bodies(arm: Array, at: At, poses: Array, points: Array) -> None:
 
 @kernel_into
 def body_ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vector, Vector]:
-    """Where the axes of the two bodies of a pair, a row of the arm, begin and end, m, world."""
+    """The axis ends of the two bodies of a pair, a row of the arm, m, world."""
     return (
         at_row(points, int(arm[pair, 0])),
         at_row(points, int(arm[pair, 1])),
@@ -80,7 +79,7 @@ def body_ends(arm: Array, pair: int, points: Array) -> tuple[Vector, Vector, Vec
 
 @kernel_into
 def witness_distance(arm: Array, pair: int, points: Array, s: float, t: float) -> tuple[float, Vector]:
-    """How far the points at s and t of the axes of a pair are apart, m, and the way to the first, not yet a unit.
+    """The distance of the points at s and t on the axes of a pair, m, and the vector from the second to the first.
 
     Args: pair: a row of the arm; points (p, 4), m, world.
     """
@@ -93,7 +92,7 @@ def witness_distance(arm: Array, pair: int, points: Array, s: float, t: float) -
 
 @kernel_into
 def gap(arm: Array, pair: int, points: Array) -> tuple[float, float, float]:
-    """What is left between the bodies of a pair, m, and where its witnesses are; arguments as in `apart`."""
+    """The clearance of a pair, m, and s and t of its witnesses; arguments as in `witness_distance`."""
     a, b, c, d = body_ends(arm, pair, points)
     s, t = closest_shares(a, b, c, d)
     return witness_distance(arm, pair, points, s, t)[0] - arm[pair, LEAST], s, t
@@ -101,14 +100,14 @@ def gap(arm: Array, pair: int, points: Array) -> tuple[float, float, float]:
 
 @kernel_into
 def height(arm: Array, plane: int, points: Array, point: int) -> float:
-    """What is left between a point and a plane, a row of the arm, m; points (p, 4)."""
+    """The clearance of a point from a plane, a row of the arm, m; points (p, 4)."""
     over = arm[plane, 0] * points[point, 0] + arm[plane, 1] * points[point, 1] + arm[plane, 2] * points[point, 2]
     return float(over - arm[plane, OFFSET] - arm[SETTING, CRITICAL])
 
 
 @kernel
 def clearances(arm: Array, q: Array) -> Array:
-    """All that is left in a posture: guarded points to planes, point after point, then the pairs of bodies.
+    """All clearances of a posture: guarded points to planes, point after point, then the pairs of bodies.
 
     Args: arm of `packing.packed`; q (n,), rad or m. Returns (g k + b,), m.
     """
@@ -129,10 +128,10 @@ def clearances(arm: Array, q: Array) -> Array:
 
 @kernel_into
 def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Array, ways: Array) -> int:
-    """Which clearances can hold this tick: all but those with more room than the arm could take in it.
+    """Find the clearances that can limit this tick: those that are not beyond `rows.FAR`.
 
-    Writes them into near (total, 4), and the points, m, world, with `unfelt` behind them, into points (p, 4). Returns
-    how many there are. Args: ways (m + 1, 4): room for `unfelt`.
+    Writes them into near (total, 4), and the points, m, world, with `FAR` in the last column, into points (p, 4).
+    Returns their number. Args: ways (m + 1, 4): temporary values of `unmoved_rows`.
     """
     number, count = 0, 0
     place_bodies(arm, at, poses, points)
@@ -157,7 +156,7 @@ def watch(arm: Array, at: At, poses: Array, points: Array, dt: float, near: Arra
 
 @kernel_into
 def measure_clearances(arm: Array, at: At, poses: Array, points: Array, near: Array, after: Array) -> None:
-    """Write what is left of the watched clearances near (w, 4) at other poses into after (w, 4); points (p, 4)."""
+    """Write the watched clearances near (w, 4), measured at other poses, into after (w, 4); points (p, 4)."""
     place_bodies(arm, at, poses, points)
     for j in range(near.shape[0]):
         number = int(near[j, NUMBER])
@@ -169,7 +168,7 @@ def measure_clearances(arm: Array, at: At, poses: Array, points: Array, near: Ar
 
 @kernel_into
 def between_bodies(at: At, near: Array) -> int:
-    """How many of the watched clearances near (w, 4), the last ones, are between two bodies."""
+    """The number of watched clearances near (w, 4) between two bodies; they come last."""
     count = 0
     for j in range(near.shape[0]):
         count += near[j, NUMBER] >= at.by_planes
@@ -189,12 +188,12 @@ def witness_row(
     poses: Array,
     axes: Array,
 ) -> float:
-    """Write one of rows (r, n), by which the distance of two witnesses of a pair changes with q; gives what is left, m.
+    """Write one of rows (r, n): the gradient in q of the distance of two witnesses of a pair. Returns the clearance, m.
 
-    A joint before both bodies moves them as one. One that moves both ends of a body moves its witness w as a point of a
-    link; one that moves only the end b, at the share t of the way from a to b, moves w by t times what it moves b.
-    Args: pair: a row of the arm; points (p, 4), m, world; s, t: where the witnesses are; poses and axes of
-    `packed.stand`. The row is zero where the two coincide.
+    A joint before both bodies moves them together. One that moves both ends of a body moves its witness as a point of
+    the link. One that moves only the end b moves the witness a + t (b − a) by t times the motion of b.
+    Args: pair: a row of the arm; points (p, 4), m, world; s, t: of the witnesses; poses and axes of
+    `packed.place_links`. The row is zero where the witnesses coincide.
     """
     length, way = witness_distance(arm, pair, points, s, t)
     for i in range(at.n):

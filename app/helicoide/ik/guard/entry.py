@@ -1,11 +1,12 @@
 """A straight instrument through an entry point: two rows that keep its shaft there (remote centre of motion).
 
-With d the direction of the shaft, P (3, 2) across it and c the point of the shaft nearest to the entry point r,
+With d the direction of the shaft, P (3, 2) perpendicular to it and c its point nearest to the entry point r,
 
-    Pᵀ J_c Δq = k Pᵀ (r − c) + ℓ,   k = 1 − e^(−K dt),
+    Pᵀ J_c Δq = k Pᵀ (r − c) + ℓ,   k = 1 − e^(−K dt).
 
-a small miss is taken back at once; ℓ is what the curvature of the way takes, known once the step has been tried.
-Source: Coutinho 2015, §3.3, with the drift fed back; P is there the x and z of the restricted link.
+A miss up to `AT_ONCE` is corrected in one tick. ℓ corrects the second-order error of a step and is known only after
+that step was tried.
+Source: Coutinho 2015, §3.3, here with feedback of the drift; there P is the x and z axes of the restricted link.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from helicoide.kernels import kernel
 
 GAIN = 12.5
 AT_ONCE = 0.2e-3
-# Firm against the damping of the task, so that a miss is taken back as asked.
+# Weight of the two rows: large against the damping of the task, so that a miss is corrected as asked.
 FIRM = 10.0
 
 
@@ -41,7 +42,7 @@ def nearest_of_shaft(arm: Array, poses: Array) -> tuple[Array, Array]:
 
 @kernel
 def across(direction: Array) -> Array:
-    """Two unit vectors across a direction and each other, (2, 3)."""
+    """Two unit vectors perpendicular to a direction and to each other, (2, 3)."""
     x, y, z = direction
     if abs(x) < 0.6:
         length = np.sqrt(y * y + z * z)
@@ -59,7 +60,7 @@ def across(direction: Array) -> Array:
 
 @kernel
 def miss(arm: Array, poses: Array, pair: Array) -> Array:
-    """How far the entry point lies beside the shaft, along two directions (2, 3): (2,), m."""
+    """The entry point relative to its nearest point of the shaft, along two directions (2, 3): (2,), m."""
     c, _ = nearest_of_shaft(arm, poses)
     away = np.zeros(2)
     for i in range(2):
@@ -70,7 +71,7 @@ def miss(arm: Array, poses: Array, pair: Array) -> Array:
 
 @kernel
 def entry_rows(arm: Array, n: int, poses: Array, axes: Array, dt: float) -> tuple[Array, Array, Array, Array]:
-    """The two rows (2, n) of the shaft, what they ask (2,), m, the directions across it (2, 3), the miss (2,), m."""
+    """The two rows (2, n) of the shaft, what they ask for (2,), m, their directions (2, 3), and the miss (2,), m."""
     c, d = nearest_of_shaft(arm, poses)
     pair, rows, asked = across(d), np.zeros((2, n)), np.empty(2)
     for i in range(2):

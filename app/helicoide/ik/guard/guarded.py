@@ -1,16 +1,16 @@
-"""The guarded step: least squares within hard rows, checked exactly afterwards.
+"""The guarded step: least squares under constraints, checked exactly afterwards.
 
-One tick solves, for the joint displacement Δq, a strictly convex quadratic programme (one a level in `levels`),
+One tick solves a strictly convex quadratic program for the joint displacement Δq (one for each level in `levels`),
 
     minimise   ‖W (J Δq − v)‖² + Σ dᵢ Δqᵢ²
     subject to −κ dt (l − δ) ≤ row Δq  for every clearance l > δ, else 0 ≤ row Δq   planes, obstacles, the arm itself
                max(−ω dt, lower − q) ≤ Δq ≤ min(ω dt, upper − q)                    position and speed
                |Δq/dt − q̇| ≤ a dt,  and slow enough to stop before a limit           acceleration
 
-A damper holds to first order only. The poses at q + Δq are therefore computed; where something came closer than it may,
-the second-order loss is added to its row and the programme is solved once more; what is still too close is settled by
-shortening the step. Δq = 0 satisfies every row but those of acceleration, so there is always an answer: where the rows
-have no point in common, acceleration gives way, by as little as the others ask.
+A damper holds to first order only. The clearances at q + Δq are therefore computed. Where one is violated, the
+second-order error is added to its row and the program is solved once more; if one is still violated, the step is
+shortened. Δq = 0 satisfies all constraints except those of acceleration. Where the constraints are infeasible, the
+acceleration bounds are widened as little as possible, so there is always a solution.
 """
 
 from __future__ import annotations
@@ -63,9 +63,9 @@ ONE_LEVEL = indices([])
 
 @kernel_into
 def within(arm: Array, at: At, q: Array, step: Array, share: float, dt: float, reached: Array) -> None:
-    """Write q and a share of Δq, cut to the limits to the last bit; a joint outside keeps its place as its limit.
+    """Write q plus a share of Δq, clipped exactly to the limits; for a joint outside, q replaces the limit.
 
-    What is no number is no step.
+    A displacement that is not finite counts as 0.
     """
     for i in range(at.n):
         limit, way = at.limits + i, share * step[i] if np.isfinite(step[i]) else 0.0
@@ -79,9 +79,10 @@ def relax_bounds(
     task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
     multipliers: Array,
 ) -> int:  # fmt: skip
-    """`cascade.descend` once more where acceleration leaves no point: its bounds are widened to the nearest there is.
+    """`cascade.descend` once more after it was infeasible, with wider acceleration bounds.
 
-    Nearest to going on as before, Δq = q̇ dt. Args: lower, upper (m,): opened in place; box of `motion_box`.
+    They are widened to include the feasible point nearest to constant velocity, Δq = q̇ dt.
+    Args: lower, upper (m,): changed in place; box of `motion_box`.
     """
     n = rates.shape[0]
     before, going_on = np.empty((2, n)), np.empty(n)
@@ -104,10 +105,10 @@ def relax_bounds(
 def attribute_multipliers(
     at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, held: Array
 ) -> None:
-    """Write the multipliers by what holds, as in `work.Work`; the pull of the entry point comes last.
+    """Write the multiplier of each constraint into `held`, as in `work.Work`; last `pull`, that of the entry point.
 
-    Args: multipliers (levels, n + w + b), from level `own` on, behind that of the entry; box of `motion_box`; near (w,
-    4) of `collision.watch`.
+    Args: multipliers (levels, n + w + b), read from level `own` on, 1 if there is an entry point, else 0; box of
+    `motion_box`; near (w, 4) of `collision.watch`.
     """
     n, w = at.n, near.shape[0]
     spare = multipliers.shape[1] - n - w
@@ -136,9 +137,9 @@ def pulled(task: Task) -> float:
 
 @kernel_into
 def prepare_step(arm: Array, at: At, q: Array, dt: float, room: StepBuffers) -> tuple[int, int]:
-    """Write all that bounds a step from q into a work space, with the links where they are.
+    """Write all bounds of a step from q into a work space, which has the link poses at q.
 
-    Returns how many clearances are watched, and how many rows there are besides the joints' own.
+    Returns the number of watched clearances, and the number of rows besides the joint bounds.
     """
     poses, spots, box = room.frames[0], room.spots, room.table[:BOX]
     a, b, c, d = parts_of_spots(at)
@@ -158,7 +159,7 @@ def prepare_step(arm: Array, at: At, q: Array, dt: float, room: StepBuffers) -> 
 
 @kernel_into
 def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, room: StepBuffers) -> bool:
-    """Work out where a share of a step leads; whether nothing comes closer there than it may."""
+    """Compute the posture after a share of a step; returns whether no clearance is violated there."""
     reached, spots = room.table[REACHED], room.spots
     within(arm, at, q, x, share, dt, reached)
     place_links(arm, at.m, reached, room.frames[1], spots[at.m : 2 * at.m])
@@ -171,7 +172,7 @@ def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w:
 
 @kernel_into
 def add_contact_rows(arm: Array, at: At, x: Array, w: int, rows: int, room: StepBuffers) -> None:
-    """Raise the rows of what came too close in the step x that was tried, by what its linear prediction lost."""
+    """Raise the bounds of the clearances that the tried step x violates, by `raise_bounds`."""
     a, b, c, _ = parts_of_spots(at)
     poses, spots, points = room.frames[0], room.spots, room.spots[a:b]
     near, after = spots[b : b + w], spots[c : c + w]
@@ -182,7 +183,7 @@ def add_contact_rows(arm: Array, at: At, x: Array, w: int, rows: int, room: Step
 
 @kernel_into
 def accept_step(at: At, q: Array, share: float, dt: float, room: StepBuffers) -> None:
-    """Take the step that was tried, or none where the share is 0: q, the rates and the links are those after it."""
+    """Take the tried step, or none if the share is 0: update q, the joint velocities, the link poses and the axes."""
     table, frames, axes = room.table, room.frames, room.spots
     room.report[SHARE] = share
     for i in range(at.n):
@@ -199,7 +200,7 @@ def accept_step(at: At, q: Array, share: float, dt: float, room: StepBuffers) ->
 
 @kernel_into
 def update_poses(arm: Array, at: At, q: Array, room: StepBuffers) -> None:
-    """Write where the links stand at q (n,), unless they stand there since the last step."""
+    """Write the link poses at q (n,), unless those of the last step are for the same q."""
     stood = True
     for i in range(at.n):
         stood = stood and room.table[STOOD, i] == q[i]
@@ -212,7 +213,7 @@ def solve_one(
     task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, H: Array, x: Array,
     multipliers: Array, spare: Array,
 ) -> bool:  # fmt: skip
-    """`cascade.first_level` of all rows of a task; where acceleration leaves no point, it gives way."""
+    """`cascade.first_level` for all rows of a task; where it is infeasible, the acceleration bounds are widened."""
     verdict = cascade.first_level(task, task[1].shape[0], A, lower, upper, H, x, multipliers, spare)
     if verdict != qp.SOLVED:
         verdict = relax_and_solve(task, A, lower, upper, box, rates, dt, x, multipliers)
@@ -233,7 +234,7 @@ def solve_again(
     task: Task, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, H: Array, x: Array,
     multipliers: Array, before: Array, multipliers_before: Array, spare: Array,
 ) -> bool:  # fmt: skip
-    """`solve_one` once more; where it has no solution, x and the multipliers are those before."""
+    """`solve_one` once more; without a solution, x and the multipliers are restored."""
     qp.copy(x, before)
     qp.copy(multipliers, multipliers_before)
     is_solved = solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
@@ -245,10 +246,10 @@ def solve_again(
 
 @kernel_into
 def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: StepBuffers) -> None:
-    """One guarded tick from q towards a task of one level, in place: q and the work space are those after it.
+    """One guarded tick from q for a task of one level; q and the work space are changed in place.
 
-    Args: q (n,), rad or m; task: J (r, n), v (r,) the wished displacement, weights (r,), damping d (n,); dt, s; room:
-    after `update_poses` at q, with the rates of the tick before.
+    Args: q (n,), rad or m; task: J (r, n), v (r,) the displacement asked for, weights (r,), damping d (n,); dt, s;
+    room: after `update_poses` at q, with the joint velocities of the tick before.
     """
     n, table, rates, spare = at.n, room.table, room.rates, room.spare
     w, rows = prepare_step(arm, at, q, dt, room)

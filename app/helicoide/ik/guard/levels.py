@@ -1,7 +1,7 @@
-"""The guarded step in levels, and through an entry point: what one level alone does not need.
+"""The guarded step of a task with several levels, or of an arm with an instrument in an entry point.
 
-The entry point is a first level of two rows. The way of its shaft is curved; what that takes is asked for as well,
-until it changes nothing more.
+The entry point is a first level of two rows. They hold to first order only: the second-order error of a step is added
+to them and the step is solved again, until it no longer changes.
 """
 
 from __future__ import annotations
@@ -26,17 +26,16 @@ from helicoide.ik.guard.rows import BOX, Indices, Task
 from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, StepBuffers, parts_of_spots
 from helicoide.kernels import kernel
 
-# How near to the entry point the curvature of a step is settled, m; how often this is tried before the task is halved,
-# and how often it is halved.
+# The tolerance of this correction, m; how often it is tried before the task is halved, and how often it is halved.
 SETTLED, TRIES, HALVINGS = 1e-6, 5, 6
 LEAST_DAMPING = 1e-9
 
 
 @kernel
 def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[Task, Indices]:
-    """The same task after a first level of two rows (2, n) that ask for a displacement (2,), m.
+    """The task with a new first level of two rows (2, n) that ask for a displacement (2,), m; and its `begins`.
 
-    Two rows alone do not hold all joints: each is damped, if only a little.
+    Two rows do not determine all joints, so each joint has at least `LEAST_DAMPING`.
     """
     J, v, weights, damping = task
     damping = np.maximum(damping, LEAST_DAMPING)
@@ -56,9 +55,10 @@ def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[
 
 @kernel
 def linearise_entry(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bool:
-    """Ask of the first two rows what the curvature ℓ of a step takes as well; whether that changes nothing more.
+    """Add the second-order error ℓ of a step to the first two rows; returns whether they change by less than `SETTLED`.
 
-    ℓ = e' − e + J Δq. Args: asked, away: e, and after: e', (2,), m, of `entry_rows` and `miss`.
+    ℓ = e' − e + J Δq. Args: step: Δq (n,); asked: the displacement without ℓ, away: e, both of `entry_rows`, and after:
+    e' of `miss`, (2,) each, m.
     """
     J, v, _, _ = task
     settled = True
@@ -71,7 +71,7 @@ def linearise_entry(task: Task, step: Array, asked: Array, away: Array, after: A
 
 @kernel
 def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: Array) -> float:
-    """How hard the first two rows hold the level after them back: ‖λ‖, J₁ᵀ W² (v₁ − J₁ x) − d x + Aᵀ μ = J₀ᵀ λ."""
+    """‖λ‖, λ the multipliers of the first two rows in the next level: J₁ᵀ W² (v₁ − J₁ x) − d x + Aᵀ μ = J₀ᵀ λ."""
     J = task[0]
     n = J.shape[1]
     H, g = np.empty((n, n)), np.empty(n)
@@ -92,7 +92,7 @@ def solve_levels(
     task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
     multipliers: Array,
 ) -> int:  # fmt: skip
-    """`cascade.descend`; where acceleration leaves no point, it gives way."""
+    """`cascade.descend`; where it is infeasible, the acceleration bounds are widened by `relax_bounds`."""
     verdict = cascade.descend(task, begins, A, lower, upper, x, multipliers)
     if verdict != qp.SOLVED:
         verdict = relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, multipliers)
@@ -103,7 +103,7 @@ def solve_levels(
 def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, room: StepBuffers) -> None:
     """`guarded.guarded_tick` for a task of several levels, or for an arm with an instrument in an entry point.
 
-    Args: begins: the rows at which further levels begin; the others as there.
+    Args: begins: the rows at which further levels begin. Other arguments as there.
     """
     n, rates, box, through = at.n, room.rates, room.table[:BOX], arm[SETTING, CARRIER] > 0.0
     poses, axes, x = room.frames[0], room.spots[: at.m], room.table[SOLUTION]

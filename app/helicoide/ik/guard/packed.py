@@ -1,7 +1,7 @@
-"""The packed arm: all that bounds a step, and how the tool is led to a pose, as one table of numbers.
+"""The packed arm: its joints, all that limits a step, and the settings of the step, as one table of numbers.
 
-A kernel takes one array in a tenth of the time of a tuple of tuples. A row is a joint, a variable, a point, a plane or
-a pair of bodies; columns have names.
+One array is passed to a kernel in a tenth of the time of a tuple of tuples. A row is a joint, a variable, a point, a
+plane or a pair of bodies; columns have names.
 """
 
 from __future__ import annotations
@@ -30,31 +30,32 @@ from helicoide.kinematics.tool_kernels import (
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
 WIDTH = 16
-# The first rows; from FIRST on the joints, with the columns of `tool.packed`, then the other parts.
+# The first rows; from FIRST on the joints, with the columns of `tool_kernels.arm_array`, then the other parts.
 SETTING, TOOL, INSTRUMENT, FIRST = range(4)
-# Of the setting: how many joints, variables, points (the first of them guarded from planes), planes and pairs; the
-# critical distance, m; κ of the dampers, 1/s; ℓ, m; λ² and the weight of orientation, for lengths in ℓ; whether
-# orientation is asked for in what the position leaves free; the link that carries an instrument, 0 for none.
+# Columns of the setting: the numbers of joints, variables, points, guarded points (the first ones), planes and pairs;
+# the critical distance, m; κ of the dampers, 1/s; the reach ℓ, m; λ² and the weight of orientation, for lengths divided
+# by ℓ; whether orientation is solved in the null space of the position; the link with an instrument, 0 for none.
 (
     JOINTS, VARIABLES, POINTS, GUARDED, PLANES, PAIRS,
     CRITICAL, GAIN, REACH, DAMPING, ORIENTATION, POSITION_FIRST, CARRIER,
 ) = range(13)  # fmt: skip
-# Of the tool: (R, p) on the last link, row by row. Of the instrument: a point of its shaft and the direction, in the
-# frame of its link, and the entry point, m.
+# Columns of the tool: (R, p) on the last link, row by row. Of the instrument: a point of its shaft, m, and the
+# direction, in the frame of its link, and the entry point, m, world.
 SHAFT, DIRECTION, ENTRY = 0, 3, 6
-# Of a variable: rad, rad/s and rad/s², or m, m/s and m/s².
+# Columns of a variable: its limits, rad, rad/s and rad/s², or m, m/s and m/s².
 LOWER, UPPER, SPEED, ACCELERATION = range(4)
-# Of a point: its place in the frame of the link that carries it (three), m. Of a plane: normal · p ≥ offset, m.
+# Columns of a point: its position in the frame of its link (three), m, and the link. Of a plane, normal · p ≥ offset:
+# the normal (three) and the offset, m.
 LINK, OFFSET = 3, 3
-# Of a pair: the points where the axes of its two bodies begin and end (four), and how far apart these stay, m.
+# Columns of a pair: the points at the axis ends of its two bodies (four), and the smallest distance of the axes, m.
 LEAST = 4
 
 
 class At(NamedTuple):
-    """How many joints and variables a packed arm has, m and n, and the rows where its parts begin.
+    """The numbers of joints m and variables n of a packed arm, and the first row of each part.
 
-    by_planes: how many distances from planes are kept, each guarded point's from each plane; clearances: how many
-    distances in all, with those between the bodies of pairs behind.
+    by_planes: number of distances between guarded points and planes; clearances: number of all distances, those of the
+    pairs of bodies last.
     """
 
     m: int
@@ -70,7 +71,7 @@ class At(NamedTuple):
 
 @kernel_into
 def array_parts(arm: Array) -> At:
-    """Where the parts of a packed arm begin."""
+    """The parts of a packed arm: their sizes and first rows."""
     m, n = int(arm[SETTING, JOINTS]), int(arm[SETTING, VARIABLES])
     k, b = int(arm[SETTING, PLANES]), int(arm[SETTING, PAIRS])
     limits = FIRST + m
@@ -82,7 +83,7 @@ def array_parts(arm: Array) -> At:
 
 @kernel_into
 def place_links(arm: Array, m: int, q: Array, poses: Array, axes: Array) -> None:
-    """Write where the links of m joints are and which way their axes point, as `forward.link_poses` and `joint_axes`.
+    """Write the link poses and the axes of m joints, as `forward.link_poses` and `jacobian.joint_axes`.
 
     Args: q (n,), rad or m; poses (m + 1, 4, 4), m; axes (m, 3).
     """
@@ -105,7 +106,7 @@ def place_links(arm: Array, m: int, q: Array, poses: Array, axes: Array) -> None
 
 
 def packed_rows(setting: list[float], *rows: Array) -> Array:
-    """One table of the setting and of all other rows, each (k, at most `WIDTH`)."""
+    """One read-only table of the setting and all other rows, each (k, at most `WIDTH`)."""
     every = [np.array([setting]), *rows]
     arm = np.zeros((sum(map(len, every)), WIDTH))
     first = 0

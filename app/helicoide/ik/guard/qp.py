@@ -1,11 +1,11 @@
 """A small strictly convex quadratic program, solved exactly by the dual active-set method.
 
-minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper: bounds of the variables themselves first, then rows; a bound
-is a row of the identity that nobody writes down. With H = L Lᵀ, y = Lᵀ x the Hessian is the identity and a row a
-becomes c = L⁻¹ a. Rows are compared with x as they are; only the one that becomes active is transformed.
+minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper: bounds of the variables first, then rows. A bound is a row of
+the identity, which is not stored. With H = L Lᵀ and y = Lᵀ x the Hessian is the identity, and a row a becomes
+c = L⁻¹ a. Rows are checked with x itself; only the row that becomes active is transformed.
 
-Source: Goldfarb and Idnani 1983, A numerically stable dual method for solving strictly convex quadratic programs; here
-the active rows are kept orthonormalised (Gram-Schmidt), anew from a row that is dropped.
+Source: Goldfarb and Idnani 1983, A numerically stable dual method for solving strictly convex quadratic programs. Here
+the active rows are orthonormalised (Gram-Schmidt), once more from a dropped row on.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ ROUNDING = 1e-12
 
 @kernel_into
 def dot(a: Array, b: Array) -> float:
-    """a·b, without the call into BLAS that costs more than the work for a handful of numbers."""
+    """a·b without BLAS, whose call costs more than the sum of a few products."""
     total = 0.0
     for i in range(a.shape[0]):
         total += a[i] * b[i]
@@ -37,7 +37,7 @@ def copy(a: Array, b: Array) -> None:
 
 @kernel_into
 def cholesky(H: Array) -> None:
-    """Turn H (n, n), positive definite, into L with L Lᵀ = H, below its diagonal; on the diagonal stand 1/Lᵢᵢ."""
+    """Overwrite H (n, n), positive definite, with L, L Lᵀ = H, below the diagonal, and 1/Lᵢᵢ on the diagonal."""
     for i in range(H.shape[0]):
         for j in range(i + 1):
             total = H[i, j]
@@ -48,7 +48,7 @@ def cholesky(H: Array) -> None:
 
 @kernel_into
 def forward_substitution(L: Array, a: Array) -> None:
-    """Turn a (n,) into L⁻¹ a, for L of `cholesky`."""
+    """Overwrite a (n,) with L⁻¹ a, for L of `cholesky`."""
     n = L.shape[0]
     first = 0
     while first < n and a[first] == 0.0:
@@ -62,7 +62,7 @@ def forward_substitution(L: Array, a: Array) -> None:
 
 @kernel_into
 def back_substitution(L: Array, y: Array, x: Array) -> None:
-    """Fill x with L⁻ᵀ y, for y (n,) and L of `cholesky`."""
+    """Write L⁻ᵀ y into x, for y (n,) and L of `cholesky`."""
     n = L.shape[0]
     for i in range(n - 1, -1, -1):
         total = y[i]
@@ -73,7 +73,7 @@ def back_substitution(L: Array, y: Array, x: Array) -> None:
 
 @kernel_into
 def rounding(L: Array, y: Array, x: Array) -> float:
-    """How far x = L⁻ᵀ y may be off: of the order of ε (1 + ‖x‖ + ‖y‖ / minᵢ Lᵢᵢ), with a wide margin."""
+    """A bound of the rounding error of x = L⁻ᵀ y: of the order of ε (1 + ‖x‖ + ‖y‖ / minᵢ Lᵢᵢ), with a wide margin."""
     softest = 0.0
     for i in range(x.shape[0]):
         softest = max(softest, L[i, i])
@@ -82,10 +82,11 @@ def rounding(L: Array, y: Array, x: Array) -> float:
 
 @kernel_into
 def most_violated(A: Array, lower: Array, upper: Array, x: Array, sides: Array, excess: float) -> tuple[int, int]:
-    """The row not yet active that is violated most, over its length and by more than `excess`, and its side, or −1.
+    """The most violated inactive row and its side; row −1 where none is violated by more than `excess`.
 
-    The side is 1 where aᵢ·x is below its lower bound, −1 where it is above its upper one.
-    Args: A (m, n); lower, upper (b + m,), the first b of them of x itself; sides (b + m,), other than 0 where active.
+    The violation is divided by the norm of the row. The side is 1 where aᵢ·x is below its lower bound, −1 where it is
+    above its upper one.
+    Args: A (m, n); lower, upper (b + m,), the first b of x itself; sides (b + m,), other than 0 for active rows.
     """
     n, bounds = x.shape[0], lower.shape[0] - A.shape[0]
     worst, side = -1, 0
@@ -110,7 +111,7 @@ def most_violated(A: Array, lower: Array, upper: Array, x: Array, sides: Array, 
 
 @kernel_into
 def transform(L: Array, A: Array, row: int, side: int, c: Array) -> None:
-    """Fill c (n,) with side L⁻¹ a, for the row a of [I; A] that is counted from the first of A."""
+    """Write side L⁻¹ a into c (n,); `row` is the number of a in [I; A], counted from the first row of A."""
     n = L.shape[0]
     for k in range(n):
         c[k] = side * A[row, k] if row >= 0 else 0.0
@@ -121,10 +122,10 @@ def transform(L: Array, A: Array, row: int, side: int, c: Array) -> None:
 
 @kernel_into
 def split(c: Array, Q: Array, R: Array, count: int, z: Array, r: Array) -> float:
-    """A row as a combination of the active rows and the rest z that is orthogonal to them: c = Σ rⱼ cⱼ + z; gives ‖z‖².
+    """Split a row into a combination of the active rows and a rest z orthogonal to them: c = Σ rⱼ cⱼ + z.
 
     Args: c (n,); the active rows are Cᵀ = Qᵀ R, the first `count` rows of Q orthonormal, R upper triangular.
-    Fills z (n,), r (count,), and in R the column `count`, the components of c along Q.
+    Writes z (n,), r (count,), and column `count` of R, the components of c along Q. Returns ‖z‖².
     """
     n = c.shape[0]
     for k in range(n):
@@ -145,7 +146,7 @@ def split(c: Array, Q: Array, R: Array, count: int, z: Array, r: Array) -> float
 
 @kernel_into
 def append(Q: Array, R: Array, count: int, z: Array) -> None:
-    """One more active row, as `split` gives it."""
+    """Add an active row to Q and R. Args: z: the rest of the row, of `split`."""
     length = np.sqrt(dot(z, z))
     for k in range(z.shape[0]):
         Q[count, k] = z[k] / length
@@ -154,7 +155,7 @@ def append(Q: Array, R: Array, count: int, z: Array) -> None:
 
 @kernel_into
 def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, count: int, z: Array, r: Array) -> None:
-    """Take the active row `out` from `count` of them; those after it move up, and so does the one about to enter."""
+    """Remove row `out` of the `count` active rows; those after it, and the entering one, move up by one place."""
     for j in range(out, count):
         active[j], force[j] = active[j + 1], force[j + 1]
         for k in range(C.shape[1]):
@@ -166,7 +167,7 @@ def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, co
 
 @kernel_into
 def room(n: int) -> int:
-    """How many numbers `solve_into` needs room for."""
+    """The size of the array `spare` of `solve_into`."""
     return 4 * n * n + 8 * n + 4
 
 
@@ -174,10 +175,10 @@ def room(n: int) -> int:
 def active_set(
     L: Array, y: Array, x: Array, A: Array, lower: Array, upper: Array, multipliers: Array, spare: Array
 ) -> int:
-    """Move y, x = L⁻ᵀ y to the nearest y where lower ≤ [I; A] x ≤ upper; fill the multipliers, zeros before.
+    """Move y to the nearest point with lower ≤ [I; A] x ≤ upper, x = L⁻ᵀ y, and write the multipliers, zero before.
 
-    While it works, the multipliers hold the sides of the active rows, and `force` how hard these hold: c = side L⁻¹ a.
-    Args: spare (`room`,).
+    During the iteration `multipliers` has the sides of the active rows, c = side L⁻¹ a, and `force` their multipliers.
+    Args: spare (`room`,): temporary values. Returns SOLVED or INFEASIBLE.
     """
     n, bounds, count = L.shape[0], lower.shape[0] - A.shape[0], 0
     p, side = most_violated(A, lower, upper, x, multipliers, ROUNDING)
@@ -241,9 +242,9 @@ def solve_into(
 ) -> int:
     """minimise ½ xᵀ H x − gᵀ x  with  lower ≤ [I; A] x ≤ upper.
 
-    Args: H (n, n) positive definite, of which the lower half is read, and g (n,): both are used up; A (m, n); lower,
-    upper (b + m,), infinite where there is no bound: the first b are bounds of x itself, b = n, or 0 where it has none;
-    spare (`room`,). Rows of zeros are skipped.
+    Args: H (n, n) positive definite, of which the lower half is read, and g (n,): both are overwritten; A (m, n);
+    lower, upper (b + m,), infinite where there is no bound: the first b are bounds of x itself, b = n or 0; spare
+    (`room`,): temporary values. Rows of zeros are skipped.
     Writes x (n,) and the multipliers μ (b + m,), H x − g = [I; A]ᵀ μ, positive where a lower bound holds and negative
     where an upper one does; returns SOLVED or INFEASIBLE.
     """
@@ -256,6 +257,6 @@ def solve_into(
 
 @kernel
 def solve(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
-    """The same with new arrays, and H and g as they were: x, the multipliers and the verdict."""
+    """`solve_into` with new arrays and H and g unchanged: x, the multipliers and the verdict."""
     x, multipliers, spare = np.empty(g.shape[0]), np.empty(lower.shape[0]), np.empty(room(g.shape[0]))
     return x, multipliers, solve_into(H.copy(), g.copy(), A, lower, upper, x, multipliers, spare)

@@ -1,4 +1,4 @@
-"""The rows that bound one tick: how far each joint may move, and how fast points of the arm may approach."""
+"""The bounds of one tick: how far each joint may move, and how fast points may approach planes and bodies."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ Task = tuple[Array, Array, Array, Array]
 Vector = tuple[float, float, float]
 
 DAMPER_GAIN = 10.0
-# The share of all joints' braking that a point may count on: what is left over is for the other points.
+# The fraction of the joints' deceleration that the damper of one point uses; the rest is for other points.
 BRAKING = 0.5
 BY_POSITION, BY_SPEED, BY_ACCELERATION = 0, 1, 2
-# Rows of `motion_box`: the bounds of Δq, the same upon position and speed alone, and the limit that gives each bound.
+# Rows of `motion_box`: the bounds of Δq, those by position and speed alone, and the kind of limit that sets each bound.
 DOWN, UP, HARD_DOWN, HARD_UP, DOWN_BY, UP_BY, BOX = range(7)
-# Of the points (p, 4) in a tick, behind where they are: the room beyond which nothing holds them.
+# Column of the points (p, 4), after their position: the clearance beyond which no bound limits the tick, m.
 FAR = 3
 
 
 @kernel_into
 def braking(room: float, deceleration: float, dt: float) -> float:
-    """The farthest way of one tick after which a room is still enough to stop: v dt with v dt + v²/2a = room.
+    """The largest displacement of one tick after which the rest of `room` suffices to stop: v dt + v²/2a = room.
 
-    v²/2a holds for every later tick, however short. Args: room, rad or m; a, per s²; dt, s.
+    v²/2a suffices whatever the duration of later ticks. Args: room, rad or m; deceleration: a, per s²; dt, s.
     """
     v = deceleration * (np.sqrt(dt * dt + 2.0 * room / deceleration) - dt)
     return float(v * dt)
@@ -46,11 +46,11 @@ def braking(room: float, deceleration: float, dt: float) -> float:
 
 @kernel_into
 def motion_box(arm: Array, at: At, q: Array, rates: Array, dt: float, box: Array) -> None:
-    """Write how far each joint may move in a tick, and which of its limits says so.
+    """Write how far each joint may move in a tick, and which limit sets each bound.
 
-    Position and speed come first, then v ≤ √(2 a room), from which a joint can stop before its limit; what is left is
-    narrowed to |v − q̇| ≤ a dt. A joint beyond its limit may stay or come back, never go further.
-    Args: q (n,), rad; rates (n,), of the tick before, rad/s; dt, s; box (6, n), with the rows named above.
+    Position and speed come first, then `braking`, so that the joint can stop before its limit. The result is narrowed
+    to |v − q̇| ≤ a dt. A joint beyond its limit may stay or come back, but not go further.
+    Args: q (n,), rad or m; rates (n,), q̇ of the tick before, per s; dt, s; box (6, n), with the rows named above.
     """
     for i in range(at.n):
         limit = at.limits + i
@@ -75,15 +75,16 @@ def motion_box(arm: Array, at: At, q: Array, rates: Array, dt: float, box: Array
 
 @kernel_into
 def at_row(points: Array, which: int) -> Vector:
-    """The first three numbers of a row; numbers by themselves cost a kernel less than a piece of an array."""
+    """The first three numbers of a row; in a kernel scalars cost less than an array slice."""
     return points[which, 0], points[which, 1], points[which, 2]
 
 
 @kernel_into
 def point_displacement(arm: Array, i: int, poses: Array, axes: Array, x: float, y: float, z: float) -> Vector:
-    """How fast joint i moves a point behind it, for its variable's q̇ = 1: a sᵢ × (p − pᵢ), or a sᵢ where it slides.
+    """Velocity of a point that joint i moves, for q̇ = 1 of its variable: a sᵢ × (p − pᵢ), or a sᵢ if prismatic.
 
-    Args: the point, m, world; poses (m + 1, 4, 4) and axes (m, 3) of `packed.stand`.
+    a is the ratio of the joint to its variable.
+    Args: x, y, z: the point, m, world; poses (m + 1, 4, 4) and axes (m, 3) of `packed.place_links`.
     """
     joint = FIRST + i
     turn, slide = arm[joint, ANGLE_RATIO], arm[joint, SLIDE_RATIO]
@@ -100,9 +101,9 @@ def point_displacement(arm: Array, i: int, poses: Array, axes: Array, x: float, 
 def add_point(
     rows: Array, which: int, normal: Vector, point: Vector, first: int, link: int, arm: Array, poses: Array, axes: Array
 ) -> None:
-    """Add nᵀ J_p, by which a point moves along n, to one of rows (r, n): what the joints `first` to `link` do to it.
+    """Add nᵀ J_p of a point of a link to one of rows (r, n), for the joints from number `first` on, counted from 0.
 
-    Args: normal, of any length, and point, m, world; first: 0 for all joints; poses and axes of `packed.stand`.
+    Args: normal: n, of any length, and point, m, world; poses and axes of `packed.place_links`.
     """
     for i in range(first, link):
         x, y, z = point_displacement(arm, i, poses, axes, point[0], point[1], point[2])
@@ -111,19 +112,19 @@ def add_point(
 
 @kernel_into
 def from_origin(poses: Array, link: int, x: float, y: float, z: float) -> float:
-    """How far a point is from the origin of a link, m; poses (m + 1, 4, 4)."""
+    """Distance of a point from the origin of a link, m; poses (m + 1, 4, 4)."""
     x, y, z = x - poses[link, 0, 3], y - poses[link, 1, 3], z - poses[link, 2, 3]
     return float(np.sqrt(x * x + y * y + z * z))
 
 
 @kernel_into
 def unmoved_rows(arm: Array, at: At, poses: Array, points: Array, dt: float, ways: Array) -> None:
-    """Write the room beyond which no bound on a point can hold a tick, m, behind its place in points (p, 4).
+    """Write column `FAR` of points (p, 4): the clearance beyond which no bound on a point limits the tick, m.
 
-    However the joints turn, a point moves by no more than s = Σ |Δqᵢ| times its distance from axis i, which is at most
-    that along the links. A bound −κ dt l holds nothing from l = s / κ dt on. What a brake allows, v dt with
-    v dt + v²/2D = l, holds nothing from l = s + s²/2D dt² on, where s ≤ Σ |rowᵢ| ωᵢ dt and D = ½ Σ |rowᵢ| aᵢ make it
-    at most s (1 + max ω / a dt). Args: ways (m + 1, 4): room for what is known of each link.
+    In one tick a point moves by at most s = Σ |Δqᵢ| times its distance from axis i, itself at most the distance along
+    the links. A bound −κ dt l is inactive from l = s / κ dt on. The braking bound, v dt with v dt + v²/2D = l, is
+    inactive from l = s + s²/2D dt² on. As s ≤ Σ |rowᵢ| ωᵢ dt and D = ½ Σ |rowᵢ| aᵢ, this is at most
+    s (1 + max ω / a dt). Args: ways (m + 1, 4): temporary values of each link.
     """
     turned, way = 0.0, 0.0
     beyond = 1.0 / min(1.0, arm[SETTING, GAIN] * dt)
@@ -147,9 +148,9 @@ def unmoved_rows(arm: Array, at: At, poses: Array, points: Array, dt: float, way
 
 @kernel_into
 def damper(room: float, rows: Array, which: int, arm: Array, at: At, dt: float) -> float:
-    """The velocity damper of one of rows (r, n): how near it may come in a tick, −κ dt room, if it can brake; m.
+    """The velocity damper of one of rows (r, n), its lower bound in a tick: −κ dt room, less where it must brake; m.
 
-    Args: room: distance left, m.
+    Args: room: the clearance, m; without any the bound is 0.
     """
     if room <= 0.0:
         return 0.0

@@ -1,4 +1,4 @@
-"""The work space of a step, one array that is made once: what it comes to, and room for what is found on the way."""
+"""The work space of a step: one array, allocated once, for its results and temporary values."""
 
 from __future__ import annotations
 
@@ -16,17 +16,18 @@ from helicoide.ik.guard.rows import BOX
 from helicoide.kernels import kernel_into, python_function
 
 SHARE, PULL, REPORT = 0, 1, 2
-# Rows of the table of what each variable has: its box first, then these, J, the rows that bound it, and last H and g.
+# Rows of `StepBuffers.table`: the box of `motion_box`, then these, the other rows of J, the constraints, last H and g.
 SOLUTION, BEFORE, REACHED, STOOD, DAMPING, JACOBIAN = range(BOX, BOX + 6)
 ROWS = JACOBIAN + 6
 
 
 class StepBuffers(NamedTuple):
-    """An opened work space.
+    """The parts of a work space.
 
-    report: the share and the pull; rates (n,) and held as in `Work`; task (2, 6): v and its weights; bounds (4, n + r):
-    lower, upper, multipliers, and room for these; spare: room for `qp`; frames (2, m + 1, 4, 4): the links before and
-    after the step; spots: rows of four numbers each, axes, points and distances; table: rows of n numbers each.
+    report: share and pull as in `Work`; rates (n,) and held as in `Work`; task (2, 6): v and its weights; bounds
+    (4, n + r): lower, upper, multipliers, and a copy of the multipliers; spare: temporary values of `qp`; frames
+    (2, m + 1, 4, 4): link poses before and after the step; spots: rows of four numbers, axes, points and clearances
+    (see `parts_of_spots`); table: rows of n numbers.
     """
 
     report: Array
@@ -42,11 +43,11 @@ class StepBuffers(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Work:
-    """A work space, and what the last step came to.
+    """A work space, with the results of the last step.
 
-    memory: all of it, as kernels take it; rates (n,): q̇ of the step, rad/s or m/s, read by the next one; poses
-    (m + 1, 4, 4), m, of the links after it; held: the multipliers of what held it back, 2 n position limits,
-    clearances, 2 n speed limits, 2 n accelerations, the entry point.
+    memory: the whole array, for the kernels; rates (n,): q̇ of the step, rad/s or m/s, read by the next one; poses
+    (m + 1, 4, 4), m, of the links after it; held: the multipliers of the constraints: 2 n position limits, clearances,
+    2 n speed limits, 2 n accelerations, the entry point.
     """
 
     memory: Array
@@ -56,24 +57,24 @@ class Work:
 
     @property
     def share(self) -> float:
-        """The part of the step that was taken, 1 but where something would have come too near."""
+        """The fraction of the step that was taken: less than 1 if the whole step would violate a constraint."""
         return float(self.memory[SHARE])
 
     @property
     def pull(self) -> float:
-        """How hard the task pulled: ‖W v‖."""
+        """The weighted size of the task, ‖W v‖."""
         return float(self.memory[PULL])
 
 
 @kernel_into
 def most_rows(at: At) -> int:
-    """How many rows may bound a step besides the joints' own: clearances, and second witnesses of pairs."""
+    """The largest number of constraint rows besides the joint bounds: clearances, and second witnesses of pairs."""
     return at.clearances + at.end - at.pairs
 
 
 @kernel_into
 def row_counts(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
-    """How many numbers each part of a work space has, in the order of `StepBuffers`."""
+    """The size of each part of a work space, in the order of `StepBuffers`."""
     m, n, rows, points = at.m, at.n, most_rows(at), at.planes - at.points
     spots = 2 * m + points + 2 * at.clearances + max(m + 1, n)
     held, table = 6 * n + at.clearances + 1, ROWS + rows + n + 1
@@ -82,7 +83,7 @@ def row_counts(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
 
 @kernel_into
 def opened(memory: Array, at: At) -> StepBuffers:
-    """The parts of a work space."""
+    """The parts of a work space, as views of its memory."""
     report, rates, held, task, bounds, spare, frames, spots, table = row_counts(at)
     a = report + rates
     b = a + held
@@ -105,7 +106,7 @@ def opened(memory: Array, at: At) -> StepBuffers:
 
 
 def work_for(arm: Array) -> Work:
-    """A work space for the steps of a packed arm, which is at rest before the first."""
+    """A work space for the steps of a packed arm, which starts at rest."""
     blank, at, held, frames = _blank(tuple(arm[SETTING, :CRITICAL].tolist()))
     memory = blank.copy()
     poses = memory[frames : frames + 16 * (at.m + 1)].reshape(at.m + 1, 4, 4)
@@ -114,7 +115,7 @@ def work_for(arm: Array) -> Work:
 
 @lru_cache(maxsize=64)
 def _blank(counts: tuple[float, ...]) -> tuple[Array, At, int, int]:
-    """The memory of an arm of so many parts before its first step, and where in it `held` and `frames` begin."""
+    """The initial memory for an arm with these counts, its parts, and where `held` and `frames` begin in the memory."""
     setting = np.zeros((1, CRITICAL))
     setting[SETTING] = counts
     at = python_function(array_parts)(setting)
@@ -127,10 +128,10 @@ def _blank(counts: tuple[float, ...]) -> tuple[Array, At, int, int]:
 
 @kernel_into
 def parts_of_spots(at: At) -> tuple[int, int, int, int]:
-    """Where in `spots` parts begin: points, what is watched, the same after the step, and room for the rows.
+    """The first rows of the parts of `spots`: points, watched clearances, the same after the step, temporary rows.
 
-    The axes stand first, those before the step and those after it. Of a point there are its place and `unfelt`. Room is
-    for one row of each link or variable.
+    Before them are the joint axes, m before the step and m after it. A point has its position and `rows.FAR`. There is
+    one temporary row for each link or variable.
     """
     points = 2 * at.m
     near = points + at.planes - at.points

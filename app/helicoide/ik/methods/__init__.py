@@ -1,4 +1,4 @@
-"""The methods of inverse kinematics, a file each; `method.Method` says what such a file holds."""
+"""The methods of inverse kinematics, one module each; `method.Method` describes such a module."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ __path__.append(str(content.user_folder() / "methods"))
 
 
 def names() -> tuple[str, ...]:
-    """The names of all methods: those of their files."""
+    """The names of all methods, which are their module names."""
     return content.module_names(__name__, NEEDS)
 
 
 @cache
 def named(name: str) -> Method:
-    """A method by its name; raises HelicoideError, which lists the names."""
+    """The method with this name. Raises HelicoideError, which lists the known names."""
     return cast(Method, content.module(__name__, name, names(), Text(en="method", pt_BR="método")))

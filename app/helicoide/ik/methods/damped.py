@@ -1,4 +1,4 @@
-"""Damped least squares: the asked velocity is traded against small joint rates by a damping that is always there."""
+"""Damped least squares with constant damping: a compromise between the asked velocity and small joint velocities."""
 
 from __future__ import annotations
 
@@ -31,16 +31,19 @@ class Options:
 
 
 def applies(task: Task) -> Text | None:
-    """To every task."""
+    """Applies to every task."""
     return None
 
 
 def start(task: Task, options: Options) -> None:
-    """Nothing is remembered."""
+    """This method has no memory."""
 
 
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
-    """q̇ = Σ σᵢ/(σᵢ² + λ²) vᵢ uᵢᵀ ν, the least ‖ν − J q̇‖² + λ² ‖q̇‖²; what is zero but for rounding moves nothing."""
+    """q̇ = Σ σᵢ/(σᵢ² + λ²) vᵢ uᵢᵀ ν, which minimizes ‖ν − J q̇‖² + λ² ‖q̇‖².
+
+    Singular values below the rank tolerance count as zero.
+    """
     U, sigma, Vt = np.linalg.svd(task.J, full_matrices=False)
     sigma = np.where(sigma > RANK_TOLERANCE * sigma[0], sigma, 0.0)
     B = Vt.T * (sigma / (sigma**2 + options.damping**2)) @ U.T

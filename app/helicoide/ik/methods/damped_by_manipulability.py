@@ -1,4 +1,4 @@
-"""Damped least squares whose damping comes on near singular postures only: where the manipulability falls."""
+"""Damped least squares with damping only near singular postures, where the manipulability is below a threshold."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from helicoide.ik.method import OneOf, Promise, Quantity, Solution, Task
 from helicoide.kinematics.manipulability import RANK_TOLERANCE
 from helicoide.text import Text
 
-TITLE = Text(en="damped by manipulability", pt_BR="amortecida pela manipulabilidade")
+TITLE = Text(en="DLS, manipulability-based damping", pt_BR="MQA, amortecimento pela manipulabilidade")
 SOURCE = "Vargas 2013, eqs. 3.10–3.14; Nakamura and Hanafusa 1986 (exponent 2); Coutinho 2015, eq. 3.44 (4)"
-EQUATION = r"\dot q = J^T (J J^T + \delta I)^{-1} \nu, \quad \delta = \delta_0 (1 - w/w_0)^k \text{ for } w < w_0"
+EQUATION = r"\dot q = J^T (J J^T + \delta I)^{-1} \nu, \quad \delta = \delta_0 (1 - w/w_0)^k, \quad w < w_0"
 REMEMBERS: Text | None = None
 PROMISES = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.STAYS_SINGULAR})
 FIGURES: Mapping[str, Text] = {
@@ -26,10 +26,10 @@ FIGURES: Mapping[str, Text] = {
 
 @dataclass(frozen=True)
 class Options:
-    """damping: δ₀, in units of ℓ² per rad². threshold: w₀, compared with the product of the singular values of J.
+    """damping: δ₀, in units of ℓ² per rad². threshold: w₀, compared with w, the product of the singular values of J.
 
-    J has no lengths in it, and so has w, whatever rows the task has: for position in space w ℓ³ is the volume of the
-    sources. A row that no joint can move, such as the height of a planar arm, makes w = 0 and keeps δ at δ₀.
+    Lengths in J are divided by ℓ, so w has no length unit. For the position in space, w ℓ³ is the manipulability of
+    the sources. A row that no joint can move, such as the height of a planar arm, gives w = 0 and δ = δ₀.
     """
 
     damping: Annotated[
@@ -40,7 +40,7 @@ class Options:
     exponent: Annotated[
         str,
         OneOf(
-            Text(en="growth of δ below w₀", pt_BR="crescimento de δ abaixo de w₀"),
+            Text(en="δ below w₀", pt_BR="δ abaixo de w₀"),
             {
                 "1": Text(en="linear, (1 − w/w₀)", pt_BR="linear, (1 − w/w₀)"),
                 "2": Text(en="quadratic, (1 − w/w₀)²", pt_BR="quadrático, (1 − w/w₀)²"),
@@ -51,12 +51,12 @@ class Options:
 
 
 def applies(task: Task) -> Text | None:
-    """To every task."""
+    """Applies to every task."""
     return None
 
 
 def start(task: Task, options: Options) -> None:
-    """Nothing is remembered."""
+    """This method has no memory."""
 
 
 def damping(w: float, options: Options) -> float:
@@ -67,9 +67,8 @@ def damping(w: float, options: Options) -> float:
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
     """q̇ = Σ σᵢ/(σᵢ² + δ) vᵢ uᵢᵀ ν."""
     U, sigma, Vt = np.linalg.svd(task.J, full_matrices=False)
-    sigma = np.where(
-        sigma > RANK_TOLERANCE * sigma[0], sigma, 0.0
-    )  # rounding must not lead out of an exact singularity
+    # Without this, rounding errors could move the arm out of an exact singularity.
+    sigma = np.where(sigma > RANK_TOLERANCE * sigma[0], sigma, 0.0)
     w = float(np.prod(sigma))
     delta = damping(w, options)
     B = Vt.T * (sigma / (sigma**2 + delta)) @ U.T

@@ -1,4 +1,4 @@
-"""The filtered inverse: a matrix Θ follows the inverse of the Jacobian at a finite speed, also across singularities."""
+"""The filtered inverse: a matrix Θ follows the inverse of J at a finite rate and stays bounded at singularities."""
 
 from __future__ import annotations
 
@@ -23,11 +23,12 @@ REMEMBERS: Text | None = Text(en="the filtered inverse Θ", pt_BR="a inversa fil
 PROMISES: frozenset[Promise] = frozenset({Promise.CONVERGES, Promise.BOUNDED})
 FIGURES: Mapping[str, Text] = {
     "V_c": Text(en="inversion error V_c", pt_BR="erro de inversão V_c"),
-    "‖Θ‖": Text(en="size of Θ: at most ‖Θ‖ ‖ν‖ moves the joints", pt_BR="tamanho de Θ: as juntas recebem até ‖Θ‖ ‖ν‖"),
-    "dt_max": Text(en="longest stable step of Euler's rule, s", pt_BR="maior passo estável da regra de Euler, s"),
+    "‖Θ‖": Text(en="norm of Θ, ‖q̇‖ ≤ ‖Θ‖ ‖ν‖", pt_BR="norma de Θ, ‖q̇‖ ≤ ‖Θ‖ ‖ν‖"),
+    "dt_max": Text(en="largest stable Euler step, s", pt_BR="maior passo de Euler estável, s"),
 }
 
-# Euler's rule beyond its longest step, and feed-forward into a singularity, let Θ grow without end: it begins anew.
+# Θ restarts when an entry exceeds this. It grows without bound if Euler's step is too long or if feed-forward acts
+# at a singularity.
 LARGEST = 1e6
 
 UPDATES = OneOf(
@@ -41,27 +42,29 @@ UPDATES = OneOf(
 STEPS = OneOf(
     Text(en="integration", pt_BR="integração"),
     {
-        "exact": Text(en="exact while J stands still", pt_BR="exata com J parado"),
+        "exact": Text(en="exact for constant J", pt_BR="exata com J constante"),
         "sylvester": Text(en="backward Euler (Sylvester)", pt_BR="Euler implícito (Sylvester)"),
         "euler": Text(en="explicit Euler", pt_BR="Euler explícito"),
     },
 )
 STARTS = OneOf(
-    Text(en="Θ at the start", pt_BR="Θ inicial"),
+    Text(en="initial Θ", pt_BR="Θ inicial"),
     {
-        "zero": Text(en="zero: from rest", pt_BR="zero: parte do repouso"),
-        "ones": Text(en="0.1 everywhere: leaves singular postures", pt_BR="0,1 em toda parte: sai de singularidades"),
+        "zero": Text(en="zero: starts from rest", pt_BR="zero: parte do repouso"),
+        "ones": Text(
+            en="0.1 in every entry: leaves singular postures", pt_BR="0,1 em todos os elementos: sai de singularidades"
+        ),
     },
 )
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ, in units of rad²/(ℓ² s); a direction with the singular value σ is learnt in 1/(2γσ²) seconds.
+    """gain: γ, in units of rad²/(ℓ² s). A direction with singular value σ converges with time constant 1/(2γσ²), s.
 
-    update, step, start: see their choices. ahead: add −Θ J̇ Θ, which holds the inverse while J moves but forbids the
-    crossing of a singularity, and therefore acts only where the smallest singular value, in ℓ/rad, is above `above`.
-    ratio: Γ_ℓ over Γ_r, the gain of the left inversion error over that of the right one (Coutinho 2015, tab. 4.3).
+    update, step, start: see their choices. ahead: add −Θ J̇ Θ, which keeps Θ an inverse while J changes. It diverges at
+    a singularity, so it acts only where the smallest singular value, in ℓ/rad, is above `above`.
+    ratio: Γ_ℓ/Γ_r, the gain of the left inversion error over that of the right one (Coutinho 2015, tab. 4.3).
     """
 
     gain: Annotated[
@@ -81,7 +84,7 @@ class Options:
     ratio: Annotated[
         float,
         Quantity(
-            Text(en="ratio of the gains Γₗ/Γᵣ", pt_BR="razão dos ganhos Γₗ/Γᵣ"),
+            Text(en="gain ratio Γₗ/Γᵣ", pt_BR="razão dos ganhos Γₗ/Γᵣ"),
             0.01,
             100.0,
             decades=True,
@@ -90,21 +93,21 @@ class Options:
 
     @property
     def parts(self) -> Parts:
-        """How much of the right and of the left error acts."""
+        """The weights of the right and of the left inversion error."""
         right, left = filtered_inverse.parts(self.update)
         return right, self.ratio * left
 
 
 @dataclass(frozen=True, eq=False)
 class Memory:
-    """Θ (n, r), and the Jacobian (r, n) of the instant before, None at the first."""
+    """Theta: Θ (n, r); before: the Jacobian (r, n) of the previous step, None before the first."""
 
     Theta: Array
     before: Array | None = None
 
 
 def applies(task: Task) -> Text | None:
-    """To every task."""
+    """Applies to every task."""
     return None
 
 
@@ -114,12 +117,15 @@ def start(task: Task, options: Options) -> Memory:
 
 
 def recalled(task: Task, memory: Memory, options: Options) -> Memory:
-    """The memory, or a fresh one when the task has changed its shape."""
+    """The memory, or a new one if the shape of the task has changed."""
     return memory if memory.Theta.shape == task.J.T.shape else start(task, options)
 
 
 def updated(task: Task, memory: Memory, options: Options) -> Memory:
-    """Θ after this instant. Source: Vargas 2013, eq. 4.61, and ch. 5 for the feed-forward."""
+    """The memory after this step, or that of `start` if Θ has diverged.
+
+    Source: Vargas 2013, eq. 4.61; ch. 5 for the feed-forward.
+    """
     J, Theta = task.J, memory.Theta
     following = filtered_inverse.stepped(J, Theta, options.gain, task.dt, options.parts, options.step)
     if options.ahead and memory.before is not None and np.linalg.svd(J, compute_uv=False)[-1] > options.above:
@@ -130,14 +136,14 @@ def updated(task: Task, memory: Memory, options: Options) -> Memory:
 
 
 def modes(memory: Memory, options: Options) -> Diagnosis | None:
-    """Θ in the axes of the Jacobian of the instant before; None at the first. Source: Vargas 2013, §4.4."""
+    """Θ in the singular directions of the previous Jacobian; None before the first step. Source: Vargas 2013, §4.4."""
     if memory.before is None:
         return None
     return diagnosed(memory.before, memory.Theta, options.gain, options.parts)
 
 
 def figures(task: Task, Theta: Array, options: Options) -> OnDemand:
-    """How well Θ inverts J, how large it is, and what Euler's rule would bear."""
+    """The inversion error of Θ, its norm, and the longest stable step of Euler's rule, s."""
     return OnDemand(
         {
             "V_c": partial(_inversion_error, task.J, Theta),
@@ -156,7 +162,7 @@ def _size(Theta: Array) -> float:
 
 
 def step(problem: Problem, task: Task, memory: Memory, options: Options) -> tuple[Solution, Memory]:
-    """q̇ = Θ ν, with the Θ of before; then Θ takes its step."""
+    """q̇ = Θ ν with the present Θ; then Θ is updated."""
     memory = recalled(task, memory, options)
     Theta = memory.Theta
     return Solution(Theta @ task.rate, figures(task, Theta, options), Theta), updated(task, memory, options)

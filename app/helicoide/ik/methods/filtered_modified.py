@@ -1,4 +1,4 @@
-"""The modified filtered inverse: its answer never pushes against the wish, and drops what the arm cannot reach."""
+"""The modified filtered inverse: J q̇ never opposes the asked velocity, and unreachable directions are left out."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FIGURES: Mapping[str, Text] = filtered.FIGURES
 
 
 def step(problem: Problem, task: Task, memory: Memory, options: Options) -> tuple[Solution, Memory]:
-    """q̇ = Θ Θᵀ Jᵀ ν: J q̇ = M ν with M = (JΘ)(JΘ)ᵀ, so that e never grows for a wish that stands still."""
+    """q̇ = Θ Θᵀ Jᵀ ν. Then J q̇ = M ν with M = (JΘ)(JΘ)ᵀ ≥ 0, so the error of a fixed target does not grow."""
     memory = filtered.recalled(task, memory, options)
     Theta = memory.Theta
     B = Theta @ Theta.T @ task.J.T

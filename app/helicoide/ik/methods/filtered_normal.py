@@ -1,4 +1,4 @@
-"""The filtered inverse of the normal equations: Θ follows the inverse of JᵀJ, and Jᵀ brings the wish to the joints."""
+"""The filtered inverse of the normal equations: Θ_P follows the inverse of JᵀJ, and q̇ = Θ_P Jᵀ ν."""
 
 from __future__ import annotations
 
@@ -25,14 +25,17 @@ REMEMBERS: Text | None = Text(en="the filtered inverse Θ_P of JᵀJ", pt_BR="a 
 PROMISES: frozenset[Promise] = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.STAYS_SINGULAR})
 FIGURES: Mapping[str, Text] = {
     "V_c": filtered.FIGURES["V_c"],
-    "‖Θ‖": Text(en="size of Θ_P", pt_BR="tamanho de Θ_P"),
+    "‖Θ‖": Text(en="norm of Θ_P", pt_BR="norma de Θ_P"),
     "dt_max": filtered.FIGURES["dt_max"],
 }
 
 
 @dataclass(frozen=True)
 class Options:
-    """gain: γ, in units of rad⁴/(ℓ⁴ s); a direction with the singular value σ is learnt in 1/(2γσ⁴) seconds."""
+    """gain: γ, in units of rad⁴/(ℓ⁴ s). A direction with singular value σ converges with time constant 1/(2γσ⁴), s.
+
+    update, step, start: see their choices.
+    """
 
     gain: Annotated[
         float,
@@ -44,7 +47,7 @@ class Options:
 
 
 def applies(task: Task) -> Text | None:
-    """To every task."""
+    """Applies to every task."""
     return None
 
 
@@ -54,17 +57,17 @@ def start(task: Task, options: Options) -> Memory:
 
 
 def normal(task: Task) -> Task:
-    """The same instant with P = JᵀJ for J: what Θ_P inverts."""
+    """The task with J replaced by P = JᵀJ, (n, n), which Θ_P inverts."""
     return replace(task, J=np.asarray(task.J.T @ task.J))
 
 
 def law(options: Options) -> filtered.Options:
-    """The same options for the law of Θ."""
+    """These options as those of `filtered`, which updates Θ_P."""
     return filtered.Options(options.gain, options.update, options.step, options.start)
 
 
 def step(problem: Problem, task: Task, memory: Memory, options: Options) -> tuple[Solution, Memory]:
-    """q̇ = Θ_P Jᵀ ν: the filtered inverse for the normal equations."""
+    """q̇ = Θ_P Jᵀ ν with the present Θ_P; then Θ_P is updated."""
     known, of_law = normal(task), law(options)
     memory = filtered.recalled(known, memory, of_law)
     B = memory.Theta @ task.J.T

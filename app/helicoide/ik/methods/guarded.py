@@ -1,4 +1,4 @@
-"""The guarded step as a method: least squares within limits, planes, obstacles and the arm's own acceleration."""
+"""The guarded step as a method: least squares under joint limits, planes, obstacles and acceleration limits."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ from helicoide.ik.step import step_task
 from helicoide.ik.task import DAMPING, ORIENTATION_LENGTH
 from helicoide.text import Text
 
-TITLE = Text(en="guarded step", pt_BR="passo vigiado")
+TITLE = Text(en="constrained QP step", pt_BR="passo com restrições (QP)")
 SOURCE = "Helicoide; Goldfarb and Idnani 1983; Faverjon and Tournassoud 1987; Cerbaro 2022, §7 (future work)"
 EQUATION = (
     r"\min_{\Delta q} \|W (J \Delta q - \nu \Delta t)\|^2 + \lambda^2 \|\Delta q\|^2"
-    r"\;\text{ with }\; \underline{b} \le A \Delta q \le \overline{b}"
+    r", \quad \underline{b} \le A \Delta q \le \overline{b}"
 )
 REMEMBERS: Text | None = Text(
-    en="the joint rates of the step before", pt_BR="as velocidades de junta do passo anterior"
+    en="the joint velocities of the previous step", pt_BR="as velocidades de junta do passo anterior"
 )
 PROMISES = frozenset({Promise.CONVERGES, Promise.BOUNDED, Promise.KEEPS_LIMITS})
 FIGURES: Mapping[str, Text] = {
-    "share": Text(en="share of the step that was taken", pt_BR="parte do passo que foi dada"),
+    "share": Text(en="fraction of the step taken", pt_BR="fração dada do passo"),
 }
 
 
 @dataclass(frozen=True)
 class Options:
-    """damping: λ, in units of ℓ per radian; turn: the weight of orientation, a radian against ℓ.
+    """damping: λ, in units of ℓ per radian; turn: the weight of one radian relative to one ℓ.
 
-    gain: κ of the velocity dampers, 1/s; levels: the position first, and the orientation in what it leaves free.
+    gain: κ of the velocity dampers, 1/s; levels: whether position has priority over orientation.
     """
 
     damping: Annotated[
@@ -46,31 +46,32 @@ class Options:
     ] = DAMPING**0.5
     turn: Annotated[
         float,
-        Quantity(Text(en="weight of orientation", pt_BR="peso da orientação"), 1e-3, 1.0, decades=True),
+        Quantity(Text(en="orientation weight", pt_BR="peso da orientação"), 1e-3, 1.0, decades=True),
     ] = ORIENTATION_LENGTH
     gain: Annotated[
-        float, Quantity(Text(en="gain of the dampers κ", pt_BR="ganho dos amortecedores κ"), 1.0, 50.0, "1/s")
+        float,
+        Quantity(Text(en="velocity-damper gain κ", pt_BR="ganho dos amortecedores de velocidade κ"), 1.0, 50.0, "1/s"),
     ] = DAMPER_GAIN
-    levels: Annotated[bool, YesNo(Text(en="position first", pt_BR="posição primeiro"))] = False
+    levels: Annotated[bool, YesNo(Text(en="prioritise position", pt_BR="priorizar a posição"))] = False
 
 
 def applies(task: Task) -> Text | None:
-    """To tasks in the joints of the arm: limits are theirs."""
+    """Applies to tasks whose unknowns are the joints of the arm, because limits are given for joints."""
     if task.J.shape[1] == len(task.q):
         return None
     return Text(
-        en="The guarded step works in the joints of the arm; this task has {r} unknowns of another kind.",
-        pt_BR="O passo vigiado trabalha nas juntas do braço; esta tarefa tem {r} incógnitas de outro tipo.",
+        en="The constrained QP step solves for the joints of the arm; this task has {r} other unknowns.",
+        pt_BR="O passo com restrições (QP) resolve as juntas do braço; esta tarefa tem {r} outras incógnitas.",
     ).format(r=task.J.shape[1])
 
 
 def start(task: Task, options: Options) -> Array:
-    """At rest."""
+    """Zero joint velocities, (n,)."""
     return frozen(np.zeros(len(task.q)))
 
 
 def step(problem: Problem, task: Task, memory: Array, options: Options) -> tuple[Solution, Array]:
-    """One guarded tick from task.q; the memory holds the joint rates, rad/s, of the one before."""
+    """One guarded step from task.q. memory: the joint velocities of the previous step, (n,), rad/s or m/s."""
     units, q = problem.joint_units, task.q.copy()
     v, weights = task.rate * task.dt, np.ones(len(task.rate))
     weights[3:] = options.turn

@@ -1,4 +1,4 @@
-"""The inverse: the one joint velocity that meets the asked one, where there is one."""
+"""The inverse of a square Jacobian: the unique joint velocity that gives the asked velocity, where one exists."""
 
 from __future__ import annotations
 
@@ -19,39 +19,39 @@ REMEMBERS: Text | None = None
 PROMISES = frozenset({Promise.CONVERGES, Promise.EXACT, Promise.STAYS_SINGULAR})
 FIGURES: Mapping[str, Text] = {
     "|det J|": Text(
-        en="|det J|: zero where there is no inverse, and the arm stands still",
-        pt_BR="|det J|: zero onde não há inversa, e o braço fica parado",
+        en="|det J|: zero where J has no inverse; there the arm stops",
+        pt_BR="|det J|: zero onde J não tem inversa; ali o braço para",
     ),
 }
 
 
 @dataclass(frozen=True)
 class Options:
-    """Nothing can be set."""
+    """This method has no options."""
 
 
 def applies(task: Task) -> Text | None:
-    """To square tasks, as many rows as joints, in which every row is moved by some joint."""
+    """Applies to tasks with as many rows as joints and no zero row in J."""
     r, n = task.J.shape
     if r != n:
         return Text(
-            en="The inverse needs as many rows in the task as joints in the arm; here {r} rows meet {n} joints.",
-            pt_BR="A inversa exige tantas linhas na tarefa quantas juntas no braço; aqui há {r} linhas e {n} juntas.",
+            en="The inverse needs as many task rows as joints; here there are {r} rows and {n} joints.",
+            pt_BR="A inversa exige tantas linhas da tarefa quantas juntas; aqui há {r} linhas e {n} juntas.",
         ).format(r=r, n=n)
     if not task.J.any(axis=1).all():
         return Text(
-            en="There is no inverse: one direction of the task is moved by no joint.",
-            pt_BR="Não há inversa: nenhuma junta move uma das direções da tarefa.",
+            en="There is no inverse: no joint moves along one direction of the task.",
+            pt_BR="Não há inversa: nenhuma junta se move ao longo de uma direção da tarefa.",
         )
     return None
 
 
 def start(task: Task, options: Options) -> None:
-    """Nothing is remembered."""
+    """This method has no memory."""
 
 
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:
-    """q̇ = J⁻¹ ν; where J is singular or not square there is no answer, and the arm stands still instead of guessing."""
+    """q̇ = J⁻¹ ν, and q̇ = 0 where J is singular or not square."""
     r, n = task.J.shape
     sigma = np.linalg.svd(task.J, compute_uv=False)
     if r != n or sigma[-1] <= RANK_TOLERANCE * sigma[0]:

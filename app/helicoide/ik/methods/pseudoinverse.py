@@ -1,4 +1,4 @@
-"""The pseudoinverse: of all joint rates that come nearest to the asked velocity, the smallest."""
+"""The pseudoinverse: the smallest joint velocity among those that come nearest to the asked velocity."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ FIGURES: Mapping[str, Text] = {}
 
 @dataclass(frozen=True)
 class Options:
-    """Nothing can be set."""
+    """This method has no options."""
 
 
 def applies(task: Task) -> Text | None:
-    """To every task: the pseudoinverse exists for every J."""
+    """Applies to every task: the pseudoinverse exists for every J."""
     return None
 
 
 def start(task: Task, options: Options) -> None:
-    """Nothing is remembered."""
+    """This method has no memory."""
 
 
 def step(problem: Problem, task: Task, memory: None, options: Options) -> tuple[Solution, None]:

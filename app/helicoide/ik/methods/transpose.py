@@ -1,4 +1,4 @@
-"""The transpose of the Jacobian: every joint gives way as if the wish were a force that pulls at the tool."""
+"""The Jacobian transpose: each joint velocity is proportional to the torque that a force ν on the tool would cause."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.ik import Problem
 from helicoide.ik.method import OneOf, Promise, Quantity, Solution, Task
 from helicoide.text import Text
 
-TITLE = Text(en="Jacobian transpose", pt_BR="transposta do jacobiano")
+TITLE = Text(en="Jacobian transpose", pt_BR="transposta da jacobiana")
 SOURCE = "Wolovich and Elliott 1984; the best α: Buss 2004; Vargas 2013, §1.2"
 EQUATION = (
     r"\dot q = \alpha J^T \nu, \quad \alpha = \min\left("
@@ -21,16 +21,16 @@ EQUATION = (
 )
 REMEMBERS: Text | None = None
 PROMISES = frozenset({Promise.BOUNDED, Promise.STAYS_SINGULAR})
-FIGURES: Mapping[str, Text] = {"α": Text(en="step α of this instant", pt_BR="passo α deste instante")}
+FIGURES: Mapping[str, Text] = {"α": Text(en="current step α", pt_BR="passo α atual")}
 
 
 @dataclass(frozen=True)
 class Options:
-    """step: how α is chosen. alpha: α itself, or the largest that the best step may take.
+    """step: how α is chosen. alpha: the constant α, or the upper bound of the best α.
 
-    A task with one gain Λ = λI that stands still is stable in small motions for dt λ < 2 with the best step, which
-    brings α J Jᵀν as near to ν as α can, and for dt λ α σ₁² < 2 with a constant α, σ₁ the largest singular value of J,
-    about 1 to 2.5 in units of the reach: at 50 ms and λ = 5 up to about α = 1.2.
+    For a fixed target and a gain Λ = λI, small motions are stable for dt λ < 2 with the best α, which minimizes
+    ‖ν − α J Jᵀν‖. With a constant α they are stable for dt λ α σ₁² < 2. σ₁ is the largest singular value of J, about
+    1 to 2.5 if lengths are divided by the reach: with dt = 50 ms and λ = 5 1/s, α may be up to about 1.2.
     """
 
     step: Annotated[
@@ -38,7 +38,7 @@ class Options:
         OneOf(
             Text(en="choice of α", pt_BR="escolha de α"),
             {
-                "best": Text(en="best at every instant", pt_BR="o melhor a cada instante"),
+                "best": Text(en="optimal at every step", pt_BR="ótimo a cada passo"),
                 "constant": Text(en="constant", pt_BR="constante"),
             },
         ),
@@ -50,16 +50,16 @@ class Options:
 
 
 def applies(task: Task) -> Text | None:
-    """To every task."""
+    """Applies to every task."""
     return None
 
 
 def start(task: Task, options: Options) -> None:
-    """Nothing is remembered."""
+    """This method has no memory."""
 
 
 def best(J: Array, rate: Array) -> float:
-    """The α that brings α J Jᵀν nearest to ν: ⟨ν, JJᵀν⟩/⟨JJᵀν, JJᵀν⟩, infinite where Jᵀν is lost. Source: Buss 2004."""
+    """The α that minimizes ‖ν − α J Jᵀν‖: ⟨ν, JJᵀν⟩/⟨JJᵀν, JJᵀν⟩, infinite where JJᵀν = 0. Source: Buss 2004."""
     turned = J @ (J.T @ rate)
     size = float(turned @ turned)
     return float(rate @ turned) / size if size > 0 else np.inf

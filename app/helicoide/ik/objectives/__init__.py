@@ -1,6 +1,6 @@
-"""Secondary objectives, a file each: what the joints do with the freedom that the task leaves them.
+"""Secondary objectives, one module each: what redundant joints do besides the task.
 
-`objective.Objective` says what such a file holds.
+`objective.Objective` describes such a module.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from helicoide.text import Text
 
 
 def names() -> tuple[str, ...]:
-    """The names of all objectives: those of their files."""
+    """The names of all objectives, which are their module names."""
     return content.module_names(__name__)
 
 
 @cache
 def named(name: str) -> Objective:
-    """An objective by its name; raises HelicoideError, which lists the names."""
+    """The objective with this name. Raises HelicoideError, which lists the known names."""
     return cast(Objective, content.module(__name__, name, names(), Text(en="objective", pt_BR="objetivo")))

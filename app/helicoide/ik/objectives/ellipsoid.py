@@ -1,4 +1,4 @@
-"""An ellipsoidal obstacle: a hill of cost around its centre, felt by the tool or by points along the links."""
+"""An ellipsoidal obstacle: a Gaussian cost around its centre, evaluated at the tool or at points along the links."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ _TURN = 3.1416
 
 @dataclass(frozen=True)
 class Options:
-    """weight: α; x, y, z: μ, ℓ, base frame; a, b, c: the roots of D_f, ℓ; yaw, pitch, roll: R_f = R_z R_y R_x, rad.
+    """weight: α; x, y, z: μ, ℓ, base frame; yaw, pitch, roll: R_f = R_z R_y R_x, rad.
 
-    where: the points p_j of the arm, per_link of them on each link. Small obstacles need many.
+    a, b, c: semi-axes, ℓ, D_f = diag(a², b², c²). where: which points p_j of the arm count; per_link: how many on each
+    link. Small obstacles need many.
     """
 
     weight: Annotated[float, Quantity(Text(en="weight α", pt_BR="peso α"), 0.0, 50.0, "1/s")] = 5.0
@@ -39,15 +40,21 @@ class Options:
     a: Annotated[float, Quantity(Text(en="semi-axis a", pt_BR="semieixo a"), 0.01, 1.0, "mm", 1)] = 0.1
     b: Annotated[float, Quantity(Text(en="semi-axis b", pt_BR="semieixo b"), 0.01, 1.0, "mm", 1)] = 0.1
     c: Annotated[float, Quantity(Text(en="semi-axis c", pt_BR="semieixo c"), 0.01, 1.0, "mm", 1)] = 0.1
-    yaw: Annotated[float, Quantity(Text(en="turn about z", pt_BR="giro em torno de z"), -_TURN, _TURN, "rad")] = 0.0
-    pitch: Annotated[float, Quantity(Text(en="turn about y", pt_BR="giro em torno de y"), -_TURN, _TURN, "rad")] = 0.0
-    roll: Annotated[float, Quantity(Text(en="turn about x", pt_BR="giro em torno de x"), -_TURN, _TURN, "rad")] = 0.0
+    yaw: Annotated[
+        float, Quantity(Text(en="rotation about z", pt_BR="rotação em torno de z"), -_TURN, _TURN, "rad")
+    ] = 0.0
+    pitch: Annotated[
+        float, Quantity(Text(en="rotation about y", pt_BR="rotação em torno de y"), -_TURN, _TURN, "rad")
+    ] = 0.0
+    roll: Annotated[
+        float, Quantity(Text(en="rotation about x", pt_BR="rotação em torno de x"), -_TURN, _TURN, "rad")
+    ] = 0.0
     where: Annotated[str, WATCHED] = "links"
     per_link: Annotated[int, PER_LINK] = 8
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot."""
+    """Applies to every robot."""
     return None
 
 

@@ -1,4 +1,4 @@
-"""A steep barrier at joint limits: next to nothing inside them, a wall outside."""
+"""A steep barrier at joint limits: a cost near zero inside the limits that grows fast beyond them."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ AUGMENTS = True
 
 @dataclass(frozen=True)
 class Options:
-    """weight: α; steepness: k; share: ζᵢ as a part of half the range of joint i, whose middle is q_id."""
+    """weight: α; steepness: k; share: ζᵢ divided by half the range of joint i. q_id is the middle of that range."""
 
     weight: Annotated[float, Quantity(Text(en="weight α", pt_BR="peso α"), 0.0, 50.0, "1/s")] = 5.0
     steepness: Annotated[int, Quantity(Text(en="steepness k", pt_BR="inclinação k"), 1, 20)] = 10
-    share: Annotated[float, Quantity(Text(en="part of the range", pt_BR="parte da faixa"), 0.1, 1.0)] = 1.0
+    share: Annotated[float, Quantity(Text(en="share of the range", pt_BR="fração da faixa"), 0.1, 1.0)] = 1.0
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot: all joints have limits."""
+    """Applies to every robot: all joints have limits."""
     return None
 
 

@@ -1,4 +1,4 @@
-"""Distance from joint limits: every joint towards the middle of its range."""
+"""Distance from joint limits: every joint is moved towards the middle of its range."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from helicoide.ik.objective import Cost, Posture
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-TITLE = Text(en="distance from joint limits", pt_BR="distância aos limites de junta")
+TITLE = Text(en="distance to joint limits", pt_BR="distância aos limites de junta")
 SOURCE = "Cerbaro 2022, eqs. 12 and 14 (2n, which is 6 for three joints)"
 EQUATION = r"f = \frac{1}{2n} \sum_i \left(\frac{q_i - \bar q_i}{q_{iM} - q_{im}}\right)^2"
 AUGMENTS = False
@@ -17,11 +17,11 @@ AUGMENTS = False
 
 @dataclass(frozen=True)
 class Options:
-    """Nothing can be set."""
+    """This objective has no options."""
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot: all joints have limits."""
+    """Applies to every robot: all joints have limits."""
     return None
 
 

@@ -1,4 +1,4 @@
-"""Manipulability: keep away from singular postures, where the tool cannot move in some direction."""
+"""Manipulability: the arm avoids singular postures, where the tool cannot move in some direction."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from helicoide.ik import Problem
 from helicoide.ik.method import OneOf
 from helicoide.ik.objective import Cost, Posture
 from helicoide.kinematics import jacobian
+from helicoide.kinematics.generic_rank import counted_rows, generic_rank
 from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.kinematics.robot import Robot
-from helicoide.kinematics.singularity import generic_rank
 from helicoide.text import Text
 
 TITLE = Text(en="manipulability", pt_BR="manipulabilidade")
@@ -25,7 +25,7 @@ AUGMENTS = False
 
 @dataclass(frozen=True)
 class Options:
-    """of: the motion of the tool whose manipulability counts."""
+    """of: whether w is that of the tool's position or of its whole pose."""
 
     of: Annotated[
         str,
@@ -40,17 +40,18 @@ class Options:
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot."""
+    """Applies to every robot."""
     return None
 
 
 def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
     """f = −w, ∂w/∂q_k = Σᵢ (Πⱼ≠ᵢ σⱼ) uᵢᵀ (∂J/∂q_k) vᵢ.
 
-    The product runs over the rank r that J has in general: a planar arm is not always singular because it is planar.
-    At a singular posture w has a kink, and what is given leads out of it, to one side.
+    The product has as many factors as the generic rank r of J, so that a planar arm does not count as always singular.
+    At a singular posture w is not differentiable; the one-sided gradient given there leads out of it.
     """
-    J, rates = tool_jacobian(problem, posture.poses, 3 if options.of == "position" else 6)
+    turns = counted_rows(problem.robot, options.of == "pose")[3:].any()
+    J, rates = tool_jacobian(problem, posture.poses, 6 if turns else 3)
     found, r = analyse_jacobian(J), generic_rank(problem.robot, len(J))
     sigma, U, V = found.sigma[:r], found.U[:, :r], found.V[:, :r]
     others = np.array([np.prod(np.delete(sigma, i)) for i in range(r)])
@@ -58,9 +59,9 @@ def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
 
 
 def tool_jacobian(problem: Problem, poses: Array, rows: int) -> tuple[Array, Array]:
-    """The tool's J (rows, n) without lengths, as in `clik.tool_task_error`, and its derivative ∂J/∂q (rows, n, n).
+    """The tool's J (rows, n), lengths divided by ℓ as in `clik.tool_task_error`, and ∂J/∂q (rows, n, n).
 
-    With joint columns (vᵢ, ωᵢ), v̇ᵢ = ω_min(i,j) × v_max(i,j) and ω̇ᵢ = ωⱼ × ωᵢ for j < i, else 0, when joint j moves.
+    Column i of J is (vᵢ, ωᵢ). ∂vᵢ/∂qⱼ = ω_min(i,j) × v_max(i,j); ∂ωᵢ/∂qⱼ = ωⱼ × ωᵢ for j < i, else 0.
     """
     chain = problem.robot.chain
     tool = poses[-1, :3, :3] @ problem.robot.T_link_tool[:3, 3] + poses[-1, :3, 3]
@@ -77,7 +78,7 @@ def tool_jacobian(problem: Problem, poses: Array, rows: int) -> tuple[Array, Arr
 
 
 def _drives(problem: Problem) -> Array:
-    """What a rate without unit of each variable gives in each joint of the chain, (m, n)."""
+    """The velocity of each chain joint for a unit velocity of each variable, (m, n); variables in `joint_units`."""
     chain = problem.robot.chain
     drives = np.zeros((len(chain), len(problem.robot.variables)))
     drives[np.arange(len(chain)), chain["driver"]] = chain["ratio"]

@@ -1,4 +1,4 @@
-"""Distance from a point: the part of the arm that is nearest to an obstacle moves away from it."""
+"""Distance from a point: the point of the arm that is nearest to the obstacle moves away from it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.ik.objective import Cost, Posture
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-TITLE = Text(en="distance from an obstacle point", pt_BR="distância a um ponto de obstáculo")
+TITLE = Text(en="distance to an obstacle point", pt_BR="distância a um ponto de obstáculo")
 SOURCE = "Cerbaro 2022, eq. 13"
 EQUATION = r"f = -\min_p \|p(q) - o\|"
 AUGMENTS = False
@@ -21,7 +21,7 @@ AUGMENTS = False
 
 @dataclass(frozen=True)
 class Options:
-    """x, y, z: the obstacle o, ℓ, base frame; where: the points p of the arm, per_link of them on each link."""
+    """x, y, z: the obstacle o, ℓ, base frame; where: which points p of the arm count; per_link: how many per link."""
 
     x: Annotated[float, coordinate("x")] = 0.5
     y: Annotated[float, coordinate("y")] = 0.3
@@ -31,12 +31,12 @@ class Options:
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot."""
+    """Applies to every robot."""
     return None
 
 
 def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
-    """f = −‖p − o‖ of the nearest p, ∂f/∂q = −uᵀ J_p, u from o to p; no way is away where p is o."""
+    """f = −‖p − o‖ of the nearest p; ∂f/∂q = −uᵀ J_p, u = (p − o)/‖p − o‖, and 0 where p = o."""
     points, J = watched(problem.robot, options.where, round(options.per_link)).moving(problem, posture.poses)
     offsets = points - (options.x, options.y, options.z)
     distances = np.linalg.norm(offsets, axis=1)

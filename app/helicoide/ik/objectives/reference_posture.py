@@ -1,4 +1,4 @@
-"""A reference posture: the joints as near to it as the task allows."""
+"""A reference posture: the joints stay as near to it as the task allows."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ AUGMENTS = False
 
 @dataclass(frozen=True)
 class Options:
-    """reference: q_ref (n,), rad or m; the posture `ready` of the robot where none is given."""
+    """reference: q_ref (n,), rad or m; None for the `ready` posture of the robot."""
 
     reference: tuple[float, ...] | None = None
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot."""
+    """Applies to every robot."""
     return None
 
 
 def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
-    """f = ½ ‖q − q_ref‖², ∂f/∂q = q − q_ref, in radians, and in ℓ where a joint slides."""
+    """f = ½ ‖q − q_ref‖², ∂f/∂q = q − q_ref. Rotations in rad, displacements of sliding joints divided by ℓ."""
     given = options.reference
     reference = problem.robot.poses["ready"] if given is None else np.array(given)
     off = (posture.q - reference) / problem.joint_units

@@ -1,4 +1,4 @@
-"""A second arm, or what else stands there and may move: a round hill of cost at each of its points."""
+"""A second arm, or obstacles that may move: a Gaussian cost around each of their points."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from helicoide.ik.objective import Cost, Posture
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-TITLE = Text(en="second arm, or the obstacles", pt_BR="segundo braço ou os obstáculos")
+TITLE = Text(en="second arm or obstacles", pt_BR="segundo braço ou obstáculos")
 SOURCE = "Vargas 2013, eq. 4.74 and figs. 4.43–4.44, without ∂f/∂t as there"
 EQUATION = r"f = \alpha \sum_j \sum_k e^{-\|p_j - o_k\|^2 / \rho^2}"
 AUGMENTS = True
@@ -22,7 +22,7 @@ AUGMENTS = True
 
 @dataclass(frozen=True)
 class Options:
-    """weight: α; radius: ρ of each hill, ℓ; where: the points p_j of the arm, per_link of them on each link."""
+    """weight: α; radius: ρ of each Gaussian, ℓ; where: which points p_j of the arm; per_link: how many per link."""
 
     weight: Annotated[float, Quantity(Text(en="weight α", pt_BR="peso α"), 0.0, 50.0, "1/s")] = 5.0
     radius: Annotated[float, Quantity(Text(en="radius ρ", pt_BR="raio ρ"), 0.01, 1.0, "mm", 1)] = 0.1
@@ -31,12 +31,15 @@ class Options:
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot."""
+    """Applies to every robot."""
     return None
 
 
 def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
-    """f = α Σⱼₖ exp(−‖pⱼ − oₖ‖²/ρ²), ∂f/∂q = −(2α/ρ²) Σⱼₖ exp(−‖pⱼ − oₖ‖²/ρ²) (pⱼ − oₖ)ᵀ J_pj."""
+    """f = α Σⱼₖ exp(−‖pⱼ − oₖ‖²/ρ²), ∂f/∂q = −(2α/ρ²) Σⱼₖ exp(−‖pⱼ − oₖ‖²/ρ²) (pⱼ − oₖ)ᵀ J_pj.
+
+    oₖ: the points `posture.others`.
+    """
     points, J = watched(problem.robot, options.where, round(options.per_link)).moving(problem, posture.poses)
     offsets = points[:, None] - posture.others / problem.length
     hills = options.weight * np.exp(-np.square(offsets).sum(axis=2) / options.radius**2)

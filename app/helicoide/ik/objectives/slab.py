@@ -1,4 +1,4 @@
-"""A slab between two parallel planes that the arm does not leave: next to nothing inside, a wall at its faces."""
+"""A slab between two parallel planes: the cost is near zero inside it and grows fast beyond its faces."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ AUGMENTS = True
 class Options:
     """weight: α; steepness: k; azimuth, elevation: of the normal n, rad; offset: d of the middle plane, ℓ, base frame.
 
-    half: ζ, half the thickness, ℓ; where: the points p_j of the arm, per_link of them on each link.
+    half: ζ, half the thickness, ℓ; where: which points p_j of the arm count; per_link: how many on each link.
     """
 
     weight: Annotated[float, Quantity(Text(en="weight α", pt_BR="peso α"), 0.0, 50.0, "1/s")] = 5.0
@@ -43,7 +43,7 @@ class Options:
 
 
 def applies(robot: Robot) -> Text | None:
-    """To every robot."""
+    """Applies to every robot."""
     return None
 
 

@@ -1,1 +1,1 @@
-"""All postures for a tool pose: what they are called, how they are found, and which is nearest."""
+"""All postures for a tool pose: their solvers, their names, and the choice of the nearest."""

@@ -1,4 +1,4 @@
-"""What a way of inverse kinematics finds, and the answer to a person: numbers first, words when they are read."""
+"""The postures that a solver finds (`Found`) and the public `Answer`; words are computed only when they are read."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ NO_VALUES: Mapping[str, float] = MappingProxyType({})
 
 
 class Told(Protocol):
-    """What is to be said of postures, in the order in which they were found."""
+    """Texts and values about postures, in the order in which these were found."""
 
     @property
     def names(self) -> Sequence[Text]:
-        """Of each."""
+        """The name of each posture."""
 
     @property
     def words(self) -> Text:
-        """Of all."""
+        """The sentences about all postures."""
 
     @property
     def values(self) -> Sequence[Mapping[str, float]]:
-        """What the form worked out on the way, by symbol, for one posture after another; once, where there is none."""
+        """Intermediate values of the closed form by symbol: one mapping for each posture, or a single one."""
 
     @property
     def free(self) -> tuple[int, ...]:
@@ -42,7 +42,7 @@ class Told(Protocol):
 
 @dataclass(frozen=True)
 class Said:
-    """The same, said beforehand."""
+    """`Told` with all texts given at the start."""
 
     names: Sequence[Text]
     words: Text
@@ -51,11 +51,11 @@ class Said:
 
 
 class Found(NamedTuple):
-    """Postures as a way finds them: q (k, n) and what else that way notes behind it, and what was solved for in them.
+    """The postures that a solver finds, and the pose that it solved for.
 
-    T_world_goal (4, 4), m: the asked pose or, for an arm that cannot take every pose, the nearest one of its subspace;
-    moved, m, and turned, rad: from the one to the other; short: how far the goal lies beyond the edge of the workspace,
-    m, 0 inside.
+    q (k, ≥ n): one posture in each row, rad or m; further columns are ignored. T_world_goal (4, 4), m: the asked pose
+    or, for an arm that cannot take every pose, the nearest one of its subspace; moved, m, and turned, rad: from the one
+    to the other; short: how far the goal lies beyond the edge of the workspace, m, 0 inside.
     """
 
     q: Array
@@ -66,9 +66,9 @@ class Found(NamedTuple):
     short: float = 0.0
 
 
-@dataclass(eq=False)  # frozen, it would take three times as long to make, which is felt
+@dataclass(eq=False)  # not frozen: construction would take three times as long
 class Answer:
-    """Every posture for a goal: `rows` (k, n + 7) with the columns of `listing`, and what was found for them."""
+    """Every posture for a goal: `rows` (k, n + 7) with the columns of `listing`, and what the solver found."""
 
     rows: Array
     found: Found
@@ -80,12 +80,12 @@ class Answer:
 
     @property
     def within(self) -> NDArray[np.bool_]:
-        """Whether every joint of a posture keeps its limits, (k,)."""
+        """Whether every joint of a posture is within its limits, (k,)."""
         return listing.column(self.rows, listing.WITHIN) > 0
 
     @property
     def left(self) -> tuple[float, float] | None:
-        """What the first posture leaves of what was solved for, m and rad; None where there is none."""
+        """The errors of the first posture against `T_world_goal`, m and rad; None without a posture."""
         if not len(self.rows):
             return None
         missed, turned = self.rows[0, listing.LEFT - 1 - listing.COST :][:2].tolist()
@@ -93,19 +93,19 @@ class Answer:
 
     @property
     def T_world_goal(self) -> Array:
-        """What was solved for, (4, 4), m."""
+        """The pose that was solved for, (4, 4), m."""
         goal = self.found.T_world_goal.view()
         goal.setflags(write=False)
         return goal
 
     @property
     def moved(self) -> float:
-        """From the asked pose to what was solved for, m."""
+        """The distance from the asked pose to `T_world_goal`, m."""
         return self.found.moved
 
     @property
     def turned(self) -> float:
-        """From the asked pose to what was solved for, rad."""
+        """The rotation from the asked pose to `T_world_goal`, rad."""
         return self.found.turned
 
     @property
@@ -120,7 +120,7 @@ class Answer:
 
     @cached_property
     def words(self) -> Text:
-        """What is to be said."""
+        """The sentences about the postures."""
         return self.found.told.words
 
     @cached_property
@@ -134,7 +134,7 @@ class Answer:
 
     @cached_property
     def values(self) -> tuple[Mapping[str, float], ...]:
-        """What the form worked out on the way, by symbol, for one posture after another; once, where there is none."""
+        """Intermediate values of the closed form by symbol: one mapping for each posture, or a single one."""
         values = tuple(self.found.told.values)
         if len(values) != len(self.found.q):
             return values
@@ -142,7 +142,7 @@ class Answer:
 
     @property
     def is_solved(self) -> bool:
-        """Whether the first posture reaches what was solved for and keeps the limits."""
+        """Whether the first posture reaches `T_world_goal` within the joint limits."""
         if not len(self.rows):
             return False
         first, said = self.rows.item, -1 - listing.COST
@@ -152,16 +152,16 @@ class Answer:
 
     @property
     def nearest(self) -> Answer:
-        """The answer with its first posture alone."""
+        """The answer with only its first posture."""
         return Answer(self.rows[:1], self.found)
 
     def only(self, places: Sequence[int]) -> Answer:
-        """The answer with no postures but those in these places."""
+        """The answer with only the postures at these indices."""
         return Answer(self.rows[list(places)], self.found)
 
 
 def in_order(robot: Robot, found: Found, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Answer:
-    """The answer with the postures in the order of `listing.in_order`, measured against the asked pose (4, 4), m."""
+    """The answer with the postures in the order of `listing.in_order`. Args: T_world_tool: the asked pose (4, 4), m."""
     return Answer(listing.in_order(robot, found.q, T_world_tool, found.T_world_goal, q, with_orientation), found)
 
 
@@ -172,15 +172,15 @@ def as_found(robot: Robot, found: Found, T_world_tool: Array, with_orientation: 
 
 
 def rows_of(postures: Sequence[Array], n: int) -> Array:
-    """Postures (n,) as rows (k, n), also where there are none."""
+    """Postures (n,) as rows (k, n), also for k = 0."""
     return np.array(postures, dtype=np.float64).reshape(len(postures), n)
 
 
 class Form(Protocol):
     """A module of `ik/closed/`: a closed form for a family of arms.
 
-    RANK: of several that apply to an arm the lowest is chosen: 0 for the form of one arm, 1 for that of every arm with
-    a spherical wrist or three parallel axes, then the families of methods, which solve again what these solve.
+    RANK: of several forms that apply to an arm the lowest is used: 0 for the form of one arm, 1 for that of every arm
+    with a spherical wrist or three parallel axes, more for other methods for the same arms.
     OF_POINTS: whether its goals are points.
     """
 

@@ -2,8 +2,8 @@
 
     (J Jᵀ + λ) y = e,   J Jᵀ + λ = [P Qᵀ; Q R]
 
-Six equations whatever the number of joints, so that nothing of them has to go through memory; each block is taken apart
-as L D Lᵀ. Source: Golub and Van Loan 2013, Matrix computations, §3.2 (Schur's complement) and §4.1.
+There are six equations for any number of joints, so no temporary arrays are needed. Each block is factored as L D Lᵀ.
+Source: Golub and Van Loan 2013, Matrix computations, §3.2 (Schur's complement) and §4.1.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def backward(F: Factors, v: Triple) -> Triple:
 
 @kernel_into
 def solved(columns: Array, e: Error, damping: float) -> Error:
-    """y of (J Jᵀ + λ) y = e: with P = L D Lᵀ and H = L⁻¹ Qᵀ, (R − Hᵀ D⁻¹ H) y₂ = e₂ − Hᵀ D⁻¹ L⁻¹ e₁ and so on.
+    """y of (J Jᵀ + λ) y = e: with P = L D Lᵀ and H = L⁻¹ Qᵀ, first (R − Hᵀ D⁻¹ H) y₂ = e₂ − Hᵀ D⁻¹ L⁻¹ e₁, then y₁.
 
     Args: columns (n, ≥ 6) of J, position first; damping: λ > 0, without which arms with fewer than six joints have no
     solution.

@@ -1,4 +1,4 @@
-"""A posture for a tool pose with its name, and what poses and angles are checked and turned by."""
+"""A posture for a tool pose with its name, and functions that check poses, wrap angles and join sentences."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
-ORTHONORMAL = 1e-6  # what may miss of a rotation matrix
+ORTHONORMAL = 1e-6  # the tolerance of RᵀR = I
 
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """One posture: its name, q (n,), rad or m, and what its tool leaves of the goal: missed, m, and turned, rad.
+    """One posture: its name, q (n,), rad or m, and its errors: missed, m, and turned, rad.
 
-    The goal is the one that was asked for, whatever was solved for in its place. within: whether every joint keeps its
-    limits.
+    The errors are against the asked pose, also where another one was solved for. within: whether every joint is within
+    its limits.
     """
 
     name: Text
@@ -51,7 +51,7 @@ def between(T_world_a: Array, T_world_b: Array) -> tuple[float, float]:
 
 
 def sentences(*parts: Text | None) -> Text:
-    """Several sentences as one text; None is left out."""
+    """Several sentences as one text; None is skipped."""
     said = [part for part in parts if part is not None]
     return Text(en=" ".join(part.en for part in said), pt_BR=" ".join(part.pt_BR for part in said))
 
@@ -64,7 +64,7 @@ def check_pose(T: ArrayLike) -> Array:
 
 
 def pose_of(T: ArrayLike) -> Array:
-    """The same as a copy that may be written."""
+    """`check_pose` as a copy that may be written."""
     given, pose = np.ascontiguousarray(T, dtype=np.float64), empty((4, 4))
     if given.shape != (4, 4) or not taken(given, pose):
         raise HelicoideError(
@@ -80,7 +80,7 @@ def pose_of(T: ArrayLike) -> Array:
 def taken(T: Array, pose: Array) -> bool:
     """Write a copy of T (4, 4), m, and say whether it is a pose.
 
-    RᵀR = 1 and det R = 1 but for rounding, the place (3,) is finite, and the last row is 0, 0, 0, 1.
+    RᵀR = I up to `ORTHONORMAL`, det R > 0, the position (3,) is finite, and the last row is 0, 0, 0, 1.
     """
     for i in range(4):
         for j in range(4):

@@ -1,4 +1,4 @@
-"""The choice between postures: the one that asks for the least motion of the joints, each with its weight."""
+"""The choice between postures: the one with the smallest weighted motion of the joints."""
 
 from __future__ import annotations
 
@@ -24,10 +24,11 @@ COLLIDES = Text(en="touches an obstacle", pt_BR="toca um obstáculo")
 
 @dataclass(frozen=True, eq=False)
 class Ranked:
-    """A posture in the choice.
+    """A posture in the ranking.
 
-    change (n,), rad or m: of every joint, the shorter way round; cost: their weighted sum; q (n,): where they come to
-    on that way, or the branch's own values where limits bar it; dropped: why it is ruled out, or None.
+    change (n,), rad or m: of every joint, the shorter way round; cost: the weighted sum of |change|; q (n,): the joint
+    values after this change, or those of the branch where the limits do not allow them; dropped: why the posture is
+    ruled out, or None.
     """
 
     branch: Branch
@@ -44,10 +45,11 @@ def ranked(
     weights: ArrayLike,
     collides: Callable[[Array], bool] = lambda q: False,
 ) -> tuple[Ranked, ...]:
-    """The postures in the order of Σᵢ wᵢ |wrap(θᵢ − θᵢ_now)|: first those that remain, then those that are dropped.
+    """The postures by increasing Σᵢ wᵢ |wrap(θᵢ − θᵢ_now)|, those that are ruled out last.
 
-    Slides are not wrapped. Args: q (n,): where the arm is, rad or m; weights (n,), larger for the joints near the base
-    to let the small links move, 1/rad or 1/m; collides: whether a posture (n,) touches something.
+    Prismatic joints are not wrapped. Args: q (n,): the current joint values, rad or m; weights (n,), 1/rad or 1/m,
+    larger for the joints near the base, so that the small links move; collides: whether a posture (n,) touches
+    something.
     Raises HelicoideError for wrong q or weights. Source: Campos 1998, s.17.
     """
     now, w = robot.check_joints(q), _checked(robot, weights)
@@ -56,7 +58,7 @@ def ranked(
 
 
 def touching(robot: Robot, obstacles: Obstacles) -> Callable[[Array], bool]:
-    """Whether a body of the arm in a posture (n,), rad or m, meets one of the obstacles.
+    """A function that says whether a body of the arm in a posture (n,), rad or m, touches an obstacle.
 
     Source: Campos 1998, s.17 (an obstacle may rule out the nearest posture).
     """
@@ -71,13 +73,13 @@ def touching(robot: Robot, obstacles: Obstacles) -> Callable[[Array], bool]:
 
 
 def barrier(problem: Problem, q: Array) -> Reason | None:
-    """What would be nearer than it may be in a posture (n,), rad or m, the worst; None where nothing would."""
+    """The constraint with the most violated clearance in a posture (n,), rad or m; None where none is violated."""
     left = clearances(packed(problem), q)
     return reason_of(problem, 2 * len(q) + int(left.argmin())) if left.size and left.min() < -NEAR else None
 
 
 def alike(robot: Robot) -> Array:
-    """Weights (n,) by which joints count alike: 1/rad, and a slide in units of the reach, 1/m."""
+    """Equal weights (n,): 1 per rad, and for a prismatic joint 1 per reach, 1/m."""
     return frozen([1.0 / robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables])
 
 
@@ -105,8 +107,8 @@ def _checked(robot: Robot, weights: ArrayLike) -> Array:
     if w.shape != (len(robot.variables),) or not (np.isfinite(w) & (w >= 0)).all():
         raise HelicoideError(
             Text(
-                en="The choice takes {n} weights, one for each joint, finite and not negative; not {given}.",
-                pt_BR="A escolha recebe {n} pesos, um por junta, finitos e não negativos; não {given}.",
+                en="The weights must be {n} finite numbers, one per joint, none negative; not {given}.",
+                pt_BR="Os pesos devem ser {n} números finitos, um por junta, nenhum negativo; não {given}.",
             ).format(n=len(robot.variables), given=", ".join(f"{value:g}" for value in w.ravel()))
         )
     return w

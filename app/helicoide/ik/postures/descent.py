@@ -1,12 +1,12 @@
 """One search for a posture of any arm by Levenberg-Marquardt: kernels.
 
-A descent of ½ e², e = (Δp / ℓ, w θ a), in which every joint keeps its limits:
+It minimises ½ e², e = (Δp / ℓ, w θ a), within the joint limits:
 
     Δq = Jᵀ (J Jᵀ + λ)⁻¹ e = (JᵀJ + λ)⁻¹ Jᵀ e,   q ← q + Δq
 
 Source: Chan and Lawrence 1988, General inverse kinematics with the error damped pseudoinverse, and Sugihara 2011,
-Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method: λ ∝ e². Joints held at a limit: Bertsekas
-1982, Projected Newton methods. Where nothing can be reached, λ follows Marquardt 1963 instead. Shapes are not checked.
+Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method: λ ∝ e². Joints at a limit: Bertsekas 1982,
+Projected Newton methods. For goals out of reach `settle` adapts λ as in Marquardt 1963. Shapes are not checked.
 """
 
 from __future__ import annotations
@@ -32,22 +32,22 @@ from helicoide.ik.postures.packed import (
 )
 from helicoide.kernels import kernel_into
 
-DAMPING = 0.1  # λ / e²; the sources have ½ and 1, which take half as many steps again
-LEAST = 1e-12  # λ of an arm that has reached its goal: a solution is there with fewer joints than six, too
-SLACK = 1e-9  # and of one that cannot: what is left, over λ, must not drown the step in rounding
-HOPELESS = 0.02  # a search ends where a step promises less than this share of e²
-SETTLED = 1e-14  # and the approach to what cannot be reached where it promises less than this
+DAMPING = 0.1  # λ / e²; the ½ and 1 of the sources take 1.5 times as many steps
+LEAST = 1e-12  # added to λ: keeps the system solvable at the goal, also with fewer than six joints
+SLACK = 1e-9  # the smallest λ of `settle`: with a smaller one rounding errors of e / λ exceed the step
+HOPELESS = 0.02  # `descend` fails where a step is predicted to reduce e² by less than this fraction
+SETTLED = 1e-14  # `settle` ends where a step is predicted to reduce e² by less than this fraction
 
 
 @kernel_into
 def by(a: Array | Error, e: Error) -> float:
-    """a · e, of six numbers."""
+    """a · e of six numbers."""
     return a[0] * e[0] + a[1] * e[1] + a[2] * e[2] + a[3] * e[3] + a[4] * e[4] + a[5] * e[5]
 
 
 @kernel_into
 def leave_out(table: Array, q: Array, e: Error, columns: Array) -> None:
-    """Clear the columns of joints that are pushed against a limit which holds them."""
+    """Set to zero the columns of joints that e moves against a limit that is kept."""
     ranges = table[behind_joints(table) :]
     for i in range(q.shape[0]):
         if ranges[i, HELD] > 0.0 and not ranges[i, LOWER] < q[i] < ranges[i, UPPER]:
@@ -58,7 +58,7 @@ def leave_out(table: Array, q: Array, e: Error, columns: Array) -> None:
 
 @kernel_into
 def held(range_of: Array, x: float) -> float:
-    """A value of a variable, brought back to the limits where they hold it."""
+    """A value of a variable, clipped to its limits if the search keeps them."""
     return min(max(x, range_of[LOWER]), range_of[UPPER]) if range_of[HELD] > 0.0 else x
 
 
@@ -72,7 +72,7 @@ def step_to(table: Array, q: Array, columns: Array, y: Error, there: Array) -> N
 
 @kernel_into
 def unwind(table: Array, q: Array) -> None:
-    """Bring joints that stand alike after a turn back into their limits."""
+    """Shift periodic joints that are outside their limits by whole periods into one period from the lower limit on."""
     ranges = table[behind_joints(table) :]
     for i in range(q.shape[0]):
         lower, period = ranges[i, LOWER], ranges[i, PERIOD]
@@ -82,9 +82,10 @@ def unwind(table: Array, q: Array) -> None:
 
 @kernel_into
 def descend(table: Array, goal: Goal, q: Array, room: Array) -> tuple[int, float, float]:
-    """One search, from q and in q; λ = 0.1 e². Returns the number of steps, negative if in vain, and both errors.
+    """One search from q, in place, with λ = 0.1 e².
 
-    Args: q (n,), rad or m; room of `packed.room_for`.
+    Args: q (n,), rad or m; room of `packed.room_for`. Returns the number of steps, negative after a failure, and the
+    errors of position, m, and orientation, rad, infinite after a failure.
     """
     setting, columns = table[SETTING], room[COLUMNS:]
     near, far = (setting[WITHIN] / setting[REACH]) ** 2, (setting[TURNING] * setting[WITHIN_TURN]) ** 2
@@ -106,14 +107,14 @@ def descend(table: Array, goal: Goal, q: Array, room: Array) -> tuple[int, float
 
 @kernel_into
 def copy(a: Array, b: Array) -> None:
-    """Write a into b, both (n,), without the array between them that `b[:] = a` makes."""
+    """Write a into b, both (n,), without the temporary array of `b[:] = a`."""
     for i in range(a.shape[0]):
         b[i] = a[i]
 
 
 @kernel_into
 def promised(columns: Array, e: Error, y: Error) -> float:
-    """Half of that by which the step Jᵀ y lowers e² to first order: (Jᵀe) · (Jᵀy), which is e · (e − λ y)."""
+    """Half the first-order reduction of e² by the step Jᵀ y: (Jᵀe) · (Jᵀy) = e · (e − λ y)."""
     lower = 0.0
     for i in range(columns.shape[0]):
         lower += by(columns[i], e) * by(columns[i], y)
@@ -122,10 +123,10 @@ def promised(columns: Array, e: Error, y: Error) -> float:
 
 @kernel_into
 def settle(table: Array, goal: Goal, q: Array, trial: Array, room: Array) -> float:
-    """One search for the least e² from q and in q, and that e²; a step that does not lower it is not taken.
+    """One search from q, in place, for the minimum of e², which is returned; only steps that reduce e² are taken.
 
-    Args: as in `descend`; trial (n,): room for another posture.
-    Source: Marquardt 1963: λ shrinks with a step that is taken and grows with one that is not.
+    Args: as in `descend`; trial (n,): temporary posture.
+    Source: Marquardt 1963: λ decreases after a step that is taken and increases after one that is not.
     """
     columns = room[COLUMNS:]
     e = linearised(table, goal, q, room)

@@ -1,6 +1,6 @@
-"""What a posture leaves of a goal, and how that changes with the joints: kernels.
+"""The error of a posture against a goal, and its derivatives in the joints: kernels.
 
-The arm is followed from the tool to the base, as the tool sees it. Shapes are not checked.
+The chain is evaluated from the tool to the base, in the axes of the last frame. Shapes are not checked.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from helicoide.kernels import kernel_into
 from helicoide.kinematics.tool_kernels import Row, Rows, Triple, dot, rotation_between
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
-ANGLES, COSINES, SINES, COLUMNS = range(4)  # rows of the room; from the last on the columns ∂e/∂q of the variables
+ANGLES, COSINES, SINES, COLUMNS = range(4)  # rows of `room`; from COLUMNS on, one row −∂e/∂q for each variable
 
-# A pose that the last frame is to have, as the first one sees it: the columns of its rotation, and its place, in ℓ.
+# The goal of the last frame, in the first frame: the columns of its rotation, and the tool position divided by ℓ.
 Goal = tuple[Rows, Triple]
 
 
@@ -60,7 +60,7 @@ def goal_of(table: Array, T: Array) -> Goal:
 
 @kernel_into
 def before(row: Row, joint: Array, slid: float, c: float, s: float) -> Row:
-    """A row (r, p) of the frame before a joint, from that behind it: its slide, turn, tilt and way are taken back."""
+    """A row (r, p) of the frame before a joint, from the frame after it: slide, rotation, twist, offset are undone."""
     x, y = c * row[0] - s * row[1], s * row[0] + c * row[1]
     y, z = joint[TILT] * y - joint[TILT + 1] * row[2], joint[TILT + 1] * y + joint[TILT] * row[2]
     way = x * joint[WAY] + y * joint[WAY + 1] + z * joint[WAY + 2]
@@ -69,10 +69,10 @@ def before(row: Row, joint: Array, slid: float, c: float, s: float) -> Row:
 
 @kernel_into
 def linearised(table: Array, goal: Goal, q: Array, room: Array) -> Error:
-    """The error e of a posture, and its columns ∂e/∂q with the sign turned, written into the room.
+    """The error e of a posture; the columns −∂e/∂q are written into `room`.
 
-    From a joint at p the column is (p × z, z), or (z, 0) where it slides. Columns count a variable in its own unit.
-    Args: table of `packed`; q (n,), rad or m; room of `packed.room_for`.
+    For a joint at p, from the tool, with axis z the column is (p × z, z), or (z, 0) if prismatic. It is per unit of the
+    variable: 1 rad, or ℓ. Args: table of `packed`; q (n,), rad or m; room of `packed.room_for`.
     """
     m, columns = int(table[SETTING, JOINTS]), room[COLUMNS:]
     angles, cosines, sines = room[ANGLES], room[COSINES], room[SINES]
@@ -105,5 +105,5 @@ def linearised(table: Array, goal: Goal, q: Array, room: Array) -> Error:
 
 @kernel_into
 def squares(e: Error) -> tuple[float, float]:
-    """The squares of the errors of position and of orientation."""
+    """The squared errors of position and of orientation."""
     return e[0] * e[0] + e[1] * e[1] + e[2] * e[2], e[3] * e[3] + e[4] * e[4] + e[5] * e[5]

@@ -1,4 +1,4 @@
-"""Postures as people look at them: turned into the limits, measured, and in order: kernels."""
+"""The list of postures: angles within the limits where possible, with errors, and in order: kernels."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from helicoide.ik.postures.measure import COLUMNS, measured, remains, stand_of
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
 
-# Columns of a variable: its limits, whether it stands alike after a turn, and what its motion costs, 1/rad or 1/m.
+# Columns of a variable: its limits, whether a full turn changes nothing, and the cost of its motion, 1/rad or 1/m.
 LOWER, UPPER, WHOLE, WEIGHT = range(4)
-# Columns of a posture behind its q: what its tool leaves of the asked pose, m and rad; whether every joint keeps its
-# limits; its number among those that were found; what it leaves of the pose that was solved for; the cost of the way.
+# Columns of a posture after its q: its errors against the asked pose, m and rad; whether every joint is within its
+# limits; its number in the order found; its errors against the pose that was solved for; the cost of the motion.
 MISSED, TURNED, WITHIN, NUMBER, LEFT, LEFT_TURNED, COST = range(7)
-ON_LIMIT = 1e-9  # what rounding may add to a joint that rests on its limit, rad or m
-REACHED = 1e-5  # what may be left of a goal that counts as reached, m and rad
+ON_LIMIT = 1e-9  # rounding tolerance for a joint at its limit, rad or m
+REACHED = 1e-5  # the largest errors of a goal that counts as reached, m and rad
 
 
 @lru_cache(maxsize=64)
 def listed(robot: Robot) -> Array:
-    """A robot as the kernel takes it, (m + 1 + n, 10): the rows of `measured`, and of the variables.
+    """A robot packed for the kernel, (m + 1 + n, 10): the rows of `measured`, then those of the variables.
 
-    They count alike, a slide in units of the reach.
+    All variables have equal weights, as in `choice.alike`.
     """
     joints = np.zeros((len(robot.variables), COLUMNS))
     joints[:, LOWER], joints[:, UPPER], joints[:, WHOLE] = robot.lower, robot.upper, robot.periodic
@@ -34,10 +34,11 @@ def listed(robot: Robot) -> Array:
 
 
 def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, with_orientation: bool) -> Array:
-    """Postures, the nearest first: those that reach what was solved for, of them those within the limits, then by cost.
+    """Postures in order: those that reach the solved pose first, among them those within the limits, then by cost.
 
-    Each joint turns the shorter way from q where its limits allow it. Args: found (k, ≥ n): q of each, rad or m; asked,
-    solved (4, 4), m; q (n,): from where motion counts. Returns (k, n + 7), as the columns of this file say.
+    Each periodic joint takes the shorter way from q where its limits allow it.
+    Args: found (k, ≥ n): q of each, rad or m; asked, solved: poses (4, 4), m; q (n,): the current joint values, rad or
+    m. Returns (k, n + 7), with the columns above.
     """
     rows = empty((len(found), len(q) + 7))
     list_into(listed(robot), found, asked, solved, q, with_orientation, True, rows)
@@ -45,7 +46,10 @@ def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, 
 
 
 def as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
-    """The same postures in the order in which they were found, with angles in (−π, π] where the limits allow it."""
+    """Postures in the order in which they were found, with angles in (−π, π] where the limits allow it.
+
+    Arguments and result as in `in_order`.
+    """
     still = np.zeros(len(robot.variables))
     rows = empty((len(found), len(still) + 7))
     list_into(listed(robot), found, asked, solved, still, with_orientation, False, rows)
@@ -53,7 +57,7 @@ def as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orien
 
 
 def column(rows: Array, which: int) -> Array:
-    """A column behind the q of rows, (k,)."""
+    """A column after the q of rows, (k,)."""
     return rows[:, which - 1 - COST]
 
 
@@ -72,7 +76,7 @@ def keeps(joint: Array, x: float) -> bool:
 
 @kernel_into
 def into_limits(joint: Array, x: float) -> float:
-    """An angle in (−π, π], or 2πk away where only that lies within the joint's limits; a slide as it is."""
+    """An angle in (−π, π], or plus 2πk where only that is within the limits; a joint that is not periodic: x itself."""
     if joint[WHOLE] == 0.0:
         return x
     angle = wrapped(x)
@@ -86,13 +90,13 @@ def into_limits(joint: Array, x: float) -> float:
 
 @kernel_into
 def way_to(joint: Array, x: float, now: float) -> float:
-    """The way of a joint from where it stands to a value, the shorter one where it turns whole."""
+    """The displacement of a joint from `now` to a value, the shorter one if it is periodic."""
     return wrapped(x - now) if joint[WHOLE] > 0.0 else x - now
 
 
 @kernel_into
 def follows(one: Array, other: Array) -> bool:
-    """Whether a posture comes behind another one in the list, by its columns behind q."""
+    """Whether a posture comes after another one in the list, by the columns after q."""
     far = max(one[LEFT], one[LEFT_TURNED]) > REACHED
     if far != (max(other[LEFT], other[LEFT_TURNED]) > REACHED):
         return bool(far)

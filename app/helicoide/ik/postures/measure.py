@@ -1,4 +1,4 @@
-"""How far a posture is from a goal: after the fact, from its joint values alone, in a way that made no posture."""
+"""The error of a posture against a goal, computed from its joint values independently of all solvers."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.trigonometry import cosine_and_sine
 
-# A place (three) and a turn as a quaternion (four).
+# A position (three) and a rotation as a quaternion (four).
 Stand = tuple[float, float, float, float, float, float, float]
 
-# Columns of a joint: its axis s (three), the way to it (three), the number of the variable that drives it, ratio and
-# shift, and whether it slides. The last row is the tool on the last link: its place and its quaternion.
+# Columns of a joint: its axis s (three), its offset (three), the number of its variable, ratio and shift, and whether
+# it is prismatic. The last row is the tool on the last link: its position and its quaternion.
 AXIS, WAY, DRIVER, RATIO, SHIFT, SLIDES = 0, 3, 6, 7, 8, 9
 COLUMNS = 10
 
 
 def left(robot: Robot, q: Array, T_world_goal: Array, with_orientation: bool = True) -> tuple[float, float]:
-    """What the tool at q (n,), rad or m, leaves of a goal (4, 4), m: a distance, m, and the angle of a turn, rad.
+    """The error of the tool at q (n,), rad or m, against a goal (4, 4), m: a distance, m, and an angle, rad.
 
-    The angle is 0 where the orientation does not count. Searches follow poses as matrices and closed forms solve for
-    angles; here quaternions turn the links, so that no fault of theirs is repeated.
+    The angle is 0 where the orientation does not count. Searches use matrices and closed forms use angles; here the
+    links are rotated by quaternions, so that an error of theirs is not repeated.
     """
     missed, turned = left_of(measured(robot), np.ascontiguousarray(q), np.ascontiguousarray(T_world_goal))
     return missed, turned if with_orientation else 0.0
@@ -33,7 +33,7 @@ def left(robot: Robot, q: Array, T_world_goal: Array, with_orientation: bool = T
 
 @lru_cache(maxsize=64)
 def measured(robot: Robot) -> Array:
-    """The joints and the tool of a robot as the kernels here take them, (m + 1, 10), at q = 0, rad and m."""
+    """The joints and the tool of a robot packed for these kernels, (m + 1, 10), at q = 0, rad and m."""
     chain, arm = robot.chain, np.zeros((len(robot.joints) + 1, COLUMNS))
     joints = arm[:-1]
     joints[:, AXIS:WAY], joints[:, WAY:DRIVER], joints[:, DRIVER] = chain["direction"], chain["offset"], chain["driver"]
@@ -44,7 +44,7 @@ def measured(robot: Robot) -> Array:
 
 @kernel_into
 def stand_of(T: Array) -> Stand:
-    """Where a pose (4, 4), m, stands, and its quaternion, from the largest of w, x, y and z. Source: Shepperd 1978."""
+    """The position of a pose (4, 4), m, and its quaternion, from the largest of w, x, y, z. Source: Shepperd 1978."""
     xx, yy, zz = T[0, 0], T[1, 1], T[2, 2]
     x, y, z = T[2, 1] - T[1, 2], T[0, 2] - T[2, 0], T[1, 0] - T[0, 1]
     if xx + yy + zz >= max(xx, yy, zz):
@@ -61,7 +61,7 @@ def stand_of(T: Array) -> Stand:
 
 @kernel_into
 def left_of(arm: Array, q: Array, T_world_goal: Array) -> tuple[float, float]:
-    """What `remains` of a pose (4, 4), m."""
+    """`remains` for a goal (4, 4), m."""
     return remains(arm, q, stand_of(T_world_goal))
 
 
@@ -69,8 +69,8 @@ def left_of(arm: Array, q: Array, T_world_goal: Array) -> tuple[float, float]:
 def remains(arm: Array, q: Array, goal: Stand) -> tuple[float, float]:
     """‖p − p_g‖ and 2 atan2(‖v‖, |w|) of h̄_g h, with h ← h (cos ½x, sin ½x s) and p ← p + h o h̄ along the chain.
 
-    Args: arm of `measured`; q (n,), rad or m; goal of `stand_of`. Joint i stands at x = ratio · q[driver] + shift;
-    where it slides, o takes x s up.
+    Args: arm of `measured`; q (n,), rad or m; goal of `stand_of`. Joint i has the value x = ratio · q[driver] + shift
+    and the offset o; if it is prismatic, x s is added to o instead of the rotation.
     """
     w, x, y, z = 1.0, 0.0, 0.0, 0.0
     px, py, pz = 0.0, 0.0, 0.0

@@ -1,4 +1,4 @@
-"""The posture whose tool comes nearest to a goal, by least squares: for arms without a closed form."""
+"""The posture whose tool is nearest to a goal, by least squares: for arms without a closed form."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ STEPS, SEARCHES = 200, 12
 def nearest(robot: Robot, T_world_goal: Array, q: Array, with_orientation: bool) -> Array:
     """The best of several minima of ‖Δp‖²/ℓ² + ‖Δθ‖², ℓ the reach, or of ‖Δp‖² alone: (n,), rad or m.
 
-    Slides keep their stroke, angles are free. The search starts at q (n,) and at postures that are always the same;
-    what it finds is reached, but another minimum could lie nearer still.
+    Prismatic joints keep their limits, angles are free. The searches start at q (n,) and at fixed other postures. The
+    arm can take the result, but a nearer minimum may exist.
     Args: T_world_goal (4, 4), m. Source: `restarts.approach`.
     """
     return frozen(approached(_towards(robot, with_orientation), T_world_goal.copy(), q.copy()))

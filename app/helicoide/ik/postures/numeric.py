@@ -1,6 +1,6 @@
 """Numerical inverse kinematics of any arm: searches with restarts, for one posture within the limits or for all.
 
-What cannot be reached is approached by least squares, ‖Δp‖² + (w ℓ θ)² with w ≪ 1: the position comes first.
+A goal out of reach is approached by least squares, ‖Δp‖² + (w ℓ θ)² with w ≪ 1: position outweighs orientation.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from helicoide.text import Text
 TITLE = Text(en="numerical search with restarts", pt_BR="busca numérica com reinícios")
 SOURCE = "Chan and Lawrence 1988; Sugihara 2011; Marquardt 1963"
 
-WITHIN, FINE = (1e-6, 1e-6), (1e-9, 1e-9)  # what may be left by one posture, and by those of a list, m and rad
-STEPS, SEARCHES = 30, 400  # of one search, and of them: mostly 10 and 1 or 2; the worst of 160,000 poses took 185
+WITHIN, FINE = (1e-6, 1e-6), (1e-9, 1e-9)  # largest errors of one posture, and of those in a list, m and rad
+STEPS, SEARCHES = 30, 400  # at most; usually 10 steps in 1 or 2 searches; the worst of 160,000 poses took 185 searches
 FINE_STEPS, MOST_SEARCHES, PATIENCE = 60, 1000, 150
 APPROACH_STEPS, APPROACHES = 300, 20
-APART = 1e-3  # two postures differ by so much in a joint, rad or ℓ; where two meet, each is known to √FINE only
-MOST = 16  # postures that are listed
-WALK, LOST = 0.05, 1e-4  # a step along a direction in which no joint motion is felt; below this it is not, of the most
+APART = 1e-3  # two postures differ by this in a joint, rad or ℓ; a double one is only accurate to √FINE
+MOST = 16  # the largest number of listed postures
+WALK, LOST = 0.05, 1e-4  # a step in the null space, rad or ℓ; σ counts as zero below this fraction of the largest
 
 POSTURE = Text(en="posture {n}", pt_BR="postura {n}")
 FOUND = Text(en="{n} posture{s} found in {searches} searches.", pt_BR="{n} postura{s} em {searches} buscas.")
@@ -43,53 +43,53 @@ ENDLESS = Text(
 )
 REACHED = Text(en="Reached, in {searches} search{es}.", pt_BR="Alcançado, em {searches} busca{s}.")
 MISSED = Text(
-    en="The nearest posture found misses the goal by {mm:.3f} mm and {degrees:.3f}°.",
+    en="The closest posture found is {mm:.3f} mm and {degrees:.3f}° from the goal.",
     pt_BR="A postura mais próxima encontrada fica a {mm:.3f} mm e {degrees:.3f}° do alvo.",
 )
 LIMITED = Text(
-    en="Only postures beyond the joint limits reach the goal; the nearest within them misses it by {mm:.3f} mm and "
-    "{degrees:.3f}°.",
-    pt_BR="Só posturas além dos limites das juntas alcançam o alvo; a mais próxima dentro deles fica a {mm:.3f} mm e "
+    en="Only postures outside the joint limits reach the goal; the closest within them is {mm:.3f} mm and "
+    "{degrees:.3f}° from it.",
+    pt_BR="Só posturas fora dos limites das juntas alcançam o alvo; a mais próxima dentro deles fica a {mm:.3f} mm e "
     "{degrees:.3f}°.",
 )
 
 
 @lru_cache(maxsize=32)
 def _within_limits(robot: Robot, with_orientation: bool) -> Search:
-    """What finds one posture within the limits."""
+    """The search for one posture within the limits."""
     return search_of(robot, limited(robot), float(with_orientation), WITHIN, STEPS, SEARCHES)
 
 
 @lru_cache(maxsize=32)
 def _anywhere(robot: Robot, with_orientation: bool) -> Search:
-    """What finds one of all postures, in a single search."""
+    """A single search for a posture, within the limits or not."""
     return search_of(robot, wide(robot), float(with_orientation), FINE, FINE_STEPS, 1)
 
 
 @lru_cache(maxsize=32)
 def _towards(robot: Robot, with_orientation: bool) -> Search:
-    """What comes near to a goal out of reach."""
+    """The search for the posture within the limits that is nearest to a goal."""
     weight = ORIENTATION_LENGTH * with_orientation
     return search_of(robot, limited(robot), weight, WITHIN, APPROACH_STEPS, APPROACHES)
 
 
 def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Array:
-    """The first posture found within the limits, to 10⁻⁶ m and rad, searching from q on; unchecked, for loops.
+    """The first posture found within the limits, to 10⁻⁶ m and rad; the first search starts at q.
 
-    Args: T_world_tool (4, 4), m; q (n,), rad or m. Returns what `restarts.search` does, (n + 4,).
+    Args: T_world_tool (4, 4), m; q (n,), rad or m; both unchecked. Returns (n + 4,), as `restarts.search` writes it.
     """
     of = _within_limits(robot, with_orientation)
     answer = np.empty(of.answer)
-    # a kernel is compiled anew for arrays that are not in the usual order
+    # numba would compile the kernel again for arrays that are not contiguous
     search(of.table, np.ascontiguousarray(T_world_tool), np.ascontiguousarray(q), np.zeros(of.room), answer)
     return answer
 
 
 def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
-    """One posture within the limits, searched from q (n,) on; where there is none, the one that comes nearest.
+    """One posture within the limits; the nearest that was found where none reaches the goal.
 
-    Args: T_world_tool (4, 4), m; without orientation its position counts alone. Raises HelicoideError unless the pose
-    is a pose and q has n finite values.
+    Args: T_world_tool (4, 4), m; q (n,), rad or m: the start of the first search; with_orientation: False for the
+    position alone. Raises HelicoideError for an invalid pose, or unless q has n finite values.
     """
     goal, start = check_pose(T_world_tool), robot.check_joints(q)
     return in_order(robot, one(robot, goal, start, with_orientation), goal, start, with_orientation)
@@ -98,7 +98,7 @@ def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation:
 def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
     """Every posture that restarts find, within the limits or not, to 10⁻⁹ m and rad, the nearest first.
 
-    Where there are infinitely many, some of them; where there is none, the one within the limits that comes nearest.
+    Some of them where there are infinitely many; the nearest one within the limits where none is found.
     Arguments and errors as in `solve`.
     """
     goal, start = check_pose(T_world_tool), robot.check_joints(q)
@@ -106,7 +106,7 @@ def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientati
 
 
 def one(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
-    """What `solve` answers, found; unchecked."""
+    """`solve` as a `Found`; arguments are not checked."""
     found = posture(robot, goal, start, with_orientation)
     if found[-4] == np.inf:
         return _nearest(robot, goal, start, with_orientation)
@@ -114,7 +114,7 @@ def one(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Foun
 
 
 def every(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
-    """What `branches` answers, found; unchecked."""
+    """`branches` as a `Found`; arguments are not checked."""
     rows, searches = gathered(robot, goal, start, with_orientation, MOST)
     if not len(rows):
         return _nearest(robot, goal, start, with_orientation)
@@ -127,7 +127,7 @@ def every(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Fo
 
 @dataclass(frozen=True)
 class Reached:
-    """What is said of one posture, found in so many searches."""
+    """The texts for one posture, found in this number of searches."""
 
     searches: int
     values: Sequence[Mapping[str, float]] = (NO_VALUES,)
@@ -135,20 +135,20 @@ class Reached:
 
     @cached_property
     def names(self) -> Sequence[Text]:
-        """Of the one posture."""
+        """The name of the one posture."""
         return (POSTURE.format(n=1),)
 
     @cached_property
     def words(self) -> Text:
-        """In how many searches."""
+        """The number of searches, in a sentence."""
         more = self.searches > 1
         return REACHED.format(searches=self.searches, es="es"[: 2 * more], s="s"[:more])
 
 
 def gathered(robot: Robot, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
-    """Different postures (k, n), within the limits or not, and the number of searches; unchecked.
+    """Different postures (k, n), within the limits or not, and the number of searches; arguments are not checked.
 
-    It ends with `most` of them, or when a number of searches in a row came to known ones.
+    The search ends with `most` postures, after `MOST_SEARCHES`, or after `PATIENCE` repeated ones since the last new.
     """
     of, found, again, number = _anywhere(robot, with_orientation), np.empty((0, start.size)), 0, 0
     q = start.copy()
@@ -164,21 +164,21 @@ def gathered(robot: Robot, goal: Array, start: Array, with_orientation: bool, mo
 
 
 def _fine(of: Search, goal: Array, q: Array) -> Array | None:
-    """The posture that one search from q comes to, within the limits or not; None if in vain."""
+    """The posture that one search from q finds, within the limits or not; None after a failure."""
     found = np.empty(of.answer)
     search(of.table, goal, q, np.zeros(of.room), found)
     return found[:-4] if found[-4] < np.inf else None
 
 
 def _is_known(of: Search, q: Array, found: Array, apart: float = APART) -> bool:
-    """Whether in one of the rows of found (k, n) every joint stands nearer than that to where q has it."""
+    """Whether q is a row of found (k, n): every joint differs by less than `apart`, rad or ℓ, full turns removed."""
     ranges, ways = of.table[behind_joints(of.table) :], found - q
     ways -= ranges[:, PERIOD] * np.round(ways / np.where(ranges[:, PERIOD] > 0, ranges[:, PERIOD], np.inf))
     return bool((np.abs(ways) < apart * ranges[:, UNIT]).all(axis=1).any())
 
 
 def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
-    """The posture within the limits that comes nearest, and whether others would reach the goal."""
+    """The nearest posture within the limits; the words say whether others reach the goal."""
     q = approached(_towards(robot, with_orientation), goal, start)
     missed, turned = left(robot, q, goal, with_orientation)
     beyond_limits = len(gathered(robot, goal, start, with_orientation, 1)[0]) > 0
@@ -187,14 +187,14 @@ def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) ->
 
 
 def approached(of: Search, goal: Array, start: Array) -> Array:
-    """What `restarts.approach` writes, (n,)."""
+    """The posture (n,) of `restarts.approach`."""
     answer = np.empty((3, start.size))
     approach(of.table, goal, start, np.zeros(of.room), answer)
     return np.asarray(answer[0])
 
 
 def _is_endless(robot: Robot, q: Array, goal: Array, with_orientation: bool) -> bool:
-    """Whether a posture (n,) is one of a family: a step along a motion that the tool does not feel leads to another."""
+    """Whether a posture (n,) is one of infinitely many: a step in the null space of J leads to another solution."""
     of = _anywhere(robot, with_orientation)
     units = of.table[behind_joints(of.table) :, UNIT]
     J = tool_jacobian(arm_array(robot), q)[: 6 if with_orientation else 3] * units

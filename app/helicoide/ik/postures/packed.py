@@ -1,7 +1,7 @@
-"""An arm as searches for its postures take it: one table of numbers.
+"""An arm packed for the search of its postures: one table of numbers.
 
-A kernel takes one array in a tenth of the time of many arguments. Lengths are counted in the reach ℓ, and every joint
-has frames with z along its axis: a turn then mixes two columns, where one about any axis mixes three.
+One array is passed to a kernel in a tenth of the time of many arguments. Lengths are divided by the reach ℓ. Every
+joint frame has z along the axis: its rotation then changes two columns instead of three.
 """
 
 from __future__ import annotations
@@ -16,27 +16,27 @@ from helicoide.kinematics.robot import Robot
 
 # The first rows; from FIRST on the joints, then the variables.
 SETTING, BASE, HAND, FIRST = range(4)
-# Of the setting: how many joints and variables; ℓ, m; the weight of orientation, for lengths in ℓ; what may be left,
-# m and rad; how many steps a search may take, and how many searches there may be.
+# Columns of the setting: the numbers of joints and variables; ℓ, m; the weight of orientation, for lengths divided by
+# ℓ; the largest accepted errors, m and rad; the largest numbers of steps in a search and of searches.
 JOINTS, VARIABLES, REACH, TURNING, WITHIN, WITHIN_TURN, STEPS, SEARCHES = range(8)
-# Of the base and of the hand: a rotation row by row, of the base in the first frame and of the tool in the last one; of
-# the hand then the place of the tool there, in ℓ.
+# Columns of the base and of the hand: a rotation row by row, of the base in the first frame and of the tool in the last
+# one; of the hand then the position of the tool there, divided by ℓ.
 PLACE = 9
-# Of a joint: the way to it and the twist α of its axis, cos and sin, seen from the frame before; the number of the
-# variable q that drives it, where it turns by TURN q + TURN_SHIFT and slides by SLIDE q + SLIDE_SHIFT, in ℓ; and by
-# how much for a change of that variable by its own unit.
+# Columns of a joint: its offset and the twist α of its axis, cos and sin, in the frame before; the number of its
+# variable q; its angle is TURN q + TURN_SHIFT, its slide SLIDE q + SLIDE_SHIFT, divided by ℓ; TURNS and SLIDES are
+# their changes for one unit of the variable.
 WAY, TILT, DRIVER, TURN, TURN_SHIFT, SLIDE, SLIDE_SHIFT, TURNS, SLIDES = 0, 3, 5, 6, 7, 8, 9, 10, 11
-# Of a variable: its limits; after how much it stands alike, 2π or 0 for never; whether its limits hold it during a
-# search; by how much draws differ; and its own unit, 1 for angles, ℓ for slides.
+# Columns of a variable: its limits; its period, 2π, or 0 without one; whether a search keeps its limits; its `strides`;
+# and its unit, 1 for angles, ℓ for slides.
 LOWER, UPPER, PERIOD, HELD, STRIDE, UNIT = range(6)
 WIDTH = 12
-# Angles stand in rows of so many, that their cosines and sines be vector instructions.
+# The length of a row of angles is a multiple of this, for vector instructions in their cosines and sines.
 LANES = 8
-PARALLEL = 1e-15  # the sine of two axes that have no common normal
+PARALLEL = 1e-15  # below this sine two axes have no common normal
 
 
 class Search(NamedTuple):
-    """A table (3 + m + n, 12) as this file says, and the shapes of what a search writes: its answer, and its room."""
+    """A table (3 + m + n, 12) with the rows and columns above, and the shapes of the arrays `answer` and `room`."""
 
     table: Array
     answer: int
@@ -45,14 +45,14 @@ class Search(NamedTuple):
 
 @kernel_into
 def behind_joints(table: Array) -> int:
-    """The row where the variables begin."""
+    """The first row of the variables."""
     return FIRST + int(table[SETTING, JOINTS])
 
 
 def search_of(
     robot: Robot, ranges: Array, turning: float, within: tuple[float, float], steps: int, searches: int
 ) -> Search:
-    """A robot as a search takes it. Args: ranges (n, 6) of `limited`; the others as the setting has them."""
+    """A robot packed for a search. Args: ranges (n, 6) of `limited`; the others are those of the setting."""
     m, n = len(robot.joints), len(robot.variables)
     table, frames = np.zeros((FIRST + m + n, WIDTH)), _frames(robot)
     table[SETTING, : SEARCHES + 1] = m, n, robot.reach, turning, *within, steps, searches
@@ -65,12 +65,12 @@ def search_of(
 
 
 def room_for(m: int, n: int) -> tuple[int, int]:
-    """The shape of the room of a search: three rows for the angles of m joints, and a row for each of n variables."""
+    """The shape of `room`: three rows for the angles of m joints, and a row for each of n variables."""
     return 3 + n, -(-m // LANES) * LANES
 
 
 def limited(robot: Robot) -> Array:
-    """The variables of a robot with their limits, which hold them where they are not whole turns: (n, 6)."""
+    """The variables of a robot, (n, 6); limits are kept unless the joint is periodic and its range is a full turn."""
     n, turns = len(robot.variables), robot.periodic
     ranges = np.empty((n, UNIT + 1))
     ranges[:, LOWER], ranges[:, UPPER] = robot.lower, robot.upper
@@ -82,14 +82,14 @@ def limited(robot: Robot) -> Array:
 
 
 def wide(robot: Robot) -> Array:
-    """The same without limits: a joint that turns is searched over a full turn, and none is held."""
+    """The variables without limits, (n, 6): a periodic joint is searched over a full turn, and no limits are kept."""
     ranges, turns = limited(robot), robot.periodic
     ranges[turns, LOWER], ranges[turns, UPPER], ranges[:, HELD] = -np.pi, np.pi, 0.0
     return ranges
 
 
 def strides(n: int) -> Array:
-    """By how much the shares of n joints differ from one draw to the next: φ⁻¹, φ⁻², …, with φⁿ⁺¹ = φ + 1.
+    """The increments of n joints between draws, in fractions of their ranges: φ⁻¹, φ⁻², …, with φⁿ⁺¹ = φ + 1.
 
     Source: Roberts 2018, The unreasonable effectiveness of quasirandom sequences.
     """
@@ -100,10 +100,9 @@ def strides(n: int) -> Array:
 
 
 def _frames(robot: Robot) -> Array:
-    """The frames of the base and of each joint at q = 0, (m + 1, 3, 3): z along the axis, x across it and the next.
+    """The frames of the base and of each joint at q = 0, (m + 1, 3, 3): z along the axis, x normal to it and the next.
 
-    The common normal is that of an axis and of what the next one differs by, which rounding does not spoil where they
-    are nearly parallel.
+    x is computed from the difference of the two axes, which is accurate also where they are nearly parallel.
     """
     axes, frames = np.array([[0.0, 0.0, 1.0], *robot.directions]), []
     for z, following in zip(axes, [*axes[1:], axes[-1]], strict=True):
@@ -116,7 +115,7 @@ def _frames(robot: Robot) -> Array:
 
 
 def _write_joints(robot: Robot, frames: Array, units: Array, rows: Array) -> None:
-    """Write the rows of the joints: Tr(way) Rx(α) Rz(θ) Tr(x z) leads from one frame to the next."""
+    """Write the rows of the joints: Tr(way) Rx(α) Rz(θ) Tr(x z) takes one frame to the next."""
     chain, turns = robot.chain, ~robot.chain["slides"]
     for row, offset, before, here in zip(rows, chain["offset"], frames, frames[1:], strict=False):
         x, y, z = before.T

@@ -1,6 +1,6 @@
-"""Searches from postures that are spread evenly over the joints' ranges: kernels.
+"""Searches from postures that are spread evenly over the joint ranges: kernels.
 
-The postures follow from their numbers, so that the same question always has the same answer. Shapes are not checked.
+These postures depend only on their numbers, so the same input always has the same result. Shapes are not checked.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from helicoide.kernels import kernel_into
 
 @kernel_into
 def draw(table: Array, number: int, q: Array) -> None:
-    """Write the posture of a number: spread evenly, one number after another, over the ranges of all joints.
+    """Write the posture of a number; those of consecutive numbers are spread evenly over the joint ranges.
 
     Source: Roberts 2018, The unreasonable effectiveness of quasirandom sequences (an additive recurrence).
     """
@@ -28,7 +28,7 @@ def draw(table: Array, number: int, q: Array) -> None:
 
 @kernel_into
 def begin(table: Array, start: Array, q: Array) -> None:
-    """Write the posture nearest to `start` that keeps the limits."""
+    """Write the posture nearest to `start` within the limits that the search keeps."""
     ranges = table[behind_joints(table) :]
     for i in range(q.shape[0]):
         q[i] = held(ranges[i], start[i])
@@ -36,11 +36,11 @@ def begin(table: Array, start: Array, q: Array) -> None:
 
 @kernel_into
 def search(table: Array, T_world_tool: Array, start: Array, room: Array, answer: Array) -> None:
-    """Write the first posture found: one search from `start`, the others from drawn postures, always the same ones.
+    """Write the first posture found: the first search starts at `start`, the others at the postures of `draw`.
 
-    Args: table and room of `packed`; T_world_tool (4, 4), m; start (n,), rad or m. Of the answer (n + 4,) the first n
-    are q, rad or m; then come what is missed, m, and turned, rad (infinite where nothing was found), the steps of all
-    searches, and their number.
+    Args: table and room of `packed`; T_world_tool (4, 4), m; start (n,), rad or m. Writes answer (n + 4,): q, rad or m;
+    the errors of position, m, and orientation, rad, infinite where nothing was found; the number of steps in all
+    searches, and the number of searches.
     """
     n, goal = start.shape[0], goal_of(table, T_world_tool)
     q, total, searches = answer[:n], 0, int(table[SETTING, SEARCHES])
@@ -56,9 +56,9 @@ def search(table: Array, T_world_tool: Array, start: Array, room: Array, answer:
 
 @kernel_into
 def approach(table: Array, T_world_tool: Array, start: Array, room: Array, answer: Array) -> None:
-    """Write the posture (n,) whose tool comes nearest to a goal in the sense of e², of several searches as in `search`.
+    """Write the posture (n,) with the smallest e² of several searches, with starts as in `search`.
 
-    Args: answer (3, n), of which the first row is the posture, and the others are room.
+    Args: answer (3, n): the first row is the posture, the others are temporary.
     """
     best, q, trial = answer[0], answer[1], answer[2]
     goal, least = goal_of(table, T_world_tool), np.inf

@@ -13,40 +13,42 @@ from helicoide.kinematics import dh
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-# Axes meet, and links have no length, below this distance, m; axes are parallel below this sine.
+# Below this distance, m, axes meet and a link length is zero; below this sine axes are parallel.
 MEETING, PARALLEL = 1e-6, 1e-9
 
 
 class Ground(Enum):
-    """Why there is a closed form, or not, in words; the axes and the bound are filled in."""
+    """Why there is a closed form or not, in words; the axes or the number of joints are filled in."""
 
     MEETING = Text(
-        en="Closed form: axes {axes} meet at a point (Pieper).",
+        en="Closed form: axes {axes} intersect at a point (Pieper).",
         pt_BR="Forma fechada: os eixos {axes} se cruzam num ponto (Pieper).",
     )
     PARALLEL = Text(
-        en="Closed form: axes {axes} are parallel, they meet at infinity (Pieper).",
-        pt_BR="Forma fechada: os eixos {axes} são paralelos, cruzam-se no infinito (Pieper).",
+        en="Closed form: axes {axes} are parallel (Pieper).",
+        pt_BR="Forma fechada: os eixos {axes} são paralelos (Pieper).",
     )
     FEW = Text(
-        en="Closed form: with {joints} joints an equation of degree 4 at most is left.",
-        pt_BR="Forma fechada: com {joints} juntas sobra, no máximo, uma equação de grau 4.",
+        en="Closed form: with {joints} joints an equation of degree at most 4 remains.",
+        pt_BR="Forma fechada: com {joints} juntas resta uma equação de grau no máximo 4.",
     )
     REDUNDANT = Text(
-        en="Numerically only: {joints} joints leave infinitely many postures for one pose.",
-        pt_BR="Só numericamente: {joints} juntas deixam infinitas posturas para uma mesma pose.",
+        en="Numerically only: {joints} joints have infinitely many postures for one pose.",
+        pt_BR="Só numericamente: {joints} juntas têm infinitas posturas para uma mesma pose.",
     )
     NONE = Text(
-        en="Numerically only: no three adjacent axes meet at a point or are parallel.",
+        en="Numerically only: no three adjacent axes intersect at a point or are parallel.",
         pt_BR="Só numericamente: não há três eixos vizinhos que se cruzem num ponto ou sejam paralelos.",
     )
 
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """What Pieper's test says: the ground, the three axes from 0, where they meet at q = 0, (3,), m, and words.
+    """The result of Pieper's test.
 
-    bound: postures for one pose at most, row: the same by the table of the source; None but for six turning joints.
+    ground; axes: the three axes, counted from 0; point: where they meet at q = 0, (3,), m; bound: the largest number of
+    postures for one pose, and row: the same by the table of the source, both None unless the arm has six revolute
+    joints; words: the result in sentences.
     """
 
     ground: Ground
@@ -63,9 +65,9 @@ class Verdict:
 
 
 def verdict(robot: Robot) -> Verdict:
-    """Pieper's test: three adjacent turning axes that meet at a point, or else three that are parallel, suffice.
+    """Pieper's test: three adjacent revolute axes that meet at a point, or three that are parallel, suffice.
 
-    With n ≤ 4 joints the missing axes can be imagined through a point of the last, so that three meet.
+    With n ≤ 4 joints the missing axes can be chosen through a point of the last one, so that three meet.
     Source: Campos 1998, s.22–26; Pieper 1968.
     """
     ground, joints = Ground.NONE, len(robot.variables)
@@ -88,7 +90,7 @@ def verdict(robot: Robot) -> Verdict:
 
 
 def meeting_axes(robot: Robot) -> tuple[tuple[int, ...], Array] | None:
-    """Three adjacent axes that meet in every posture, counted from 0, the last ones first, and the point at q = 0."""
+    """The last three adjacent axes that meet in every posture, counted from 0, and their point at q = 0, (3,), m."""
     for first in reversed(range(len(robot.joints) - 2)):
         axes = (first, first + 1, first + 2)
         if (point := meeting_point(robot, axes)) is not None:
@@ -97,9 +99,9 @@ def meeting_axes(robot: Robot) -> tuple[tuple[int, ...], Array] | None:
 
 
 def meeting_point(robot: Robot, axes: tuple[int, ...]) -> Array | None:
-    """Where turning axes meet at q = 0, (3,), m: the least squares of their distances; None where they do not.
+    """The point where revolute axes meet at q = 0, (3,), m, by least squares; None where they do not.
 
-    The middle one of three turns the others about the point where they meet, so that they always do.
+    Three adjacent axes then meet in every posture: the middle joint rotates the last axis about their common point.
     """
     if not _all_turn(robot, axes):
         return None
@@ -111,7 +113,7 @@ def meeting_point(robot: Robot, axes: tuple[int, ...]) -> Array | None:
 
 
 def parallel_axes(robot: Robot) -> tuple[int, ...] | None:
-    """The first three adjacent turning axes that are parallel, counted from 0."""
+    """The first three adjacent revolute axes that are parallel, counted from 0."""
     for first in range(len(robot.joints) - 2):
         axes = (first, first + 1, first + 2)
         sines = np.linalg.norm(np.cross(robot.directions[first], robot.directions[list(axes)]), axis=1)
@@ -131,7 +133,7 @@ def link_lengths(robot: Robot) -> Array:
 
 
 def table_row(robot: Robot) -> int | None:
-    """What the table of the source prints: a₁ = a₃ = a₅ = 0 ≤ 4, a₃ = a₅ = 0 ≤ 8, else ≤ 16; six turning joints only.
+    """What the table of the source prints: a₁ = a₃ = a₅ = 0 ≤ 4, a₃ = a₅ = 0 ≤ 8, else ≤ 16; six revolute joints only.
 
     Its first two rows do not hold for every arm: the PUMA with a₃ = 0 has eight postures, and arms with a₃ = a₅ = 0,
     a₁ zero or not, right-angled twists and offsets d can have sixteen. Source: Campos 1998, s.22, after Craig.
@@ -143,7 +145,7 @@ def table_row(robot: Robot) -> int | None:
 
 
 def solution_bound(robot: Robot) -> int | None:
-    """The postures for one pose at most: 8 with a spherical wrist at either end, else 16; six turning joints only.
+    """The largest number of postures for a pose: 8 if the first or last three axes meet, else 16; six revolute joints.
 
     A quartic and two postures of the wrist give 8. Source: Pieper 1968; Primrose 1986; Lee and Liang 1988.
     """

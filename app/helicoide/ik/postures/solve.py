@@ -1,4 +1,4 @@
-"""The front door of inverse kinematics: the closed form of an arm where it has one, else searches; or a way by name."""
+"""The entry to inverse kinematics: the closed form of an arm if it has one, else searches; or a solver by name."""
 
 from __future__ import annotations
 
@@ -20,32 +20,33 @@ from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
 
 NUMERIC = "numeric"
-EXACT = Tolerance(listing.REACHED, listing.REACHED)  # what may be left of a goal that counts as reached
-FACTOR, PERIOD, STEPS = 0.5, 0.1, 1000  # of an iteration: step factor, how long a step lasts, s, and how many
+EXACT = Tolerance(listing.REACHED, listing.REACHED)  # the largest errors of a goal that counts as reached
+FACTOR, PERIOD, STEPS = 0.5, 0.1, 1000  # of an iteration: step factor, duration of a step, s, number of steps
 
 REACHED = Text(en="reached", pt_BR="alcançado")
 OUT = Text(
-    en="out of reach by {mm:.3f} mm and {degrees:.3f}°", pt_BR="fora de alcance por {mm:.3f} mm e {degrees:.3f}°"
+    en="out of reach by {mm:.3f} mm and {degrees:.3f}°", pt_BR="fora do alcance por {mm:.3f} mm e {degrees:.3f}°"
 )
 LEFT = Text(
-    en="not reached: {mm:.3f} mm and {degrees:.3f}° are left",
-    pt_BR="não alcançado: faltam {mm:.3f} mm e {degrees:.3f}°",
+    en="not reached: remaining error {mm:.3f} mm and {degrees:.3f}°",
+    pt_BR="não alcançado: erro restante de {mm:.3f} mm e {degrees:.3f}°",
 )
-LIMITED = Text(en="reached only beyond the joint limits", pt_BR="alcançado só além dos limites das juntas")
+LIMITED = Text(en="reached only outside the joint limits", pt_BR="alcançado só fora dos limites das juntas")
 PROJECTED = Text(
-    en="projected by {degrees:.3f}° and {mm:.3f} mm to what the arm can take: {status}",
-    pt_BR="projetado por {degrees:.3f}° e {mm:.3f} mm no que o braço assume: {status}",
+    en="projected by {degrees:.3f}° and {mm:.3f} mm onto the poses of the arm: {status}",
+    pt_BR="projetado por {degrees:.3f}° e {mm:.3f} mm nas poses do braço: {status}",
 )
 
 
 def solve(
     robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, every: bool = False, with_orientation: bool = True
 ) -> Answer:
-    """Every posture for a tool pose, or the one within the limits that asks for the least motion from q.
+    """Every posture for a tool pose, or the one within the limits with the smallest motion from q.
 
-    Args: T_world_tool (4, 4), m; q (n,), rad or m; without orientation its position counts alone. An arm with fewer
-    than six joints gets the nearest goal that it can take. Where no posture within the limits reaches the goal, the
-    one is the nearest that was found. Raises HelicoideError for what is no pose, and for a wrong q.
+    Args: T_world_tool (4, 4), m; q (n,), rad or m; every: whether all are asked for; with_orientation: False for the
+    position alone. For an arm with fewer than six joints, a goal that it cannot take is projected to the nearest that
+    it can. If one is asked for and none within the limits reaches the goal, it is the nearest that was found.
+    Raises HelicoideError for an invalid pose or q.
     """
     T, q = pose_of(T_world_tool), robot.joint_array(q)
     for form in closed.of(robot).values():
@@ -57,9 +58,9 @@ def solve(
 def solve_by(
     name: str, robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, every: bool = False, with_orientation: bool = True
 ) -> Answer:
-    """The same in the way of that name: a closed form, `numeric`, or a method that iterates from q.
+    """`solve` with the solver of that name: a closed form, `numeric`, or a method that iterates from q.
 
-    Raises HelicoideError, which lists the names that are valid here, also where the way does not apply.
+    Raises HelicoideError, also where the solver does not apply; the message lists the names that are valid here.
     """
     T, q = check_pose(T_world_tool), robot.check_joints(q)
     if name == NUMERIC:
@@ -81,7 +82,7 @@ _WHOLE = Text(en="A closed form needs an orientation.", pt_BR="Uma forma fechada
 
 
 def ways(robot: Robot, with_orientation: bool = True) -> tuple[str, ...]:
-    """The names that `solve_by` takes for a robot, for a pose or for a position alone."""
+    """The names that `solve_by` accepts for a robot, for a pose or for a position alone."""
     _, aiming = _aiming(robot, robot.T_world_tool_0, with_orientation)
     task = _task(aiming, robot.poses["ready"])
     iterating = (name for name in methods.names() if methods.named(name).applies(task) is None)
@@ -94,15 +95,15 @@ def _forms(robot: Robot, with_orientation: bool) -> dict[str, Form]:
 
 
 def _refused(robot: Robot, why: Text, with_orientation: bool) -> HelicoideError:
-    valid = Text(en="For {robot} there is: {ways}.", pt_BR="Para {robot} há: {ways}.")
+    valid = Text(en="Forms for {robot}: {ways}.", pt_BR="Formas para {robot}: {ways}.")
     known = ", ".join(ways(robot, with_orientation))
     return HelicoideError(sentences(why, valid.format(robot=robot.name, ways=known)))
 
 
 def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
-    """The answer of a closed form; where one posture is asked for and none keeps the limits, the nearest that does.
+    """The answer of a closed form; where one posture is asked for and none is within the limits, the nearest that is.
 
-    A point is asked for with the orientation that the arm has there, so that nothing is turned.
+    For a position alone the pose has the orientation of the arm there, so that the projection does not rotate it.
     """
     if not with_orientation:
         T = T.copy()
@@ -120,7 +121,7 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
 
 
 def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
-    """The answer of the searches; a goal that an arm with fewer than six joints cannot take is projected first."""
+    """The answer of the searches; if an arm with fewer than six joints does not reach the goal, it is projected."""
     find = numeric.every if every else numeric.one
     answer = in_order(robot, find(robot, T, q, with_orientation), T, q, with_orientation)
     if _is_met(answer) or len(robot.variables) >= 6:
@@ -135,7 +136,7 @@ def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: b
 
 
 def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation: bool) -> Answer:
-    """Where a method comes to from q, with its default settings; limits and planes are not guarded."""
+    """The result of a method that iterates from q, with its default settings, without limits and planes."""
     goal = subspace.project(robot, T, q) if with_orientation else subspace.Projection(T, 0.0, 0.0)
     problem, aiming = _aiming(robot, goal.T_world_goal, with_orientation)
     why = method.applies(_task(aiming, q))
@@ -151,7 +152,7 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
 def chosen(
     robot: Robot, answer: Answer, q: Array, weights: ArrayLike, obstacles: Obstacles, with_orientation: bool
 ) -> tuple[Ranked, ...]:
-    """The postures of an answer by the weighted motion from q, those that are ruled out or miss the goal at the end.
+    """The postures of an answer by increasing weighted motion from q, those that miss the goal or are ruled out last.
 
     Arguments and errors as in `choice.ranked`. Source: Campos 1998, s.17.
     """
@@ -164,28 +165,28 @@ def chosen(
 
 
 def _aiming(robot: Robot, T_world_goal: Array, with_orientation: bool) -> tuple[Problem, TaskFunction]:
-    """How a method aims at a pose (4, 4), m."""
+    """The problem and the task of a method for a pose (4, 4), m."""
     problem = Problem(robot, Limits(robot.lower, robot.upper, robot.speed), planes_of(()))
     return problem, to_pose(problem, T_world_goal, with_orientation)
 
 
 def _task(aiming: TaskFunction, q: Array) -> Task:
-    """What a method is asked first, from q (n,)."""
+    """The first task of a method, at q (n,)."""
     return task_from(aiming(q, 0.0), FACTOR / PERIOD, q, PERIOD)
 
 
 def _is_met(answer: Answer) -> bool:
-    """Whether a posture comes to what was solved for."""
+    """Whether the first posture reaches the pose that was solved for."""
     return answer.left is not None and EXACT.holds(*answer.left)
 
 
 def reached(answer: Answer) -> bool:
-    """Whether a posture within the joint limits is measured to reach what was asked for."""
+    """Whether a posture within the joint limits reaches the pose that was asked for."""
     return any(branch.within and EXACT.holds(branch.missed, branch.turned) for branch in answer.branches)
 
 
 def status(answer: Answer) -> Text:
-    """In few words: reached, or by how much not, and whether the goal is not the one that was asked for."""
+    """In few words: reached, or the remaining errors, and whether the goal was projected."""
     if reached(answer):
         return REACHED
     if any(EXACT.holds(branch.missed, branch.turned) for branch in answer.branches):
@@ -201,7 +202,7 @@ def status(answer: Answer) -> Text:
 
 
 def _short_by(answer: Answer) -> Text:
-    """What the best posture leaves of what was solved for."""
+    """The errors of the best posture against the pose that was solved for, in words."""
     missed, turned = (answer.short, 0.0) if answer.left is None else answer.left
     words = OUT if answer.short > EXACT.position or not answer.branches else LEFT
     return words.format(mm=1000 * missed, degrees=np.degrees(turned))

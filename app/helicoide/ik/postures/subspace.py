@@ -1,4 +1,4 @@
-"""What an arm with fewer than six joints can take: a general goal, brought to the nearest pose of its subspace."""
+"""The poses that an arm with fewer than six joints can take: a goal is projected to the nearest one."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from helicoide.ik.postures.nearest import nearest
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
-# Below this length, m, and angle, rad, nothing is said of a change; below this sine axes are parallel; below this value
-# of 1 + cos(tilt) an orientation is upside down.
+# Below this length, m, and angle, rad, a change is not reported; below this sine axes are parallel; below this value of
+# 1 + cos(tilt) an orientation is upside down.
 NOTHING, PARALLEL, FLIPPED = 1e-9, 1e-9, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
 class Projection:
-    """A goal taken to the subspace: the pose (4, 4), m, there, and how far that is from the asked one, m and rad."""
+    """A goal projected to the subspace: the pose (4, 4), m, and its distance from the asked one, m and rad."""
 
     T_world_goal: Array
     moved: float
@@ -32,25 +32,26 @@ class Projection:
 
     @property
     def words(self) -> Text | None:
-        """What was done to the goal; None where it lay in the subspace."""
+        """The change of the goal in words; None where the goal was in the subspace."""
         if self.moved < NOTHING and self.turned < NOTHING:
             return None
         return _TAKEN.format(moved=1000 * self.moved, turned=np.degrees(self.turned))
 
 
 _TAKEN = Text(
-    en="This pose is not in the subspace of the arm: the goal was moved by {moved:.3g} mm and turned by {turned:.3g}°.",
-    pt_BR="Esta pose não pertence ao subespaço do braço: o alvo foi deslocado {moved:.3g} mm e girado {turned:.3g}°.",
+    en="The arm cannot take this pose: the goal was moved by {moved:.3g} mm and rotated by {turned:.3g}°.",
+    pt_BR="O braço não assume esta pose: o alvo foi deslocado {moved:.3g} mm e girado {turned:.3g}°.",
 )
 
 
 def project(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
     """The nearest pose of the arm's subspace to a pose (4, 4), m; it may still lie outside the workspace.
 
-    All axes parallel: the tilt is taken off, and the height where nothing slides; with two joints the orientation is
-    that of the nearer posture. Polar arms keep (x, y). Arms of `turret.py` keep the position and turn the pointing axis
-    into their plane. Others with fewer than six joints: `nearest.nearest`. Six joints and more: the pose itself.
-    q (n,), rad or m: decides where the geometry leaves a choice. Raises HelicoideError for what is no pose.
+    All axes parallel: the tilt is removed, and without a prismatic joint also the height; with two joints the
+    orientation is that of the nearer posture. Polar arms keep (x, y). Arms of `families.turret` keep the position, and
+    the pointing axis is rotated into their plane. Others with fewer than six joints: `nearest.nearest`. Six joints and
+    more: the pose itself.
+    Args: q (n,), rad or m: decides where the geometry leaves a choice. Raises HelicoideError for an invalid pose.
     Source: Campos 1998, s.29, s.31–36, s.55.
     """
     T, q = check_pose(T_world_tool), robot.check_joints(q)
@@ -59,9 +60,9 @@ def project(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
 
 
 def project_point(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
-    """The same for a point: that of a pose (4, 4), m, in the plane of the arm, with the orientation that it has there.
+    """The projection of the position of a pose (4, 4), m, alone, with the orientation that the arm has there.
 
-    Arms whose axes are all parallel, and polar arms; for others the pose itself. Arguments and errors as in `project`.
+    For arms whose axes are all parallel and for polar arms; for others the pose itself. Args, errors as in `project`.
     """
     T, q = check_pose(T_world_tool), robot.check_joints(q)
     if not (isinstance(planar(robot, 2), Planar) or _keeps_upright(robot) or polar_arm(robot)):
@@ -73,10 +74,10 @@ def project_point(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
 def beyond(robot: Robot, T_world_goal: Array, q: Array) -> float:
     """How far a pose of the subspace (4, 4), m, lies beyond the edge of the workspace, m; 0 inside.
 
-    Planar arms with two or three joints: the distance from the annulus of the first two links, for the goal's
-    orientation. Others: from the goal's point to the nearest that the tool comes to in any orientation, found by
-    `nearest.nearest`, so an upper bound; slides keep their stroke, angles are free.
-    q (n,), rad or m: where the search begins. Source: Campos 1998, s.6–10, s.44, s.53.
+    Planar arms with two or three joints: the distance from the annulus of the first two links, for the orientation of
+    the goal. Others: the distance to the nearest point that the tool reaches in any orientation, found by
+    `nearest.nearest` and so an upper bound; prismatic joints keep their limits, angles are free.
+    Args: q (n,), rad or m: the start of the search. Source: Campos 1998, s.6–10, s.44, s.53.
     """
     T, q = check_pose(T_world_goal), robot.check_joints(q)
     for count in (2, 3):
@@ -112,16 +113,16 @@ def _of_two_links(arm: Planar, upright: Array, q: Array) -> Array:
 
 
 def _keeps_upright(robot: Robot) -> bool:
-    """Whether all axes are parallel and at least three joints turn, so that every heading is possible."""
+    """Whether all axes are parallel and at least three joints are revolute, so that every heading is possible."""
     turning = sum(not joint.is_prismatic for joint in robot.joints)
     apart = np.linalg.norm(np.cross(robot.directions[0], robot.directions), axis=1).max()
     return turning >= 3 and bool(apart < PARALLEL) and not any(joint.mimic for joint in robot.joints)
 
 
 def _without_tilt(robot: Robot, T: Array, q: Array) -> Array:
-    """The nearest pose turned about the axes alone: φ = Atan2(r₂₁ − r₁₂, r₁₁ + r₂₂), for z along them.
+    """The nearest pose with a rotation about the axes alone: φ = Atan2(r₂₁ − r₁₂, r₁₁ + r₂₂), z along them.
 
-    Where the asked orientation is upside down every φ is as near, and that of q is taken. Source: Campos 1998, s.29.
+    If the asked orientation is upside down, every φ is equally near, and that of q is used. Source: Campos 1998, s.29.
     """
     z, home = robot.directions[0], robot.T_world_tool_0
     turn = T[:3, :3] @ home[:3, :3].T
@@ -136,6 +137,6 @@ def _without_tilt(robot: Robot, T: Array, q: Array) -> Array:
 
 
 def _about(turn: Array, z: Array) -> tuple[float, float]:
-    """r₂₁ − r₁₂ and r₁₁ + r₂₂ of a rotation (3, 3) seen from a frame with that z axis, (3,)."""
+    """r₂₁ − r₁₂ and r₁₁ + r₂₂ of a rotation (3, 3), expressed in a frame with this z axis, (3,)."""
     sine = z @ [turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]
     return float(sine), float(np.trace(turn) - z @ turn @ z)

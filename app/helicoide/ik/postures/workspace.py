@@ -5,7 +5,7 @@ from __future__ import annotations
 from helicoide.arrays import Array
 
 Ring = tuple[float, float]
-# What rounding may take from a ring that is but one circle, m.
+# The rounding tolerance for a ring that is a single circle, m.
 ROUNDING = 1e-12
 
 

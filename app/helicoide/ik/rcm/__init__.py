@@ -1,4 +1,4 @@
-"""The remote centre of motion: a link passes an entry point and may not push it aside, while the tool works beyond it.
+"""The remote centre of motion: a link passes through an entry point without moving it sideways.
 
-Source: Coutinho 2015; the numbers of equations are those of its chapters 2 and 3.
+Source: Coutinho 2015. Equation numbers refer to its chapters 2 and 3.
 """

@@ -1,9 +1,8 @@
-"""The constrained Jacobian: what moves the tool while the shaft gives way to its entry point.
+"""The constrained Jacobian: the tool velocities that are possible while the shaft stays in its entry point.
 
     V_i = Λ# v + Λ† v_rd,   V_e = J^r u + Jc v_rd,   u = [v; θ̇ after the link]
 
-Whatever inverts J^r, the constraint holds: it is met by how u is turned into joint rates.
-Source: Coutinho 2015, §3.1–3.4.
+The constraint holds with any inverse of J^r, because V_i is computed from u. Source: Coutinho 2015, §3.1–3.4.
 """
 
 from __future__ import annotations
@@ -29,8 +28,8 @@ class Constrained:
     """An arm at a posture with its shaft in the entry point.
 
     T_world_tool (4, 4), m; R_world_shaft (3, 3); Ad_tool_shaft: Ad_ei (6, 6); null: Λ# (6, 6 − r); J_arm: J_i (6, i),
-    body Jacobian of F_i; J: J^r (6, 6 − r + n − i), body velocity of the tool by u; units: what a rate without unit
-    stands for in each entry of u. Source: Coutinho 2015, eqs. 3.9, 3.15.
+    body Jacobian of F_i; J: J^r (6, 6 − r + n − i), from u to the body velocity of the tool; units: the scale of each
+    entry of u, see `task`. Source: Coutinho 2015, eqs. 3.9, 3.15.
     """
 
     problem: Problem
@@ -51,7 +50,7 @@ class Constrained:
 
     @cached_property
     def push(self) -> Array:
-        """Λ† = Λᵀ(Λ Λᵀ)⁻¹ (6, r), lengths in ℓ: how the shaft follows the entry point, Λ Λ† = I.
+        """Λ† (6, r), with Λ Λ† = I: Λᵀ(Λ Λᵀ)⁻¹ for lengths divided by ℓ. From v_rd to a velocity of the shaft.
 
         Source: Coutinho 2015, eq. 3.32.
         """
@@ -61,21 +60,21 @@ class Constrained:
 
     @cached_property
     def J_entry(self) -> Array:
-        """Jc = Ad_ei Λ† (6, r): what a motion of the entry point does to the tool. Source: Coutinho 2015, eq. 3.33."""
+        """Jc = Ad_ei Λ† (6, r), from v_rd to a body velocity of the tool. Source: Coutinho 2015, eq. 3.33."""
         return np.asarray(self.Ad_tool_shaft @ self.push)
 
     @cached_property
     def of_arm(self) -> JacobianAnalysis:
-        """That of J_i: w_i says whether the arm can give its link any velocity. Source: Coutinho 2015, §3.5."""
+        """Analysis of J_i: if w_i > 0 the arm can give link i any velocity. Source: Coutinho 2015, §3.5."""
         return analyse_jacobian(self.J_arm)
 
     @cached_property
     def of_tool(self) -> JacobianAnalysis:
-        """That of J^r: w_r says whether the tool can be moved, given the link. Source: Coutinho 2015, eq. 3.36."""
+        """Analysis of J^r: if w_r > 0 some u gives the tool any velocity. Source: Coutinho 2015, eq. 3.36."""
         return analyse_jacobian(self.J)
 
     def task(self, command: Array, entry_rate: Array, dt: float) -> Task:
-        """What u is asked: J^r u = ν − Jc v_rd, over the characteristic length.
+        """The task J^r u = ν − Jc v_rd, lengths divided by ℓ; its unknowns are u divided by `units`.
 
         Args: command: ν (6,), body velocity of the tool, m/s and rad/s; entry_rate: v_rd (r,), m/s; dt, s.
         Source: Coutinho 2015, eq. 3.34.
@@ -85,34 +84,34 @@ class Constrained:
         return Task(self.q, self.J * self.units / rows[:, None], rate / rows, dt)
 
     def shaft_velocity(self, u: Array, entry_rate: Array) -> Array:
-        """V_i = Λ# v + Λ† v_rd, (6,), m/s and rad/s. Args: u of a solution of `task`; v_rd (r,), m/s."""
+        """V_i = Λ# v + Λ† v_rd, (6,), m/s and rad/s. Args: u: rates of a solution of `task`; v_rd (r,), m/s."""
         free = self.null.shape[1]
         return np.asarray(self.null @ (self.units * u)[:free] + self.push @ entry_rate)
 
     def arm_task(self, velocity: Array, dt: float) -> Task:
-        """What the joints before the entry point are asked: J_i θ̇ = V_i. Args: V_i (6,). Source: eqs. 3.3, 3.32."""
+        """The task J_i θ̇ = V_i of the joints before the entry point. Args: V_i (6,). Source: eqs. 3.3, 3.32."""
         rows, i = _lengths(self.problem.length), self.J_arm.shape[1]
         return Task(self.q, self.J_arm * self.problem.joint_units[:i] / rows[:, None], velocity / rows, dt)
 
     def rates(self, arm: Array, u: Array) -> Array:
-        """θ̇ = [θ̇ before; θ̇ after], (n,), rad/s or m/s. Args: answers to `arm_task` and to `task`. Source: eq. 3.18."""
+        """θ̇ = [θ̇ before; θ̇ after], (n,), rad/s or m/s. Args: solutions of `arm_task` and `task`. Source: eq. 3.18."""
         i, free = self.J_arm.shape[1], self.null.shape[1]
         return np.concatenate([self.problem.joint_units[:i] * arm, (self.units * u)[free:]])
 
     def at_entry(self, rates: Array) -> Array:
-        """Λ J_i θ̇, (r,), m/s: what joint rates (n,) do to the point of the shaft at the entry, along N."""
+        """Λ J_i θ̇, (r,), m/s: the velocity along N of the point of the shaft at the entry. Args: θ̇ (n,)."""
         return np.asarray(self.constraint @ (self.J_arm @ rates[: self.J_arm.shape[1]]))
 
 
 def _lengths(length: float) -> Array:
-    """What each row of a twist is divided by: ℓ for velocities, 1 for turns."""
+    """The divisor of each row of a twist: ℓ for the linear part, 1 for the angular part."""
     return np.array([length] * 3 + [1.0] * 3)
 
 
 def constrained(
     problem: Problem, passage: Passage, q: Array, entry_world: Array, basis: Basis = "scaled"
 ) -> Constrained:
-    """J^r = [Ad_ei Λ#, J_e2] at a posture, whatever the chain; J_e2 are the body columns of the joints after link i.
+    """J^r = [Ad_ei Λ#, J_e2] at a posture of any chain. J_e2: body Jacobian of the tool for the joints after link i.
 
     Args: q (n,), rad or m; entry_world: p_rcm (3,), m. Source: Coutinho 2015, eqs. 3.9–3.15.
     """
@@ -143,7 +142,7 @@ def constrained(
 
 
 def _units(length: float, velocities: int, free: int) -> Array:
-    """What a number without unit stands for in v: ℓ m/s for velocities, 1 rad/s for turns."""
+    """The scale of each entry of v: ℓ for linear velocities, 1 for angular ones."""
     return np.array([length] * velocities + [1.0] * (free - velocities))
 
 

@@ -1,8 +1,8 @@
-"""Following a path while the shaft passes an entry point that stays, or moves.
+"""Following a path while the shaft passes through an entry point, which may move.
 
     ν = [v_d + Kp e_p − ω × e_p; ω],  ω = ω_d + Ko ε̃,   u = inverse(J^r)(ν − Jc v),   v = v_rd + Kr e_r
 
-Source: Coutinho 2015, §2.4, fig. 3.3, table 4.1; Kr and the depth that follows the posture are added here.
+Source: Coutinho 2015, §2.4, fig. 3.3, table 4.1. Kr, and the depth l_a computed anew at each step, are added here.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from helicoide.text import HelicoideError
 
 @dataclass(frozen=True, eq=False)
 class RcmReference:
-    """Where the tool and the entry point shall go at one instant.
+    """The target of the tool and the velocity of the entry point at one instant.
 
     T_world_target (4, 4), m; feedforward: (v, ω) of the target, (6,), world axes, m/s and rad/s; entry_rate: v_rd (r,),
     m/s, along the forbidden directions.
@@ -38,19 +38,19 @@ class RcmReference:
 
 @dataclass(frozen=True, eq=False)
 class ConfiguredMethod:
-    """A method of inverse kinematics with its options, whatever Jacobian it is given."""
+    """A method of inverse kinematics with its options."""
 
     method: Method
     options: Any
 
     def answered(self, problem: Problem, task: Task, memory: Any) -> tuple[Solution, Any]:
-        """The answer and the memory for the next task; None begins with the method's own."""
+        """The solution of one task and the memory for the next. memory: None for the method's initial memory."""
         memory = self.method.start(task, self.options) if memory is None else memory
         return self.method.step(problem, task, memory, self.options)
 
 
 def configured_method(name: str, **options: Any) -> ConfiguredMethod:
-    """A method by its name, with some of its options set. Raises HelicoideError for an unknown name."""
+    """The method with this name, with the given options. Raises HelicoideError for an unknown name."""
     method = methods.named(name)
     return ConfiguredMethod(method, method.Options(**options))
 
@@ -60,9 +60,10 @@ PSEUDOINVERSE = configured_method("pseudoinverse")
 
 @dataclass(frozen=True, eq=False)
 class RcmControl:
-    """How the loop is closed: position, orientation, entry: gains Kp, Ko, Kr, 1/s; of_tool inverts J^r, of_arm J_i.
+    """Gains and inverses of the closed loop with an entry point.
 
-    Damping J^r leaves the entry point exact, damping J_i does not.
+    of_tool inverts J^r, of_arm inverts J_i; position, orientation, entry: gains Kp, Ko, Kr, 1/s. A damped inverse of
+    J^r keeps the entry point exactly, a damped inverse of J_i does not.
     Source: Coutinho 2015, tables 4.1, 4.2, eqs. 3.43, 3.46.
     """
 
@@ -76,11 +77,11 @@ class RcmControl:
 
 @dataclass(frozen=True, eq=False)
 class RcmStep:
-    """One step: time, s; q (n,) and p_rcm (3,), m, before it; what is there, what was missed, what was answered.
+    """One step of the loop. t, s; q (n,); entry_world: p_rcm (3,), m; at: the Jacobians: all before the step.
 
     error: (e_p, ε̃) (6,), body axes, m and sin(φ/2); asked: v_rd + Kr e_r (r,), m/s; command: ν (6,), body velocity of
-    the tool, m/s and rad/s; tool and arm: the answers of the two inverses; rates: θ̇ (n,), rad/s; memory: of both, after
-    it.
+    the tool, m/s and rad/s; tool, arm: solutions of the two inverses; rates: θ̇ (n,), rad/s or m/s; memory: of both
+    inverses, after the step.
     """
 
     t: float
@@ -97,14 +98,14 @@ class RcmStep:
 
     @property
     def entry_slip(self) -> Array:
-        """Λ J_i θ̇ − v (r,), m/s: by how much the shaft misses the velocity that its entry point asks."""
+        """Λ J_i θ̇ − v (r,), m/s: error of the shaft's velocity at the entry point."""
         return self.at.at_entry(self.rates) - self.asked
 
 
 def pose_error(T_world_target: Array, T_world_tool: Array) -> Array:
-    """Error of pose as the tool sees it: e_p = Rᵀ (p_d − p), ε̃ = vector part of Q⁻¹ ⊗ Q_d, the shorter way round.
+    """Pose error in the tool frame: e_p = Rᵀ (p_d − p), ε̃ = vector part of Q⁻¹ ⊗ Q_d for the shorter rotation.
 
-    Q_d ⊗ Q⁻¹, as the source has it, is in the base frame and may not be added to a body velocity.
+    The source uses Q_d ⊗ Q⁻¹, which is in the base frame and must not be added to a body velocity.
     Args: (4, 4), m. Returns (6,), m and sin(φ/2). Source: Coutinho 2015, eqs. 2.59, 2.62–2.63 corrected.
     """
     R = T_world_tool[:3, :3]
@@ -113,7 +114,7 @@ def pose_error(T_world_target: Array, T_world_tool: Array) -> Array:
 
 
 def body_velocity(R_world_tool: Array, ahead: Array, error: Array, position: float, orientation: float) -> Array:
-    """ν = [v_d + Kp e_p − ω × e_p; ω], ω = ω_d + Ko ε̃: body velocity of the tool under which ė_p = −Kp e_p.
+    """ν = [v_d + Kp e_p − ω × e_p; ω], ω = ω_d + Ko ε̃: the body velocity of the tool that gives ė_p = −Kp e_p.
 
     Args: ahead: (v, ω) of the target in world axes (6,); error (6,) of `pose_error`; gains, 1/s. Returns (6,).
     Source: Coutinho 2015, eq. 2.66.
@@ -126,7 +127,7 @@ def body_velocity(R_world_tool: Array, ahead: Array, error: Array, position: flo
 def answered(
     at: Constrained, control: RcmControl, wish: RcmReference, error: Array, dt: float, memory: tuple[Any, Any]
 ) -> tuple[Array, Array, Solution, Solution, Array, tuple[Any, Any]]:
-    """What the entry point is asked, ν, u, the rates of the arm, θ̇ and the memories: one turn of fig. 3.3."""
+    """One pass of the loop of fig. 3.3: v_rd + Kr e_r, ν, the solutions for u and for the arm, θ̇, and both memories."""
     asked = wish.entry_rate + control.entry * at.place.lateral
     nu = body_velocity(at.T_world_tool[:3, :3], wish.feedforward, error, control.position, control.orientation)
     tool, of_tool = control.of_tool.answered(at.problem, at.task(nu, asked, dt), memory[0])
@@ -145,11 +146,10 @@ def rcm_loop(
     dt: float,
     memory: tuple[Any, Any] = (None, None),
 ) -> Iterator[RcmStep]:
-    """The closed loop from q (n,) with the entry point at p_rcm (3,), m, step after step and without end.
+    """Steps of the closed loop from q (n,) with the entry point at p_rcm (3,), m, without end.
 
-    Explicit Euler, the entry point too: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. Raises HelicoideError where six ways of the
-    tool and the entry point are too much for the arm. memory: of the two inverses, where they are not to begin with
-    their own.
+    Explicit Euler, also for the entry point: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. memory: of the two inverses; None for
+    their initial memory. Raises HelicoideError where the arm has too few joints, see `passage.refusal`.
     """
     refused = refusal(problem.robot, passage)
     if refused:

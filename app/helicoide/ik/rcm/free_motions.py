@@ -1,4 +1,4 @@
-"""What a shaft in its entry point may do: the constraint Λ and a basis Λ# of the motions that it leaves free.
+"""The constraint Λ of a shaft in its entry point, and a basis Λ# of the motions that remain free.
 
 Source: Coutinho 2015, §3.1–3.3.
 """
@@ -13,15 +13,16 @@ from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.ik.rcm.passage import Insertion
 
-# The source's basis holds 1/l_a; the scaled one takes turns where the source takes velocities of joint i.
+# The source's basis contains 1/l_a. The scaled one has angular velocities instead of the linear ones of joint i.
 Basis = Literal["source", "scaled"]
 ALONG = frozen([0.0, 1.0, 0.0])
 ALONG_CROSS = frozen(rotation.skew(ALONG))
 
 
 def constraint(place: Insertion) -> Array:
-    """Λ = H Ad_ri = N [I, −[p_ir]ₓ], (r, 6), p_ir = (0, l_a, 0): Λ V_i is what the shaft does to its entry point.
+    """Λ = H Ad_ri = N [I, −[p_ir]ₓ], (r, 6), p_ir = (0, l_a, 0).
 
+    Λ V_i is the velocity, along the forbidden directions, of the point of the shaft at the entry.
     Source: Coutinho 2015, eqs. 3.2, 3.6, with the sign of v_r = v_i + ω × p_ir.
     """
     N = place.forbidden
@@ -59,7 +60,7 @@ def _free_directions(N: Array) -> Array:
 
 
 def _turns(N: Array) -> tuple[Array, Array]:
-    """How the shaft turns with v, times l_a, (3, 3), and the turns left free, (3, 3 − r), of which y is the last."""
+    """The matrix (3, 3) from v to l_a ω, and the free angular velocities, (3, 3 − r), of which y is the last."""
     if len(N) == 2:
         return -ALONG_CROSS, ALONG[:, None]
     lever = np.cross(N[0], ALONG)

@@ -1,6 +1,6 @@
-"""Older ways to keep a point while the tool moves: one stacked Jacobian, or one task before the other.
+"""Older methods to keep an entry point while the tool moves: one stacked Jacobian, or one task with priority.
 
-Off the singularities they give the same joint rates as the constrained Jacobian, if J^r is square.
+Away from singularities they give the same joint velocities as the constrained Jacobian, if J^r is square.
 Source: Coutinho 2015, §1.2.1.
 """
 
@@ -19,7 +19,7 @@ def tool_jacobian(at: Constrained) -> Array:
 
 
 def entry_jacobian(at: Constrained) -> Array:
-    """J_c = [Λ J_i, 0] (r, n): what the joints do to the shaft at the entry. Source: Coutinho 2015, eq. 3.6."""
+    """J_c = [Λ J_i, 0] (r, n), from θ̇ to the forbidden velocities at the entry. Source: Coutinho 2015, eq. 3.6."""
     before = at.constraint @ at.J_arm
     return np.hstack([before, np.zeros((len(before), len(at.q) - before.shape[1]))])
 
@@ -35,9 +35,9 @@ def extended(at: Constrained, command: Array, entry_rate: Array) -> Array:
 
 
 def by_priority(first: Array, rate: Array, second: Array, second_rate: Array, share: float = 1.0) -> Array:
-    """θ̇ = J₁† ẋ₁ + α (J₂ P)† (ẋ₂ − J₂ J₁† ẋ₁), P = I − J₁† J₁: the second task with what the first leaves free.
+    """θ̇ = J₁† ẋ₁ + α (J₂ P)† (ẋ₂ − J₂ J₁† ẋ₁), P = I − J₁† J₁: the second task in the null space of the first.
 
-    Args: J₁ (m, n), ẋ₁ (m,), J₂ (k, n), ẋ₂ (k,), each pair in one unit; share: α. Returns (n,).
+    Args: J₁ (m, n), ẋ₁ (m,), J₂ (k, n), ẋ₂ (k,), the rows of each pair in the same units; share: α. Returns (n,).
     Source: Coutinho 2015, §1.2.1, after Maciejewski and Klein 1985.
     """
     inverse = _pinv(first)
@@ -57,10 +57,10 @@ def entry_first(at: Constrained, command: Array, entry_rate: Array) -> Array:
 def avoiding(
     J_tool: Array, command: Array, J_point: Array, away: Array, share: float = 1.0, speed: float = 1.0
 ) -> Array:
-    """θ̇ = J_e† ẋ_e + α_η [J_o (I − J_e† J_e)]† (α₀ ẋ_o − J_o J_e† ẋ_e): obstacles as the free joints allow.
+    """θ̇ = J_e† ẋ_e + α_η [J_o (I − J_e† J_e)]† (α₀ ẋ_o − J_o J_e† ẋ_e): obstacle avoidance in the null space.
 
     Args: J_e (m, n), ẋ_e (m,); J_point: J_o (k, n) of the arm's point nearest to the obstacle; away: ẋ_o (k,); share:
-    α_η, from 0 far away to 1 near; speed: α₀, grows towards the obstacle. Returns (n,).
+    α_η, from 0 far from the obstacle to 1 near it; speed: α₀, which grows towards the obstacle. Returns (n,).
     Source: Coutinho 2015, eqs. 1.1–1.4, after Maciejewski and Klein 1985.
     """
     return by_priority(J_tool, command, J_point, speed * away, share)

@@ -1,6 +1,6 @@
 """The paths of the source's simulations and of its first experiment: S1 to S4 and E1.
 
-The tool moves from its start T_0 by d(t) along its own axes at the start and turns by φ(t) about its x:
+From its start T_0 = (p_0, R_0) the tool moves by d(t) in the axes of T_0 and rotates by φ(t) about its x axis:
 T_d = (p_0 + R_0 d, R_0 Rot(x, φ)). Source: Coutinho 2015, §4.1, §4.2.1.
 """
 
@@ -19,15 +19,15 @@ from helicoide.ik.rcm.passage import SLIT, TROCAR
 
 A = 0.03
 OMEGA = 2 * pi / 200
-# Seconds of one sample of the experiment, in which 5000 samples took 45 s.
+# Sampling time of the experiment, s: 5000 samples took 45 s.
 SAMPLE = 0.009
-# A path whose ends differ by less than this, m or an entry of a rotation, is closed.
+# A path is closed if the entries of its first and last pose differ by less than this, m for the position.
 CLOSES = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """What a path asks at one instant: d and ḋ (3,), m and m/s; φ and φ̇, rad and rad/s; v_rd (2,), m/s."""
+    """A point of a path: d and ḋ (3,), m and m/s; turn, turn_rate: φ and φ̇, rad and rad/s; v_rd (2,), m/s."""
 
     d: tuple[float, float, float] = (0.0, 0.0, 0.0)
     d_rate: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -38,14 +38,14 @@ class Way:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A path of the source: its way by time, how long it takes, s, and what its entry point forbids, (r, 3)."""
+    """A path of the source as a function of time, its duration, s, and the forbidden directions `across`, (r, 3)."""
 
     way: Callable[[float], Way]
     duration: float
     across: Array
 
     def wished(self, T_world_start: Array) -> Callable[[float], RcmReference]:
-        """The wishes by time of a tool that starts at T_0 (4, 4), m."""
+        """The reference as a function of time, s, for a tool that starts at T_0 (4, 4), m."""
         R, p = T_world_start[:3, :3], T_world_start[:3, 3]
 
         def at(t: float) -> RcmReference:
@@ -59,25 +59,25 @@ class Path:
         return at
 
     def of(self, T_world_start: Array) -> OfTool:
-        """The path of a tool that starts at T_0 (4, 4), m, without what it asks of the entry point."""
+        """The path of a tool that starts at T_0 (4, 4), m, without the velocity of the entry point."""
         return OfTool(self, T_world_start)
 
 
 @dataclass(frozen=True, eq=False)
 class OfTool:
-    """A path of the source as one of `trajectory.path.Path`, of a tool that starts at T_0 (4, 4), m."""
+    """A path of the source as a `trajectory.path.Path`, for a tool that starts at T_0 (4, 4), m."""
 
     path: Path
     T_world_start: Array
 
     @property
     def duration(self) -> float:
-        """How long it takes, s."""
+        """Duration, s."""
         return self.path.duration
 
     @property
     def is_closed(self) -> bool:
-        """Whether it ends in the pose where it begins: the simulations do, the experiment stops before."""
+        """Whether the path ends at its initial pose: S1 to S4 do, E1 does not."""
         return bool(np.abs(self.pose(self.duration) - self.pose(0.0)).max() < CLOSES)
 
     def pose(self, s: float) -> Array:
@@ -95,7 +95,7 @@ def _about_x(angle: float) -> Array:
 
 
 def s1(t: float) -> Way:
-    """d = (½A sin ωt, 2.2A cos 2ωt − 2.2A, A sin 2ωt): withdraws 132 mm. Source: Coutinho 2015, eq. 4.1."""
+    """d = (½A sin ωt, 2.2A cos 2ωt − 2.2A, A sin 2ωt): withdrawal by 132 mm. Source: Coutinho 2015, eq. 4.1."""
     w = OMEGA
     return Way(
         (0.5 * A * sin(w * t), 2.2 * A * (cos(2 * w * t) - 1), A * sin(2 * w * t)),
@@ -132,7 +132,7 @@ def s4(t: float) -> Way:
 def e1(t: float) -> Way:
     """d = (30 mm sin ωk, 0, 0), φ = π/18 (cos ωk − 1), v_rd = (10 mm/s sin 8ωk, 0), ωk = 2π/7000 k, k = t / 9 ms.
 
-    Source: Coutinho 2015, §4.2.1, with ω by sample.
+    Source: Coutinho 2015, §4.2.1, with ω in rad per sample.
     """
     w = 2 * pi / 7000 / SAMPLE
     return Way(

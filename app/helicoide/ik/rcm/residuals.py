@@ -1,7 +1,7 @@
-"""What shows how well an entry point is kept: distance, depth, lever.
+"""Measures of how well a shaft keeps its entry point: lateral distance, depth and lever ratio.
 
-d is the unit direction of the shaft towards its tip; all points and directions in one frame. Source: Coutinho 2015,
-§1.2.2, §3.4.
+d is the unit direction of the shaft towards its tip. All points and directions are in one frame.
+Source: Coutinho 2015, §1.2.2, §3.4.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ def lateral_distance(d: Array, on_shaft: Array, entry: Array) -> float:
 
 
 def depth(d: Array, tip: Array, entry: Array) -> float:
-    """How far the tip is beyond the entry point: (p_tip − p_rcm)·d, m; negative outside. Args: (3,), m."""
+    """Depth of the tip beyond the entry point: (p_tip − p_rcm)·d, m, negative outside. Args: (3,), m."""
     return float((tip - entry) @ d)
 
 
 def fulcrum_ratio(d: Array, handle: Array, tip: Array, entry: Array) -> float:
-    """Outside over inside length: a turn about the entry point moves the handle by minus this times the tip's way.
+    """Length outside over length inside. In a rotation about the entry point, handle motion = −ratio × tip motion.
 
     Infinite where the tip is at the entry point. Args: (3,), m. Source: Coutinho 2015, §1.2.2.
     """

@@ -1,7 +1,7 @@
-"""A straight instrument on any arm: its tip goes where it is asked, its shaft stays in the entry point.
+"""A straight instrument on any arm: its tip follows a target point while its shaft stays in the entry point.
 
-No wrist beyond the entry, so three ways of the tip and r of the entry point make 3 + r rows, and the turn about the
-shaft stays free. Source: after Coutinho 2015, §3.4, §5.1.
+There is no wrist beyond the entry. The task has 3 + r rows, three for the tip and r for the entry point. The rotation
+about the shaft stays free. Source: after Coutinho 2015, §3.4, §5.1.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ from helicoide.text import HelicoideError, Text
 
 @dataclass(frozen=True, eq=False)
 class TipWish:
-    """Where the tip and the entry point shall be at one instant: target p_d, ahead ṗ_d, entry p_rcm, (3,), m and m/s.
+    """The target of the tip and the entry point at one instant.
 
-    entry_rate: v_rd (r,), m/s, along the forbidden directions.
+    target: p_d (3,), m; ahead: ṗ_d (3,), m/s; entry: p_rcm (3,), m; entry_rate: v_rd (r,), m/s, along the forbidden
+    directions.
     """
 
     target: Array
@@ -35,7 +36,7 @@ class TipWish:
 
 
 def refusal(robot: Robot, passage: Passage) -> Text | None:
-    """Why the tip cannot be moved in all three ways; None where it can: n ≥ 3 + r."""
+    """Why the tip cannot be moved in three directions; None if it can: n ≥ 3 + r."""
     n, rows = len(robot.variables), 3 + passage.r
     if n >= rows:
         return None
@@ -48,7 +49,7 @@ def refusal(robot: Robot, passage: Passage) -> Text | None:
 def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> TaskError:
     """J_a = [J_p(tip); Pᵀ J_p(p_c)], e = [p_d − p; Pᵀ(p_rcm − p_c)], p_c the shaft's point nearest to the entry point.
 
-    P holds the forbidden directions in world axes. Rows over ℓ. Args: q (n,), rad or m.
+    The columns of P are the forbidden directions in world axes. Rows are divided by ℓ. Args: q (n,), rad or m.
     Source: after Coutinho 2015, §3.4.
     """
     chain, length = problem.robot.chain, problem.length
@@ -67,7 +68,7 @@ def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> TaskErro
 
 
 def to_points(problem: Problem, passage: Passage, wished: Callable[[float], TipWish]) -> TaskFunction:
-    """What `clik.followed` aims at; raises HelicoideError where the arm has too few joints."""
+    """The task function for `clik.followed`. Raises HelicoideError if the arm has too few joints."""
     refused = refusal(problem.robot, passage)
     if refused:
         raise HelicoideError(refused)

@@ -1,8 +1,7 @@
-"""An entry point under the methods of the sources: what is asked of them while the instrument stays in it.
+"""Tasks for the methods of the sources while the instrument stays in an entry point.
 
-With the orientation held, the method inverts the constrained Jacobian, and the pseudoinverse gives the arm the velocity
-of its shaft. Without it, the tip and the entry point are one task for the method.
-Source: Coutinho 2015, §3.4, fig. 3.3.
+If the orientation is controlled, the method inverts the constrained Jacobian J^r and the pseudoinverse inverts J_i. If
+not, tip and entry point are one task for the method. Source: Coutinho 2015, §3.4, fig. 3.3.
 """
 
 from __future__ import annotations
@@ -26,8 +25,8 @@ from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
 NOTHING_FREE = Text(
-    en="The entry point and a held orientation leave no joint free for an objective: let one of them go.",
-    pt_BR="O ponto de entrada e a orientação mantida não deixam junta livre para um objetivo: solte um deles.",
+    en="The entry point and the orientation leave no redundant joint for an objective: switch one of them off.",
+    pt_BR="O ponto de entrada e a orientação não deixam junta redundante para um objetivo: desligue um deles.",
 )
 
 
@@ -37,7 +36,7 @@ def passage_of(robot: Robot, entry: EntryPoint) -> Passage:
 
 
 def refused(problem: Problem, with_orientation: bool, drive: Controller) -> Text | None:
-    """Why no method is asked; None where one is."""
+    """Why the task with an entry point cannot be solved; None if it can."""
     assert problem.entry is not None
     passage = passage_of(problem.robot, problem.entry)
     if not with_orientation:
@@ -48,7 +47,7 @@ def refused(problem: Problem, with_orientation: bool, drive: Controller) -> Text
 def tip_task(
     problem: Problem, entry: EntryPoint, q: Array, T_world_target: Array, ahead: Array, gains: Gains, dt: float
 ) -> Task:
-    """The tip to its point and the shaft to the entry point, (5, n): ν = ẋ_d + Λ e.
+    """The task (5, n) that brings the tip to its target point and the shaft to the entry point: ν = ẋ_d + Λ e.
 
     Args: q (n,), rad or m; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
     """
@@ -59,9 +58,9 @@ def tip_task(
 
 
 def tool_velocity(at: Constrained, T_world_target: Array, ahead: Array, gains: Gains) -> Array:
-    """ν (6,), body velocity of the tool, m/s and rad/s: `follow.command` with a gain for each axis of the world.
+    """ν (6,), body velocity of the tool, m/s and rad/s: `follow.body_velocity` with a gain for each world axis.
 
-    No faster than the tool may be. Args: T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s.
+    Limited by `controller.reference_velocity`. Args: T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s.
     """
     R, length = at.T_world_tool[:3, :3], at.problem.length
     error = pose_error(T_world_target, at.T_world_tool)
@@ -80,7 +79,7 @@ def rcm_step(
     drive: Controller,
     dt: float,
 ) -> tuple[Array, Controller]:
-    """The joint displacement Δq (n,), rad or m, that the method wishes, and the drive after it.
+    """The joint displacement Δq (n,), rad or m, that the method asks for, and the controller after it.
 
     poses (m + 1, 4, 4) at q (n,); T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
     """

@@ -1,7 +1,7 @@
 """The constrained Jacobians of the source's wrists in closed form, and their manipulability.
 
-Joints 4 to 6 meet where the restricted link begins, joints 7 and 8 where it ends; l_a + l_b is its length, l_8 from
-joint 8 to the tool. "zy": joint 7 turns about z and joint 8 about y, "zx": joint 8 about x.
+The axes of joints 4 to 6 meet at the start of the restricted link, those of joints 7 and 8 at its end. l_a + l_b is its
+length; l_8 is the distance from joint 8 to the tool. "zy": joint 7 rotates about z, joint 8 about y; "zx": about x.
 Source: Coutinho 2015, §3.2, §3.3, §3.5.
 """
 
@@ -52,7 +52,7 @@ def zy_trocar(l_a: float, l_b: float, l_8: float, q7: float, q8: float) -> Array
 def zx_trocar(l_a: float, l_b: float, l_8: float, q7: float, q8: float) -> Array:
     """J^r (6, 6) of a zx wrist beyond a trocar; columns v_x, v_y, v_z, ω_y, θ̇₇, θ̇₈.
 
-    Source: Coutinho 2015, eq. 3.29, in one frame: the printed one turns the other way by θ₈ and leaves l_8 behind.
+    Source: Coutinho 2015, eq. 3.29, in one frame: the printed one rotates by −θ₈ and leaves out l_8.
     """
     c7, s7, c8, s8 = cos(q7), sin(q7), cos(q8), sin(q8)
     return np.array(

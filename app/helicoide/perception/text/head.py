@@ -165,9 +165,9 @@ def _check_commas(cells: LineSplitter, sample: list[list[str]]) -> None:
     if len(sample[0]) >= 6 and any(_BOTH_COMMAS.fullmatch(cell) for row in sample for cell in row[1::2]):
         raise BrokenFile(
             Text(
-                en="commas stand between its numbers and also within them; valid are semicolons or blanks between "
-                "numbers with commas",
-                pt_BR="há vírgulas entre os números e também dentro deles; valem ponto e vírgula ou espaços entre "
-                "números com vírgula",
+                en="commas both separate its numbers and occur within them; numbers with decimal commas need "
+                "semicolons or spaces between them",
+                pt_BR="há vírgulas entre os números e também dentro deles; números com vírgula decimal precisam de "
+                "ponto e vírgula ou espaços entre si",
             )
         )

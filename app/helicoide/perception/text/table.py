@@ -36,7 +36,7 @@ class _Bad:
         if self.first is not None and self.count > max(_MAX_SKIPPED * rows, 0):
             raise BrokenFile(
                 Text(
-                    en="{first}; so it is with {n} of {k} rows", pt_BR="{first}; assim estão {n} de {k} linhas"
+                    en="{first}; this holds for {n} of {k} rows", pt_BR="{first}; isto vale para {n} de {k} linhas"
                 ).format(first=self.first, n=self.count, k=rows)
             )
 
@@ -44,7 +44,7 @@ class _Bad:
         """A note on skipped rows, if any."""
         if self.first is None:
             return ()
-        skipped = Text(en="Rows passed over: {n} of {k}; {first}.", pt_BR="Linhas não lidas: {n} de {k}; {first}.")
+        skipped = Text(en="Rows ignored: {n} of {k}; {first}.", pt_BR="Linhas ignoradas: {n} de {k}; {first}.")
         return (skipped.format(n=self.count, k=rows, first=self.first),)
 
 

@@ -76,8 +76,8 @@ COUNTED = Text(
     pt_BR="A primeira coluna numera as linhas; x, y e z são as colunas {x}, {y} e {z}.",
 )
 TAKEN = Text(
-    en="Columns {x}, {y} and {z} were taken for x, y and z.",
-    pt_BR="As colunas {x}, {y} e {z} foram tomadas como x, y e z.",
+    en="Columns {x}, {y} and {z} were read as x, y and z.",
+    pt_BR="As colunas {x}, {y} e {z} foram lidas como x, y e z.",
 )
 COUNTS = Text(en="counts up as the numbers of rows do", pt_BR="cresce de um em um, como números de linha")
 GROWS = Text(en="grows from row to row as times do", pt_BR="cresce de linha em linha, como instantes de tempo")

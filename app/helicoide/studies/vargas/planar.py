@@ -57,7 +57,7 @@ from helicoide.studies.vargas.table import (
     study_result,
     transient_end,
 )
-from helicoide.text import Text, untranslated
+from helicoide.text import Text, untranslated, with_decimal_comma
 
 SECONDS, LENGTH = 40.0, 4.0
 PSEUDOINVERSE = method_settings("pseudoinverse")
@@ -216,6 +216,6 @@ def ellipse_chart(path: PathFunction, run: MethodRun, instants: Sequence[float],
         here = analyse_jacobian(run.J[i]).velocity_ellipsoid
         round_it = (here.axes * here.lengths) @ np.stack([np.cos(turn), np.sin(turn)])
         x, y = (wished[i] - run.e[i])[:, None] + size * round_it
-        lines.append(ChartLine(untranslated(f"t = {at:g} s"), x, y))
+        lines.append(ChartLine(with_decimal_comma(f"t = {at:g} s"), x, y))
     title = Text(en="manipulability ellipses on the way", pt_BR="elipses de manipulabilidade no percurso")
     return Chart(title, untranslated("x, ℓ"), untranslated("y, ℓ"), tuple(lines), "fig. 3.1")

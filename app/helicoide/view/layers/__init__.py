@@ -1,7 +1,7 @@
-"""What the scene shows, a file each.
+"""The layers of the scene, one module each.
 
-A module has NAME, SHARED (one for all windows, or one for each) and `build(stage)`; with TITLE and SHOWN it can be
-shown and hidden by a person. What it builds has `update(old, new)`, which writes only what changed.
+A module defines NAME, SHARED (whether one layer serves all windows) and `build(stage)`. With TITLE and SHOWN, its layer
+can be shown and hidden by the user. A layer has `update(old, new)`, which writes only what changed.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ DRAWN_FOR = 0.82
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """Where a layer is built: a scene, its robot and shapes, and whom to tell what a person wishes.
+    """What a layer is built from: a scene, a robot and its shapes, and the function that takes requests.
 
-    weight: how much heavier lines and handles are drawn, for a projector.
+    who: client id of the window, empty for a shared scene; weight: scale of lines and handles, larger for a projector.
     """
 
     scene: viser.SceneApi
@@ -38,7 +38,7 @@ class Stage:
 
     @property
     def size(self) -> float:
-        """How much larger arrows, lines and handles are than on an arm that reaches `DRAWN_FOR` metres."""
+        """Scale of arrows, lines and handles, 1 for an arm with a reach of `DRAWN_FOR` metres."""
         return self.weight * self.robot.reach / DRAWN_FOR
 
 
@@ -49,22 +49,22 @@ class Layer(Protocol):
     """A part of the scene."""
 
     def update(self, old: View | None, new: View) -> None:
-        """Bring the scene from one view to the next; from nothing when there is no old one."""
+        """Update the scene from one view to the next. old: None if nothing is drawn yet."""
 
 
 @cache
 def all_layers() -> tuple[ModuleType, ...]:
-    """Every layer there is."""
+    """The modules of all layers."""
     return tuple(content.modules(__name__).values())
 
 
 def optional() -> list[ModuleType]:
-    """The layers that a person can show and hide."""
+    """The modules of the layers that the user can show and hide."""
     return [layer for layer in all_layers() if hasattr(layer, "TITLE")]
 
 
 class Layers:
-    """All layers of a scene, and the view that they show; one that fails is tried again, and the others go on."""
+    """All layers of a scene, and the view that they show. If a layer fails, it is tried again, and the others go on."""
 
     def __init__(self, stage: Stage, shared: bool) -> None:
         self.shown: View | None = None
@@ -79,7 +79,7 @@ class Layers:
                     log.exception("the layer %s could not be built", layer.NAME)
 
     def update(self, view: View) -> None:
-        """Bring every layer to a view."""
+        """Update every layer to a view."""
         for name, layer in self.layers.items():
             try:
                 layer.update(None if name in self.failed else self.shown, view)

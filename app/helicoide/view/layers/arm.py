@@ -1,4 +1,4 @@
-"""The arm: a frame for each URDF link with its meshes; our own forward kinematics writes the frames."""
+"""The arm: a frame for each URDF link with its meshes, placed by our own forward kinematics."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class LinkNodes:
         self.slides = np.array([shape.slide for shape in shapes]).reshape(-1, 3, 1)
 
     def write(self, Ts_world_link: Array, gripper: float) -> None:
-        """Bring the frames to link poses (m + 1, 4, 4), m; gripper: 0 closed to 1 open."""
+        """Move the frames to link poses (m + 1, 4, 4), m; gripper: 0 closed to 1 open."""
         carriers = Ts_world_link[self.links]
         Ts = carriers @ self.Ts_link_shape
         Ts[:, :3, 3:] += gripper * carriers[:, :3, :3] @ self.slides

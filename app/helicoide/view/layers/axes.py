@@ -1,4 +1,4 @@
-"""The screw axes of the joints as lines through the arm, named J1 … Jn, on request."""
+"""The screw axes of the joints as lines through the arm, named J1 … Jn; hidden by default."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from helicoide.view.rows import View
 
 NAME = "axes"
 SHARED = False
-TITLE = Text(en="Screw axes of the joints", pt_BR="Eixos helicoidais das juntas")
+TITLE = Text(en="Joint screw axes", pt_BR="Eixos helicoidais das juntas")
 SHOWN = False
 
-HALF, TIP = 0.6, 0.28  # of the line, and from the joint to the head of the arrow that tells its sense, × size, m
+HALF, TIP = 0.6, 0.28  # half the line, and the length of the arrow that shows the sense of the axis, × size, m
 COLOUR = (21, 101, 192)
 
 
 def build(stage: Stage) -> Axes:
-    """A line and an arrow along the axis of each joint, with its name at the head."""
+    """A line and an arrow along the axis of each joint, with its name at the head of the arrow."""
     scene, size, n = stage.scene, stage.size, len(stage.robot.joints)
     none = np.zeros((n, 2, 3))
     return Axes(

@@ -1,4 +1,4 @@
-"""The ball that can be grasped, and the stands on which it may lie."""
+"""The ball that can be grasped, and its stands."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ STAND = 0.014
 
 
 def build(stage: Stage) -> BallLayer:
-    """A ball that is not there yet, and no stands."""
+    """The ball, hidden at first, without stands."""
     sphere = stage.scene.add_icosphere("/ball", BALL_RADIUS, WHITE, cast_shadow=False)
     sphere.visible = False
     return BallLayer(stage, sphere)
 
 
 class BallLayer:
-    """The ball, and a column from the floor for each stand; those that are not needed are kept and hidden."""
+    """The ball, and a column from the floor for each stand. Columns are made again when the stands change."""
 
     def __init__(self, stage: Stage, sphere: viser.IcosphereHandle) -> None:
         self.stage, self.sphere = stage, sphere

@@ -1,4 +1,4 @@
-"""The clouds that were read: grey points, and in the colour of a plane those that lie on it."""
+"""The point clouds: points on the plane that was found are green, the others grey."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from helicoide.view.rows import View
 
 NAME = "cloud"
 SHARED = False
-TITLE = Text(en="Clouds of points", pt_BR="Nuvens de pontos")
+TITLE = Text(en="Point clouds", pt_BR="Nuvens de pontos")
 SHOWN = True
 
 OFF_IT, ON_IT = (150, 150, 150), (46, 125, 50)
@@ -20,12 +20,12 @@ SIZE, MOST = 0.0025, 20_000
 
 
 def build(stage: Stage) -> Clouds:
-    """None to begin with."""
+    """The layer, without clouds at first."""
     return Clouds(stage)
 
 
 class Clouds:
-    """A cloud for each plane that was looked for."""
+    """A cloud for each plane that was searched for."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
@@ -33,7 +33,7 @@ class Clouds:
         self.drawn: dict[str, FittedCloud] = {}
 
     def update(self, old: View | None, new: View) -> None:
-        """Show what was read since."""
+        """Draw new clouds, and show or hide all."""
         seen, shown = new.state.clouds, new.seat.visible_layers[NAME]
         if old is None or old.state.clouds is not seen:
             for name, one in seen.items():

@@ -1,4 +1,4 @@
-"""The arm beside: the outline of a second one that follows the same target by another method."""
+"""The compared arm: the outline of a second arm that follows the same target by another method."""
 
 from __future__ import annotations
 

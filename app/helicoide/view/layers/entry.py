@@ -1,4 +1,4 @@
-"""The entry point of the instrument: a ball where its shaft must pass."""
+"""The entry point of the instrument: a ball at the point through which its shaft must pass."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The handle of the entry point: three arrows while one is held."""
+"""The handle of the entry point: three arrows, shown while the entry point is held."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def build(stage: Stage) -> EntryHandle:
 
 
 class EntryHandle:
-    """The gizmo of one window; it stays under the hand that holds it."""
+    """The gizmo of one window. It is not moved while this window drags it."""
 
     def __init__(self, who: str, gizmo: viser.TransformControlsHandle) -> None:
         self.who, self.gizmo = who, gizmo

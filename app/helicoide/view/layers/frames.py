@@ -1,4 +1,4 @@
-"""The frames of the links and of the tool, on request."""
+"""The frames of the links and of the tool; hidden by default."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from helicoide.view.rows import View
 
 NAME = "frames"
 SHARED = False
-TITLE = Text(en="Frames of the links", pt_BR="Referenciais dos elos")
+TITLE = Text(en="Link frames", pt_BR="Referenciais dos elos")
 SHOWN = False
 
 

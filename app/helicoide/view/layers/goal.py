@@ -1,4 +1,4 @@
-"""The accepted goal: the arm's outline where it will come to rest, coloured by how well that meets the wish."""
+"""The accepted goal: the arm's outline where it will stop, coloured by whether it reaches the target."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class GoalLayer:
 
 
 def _is_away(state: State) -> bool:
-    """Whether the goal is far enough from the arm to be told apart; a path that plays needs no outline."""
+    """Whether the goal is far enough from the arm to be drawn; not for a path, nor while the arm holds its position."""
     if state.request.goal is None or isinstance(state.request.command, HoldPosition | FollowPath):
         return False
     return bool(np.max(np.abs(state.request.goal.q - state.arm.q)) > AWAY)

@@ -15,19 +15,19 @@ from helicoide.view.rows import ForArm, View
 
 NAME = "handles"
 SHARED = False
-TITLE = Text(en="Handles of the planes", pt_BR="Alças dos planos")
+TITLE = Text(en="Plane handles", pt_BR="Alças dos planos")
 SHOWN = True
 
 
 def build(stage: Stage) -> Handles:
-    """None to begin with."""
+    """The layer, without handles at first."""
     return Handles(stage, NAME, turns=False)
 
 
 class Handles:
-    """The gizmos, one for each plane that may be moved; each stays under the hand that holds it.
+    """The gizmos, one for each movable plane. None is moved while this window drags it.
 
-    rotates: whether they turn the planes, with rings, and do not move them, with an arrow.
+    rotates: whether the gizmos are rings that rotate the planes, and not arrows that move them.
     """
 
     def __init__(self, stage: Stage, name: str, turns: bool) -> None:

@@ -1,4 +1,4 @@
-"""The object of the selected multivector, lit up: the tool's frame, a joint's line, a plane's border, a point."""
+"""The highlighted object of the selected multivector: tool frame, joint axis, border of a plane, or point."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def build(stage: Stage) -> Highlight:
 
 
 def lines_of(state: State, kind: str, index: int) -> Array:
-    """The segments that light up a joint's line or a plane's border, (m, 2, 3), m."""
+    """The segments that highlight a joint's axis or a plane's border, (m, 2, 3), m."""
     if kind == "joint":
         axis, centre = state.axes[index], state.arm.poses[index + 1, :3, 3]
         half = HALF * state.robot.reach
@@ -50,7 +50,7 @@ def lines_of(state: State, kind: str, index: int) -> Array:
 
 
 class Highlight:
-    """What is lit up."""
+    """The highlighted object."""
 
     def __init__(self, frame: viser.FrameHandle, lines: viser.LineSegmentsHandle, ball: viser.IcosphereHandle) -> None:
         self.frame, self.lines, self.ball = frame, lines, ball

@@ -16,12 +16,12 @@ SHARED = False
 
 
 def build(stage: Stage) -> ObstacleHandles:
-    """None to begin with."""
+    """The layer, without handles at first."""
     return ObstacleHandles(stage)
 
 
 class ObstacleHandles:
-    """The gizmos of one window; each stays under the hand that holds it, and is kept when its sphere is gone."""
+    """The gizmos of one window. None is moved while this window drags it; those without a sphere are hidden."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage

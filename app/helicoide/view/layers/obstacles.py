@@ -1,4 +1,4 @@
-"""The obstacles: spheres, coloured when they hold the arm."""
+"""The obstacles: spheres, red while they limit the arm."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ FREE, HOLDS = (120, 110, 95), (211, 47, 47)
 
 
 def build(stage: Stage) -> ObstacleLayer:
-    """None to begin with."""
+    """The layer, without spheres at first."""
     return ObstacleLayer(stage)
 
 
 class ObstacleLayer:
-    """A sphere of radius 1 m for each obstacle, scaled; more are made when they are needed, then kept."""
+    """A scaled unit sphere for each obstacle. Spheres are added when needed, and hidden when not needed."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
@@ -30,7 +30,7 @@ class ObstacleLayer:
         self.colours: list[tuple[int, int, int]] = []
 
     def update(self, old: View | None, new: View) -> None:
-        """Follow the obstacles, and what holds the arm."""
+        """Follow the obstacles, and colour those that limit the arm."""
         state = new.state
         if old is None or old.state.problem.obstacles is not state.problem.obstacles:
             self._place(state.problem.obstacles.ends[:, 0], state.problem.obstacles.radii)

@@ -13,7 +13,7 @@ from helicoide.view.rows import View
 
 NAME = "path"
 SHARED = False
-TITLE = Text(en="The path", pt_BR="A trajetória")
+TITLE = Text(en="Path curve", pt_BR="Curva da trajetória")
 SHOWN = False
 
 COLOUR = (194, 24, 91)
@@ -21,21 +21,21 @@ PIECES = 200
 
 
 def build(stage: Stage) -> PathLayer:
-    """A line without a course yet."""
+    """The line, hidden and without a path at first."""
     line = stage.scene.add_line_segments("/path", np.zeros((1, 2, 3)), COLOUR, thickness=0.002 * stage.size)
     line.visible = False
     return PathLayer(stage, line)
 
 
 class PathLayer:
-    """The curve."""
+    """The path as a curve."""
 
     def __init__(self, stage: Stage, line: viser.LineSegmentsHandle) -> None:
         self.stage, self.line = stage, line
         self.course: PathChoice | None = None
 
     def update(self, old: View | None, new: View) -> None:
-        """Show on request, and whenever the arm follows it."""
+        """Show the path if the layer is on or the arm follows the path."""
         shown = new.seat.visible_layers[NAME] or isinstance(new.state.request.command, FollowPath)
         if shown and self.course != new.state.request.path_choice:
             self.course = new.state.request.path_choice

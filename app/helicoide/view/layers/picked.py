@@ -1,4 +1,4 @@
-"""Three clicked points and the plane through them: a click in the scene gives a point while a person picks."""
+"""Points clicked in the scene: while the user picks, each click gives a point, and three points give a plane."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ COLOUR, SIZE, NEEDED = (194, 24, 91), 0.012, 3
 
 
 def build(stage: Stage) -> Picked:
-    """No points, and clicks mean nothing."""
+    """The layer, without points, and ignoring clicks at first."""
     bind.stop_picking(stage.scene)
     return Picked(stage)
 
@@ -35,7 +35,7 @@ class Picked:
         self.points: viser.PointCloudHandle | None = None
 
     def update(self, old: View | None, new: View) -> None:
-        """Listen to clicks while the person picks, and show what was clicked."""
+        """Receive clicks while the user picks, and show the points."""
         before = None if old is None else old.seat.picked_points
         self.view = new
         picked = new.seat.picked_points
@@ -57,7 +57,7 @@ class Picked:
             )
 
     def _clicked(self, eye: Array, ray: Array) -> None:
-        """One more point; the third makes the plane."""
+        """Add the clicked point; the third one adds the plane."""
         if self.view is None or self.view.seat.picked_points is None:
             return
         point = point_under_ray(self.view.state, eye, ray)

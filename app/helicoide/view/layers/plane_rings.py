@@ -1,4 +1,4 @@
-"""The rings that turn the planes, on request."""
+"""The rings that rotate the planes; hidden by default."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from helicoide.view.layers.handles import Handles
 
 NAME = "turns"
 SHARED = False
-TITLE = Text(en="Rings that turn the planes", pt_BR="Anéis para girar os planos")
+TITLE = Text(en="Plane rotation rings", pt_BR="Anéis de rotação dos planos")
 SHOWN = False
 
 
 def build(stage: Stage) -> Handles:
-    """None to begin with."""
+    """The layer, without rings at first."""
     return Handles(stage, NAME, turns=True)

@@ -22,7 +22,7 @@ NORMAL_LENGTH = 0.07
 
 
 def pane_wxyz(normal: Array) -> Array:
-    """The orientation of a pane on a plane."""
+    """The orientation (4,) of a pane on a plane, as wxyz. normal: (3,)."""
     return rotation.from_matrix(pane_axes(normal))
 
 
@@ -34,7 +34,7 @@ def border(size: tuple[float, float]) -> Array:
 
 
 def build(stage: Stage) -> Panes:
-    """None to begin with."""
+    """The layer, without panes at first."""
     return Panes(stage)
 
 
@@ -80,12 +80,12 @@ class Pane:
         self.colour = COLOURS[Zone.FREE]
 
     def move(self, normal: Array, centre: Array) -> None:
-        """Stand on a plane."""
+        """Place the pane on a plane. normal, centre: (3,), centre in m."""
         self.frame.wxyz = pane_wxyz(normal)
         self.frame.position = centre
 
     def paint(self, colour: tuple[int, int, int]) -> None:
-        """Take a colour."""
+        """Set the colour."""
         if colour != self.colour:
             self.colour = colour
             self.glass.color = colour
@@ -93,7 +93,7 @@ class Pane:
 
 
 class Panes:
-    """All panes; each is made when its plane comes, made anew for another, and hidden when it has gone."""
+    """All panes. One is made for each new plane, made again if its size changes, and hidden without a plane."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage

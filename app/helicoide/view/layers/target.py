@@ -1,4 +1,4 @@
-"""The target: a gizmo that stays under the hand, and the line from the tool to it while the tool is elsewhere."""
+"""The target: a gizmo, and a line to it from the tool while the tool is elsewhere."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def build(stage: Stage) -> Target:
 
 
 def _shown_pose(state: State) -> Array:
-    """Where the gizmo stands when nobody holds it: on the wish for a pose, else on the tool."""
+    """The pose (4, 4), m, of the gizmo while it is not dragged: the target pose if there is one, else the tool pose."""
     return state.request.command.T_world_target if isinstance(state.request.command, MoveToPose) else state.T_world_tool
 
 
@@ -51,7 +51,7 @@ class Target:
         self.who, self.gizmo, self.line = who, gizmo, line
 
     def update(self, old: View | None, new: View) -> None:
-        """Follow the wish, except under the hand of this window's person."""
+        """Follow the target, except while this window drags the gizmo."""
         state = new.state
         if old is not None and _shown_of(old.state) == _shown_of(state):
             return
@@ -60,13 +60,13 @@ class Target:
         if state.request.drag != Drag(self.who, "target"):
             pose = _shown_pose(state)
             place_node(self.gizmo, pose)
-            # Under the hand, it would lose the end of the drag.
+            # During a drag, this would lose the end of the drag.
             if self.gizmo.disable_rotations == state.request.with_orientation:
                 self.gizmo.disable_rotations = not state.request.with_orientation
         self._line(state)
 
     def _line(self, state: State) -> None:
-        """From the tool to the wish."""
+        """Draw the line from the tool to the target."""
         wished = _shown_pose(state)[:3, 3]
         tool = state.T_world_tool[:3, 3]
         away = dist(wished, tool) > SHORT
@@ -79,6 +79,6 @@ class Target:
 
 
 def _shown_of(state: State) -> tuple[object, ...]:
-    """What the target is drawn from; equal only where nothing of it was replaced."""
+    """The parts of the state that the target depends on. Equal results: nothing has to be drawn."""
     arm, request = state.arm, state.request
     return id(arm.q), id(request.command), request.drag, request.with_orientation, arm.parked

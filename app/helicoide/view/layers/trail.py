@@ -13,7 +13,7 @@ from helicoide.view.rows import View
 
 NAME = "trail"
 SHARED = False
-TITLE = Text(en="Trail of the tool", pt_BR="Rastro do efetuador")
+TITLE = Text(en="End-effector trail", pt_BR="Rastro do efetuador")
 SHOWN = True
 
 LENGTH = 200
@@ -35,7 +35,7 @@ class Trail:
         self.points: list[np.ndarray] = []
 
     def update(self, old: View | None, new: View) -> None:
-        """Add where the tool is now."""
+        """Add the position of the tool."""
         shown = new.seat.visible_layers[NAME]
         if self.line.visible != shown:
             self.line.visible = shown

@@ -1,4 +1,4 @@
-"""The map of the workspace: a point for each cell that the tool comes to, beyond a vertical cut that bares the arm."""
+"""The map of the workspace: a point for each cell that the tool reaches. A vertical cut hides the front part."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from helicoide.view.workspace_rows import middles, scale_of, values
 
 NAME = "workspace"
 SHARED = False
-TITLE = Text(en="Map of the workspace", pt_BR="Mapa do espaço de trabalho")
+TITLE = Text(en="Workspace map", pt_BR="Mapa do espaço de trabalho")
 SHOWN = True
 
-# The size of a point, in cells; into how many parts coarse cells are divided across the whole; the most points sent.
+# Size of a point, in cells; number of points across the map, for which coarse cells are divided; most points sent.
 SIZE, FINE, MOST = 1.05, 66, 30_000
 
 
 def build(stage: Stage) -> WorkspaceLayer:
-    """Nothing to begin with."""
+    """The layer, without a map at first."""
     return WorkspaceLayer(stage)
 
 
 def away(robot: Robot) -> tuple[int, int]:
-    """The axis, 0 or 1, and the way along it, 1 or −1, that lead most away from where the arm is first seen from."""
+    """The axis, 0 or 1, and its sign, 1 or −1, that point away from the first camera position."""
     position, centre = outlook(robot)
     way = (centre - position)[:2]
     axis = int(np.argmax(np.abs(way)))
@@ -39,9 +39,9 @@ def away(robot: Robot) -> tuple[int, int]:
 
 
 def behind(stage: Stage) -> Array:
-    """How far (3,), m, what lies in the plane of an arm is put behind all that moves, as it is first seen.
+    """The displacement (3,), m, that puts the map of an arm in a plane behind its moving links, as the camera sees it.
 
-    Nothing for an arm in space.
+    Zero for an arm in space.
     """
     robot, normal = stage.robot, plane_normal(stage.robot)
     if normal is None:
@@ -59,12 +59,12 @@ def behind(stage: Stage) -> Array:
 
 
 def beyond(cut: float, count: int) -> int:
-    """How many of so many layers have their middle before a cut, −1 to 1 of the way from the middle to either end."""
+    """How many of `count` layers have their centre before the cut. cut: −1 to 1, from one end to the other."""
     return int(np.clip(np.ceil(count / 2 * (1 + cut) - 0.5 - 1e-9), 0, count))
 
 
 def divided(found: WorkspaceMap, parts: int) -> Mask:
-    """What is reached, in so many parts of each cell each way: large cells are drawn as the cubes that they are."""
+    """The reached cells, each divided into `parts` along every axis, so that large cells are drawn as cubes."""
     mask = found.reached.reshape(found.cells.shape)
     for axis in range(mask.ndim):
         mask = np.repeat(mask, parts, axis)
@@ -72,7 +72,7 @@ def divided(found: WorkspaceMap, parts: int) -> Mask:
 
 
 def remaining(mask: Mask, hidden: int, axis: int, way: int) -> Mask:
-    """What of a mask (shape) lies beyond so many hidden layers; all of one in a plane."""
+    """A mask without its first `hidden` layers along an axis, from the end if `way` is −1; a flat mask unchanged."""
     mask = mask.copy()
     if mask.ndim == 3:
         np.moveaxis(mask, axis, 0)[::way][:hidden] = False
@@ -80,7 +80,7 @@ def remaining(mask: Mask, hidden: int, axis: int, way: int) -> Mask:
 
 
 def visible(mask: Mask) -> Counts:
-    """The steps (k, d) to the cells that can be seen: in space those with a neighbour that is not drawn."""
+    """The indices (k, d) of the visible cells: in space those with a neighbour that is not drawn."""
     if mask.ndim == 2:
         return np.argwhere(mask)
     padded = np.pad(mask, 1)
@@ -101,7 +101,7 @@ class WorkspaceLayer:
         self.drawn: tuple[WorkspaceMap, int] | None = None
 
     def update(self, old: View | None, new: View) -> None:
-        """Draw another map, or another part of it, once it is to be seen."""
+        """Draw the map if it or its cut has changed, and only while it is shown."""
         found = new.state.workspace.map
         shown = found is not None and new.seat.visible_layers[NAME]
         if found is not None and shown:

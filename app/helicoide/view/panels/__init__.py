@@ -1,4 +1,4 @@
-"""The tabs of a window, a file each: TITLE, ORDER, ICON, and `rows(robot)`."""
+"""The tabs of a window. The module of each defines TITLE, ORDER, ICON and `rows(robot)`."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from helicoide import content
 
 
 def all_panels() -> list[ModuleType]:
-    """Every panel there is, in its order."""
+    """Every panel, sorted by ORDER."""
     return sorted(content.modules(__name__).values(), key=lambda panel: panel.ORDER)

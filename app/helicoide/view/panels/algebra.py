@@ -1,4 +1,4 @@
-"""The live multivectors of the scene: choose one to see it large and lit up, all of them below."""
+"""The current multivectors of the scene: all of them in a list, and one that is chosen and highlighted."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from helicoide.ik import Contact
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import Reading
 from helicoide.state import State
-from helicoide.text import Language, Text
+from helicoide.text import Language, Text, number_text
 from helicoide.view import html
 from helicoide.view.formula import coefficient_grid, formula_html
 from helicoide.view.rows import Dropdown, Folder, ForSeat, HtmlRow, Row, View
@@ -23,10 +23,11 @@ TITLE = Text(en="Algebra", pt_BR="Álgebra")
 ORDER = 2
 ICON = Icon.MATH_FUNCTION
 
-NOTHING = Text(en="nothing", pt_BR="nada")
+NOTHING = Text(en="none", pt_BR="nenhum")
 INTRODUCTION = Text(
-    en="Everything here is a multivector of Cl(0,3,1): e₁, e₂, e₃ square to −1, e to 0. Lengths are in metres.",
-    pt_BR="Tudo aqui é multivetor de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador e, 0. Comprimentos em metros.",
+    en="All values are multivectors of Cl(0,3,1): e₁, e₂ and e₃ square to −1, e to 0. Lengths are in metres.",
+    pt_BR="Todos os valores são multivetores de Cl(0,3,1): e₁, e₂ e e₃ têm quadrado −1; o gerador e, 0. Comprimentos "
+    "em metros.",
 )
 DISTANCE = Text(en="Distance point–plane (eq. 20)", pt_BR="Distância ponto–plano (eq. 20)")
 BETWEEN = Text(en="{point} and plane {name} ({pane})", pt_BR="{point} e plano {name} ({pane})")
@@ -44,7 +45,7 @@ def rows(robot: Robot) -> list[Row]:
     return [
         HtmlRow(lambda view: html.note(INTRODUCTION[view.seat.language]) + _legend(view)),
         Dropdown(
-            Text(en="Light up", pt_BR="Destacar"),
+            Text(en="Highlight", pt_BR="Destacar"),
             lambda view: [("", NOTHING), *((one.key, one.title) for one in readout.readings(view.state))],
             lambda view: _key(view) or "",
             lambda key: ForSeat(lambda seat: replace(seat, selected=key or None)),
@@ -61,10 +62,10 @@ def rows(robot: Robot) -> list[Row]:
 
 
 KINDS = {
-    "tool": Text(en="Tool motor", pt_BR="Motor do efetuador"),
-    "joint": Text(en="Joint lines", pt_BR="Retas das juntas"),
+    "tool": Text(en="End-effector motor", pt_BR="Motor do efetuador"),
+    "joint": Text(en="Joint screw axes", pt_BR="Eixos helicoidais das juntas"),
     "plane": Text(en="Planes", pt_BR="Planos"),
-    "point": Text(en="Guarded points", pt_BR="Pontos vigiados"),
+    "point": Text(en="Monitored points", pt_BR="Pontos monitorados"),
 }
 FORMULAS = {
     "tool": r"M = g + \tfrac{1}{2}\, t\, g\, e",
@@ -83,16 +84,19 @@ def _legend(view: View) -> Markup:
 
 
 def _shown(view: View, reading: Reading) -> Markup:
-    return READING % (_header(reading, view.seat.language), coefficient_grid(reading.at(view.state)))
+    return READING % (
+        _header(reading, view.seat.language),
+        coefficient_grid(reading.at(view.state), view.seat.language),
+    )
 
 
-@lru_cache(maxsize=1024)  # panels say it several times a second, and it never changes
+@lru_cache(maxsize=1024)  # panels need it several times a second, and it does not change
 def _header(reading: Reading, language: Language) -> Markup:
     return Markup("{}<span>{}</span>").format(formula_html(reading.symbol, reading.index), reading.title[language])
 
 
 def _key(view: View) -> str | None:
-    """What is lit up, unless it has gone."""
+    """The key of the highlighted multivector; None if it does not exist any more."""
     reading = readout.chosen(view.state, view.seat.selected)
     return None if reading is None else reading.key
 
@@ -110,7 +114,7 @@ def _all(kind: str, view: View) -> Markup:
 
 
 def _pair(view: View) -> Contact:
-    """The point and plane of the distance: what is lit up with what is nearest to it, else the nearest pair of all."""
+    """The point and the plane of the distance: the highlighted one and the one nearest to it, or the nearest pair."""
     kind, _, number = (_key(view) or "").partition(" ")
     table = readout.plane_distances(view.state)
     if kind == "plane":
@@ -124,8 +128,8 @@ def _distance(view: View) -> Markup:
     state: State = view.state
     pair = _pair(view)
     pane, point = state.problem.planes.panes[pair.plane], state.robot.monitored[pair.point]
-    product = readout.distance_product(state, pair.point, pair.plane)
-    pair_said = BETWEEN.format(point=point.title, name=pane.name, pane=pane.title)[view.seat.language]
+    product, language = readout.distance_product(state, pair.point, pair.plane), view.seat.language
+    pair_said = BETWEEN.format(point=point.title, name=pane.name, pane=pane.title)[language]
     return formula_html(r"\ell = \tfrac{1}{2}\star(\pi p - p\pi),\quad \pi p - p\pi = 2\ell\, e_1e_2e_3e") + Markup(
-        '<div class="helicoide-reading"><p>{}: <b>{:.1f} mm</b></p>{}</div>'
-    ).format(pair_said, 500 * product[-1], coefficient_grid(product))
+        '<div class="helicoide-reading"><p>{}: <b>{} mm</b></p>{}</div>'
+    ).format(pair_said, number_text(500 * product[-1], ".1f")[language], coefficient_grid(product, language))

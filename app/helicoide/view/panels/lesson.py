@@ -1,4 +1,4 @@
-"""The lesson: one step at a time, its goal checked, its hint on request, its start one press away."""
+"""The choice of a lesson, and the rows of one step: text, verdict, hint, reset, next and previous step."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ TITLE = Text(en="Lesson", pt_BR="Lição")
 ORDER = 0
 ICON = Icon.SCHOOL
 
-FREE = Text(en="Free play", pt_BR="Exploração livre")
-DONE = Text(en="Done. On to the next step.", pt_BR="Feito. Siga para o próximo passo.")
+FREE = Text(en="Explore freely", pt_BR="Exploração livre")
+DONE = Text(en="Done. Go to the next step.", pt_BR="Feito. Vá para o próximo passo.")
 ENDED = Text(
-    en="That was the last step: the arm is yours.",
-    pt_BR="Esse era o último passo: o braço é seu.",
+    en="Lesson complete.",
+    pt_BR="Lição concluída.",
 )
-TO_DO = Text(en="Not there yet.", pt_BR="Ainda não.")
+TO_DO = Text(en="Step not completed yet.", pt_BR="Passo ainda não concluído.")
 
 log = logging.getLogger("helicoide")
 
@@ -48,12 +48,12 @@ def rows(robot: Robot) -> list[Row]:
 
 
 def lessons() -> list[Lesson]:
-    """Every lesson whose files are whole."""
+    """Every lesson whose files can be read."""
     return [lesson for name in content.content_folders("lessons") if (lesson := _readable(name))]
 
 
 def _readable(name: str) -> Lesson | None:
-    """A lesson, or nothing when its files are broken: the others stay usable."""
+    """A lesson, or None if its files are broken, so that the others stay usable."""
     try:
         return load_lesson(name)
     except HelicoideError as error:
@@ -97,14 +97,14 @@ def _turn(by: int) -> Callable[[View], PageRequest]:
 def _free(view: View) -> Markup:
     """What can be done without a lesson."""
     free = Text(
-        en="Drag the target in the scene, move the joints. Choose a lesson for a guided tour.",
-        pt_BR="Arraste o alvo na cena, mova as juntas. Escolha uma lição para um passeio guiado.",
+        en="Drag the target in the scene or move the joints. Choose a lesson for step-by-step tasks.",
+        pt_BR="Arraste o alvo na cena ou mova as juntas. Escolha uma lição para tarefas passo a passo.",
     )
     return Markup("") if _in_lesson(view) else html.note(free[view.seat.language])
 
 
 def step_rows(robot: Robot, joints: Sequence[int]) -> list[Row]:
-    """A step of a lesson: its text, the joints that it needs, its hint, its start, and the steps beside it."""
+    """The rows of a step: its text, the joints that it needs, hint, reset, next and previous step."""
     return [
         HtmlRow(_step),
         *(joint_row(robot, index) for index in joints),

@@ -1,4 +1,4 @@
-"""The method that drives the tool: choose it, set it, see what it reads, and compare it with another."""
+"""The method that drives the tool: choose it, set it, read its instruments, compare it with another."""
 
 from __future__ import annotations
 
@@ -17,10 +17,23 @@ from helicoide.ik.methods import named, names
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 from helicoide.view import html
+from helicoide.view.comparison import CHARTS, comparison_charts, largest_values
 from helicoide.view.instruments import instrument_table
 from helicoide.view.modes import MODES, mode_table
 from helicoide.view.objective import objective_rows
-from helicoide.view.rows import DependentRows, Dropdown, Folder, ForArm, HtmlRow, Row, Slider, View
+from helicoide.view.rows import (
+    Button,
+    DependentRows,
+    Dropdown,
+    Folder,
+    ForArm,
+    HtmlRow,
+    Plot,
+    Row,
+    Slider,
+    TrySingular,
+    View,
+)
 from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
 
 TITLE = Text(en="Method", pt_BR="Método")
@@ -38,11 +51,14 @@ def rows(robot: Robot) -> list[Row]:
             lambda name: ForArm(gate.choose_method(name)),
         ),
         Dropdown(
-            Text(en="Side by side with", pt_BR="Lado a lado com"),
+            Text(en="Compare with", pt_BR="Comparar com"),
             [("", NONE), *((name, named(name).TITLE) for name in names())],
             _beside,
             lambda name: ForArm(gate.compare_with(name or None)),
         ),
+        Button(lambda _: SINGULAR, lambda _: TrySingular(), Icon.TRENDING_UP, lambda view: view.ready),
+        *(Plot(comparison_charts, index) for index in range(CHARTS)),
+        HtmlRow(largest_values, computed=True),
         HtmlRow(instrument_table, computed=True),
         Folder(
             Text(en="Settings", pt_BR="Ajustes"),
@@ -50,7 +66,7 @@ def rows(robot: Robot) -> list[Row]:
         ),
         Folder(MODES, [HtmlRow(mode_table, computed=True)], open=False),
         Folder(
-            Text(en="Settings of the other one", pt_BR="Ajustes do outro"),
+            Text(en="Settings of the compared method", pt_BR="Ajustes do método comparado"),
             DependentRows(_beside, partial(_settings, robot)),
             open=False,
         ),
@@ -58,6 +74,9 @@ def rows(robot: Robot) -> list[Row]:
         Folder(Text(en="Secondary objective", pt_BR="Objetivo secundário"), objective_rows(robot), open=False),
         Folder(Text(en="About the method", pt_BR="Sobre o método"), [HtmlRow(_about), HtmlRow(_listing)], open=False),
     ]
+
+
+SINGULAR = Text(en="Try a singular posture", pt_BR="Testar uma postura singular")
 
 
 def _beside(view: View) -> str:
@@ -76,8 +95,8 @@ def _about(view: View) -> Markup:
     )
 
 
-PROMISES = Text(en="It promises:", pt_BR="Ele promete:")
-REMEMBERS = Text(en="remembers {what}", pt_BR="lembra {what}")
+PROMISES = Text(en="Guarantees:", pt_BR="Garantias:")
+REMEMBERS = Text(en="internal state: {what}", pt_BR="estado interno: {what}")
 
 
 def _in_order(promises: frozenset[Promise]) -> list[Promise]:
@@ -123,7 +142,7 @@ def _listing(view: View) -> Markup:
 
 @cache
 def listing(name: str) -> str:
-    """The method's step as it runs, and before it the functions of ours that it calls by name."""
+    """The source of the method's step, after those functions of `helicoide.ik` that it calls by name."""
     step = cast(FunctionType, named(name).step)
     called = (step.__globals__.get(name) for name in step.__code__.co_names)
     ours = [one for one in called if isinstance(one, FunctionType) and one.__module__.startswith(OURS)]

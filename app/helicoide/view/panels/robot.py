@@ -40,7 +40,7 @@ TITLE = Text(en="Robot", pt_BR="Robô")
 ORDER = 1
 ICON = Icon.ROBOT
 
-READY = Text(en="Ready", pt_BR="Pronto")
+READY = Text(en="Ready pose", pt_BR="Ir à pose inicial")
 PARK = Text(en="Park (planes off)", pt_BR="Estacionar (sem planos)")
 
 
@@ -78,7 +78,7 @@ def _choice(robot: Robot) -> Dropdown:
 
 
 def _remarks(view: View) -> Markup:
-    """How the robot's file was read where it leaves something open, and what of it is not drawn."""
+    """Remarks on the robot: how its files were read, what is not drawn, and contradictions."""
     robot, language = view.state.robot, view.seat.language
     return Markup("").join(html.note(remark[language]) for remark in remarks_and_faults(robot))
 
@@ -133,9 +133,14 @@ def _gripper() -> Slider:
 def _target() -> list[Row]:
     return [
         VectorRow(Text(en="x y z [mm]", pt_BR="x y z [mm]"), 1.0, _position, _set_position),
-        VectorRow(Text(en="turn about z, y, x [°]", pt_BR="giro em z, y, x [°]"), 1.0, _angles, _set_angles),
+        VectorRow(
+            Text(en="yaw, pitch, roll (ZYX) [°]", pt_BR="guinada, arfagem, rolagem (ZYX) [°]"),
+            1.0,
+            _angles,
+            _set_angles,
+        ),
         Checkbox(
-            Text(en="Hold the orientation", pt_BR="Manter a orientação"),
+            Text(en="Keep orientation", pt_BR="Manter a orientação"),
             lambda view: view.state.request.with_orientation,
             lambda on: ForArm(gate.hold_orientation(on)),
         ),

@@ -1,4 +1,4 @@
-"""The experiments of the sources: choose one, set it, run it, read it beside the source, play it on the arm."""
+"""The experiments of the sources: choose one, set it, run it, compare it with the source, replay it on the arm."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ ORDER = 4
 ICON = Icon.FLASK
 MOST_CHARTS, DIGITS = 14, 5
 
-RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End the run", pt_BR="Encerrar a execução")
+RUN, STOP = Text(en="Run", pt_BR="Executar"), Text(en="End run", pt_BR="Encerrar a execução")
 BEFORE = Text(en="previous", pt_BR="anterior")
 SIGNS = {
     Verdict.PRINTED: "✓",
@@ -94,7 +94,7 @@ def rows(robot: Robot) -> list[Row]:
         Bar(lambda view: view.desk.progress),
         *(Plot(shown_charts, index) for index in range(MOST_CHARTS)),
         Folder(
-            Text(en="Play it on the arm", pt_BR="Reproduzir no braço"),
+            Text(en="Play on the arm", pt_BR="Reproduzir no braço"),
             DependentRows(lambda view: tuple(motion.title for motion in _motions(view)), _players),
         ),
         Checkbox(
@@ -107,7 +107,7 @@ def rows(robot: Robot) -> list[Row]:
 
 
 def studies_by_source() -> list[tuple[str, Text]]:
-    """Every study by name, the source before its title, those of a source together."""
+    """Name and title of every study, sorted by source; the title begins with the source."""
     sources = {name: studies.study_named(name).SOURCE.partition(",")[0] for name in studies.study_names()}
     title = untranslated("{source}: {title}")
     return [
@@ -117,7 +117,7 @@ def studies_by_source() -> list[tuple[str, Text]]:
 
 
 def _about(view: View) -> Markup:
-    """What the study is about, and why it has no result."""
+    """What the study is about, and why it failed, if it did."""
     desk, language = view.desk, view.seat.language
     if not desk.study:
         return html.note(CHOOSE[language])
@@ -131,12 +131,10 @@ def _about(view: View) -> Markup:
     return about if desk.failure is None else about + html.note(desk.failure[language])
 
 
-OPEN = Text(en="What is wrong or left open in it", pt_BR="O que nela está errado ou em aberto")
+OPEN = Text(en="Errors and open points of the source", pt_BR="Erros e pontos em aberto da fonte")
 CHOOSE = Text(
-    en="Each study is an experiment of one of the sources, run again here: what the source prints stands beside what "
-    "comes out.",
-    pt_BR="Cada estudo é um experimento de uma das fontes, refeito aqui: o que a fonte imprime fica ao lado do que "
-    "sai.",
+    en="Each study repeats an experiment of a source and compares the printed values with the computed ones.",
+    pt_BR="Cada estudo repete um experimento de uma fonte e compara os valores impressos com os calculados.",
 )
 
 
@@ -156,7 +154,7 @@ def _motions(view: View) -> tuple[Motion, ...]:
 
 
 def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
-    """A button for each run whose motion there is."""
+    """A button for each motion of the run."""
     if not titles:
         return [HtmlRow(lambda view: html.note(NO_MOTION[view.seat.language]))]
     return [_player(index, title) for index, title in enumerate(titles)]
@@ -170,7 +168,7 @@ NO_MOTION = Text(en="This study has no motion to play.", pt_BR="Este estudo não
 
 
 def _table(view: View) -> Markup:
-    """The rows of the runs shown: what the source prints, and ours."""
+    """The table of the runs shown: printed and computed numbers."""
     runs, language = view.desk.shown_runs, view.seat.language
     if not runs:
         return Markup("")
@@ -190,7 +188,7 @@ def _written(runs: tuple[CompletedRun, ...], language: Language) -> Markup:
 
 
 def _counted(rows: Sequence[Quantity], language: Language) -> Markup:
-    """How many rows there are of each verdict."""
+    """The number of rows with each verdict."""
     verdicts = [row.verdict for row in rows]
     said = Markup("").join(
         Markup("<span class='{}'>{} {}: {}</span>").format(TONES[verdict], SIGNS[verdict], verdict.value[language], n)
@@ -201,7 +199,7 @@ def _counted(rows: Sequence[Quantity], language: Language) -> Markup:
 
 
 def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> Markup:
-    """A quantity over its numbers, and under them its verdict. A run before takes the place of the source."""
+    """A quantity, its numbers, and its verdict. The number of a previous run replaces that of the source."""
     tone, head = TONES[row.verdict], Markup("<tr class='quantity {}'><td colspan='2'>{} {}</td></tr>")
     here = computed_cell(row, DIGITS)[language]
     before = [NOTHING if other is None else computed_cell(other, DIGITS)[language] for other in others]
@@ -216,7 +214,7 @@ def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> 
 
 
 def shown_charts(view: View) -> Sequence[Chart]:
-    """The charts of the runs shown; those over time end where the motion that is played is."""
+    """The charts of the runs shown; those over time end at the current time of the motion that is played."""
     desk, command = view.desk, view.state.request.command
     merged = _merged(desk.shown_runs)[:MOST_CHARTS]
     if not (isinstance(command, Replay) and command.arrived and _is_played(desk, command)):
@@ -235,7 +233,7 @@ def _is_timed(chart: Chart) -> bool:
 
 @lru_cache(maxsize=8)
 def _merged(runs: tuple[CompletedRun, ...]) -> tuple[Chart, ...]:
-    """Each chart of the last run, with the curves of the one before where both have it."""
+    """Each chart of the last run, with the curves of the previous run if it has the same chart."""
     if not runs:
         return ()
     first, *rest = (run.result.charts for run in runs)
@@ -256,5 +254,5 @@ def _before(chart: Chart, others: tuple[Chart, ...]) -> list[ChartLine]:
 
 @lru_cache(maxsize=16)
 def _until(chart: Chart, s: float) -> Chart:
-    """The chart with what comes after a time left blank."""
+    """The chart with NaN after the time s."""
     return replace(chart, lines=tuple(replace(line, y=np.where(line.x <= s, line.y, np.nan)) for line in chart.lines))

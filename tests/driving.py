@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide import gate
 from helicoide.arrays import Array, frozen
-from helicoide.contributions.trials import at
+from helicoide.contributions.trials import with_joints
 from helicoide.foresight import lived
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
@@ -43,7 +43,7 @@ def clear_posture(rng: Random, state: State, clearance: float) -> Array:
     limits = state.problem.limits
     while True:
         q = frozen(rng.uniform(limits.lower, limits.upper))
-        if plane_distances(at(state, q)).min() >= clearance and apart(at(state, q)) > 0:
+        if plane_distances(with_joints(state, q)).min() >= clearance and apart(with_joints(state, q)) > 0:
             return q
 
 
@@ -192,8 +192,8 @@ def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
 
 def clear_goal(rng: Random, state: State, clearance: float = 0.110) -> tuple[State, Array]:
     """The arm in a clear posture, and the tool pose of another one; the straight path between them is clear too."""
-    start = at(state, clear_posture(rng, state, clearance))
-    return start, at(state, clear_posture(rng, state, clearance)).T_world_tool
+    start = with_joints(state, clear_posture(rng, state, clearance))
+    return start, with_joints(state, clear_posture(rng, state, clearance)).T_world_tool
 
 
 def misses(start: State, T_world_target: Array, with_orientation: bool, seconds: float = 12.0) -> float:

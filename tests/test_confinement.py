@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from tests.driving import after, at, clear_posture, quaternion
+from tests.driving import after, clear_posture, quaternion, with_joints
 
 from helicoide import gate
 from helicoide.arrays import Array, frozen
@@ -76,7 +76,7 @@ def dragged(state: State, index: int, centre: Array, wxyz: Array) -> State:
 def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
     rng = np.random.default_rng(seed)
     state = initial_state(robot)
-    state = at(state, clear_posture(rng, state, 0.08))
+    state = with_joints(state, clear_posture(rng, state, 0.08))
     centre, wxyz = rng.uniform(-0.8, 0.8, 3), quaternion(rng)
     moved = dragged(state, int(rng.integers(3)), centre, wxyz)
     (index,) = np.flatnonzero((moved.problem.planes.normals != state.problem.planes.normals).any(axis=1))
@@ -95,7 +95,7 @@ def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
 def test_the_arm_does_not_move_because_of_a_plane(robot: Robot, seed: int) -> None:
     rng = np.random.default_rng(seed)
     state = initial_state(robot)
-    state = at(state, clear_posture(rng, state, 0.08))
+    state = with_joints(state, clear_posture(rng, state, 0.08))
     resting = replace(
         state, request=replace(state.request, command=rng.choice([state.request.command, MoveToJoints(state.arm.q)]))
     )
@@ -113,7 +113,7 @@ def test_restored_planes_are_those_of_the_file(state: State) -> None:
 
 def test_restored_planes_stop_at_the_arm_too(robot: Robot, state: State) -> None:
     """In the example of the source the elbow is 35 mm from the measured ceiling: the ceiling stays 45 mm above."""
-    high = at(state, robot.poses["example"])
+    high = with_joints(state, robot.poses["example"])
     restored = gate.restore_planes()(high)
     assert plane_distances(restored).min() == pytest.approx(0.080, abs=1e-9)
 

@@ -20,11 +20,11 @@ from helicoide.ik.guard import qp
 print(kernels.CACHE_FOLDER)
 print("" if kernels.CACHE_NOTE is None else kernels.CACHE_NOTE.en)
 print("" if kernels.CACHE_NOTE is None else kernels.CACHE_NOTE.pt_BR)
-print(kernels.is_cached("helicoide.ik.guard.qp.dot"))
+print(kernels.is_cached("helicoide.ik.guard.qp.inner_product"))
 assert qp.dot(np.ones(3), np.ones(3)) == 3.0
 print(sum(qp.dot.stats.cache_misses.values()))
-print(kernels.is_cached("helicoide.ik.guard.qp.dot"))
-print("helicoide.ik.guard.qp.dot" in kernels.KERNELS)
+print(kernels.is_cached("helicoide.ik.guard.qp.inner_product"))
+print("helicoide.ik.guard.qp.inner_product" in kernels.KERNELS)
 """
 
 

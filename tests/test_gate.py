@@ -7,11 +7,11 @@ from dataclasses import fields
 
 import numpy as np
 import pytest
-from tests.driving import after, at, beside, turning_z_to
+from tests.driving import after, beside, turning_z_to, with_joints
 
 from helicoide import gate
 from helicoide.command import GetReady, HoldPosition, MoveToPose, Park
-from helicoide.foresight import lived, search, wants_search
+from helicoide.foresight import lived, search_posture, wants_search
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, Update, initial_state
@@ -104,7 +104,7 @@ def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
     held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
     assert wants_search(released)
-    settled = search(released)(released)
+    settled = search_posture(released)(released)
     assert isinstance(settled.request.command, MoveToPose)
     np.testing.assert_allclose(settled.request.command.T_world_target[:3, 3], [0.82, 0, 0.4], atol=2e-3)
     assert not wants_search(settled)
@@ -113,7 +113,7 @@ def test_a_released_target_comes_to_the_nearest_point(state: State) -> None:
 def test_what_a_search_finds_is_nothing_after_something_else_was_asked(state: State) -> None:
     held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
-    found = search(released)
+    found = search_posture(released)
     for meanwhile in (gate.stop(), gate.set_target([0.5, 0, 0.3], UP), gate.hold_orientation(False)):
         other = meanwhile(released)
         assert found(other) is other
@@ -206,7 +206,7 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
     """The ceiling is at its critical distance from an arm 0.0009 rad beside `ready`; `ready` may be too near to it."""
-    beside_ready = at(state, state.arm.q + side * np.array([0, 0.9e-3, 0.9e-3, 0, 0]))
+    beside_ready = with_joints(state, state.arm.q + side * np.array([0, 0.9e-3, 0.9e-3, 0, 0]))
     ceiling = state.problem.planes
     wxyz = turning_z_to(ceiling.normals[0])
     down = gate.drag_plane("seat", "start", 0, ceiling.centres[0] + 0.5 * ceiling.normals[0], wxyz)(beside_ready)

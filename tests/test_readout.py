@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
-from tests.driving import after, at, clear_posture
+from tests.driving import after, clear_posture, with_joints
 
 from helicoide import gate, readout
 from helicoide.command import MoveToJoints, MoveToPose
@@ -69,7 +69,7 @@ DISTANCES = {
 def test_plane_distances_in_four_postures(state: State, name: str) -> None:
     """To 0.03 mm: the table uses the printed normals, whose length differs from 1 by up to 4e-5. The robot's normals
     are unit vectors, which changes a distance l by up to 4e-5 l (0.02 mm), and the table is rounded."""
-    table = 1000 * readout.plane_distances(at(state, state.robot.poses[name]))
+    table = 1000 * readout.plane_distances(with_joints(state, state.robot.poses[name]))
     np.testing.assert_allclose(table[1:, :3].T, DISTANCES[name], rtol=0, atol=0.03)
     printed = np.array([[-0.0522, -0.0104, -0.9986], [-0.0577, -0.9954, -0.0763], [0.0479, 0.9968, -0.0634]])
     np.testing.assert_allclose(
@@ -84,7 +84,7 @@ def by_key(state: State) -> dict[str, readout.Reading]:
 @pytest.fixture(params=range(5))
 def anywhere(state: State, request: pytest.FixtureRequest) -> State:
     rng = np.random.default_rng(request.param)
-    return at(state, clear_posture(rng, state, 0.0))
+    return with_joints(state, clear_posture(rng, state, 0.0))
 
 
 def test_the_tool_motor_brings_the_frame_at_the_base_to_the_tool(anywhere: State) -> None:
@@ -134,8 +134,8 @@ def test_every_reading_has_a_key_of_its_own_and_two_titles(state: State) -> None
 
 def test_the_nearest_point_and_the_zones(state: State) -> None:
     """At home the elbow is 21.09 mm from the ceiling, so only the ceiling is critical."""
-    home = at(state, state.robot.poses["home"])
-    assert readout.nearest(home) == Contact(plane=0, point=2)
+    home = with_joints(state, state.robot.poses["home"])
+    assert readout.nearest_point_and_plane(home) == Contact(plane=0, point=2)
     assert readout.zones(home) == (Zone.CRITICAL, Zone.FREE, Zone.FREE, Zone.FREE)
     assert readout.zones(state) == (Zone.FREE,) * 4
 
@@ -190,7 +190,8 @@ CASES: dict[str, tuple[Callable[[State], State], readout.Tone, list[str], list[s
     "parking": (lambda state: after(gate.park()(state), 0.5), "ok", ["park"], ["estacionar"]),
     "parked": (lambda state: after(gate.park()(state), 15), "warn", ["Parked", "off"], ["Estacionado", "desligados"]),
     "getting ready": (
-        lambda state: after(gate.get_ready()(after(gate.park()(state), 15)), 0.5), "ok", ["ready pose"], ["pose inicial"]
+        lambda state: after(gate.get_ready()(after(gate.park()(state), 15)), 0.5),
+        "ok", ["ready pose"], ["pose inicial"],
     ),
 }  # fmt: skip
 
@@ -241,7 +242,7 @@ def test_a_joint_at_its_limit_is_named(state: State) -> None:
 
 def test_a_singular_posture_is_named_in_the_readout(state: State) -> None:
     assert readout.near_singular(state) is None
-    stretched = readout.near_singular(at(state, np.array([0.2, 0.3, 0.0, 0.4, 0.1])))
+    stretched = readout.near_singular(with_joints(state, np.array([0.2, 0.3, 0.0, 0.4, 0.1])))
     assert stretched is not None
     assert "4 of its 5" in stretched.en
     assert "4 das suas 5" in stretched.pt_BR
@@ -257,7 +258,7 @@ def test_the_rows_that_count_are_named(name: str, rows: str) -> None:
 @pytest.mark.parametrize("with_orientation", [True, False])
 def test_a_stretched_arm_of_two_joints_reads_singular(with_orientation: bool) -> None:
     """Its orientation follows from its position: task rows that it cannot follow do not hide the singularity."""
-    state = at(initial_state(load_robot("planar2r")), np.array([0.4, 0.0]))
+    state = with_joints(initial_state(load_robot("planar2r")), np.array([0.4, 0.0]))
     state = gate.hold_orientation(with_orientation)(state)
     values = {instrument.symbol: instrument.value for instrument in readout.instruments(state)}
     assert values["w"] < 1e-9

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.driving import after, at, beyond, clear_goal, clear_posture, misses, rough_ride
+from tests.driving import after, beyond, clear_goal, clear_posture, misses, rough_ride, with_joints
 
 from helicoide import gate
 from helicoide.arrays import frozen
@@ -67,7 +67,7 @@ def test_joints_are_brought_to_their_values(robot: Robot, dt: float) -> None:
     state = initial_state(robot)
     for _ in range(20):
         wished = clear_posture(rng, state, 0.11)
-        state = at(state, clear_posture(rng, state, 0.11))
+        state = with_joints(state, clear_posture(rng, state, 0.11))
         reached = gate.go_to("zero")(state)
         reached = after(
             replace(reached, request=replace(reached.request, command=reached.request.command.__class__(wished))), 8, dt

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from helicoide.text import Text, untranslated
+from helicoide.text import Text, number_text, numbers_text, untranslated
 
 FOUND = Text(en="{a:.2f} m, {n} of {b}", pt_BR="{a:.2f} m, {n} de {b}")
 
@@ -20,3 +20,8 @@ def test_numbers_have_the_comma_of_their_language(value: float, en: str, pt_BR: 
 def test_a_field_that_is_a_text_is_filled_in_its_own_language() -> None:
     said = untranslated("({of})").format(of=FOUND.format(a=1.0, n=1, b=2))
     assert said == Text(en="(1.00 m, 1 of 2)", pt_BR="(1,00 m, 1 de 2)")
+
+
+def test_several_numbers_stay_apart_from_their_decimal_commas() -> None:
+    assert number_text(-0.25, ".3f") == Text(en="-0.250", pt_BR="-0,250")
+    assert numbers_text([0.5, 2.0]) == Text(en="0.5, 2", pt_BR="0,5; 2")

@@ -56,7 +56,7 @@ def wants_search(state: State) -> bool:
     )
 
 
-def search(state: State) -> Update:
+def search_posture(state: State) -> Update:
     """Search for a better posture. The update sets it as the detour, or moves a target that snaps to the goal.
 
     A search takes as long as some hundred ticks, so it runs outside them. The update does nothing if the request has
@@ -91,7 +91,7 @@ def _asks_the_same(new: State, old: State) -> bool:
 
 def lived(state: State, dt: float) -> State:
     """As `advance`, but a search that is due runs first. For use without real time."""
-    return advance(search(state)(state) if wants_search(state) else state, dt)
+    return advance(search_posture(state)(state) if wants_search(state) else state, dt)
 
 
 def rests(old: State, new: State) -> bool:

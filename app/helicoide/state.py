@@ -16,7 +16,7 @@ from helicoide.comparison import Trace
 from helicoide.confinement import planes_of
 from helicoide.ik import Limits, Problem
 from helicoide.ik.controller import Controller
-from helicoide.ik.goal import Goal, tool_pose
+from helicoide.ik.goal import Goal, pose_of_tool
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import Ranked
 from helicoide.kernels import python_function
@@ -178,7 +178,7 @@ class State:
     @property
     def T_world_tool(self) -> Array:
         """Pose of the tool, (4, 4), m."""
-        return tool_pose(self.problem, self.arm.poses)
+        return pose_of_tool(self.problem, self.arm.poses)
 
     @property
     def guarded_points(self) -> Array:

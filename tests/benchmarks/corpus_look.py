@@ -20,7 +20,7 @@ from helicoide.commands.ik import answer_json
 from helicoide.confinement import Obstacles
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import alike
-from helicoide.ik.postures.solve import chosen, reached, solve, status
+from helicoide.ik.postures.solve import answer_status, ranked_postures, reached, solve
 from helicoide.kinematics.forward import FORMULATIONS
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
@@ -159,10 +159,10 @@ def _there_and_back(robot: Robot, tree: Tree | None, found: Findings, solving: S
         T, _ = _pose(robot, tree, q)
         ready = robot.poses["ready"]
         answer = solving(robot, T, ready)
-        shown = chosen(robot, answer, ready, alike(robot), Obstacles(), True)
-        json.dumps(answer_json(robot, answer, status(answer), shown, T, True), allow_nan=False)
+        shown = ranked_postures(robot, answer, ready, alike(robot), Obstacles(), True)
+        json.dumps(answer_json(robot, answer, answer_status(answer), shown, T, True), allow_nan=False)
         found.asked += 1
-        said = f"{robot.tool_link}: {status(answer).en}; q = {[round(float(x), 6) for x in q]}"
+        said = f"{robot.tool_link}: {answer_status(answer).en}; q = {[round(float(x), 6) for x in q]}"
         if not reached(answer):
             found.missed.append(said)
         elif (short := _falseness(robot, tree, answer, T)) > TOLERANCE:

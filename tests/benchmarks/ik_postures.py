@@ -48,12 +48,16 @@ def _bare(robot: Robot) -> tuple[Callable[[Array], Array], str]:
     """The kernel of a robot's closed form, and what is called."""
     start = robot.poses["ready"].copy()
     if (puma := puma_arm.puma(robot)) is not None:
-        return lambda T: puma_arm.joint_values(puma.packed, T, start), "puma_arm.joint_values(arm, T, q)"
+        return lambda T: puma_arm.puma_joint_values(puma.packed, T, start), "puma_arm.joint_values(arm, T, q)"
     if (parallel := parallel_arm(robot)) is not None:
-        return lambda T: parallel_postures.joint_values(parallel, T, start), "parallel_postures.joint_values(arm, T, q)"
+        return lambda T: parallel_postures.parallel_joint_values(
+            parallel, T, start
+        ), "parallel_postures.joint_values(arm, T, q)"
     side = movemaster_arm.side_of(robot)
     assert side is not None
-    return lambda T: movemaster_arm.joint_values(side.packed, T, start)[0], "movemaster_arm.joint_values(arm, T, q)"
+    return lambda T: movemaster_arm.movemaster_joint_values(side.packed, T, start)[
+        0
+    ], "movemaster_arm.joint_values(arm, T, q)"
 
 
 def _given(robot: Robot, poses: list[Array]) -> dict[str, object]:

@@ -21,7 +21,7 @@ from tests.benchmarks.peers import Child, Peer
 
 from helicoide.arrays import Array
 from helicoide.ik.postures.branch import between
-from helicoide.ik.postures.numeric import posture
+from helicoide.ik.postures.numeric import first_posture
 from helicoide.ik.postures.solve import solve
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
@@ -62,7 +62,7 @@ def _searched(robot: Robot, poses: list[Array], start: Array) -> Turn:
     """The turns of our search."""
 
     def turn(first: int, beyond: int) -> tuple[list[float], Numbers]:
-        seconds, found = timed(lambda k: posture(robot, poses[k], start), range(first, beyond))
+        seconds, found = timed(lambda k: first_posture(robot, poses[k], start), range(first, beyond))
         return seconds, [(q[:-4], q[-1]) for q in found]
 
     return turn

@@ -125,12 +125,17 @@ def test_the_gizmo_moves_by_touch(lab: Lab, browser: Browser) -> None:
             points = [] if share is None else [{"x": x, "y": y}]
             touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
 
-        send("touchStart", 0.0)
-        page.wait_for_timeout(200)
-        for share in np.linspace(0.1, 1.0, 10):
-            send("touchMove", float(share))
-            page.wait_for_timeout(30)
-        send("touchEnd", None)
+        for _ in range(20):  # a page that draws slowly may not know yet what is under the finger
+            send("touchStart", 0.0)
+            page.wait_for_timeout(200)
+            for share in np.linspace(0.1, 1.0, 10):
+                send("touchMove", float(share))
+                page.wait_for_timeout(30)
+            taken = lab.state.request.drag is not None
+            send("touchEnd", None)
+            if taken:
+                break
+            page.wait_for_timeout(1000)
         until(page, lambda: isinstance(lab.state.request.command, MoveToPose) and lab.state.request.drag is None)
         lab.ticks(page, 100)
         assert (lab.state.T_world_tool[:3, 3] - start) @ along > 0.06

@@ -40,7 +40,9 @@ def test_no_adjusted_zone_lets_the_shell_touch_a_plane(critical: float, warning:
     [(0.0749, 0.11), (0.151, 0.2), (0.08, 0.0899), (0.08, 0.251), (float("nan"), 0.11), (0.08, float("inf"))],
 )
 def test_bounds_of_zones_are_said_in_words(critical: float, warning: float) -> None:
-    with pytest.raises(HelicoideError, match=r"75 to 150 mm .* 65 mm thick.* at least 10 mm larger, and at most 250 mm"):
+    with pytest.raises(
+        HelicoideError, match=r"75 to 150 mm .* 65 mm thick.* at least 10 mm larger, and at most 250 mm"
+    ):
         Zones().adjusted(critical, warning)
 
 

@@ -22,7 +22,7 @@ from helicoide.text import HelicoideError
 
 # Kind, file, what is replaced in the example, by what, and words of the faults that then are said.
 MISTAKES: dict[str, tuple[Kind, str, str, str, list[str]]] = {
-    "zeros": ("method", "{}.py", "Solution(B @ task.rate", "Solution(0 * task.q", ["answers zero", "CONVERGES"]),
+    "zeros": ("method", "{}.py", "Solution(B @ task.rate", "Solution(0 * task.q", ["answer is zero", "CONVERGES"]),
     "not finite": ("method", "{}.py", "Solution(B @ task.rate", "Solution(task.q * np.nan", ["not finite"]),
     "no promise": (
         "method",
@@ -125,10 +125,10 @@ def test_a_name_or_a_place_that_is_taken_is_refused(home: Path) -> None:
         with pytest.raises(HelicoideError, match=f"already a {kind} named {name}"):
             made(kind, name, own=True)  # type: ignore[arg-type]
     for kind, name in (("study", "panel_state"), ("study", "vargas")):
-        with pytest.raises(HelicoideError, match="is there already"):
+        with pytest.raises(HelicoideError, match="already exists"):
             made(kind, name, own=True)  # type: ignore[arg-type]
     (home / "robots" / "mine").mkdir(parents=True)
-    with pytest.raises(HelicoideError, match="is there already"):
+    with pytest.raises(HelicoideError, match="already exists"):
         made("robot", "mine", own=True)
 
 

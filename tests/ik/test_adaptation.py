@@ -13,7 +13,17 @@ from tests.ik.secondary_runs import DAMPED
 from helicoide.arrays import Array, frozen
 from helicoide.confinement import Planes, Zones
 from helicoide.ik import adaptation
-from helicoide.ik.adaptation import NONE, Rule, adapted, everywhere, given_way, held_back, moved_away, nearest, trimmed
+from helicoide.ik.adaptation import (
+    NONE,
+    Rule,
+    adapted,
+    everywhere,
+    given_way,
+    held_back,
+    moved_away,
+    moving_point_distances,
+    trimmed,
+)
 from helicoide.ik.converge import CAP_PER_POINT, Tolerance, converged, loop_of
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE, confined_problem, path_samples
 from helicoide.studies.cerbaro_runs.setups import fixed_point, position_task, tool_position
@@ -107,9 +117,9 @@ def test_the_printed_damping_forbids_to_rise_whatever_the_plane() -> None:
 
 def test_the_points_that_cannot_move_are_not_watched() -> None:
     """Recomputed from eq. 20 and the printed planes by other code; the waist would be 257 mm from nothing."""
-    near = 1000 * nearest(confined_problem(), np.zeros(5))
+    near = 1000 * moving_point_distances(confined_problem(), np.zeros(5))
     np.testing.assert_allclose(near, [220.93, 278.46, 291.83, 400.0], atol=0.05)
-    home = 1000 * nearest(confined_problem(), confined_problem().robot.poses["home"].copy())
+    home = 1000 * moving_point_distances(confined_problem(), confined_problem().robot.poses["home"].copy())
     assert home[0] == pytest.approx(21.09, abs=0.05)
 
 
@@ -147,7 +157,7 @@ def test_with_the_corrected_rule_nothing_comes_nearer_than_the_critical_distance
     untouched = track.moved == 0
     np.testing.assert_array_equal(track.targets[untouched], way[untouched])
     for q, target, near, error in zip(track.q, track.targets, track.near, track.errors, strict=True):
-        np.testing.assert_array_equal(near, nearest(here, q))
+        np.testing.assert_array_equal(near, moving_point_distances(here, q))
         assert np.linalg.norm(tool_position(here, q) - target) == pytest.approx(error, abs=1e-9)
 
 

@@ -42,7 +42,7 @@ def integrated(J: Array, Theta: Array, gain: Array | float, dt: float, update: U
     """Θ(dt) by an integrator that knows the slope only."""
 
     def slope(t: float, flat: Array) -> Array:
-        return filtered_inverse.slope(J, flat.reshape(Theta.shape), gain, update).ravel()
+        return filtered_inverse.filter_slope(J, flat.reshape(Theta.shape), gain, update).ravel()
 
     run = solve_ivp(slope, (0, dt), Theta.ravel(), method="DOP853", rtol=1e-12, atol=1e-13)
     return np.asarray(run.y[:, -1].reshape(Theta.shape))
@@ -64,7 +64,7 @@ def test_the_slope_goes_downhill(shape: tuple[int, int]) -> None:
             way[entry] = 1e-6
             ahead, behind = (filtered_inverse.lyapunov(J, Theta + k * way)[side] for k in (1, -1))
             gradient[entry] = (ahead - behind) / 2e-6
-        np.testing.assert_allclose(filtered_inverse.slope(J, Theta, 1.0, update), -gradient, atol=1e-6)
+        np.testing.assert_allclose(filtered_inverse.filter_slope(J, Theta, 1.0, update), -gradient, atol=1e-6)
 
 
 @pytest.mark.parametrize("update", [*UPDATES, UNEQUAL])
@@ -72,7 +72,7 @@ def test_the_slope_goes_downhill(shape: tuple[int, int]) -> None:
 def test_the_exact_step_is_the_differential_equation(shape: tuple[int, int], update: Update | Parts) -> None:
     J, Theta = drawn(shape)
     for gain in (0.7, symmetric(shape[1])):
-        found = filtered_inverse.exact(J, Theta, gain, 0.3, update)
+        found = filtered_inverse.exact_update(J, Theta, gain, 0.3, update)
         np.testing.assert_allclose(found, integrated(J, Theta, gain, 0.3, update), atol=2e-10)
 
 
@@ -82,7 +82,7 @@ def test_a_gain_and_its_multiple_of_one_are_the_same(shape: tuple[int, int], upd
     J, Theta = drawn(shape)
     for step in STEPS:
         of_number, of_matrix = (
-            filtered_inverse.stepped(J, Theta, gain, 0.05, update, step) for gain in (3.0, 3.0 * np.eye(shape[1]))
+            filtered_inverse.filter_step(J, Theta, gain, 0.05, update, step) for gain in (3.0, 3.0 * np.eye(shape[1]))
         )
         np.testing.assert_allclose(of_number, of_matrix, atol=1e-12)
 
@@ -93,12 +93,12 @@ def test_both_rules_of_euler_come_to_the_exact_step(update: Update | Parts) -> N
     J, Theta = drawn((3, 4))
     for rule in (filtered_inverse.euler, filtered_inverse.sylvester):
         errors = [
-            np.linalg.norm(rule(J, Theta, 0.5, h, update) - filtered_inverse.exact(J, Theta, 0.5, h, update))
+            np.linalg.norm(rule(J, Theta, 0.5, h, update) - filtered_inverse.exact_update(J, Theta, 0.5, h, update))
             for h in (1e-3, 1e-4)
         ]
         assert errors[0] / errors[1] == pytest.approx(100, rel=0.03)
     X = filtered_inverse.sylvester(J, Theta, 0.5, 0.4, update)
-    np.testing.assert_allclose(X, Theta + 0.4 * filtered_inverse.slope(J, X, 0.5, update), atol=1e-12)
+    np.testing.assert_allclose(X, Theta + 0.4 * filtered_inverse.filter_slope(J, X, 0.5, update), atol=1e-12)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -110,7 +110,7 @@ def test_full_rank_comes_to_the_pseudoinverse(shape: tuple[int, int]) -> None:
         dt = 20 / sigma**2 / (2 if shape[0] == shape[1] else 1) / 100
         errors, way = [sum(filtered_inverse.lyapunov(J, Theta))], off(J, Theta)
         for _ in range(100):
-            Theta = filtered_inverse.exact(J, Theta, 1.0, dt)
+            Theta = filtered_inverse.exact_update(J, Theta, 1.0, dt)
             errors.append(sum(filtered_inverse.lyapunov(J, Theta)))
         assert off(J, Theta) <= np.exp(-20) * way + 1e-11
         assert all(later <= earlier + 1e-12 for earlier, later in pairwise(errors))
@@ -124,7 +124,7 @@ def test_a_matrix_gain_comes_there_too(shape: tuple[int, int], step: Step) -> No
     U, sigma, Vt = np.linalg.svd(J, full_matrices=False)
     J = U * np.linspace(2, 0.5, sigma.size) @ Vt
     for _ in range(60):
-        Theta = filtered_inverse.stepped(J, Theta, symmetric(shape[1]), 1e3, "composite", step)
+        Theta = filtered_inverse.filter_step(J, Theta, symmetric(shape[1]), 1e3, "composite", step)
     assert off(J, Theta) < 1e-12
 
 
@@ -132,7 +132,7 @@ def test_a_matrix_gain_comes_there_too(shape: tuple[int, int], step: Step) -> No
 def test_one_error_alone_is_not_enough(shape: tuple[int, int], loser: Update, winner: Update) -> None:
     """A redundant J keeps null-space motion with S_r alone, one with too many rows keeps a reaction with S_ℓ alone."""
     J, Theta = drawn(shape)
-    ends = {update: filtered_inverse.exact(J, Theta, 1.0, 1e4, update) for update in UPDATES}
+    ends = {update: filtered_inverse.exact_update(J, Theta, 1.0, 1e4, update) for update in UPDATES}
     assert off(J, ends[loser]) > 0.1
     assert off(J, ends[winner]) < 1e-11
     assert off(J, ends["composite"]) < 1e-11
@@ -150,14 +150,14 @@ def test_a_lost_rank_leaves_its_entries_where_they_began() -> None:
     kept["right"][2] = Psi[2]
     kept["left"][:, 2] = Psi[:, 2]
     for update in UPDATES:
-        end = filtered_inverse.exact(J, Theta, 1.0, 1e3, update)
+        end = filtered_inverse.exact_update(J, Theta, 1.0, 1e3, update)
         np.testing.assert_allclose(Vt @ end @ U, kept[update], atol=1e-12)
-    assert off(J, filtered_inverse.exact(J, np.zeros((3, 3)), 1.0, 1e3)) < 1e-12
+    assert off(J, filtered_inverse.exact_update(J, np.zeros((3, 3)), 1.0, 1e3)) < 1e-12
 
 
 def test_rates_of_decay() -> None:
     """K = diag(2, 0.5), γ = 3, t = 0.3, Θ(0) = ones."""
-    found = filtered_inverse.exact(np.diag([2, 0.5]), np.ones((2, 2)), 3.0, 0.3)
+    found = filtered_inverse.exact_update(np.diag([2, 0.5]), np.ones((2, 2)), 3.0, 0.3)
     np.testing.assert_allclose(found, [[0.50037, 0.02182], [0.02182, 1.36237]], atol=5e-6)
 
 
@@ -185,7 +185,7 @@ def test_crossing_a_singularity_is_bounded(gain: float, peak: float, law: float)
     U, V = (np.linalg.qr(np.random.default_rng(i).normal(size=(3, 3)))[0] for i in (5, 6))
     Theta, sizes = np.zeros((3, 3)), []
     for t in np.arange(1, 2 * np.pi, 1e-3):
-        Theta = filtered_inverse.exact(U @ np.diag([1, 0.5, np.cos(t)]) @ V.T, Theta, gain, 1e-3)
+        Theta = filtered_inverse.exact_update(U @ np.diag([1, 0.5, np.cos(t)]) @ V.T, Theta, gain, 1e-3)
         sizes.append(np.linalg.norm(Theta, 2))
     assert max(sizes) == pytest.approx(peak, abs=0.006)
     assert crossing_peak(2 * gain, 1.0) == pytest.approx(law, abs=0.006)
@@ -197,7 +197,7 @@ def test_the_modal_diagnosis(shape: tuple[int, int], update: Update | Parts) -> 
     """d → 1/σ and r → 0 at the rates that it gives, and its V_c is that of the errors."""
     J, Theta = drawn(shape)
     before = modal.diagnosed(J, Theta, 0.7, update)
-    after = modal.diagnosed(J, filtered_inverse.exact(J, Theta, 0.7, 0.2, update), 0.7, update)
+    after = modal.diagnosed(J, filtered_inverse.exact_update(J, Theta, 0.7, 0.2, update), 0.7, update)
     decay = np.exp(-0.2 * before.rates)
     aim = 1 / before.sigma
     np.testing.assert_allclose(after.R, before.R * decay, atol=1e-12)

@@ -12,9 +12,9 @@ from helicoide import gate
 from helicoide.advance import advance
 from helicoide.arrays import Array, frozen
 from helicoide.command import MoveToPose
-from helicoide.contributions.methods import Pair, described, pairs
+from helicoide.contributions.methods import Pair, description_faults, pairs
 from helicoide.contributions.promises import DTS, HELD, answers
-from helicoide.contributions.trials import answered, bare_state
+from helicoide.contributions.trials import bare_state, controller_step
 from helicoide.geometry import rotation
 from helicoide.ik.controller import Controller
 from helicoide.ik.method import OneOf, Promise, Quantity, YesNo, changed, settings
@@ -36,7 +36,7 @@ PROMISED = [
 
 @every_method
 def test_a_method_says_all_of_itself(name: str) -> None:
-    assert [fault.en for fault in described(name)] == []
+    assert [fault.en for fault in description_faults(name)] == []
 
 
 @every_method
@@ -126,6 +126,6 @@ def test_what_is_remembered_fits_any_task(name: str) -> None:
         T = tool_moved(state, np.full(3, 0.1), np.random.default_rng(k))
         if Pair("puma560", k % 3 > 0) not in pairs(name)[0]:
             continue
-        _, drive = answered(state, T, k % 3 > 0, drive)
+        _, drive = controller_step(state, T, k % 3 > 0, drive)
         assert drive.solution is not None
         assert np.isfinite(drive.solution.rates).all()

@@ -16,7 +16,7 @@ from helicoide.geometry import euler
 from helicoide.ik import Problem, objectives
 from helicoide.ik.arm_points import PER_LINK, along_links, watched
 from helicoide.ik.method import OneOf, Quantity, changed, settings
-from helicoide.ik.objective import Cost, posture
+from helicoide.ik.objective import Cost, posture_at
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import position_manipulability
 from helicoide.studies.cerbaro_runs.setups import movemaster, orca
@@ -45,7 +45,7 @@ def variants(name: str) -> list[Any]:
 
 def cost(problem: Problem, name: str, q: Array, **options: Any) -> Cost:
     ((objective, given),) = chosen(name, **options)
-    return objective.cost(problem, posture(problem, q, OTHERS * problem.robot.reach / 2), given)
+    return objective.cost(problem, posture_at(problem, q, OTHERS * problem.robot.reach / 2), given)
 
 
 @each_objective
@@ -77,9 +77,9 @@ def test_the_gradient_is_the_derivative_of_the_cost(robot_name: str, name: str) 
     others = OTHERS * here.robot.reach / 2
     for options in variants(name):
         for q in postures(here.robot, 2, seed=3):
-            found = objective.cost(here, posture(here, q, others), options)
+            found = objective.cost(here, posture_at(here, q, others), options)
             by_differences = here.joint_units * derivative(
-                lambda x, options=options: np.array(objective.cost(here, posture(here, x, others), options).value),
+                lambda x, options=options: np.array(objective.cost(here, posture_at(here, x, others), options).value),
                 q,
                 1e-4,
             )

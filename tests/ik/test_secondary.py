@@ -16,7 +16,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik import methods, objectives
 from helicoide.ik.arm_points import watched
 from helicoide.ik.clik import closed_loop, solve_with_null_space, task_from, to_pose
-from helicoide.ik.objective import posture
+from helicoide.ik.objective import posture_at
 from helicoide.ik.secondary import augmented, push, total
 from helicoide.kinematics.forward import link_poses
 from helicoide.studies.cerbaro_runs.setups import heading_task, movemaster
@@ -62,7 +62,7 @@ def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose:
     aiming = position_task(here, fixed_point(*tool_position(here, q)))
     moments = closed_loop(here, PINV, PLAIN, aiming, 90.0, q, 0.01, push(here, some, GAINS[name]))
     way = [moment.q for moment in islice(moments, 300)]
-    w = np.array([-total(here, some, posture(here, one)).value for one in way])
+    w = np.array([-total(here, some, posture_at(here, one)).value for one in way])
     assert w[-1] > w[0] + 3e-4
     assert np.diff(w).min() > -1e-9
     assert max(np.linalg.norm(tool_position(here, one) - tool_position(here, q)) for one in way) < 1e-5
@@ -70,7 +70,7 @@ def test_what_is_wanted_grows_while_the_tool_stands_still(robot_name: str, pose:
 
 def test_several_objectives_are_summed() -> None:
     here = movemaster()
-    at = posture(here, here.robot.poses["example"])
+    at = posture_at(here, here.robot.poses["example"])
     first, second = chosen("limit_distance"), chosen("manipulability")
     one, other, both = (total(here, some, at) for some in (first, second, [*first, *second]))
     assert both.value == one.value + other.value
@@ -89,7 +89,7 @@ def test_the_push_knows_where_the_second_arm_is_now() -> None:
 
     pushed = push(here, some, 2.0, others)
     for t in (0.0, 3.0):
-        expected = -2 * total(here, some, posture(here, q, others(t))).gradient
+        expected = -2 * total(here, some, posture_at(here, q, others(t))).gradient
         np.testing.assert_allclose(pushed(q, t), expected, rtol=1e-14)
     assert np.abs(pushed(q, 3.0) - pushed(q, 0.0)).max() > 1e-3
 
@@ -101,7 +101,7 @@ def test_the_row_asks_for_minus_f_whatever_the_gains() -> None:
     here = planar_problem()
     some = chosen("slab", azimuth=np.pi / 2, elevation=0.0, offset=0.0, half=0.3)
     q = np.array([0.2, 0.3, 0.1])
-    plain, f = position_task(here, path_1, 2), total(here, some, posture(here, q))
+    plain, f = position_task(here, path_1, 2), total(here, some, posture_at(here, q))
     aim = augmented(here, some, plain)(q, 1.0)
     np.testing.assert_array_equal(aim.J, np.vstack([plain(q, 1.0).J, f.gradient]))
     for gains, of_plain in ((5.0, 5.0), (np.array([3.0, 7.0, 1.0]), np.array([3.0, 7.0]))):

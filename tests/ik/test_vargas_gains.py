@@ -10,7 +10,7 @@ from scipy.optimize import minimize
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.ik.clik import quaternion_error
+from helicoide.ik.clik import quaternion_vector_error
 from helicoide.kinematics.forward import tool_by_screws
 from helicoide.studies.vargas.arms import zebra
 from helicoide.studies.vargas.paths import path_11
@@ -26,7 +26,7 @@ def test_the_error_of_orientation_is_that_of_the_quaternions() -> None:
         R_tool = rotation.exponential(rng.normal(size=3))
         R_target = rotation.exponential(size * axis / np.linalg.norm(axis)) @ R_tool
         expected = rotation.quaternion_error(rotation.from_matrix(R_target), rotation.from_matrix(R_tool))
-        np.testing.assert_allclose(quaternion_error(R_target, R_tool), expected, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(quaternion_vector_error(R_target, R_tool), expected, rtol=0, atol=1e-12)
 
 
 def best(of_position: float, of_turn: float, q: Array) -> tuple[float, float]:

@@ -24,8 +24,8 @@ def integrated(slope: Callable[[float, Array], list[float]], y: list[float], tim
 
 @pytest.mark.parametrize("k", [2.0, 0.5, -1.3, 1e-7, 0.0])
 def test_the_exact_step_is_the_differential_equation(k: float) -> None:
-    ends = integrated(lambda t, y: [scalar_filter.slope(k, y[0], 5)], [1.0], np.array([0, 0.4]))[0]
-    assert scalar_filter.stepped(k, 1.0, 5, 0.4) == pytest.approx(ends[-1], rel=1e-8)
+    ends = integrated(lambda t, y: [scalar_filter.scalar_slope(k, y[0], 5)], [1.0], np.array([0, 0.4]))[0]
+    assert scalar_filter.scalar_step(k, 1.0, 5, 0.4) == pytest.approx(ends[-1], rel=1e-8)
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -33,7 +33,7 @@ def test_simulation_8_is_the_differential_equation(name: str) -> None:
     """Steps of 1 ms with k in their middle."""
     k = CASES[name]
     times = np.linspace(0, 10, 101)
-    theta = integrated(lambda t, y: [scalar_filter.slope(k(t), y[0], 5)], [1.0], times)[0]
+    theta = integrated(lambda t, y: [scalar_filter.scalar_slope(k(t), y[0], 5)], [1.0], times)[0]
     np.testing.assert_allclose(scalar_filter_steps(k, 1.0, 5, 1e-3, 0.0, 10.0)[::100], theta, rtol=1e-6)
 
 
@@ -49,7 +49,7 @@ def test_simulation_9_is_the_differential_equation(beta: float, law: str) -> Non
         return -0.2 * pi * sin(0.2 * pi * t) + 10 * (4 + cos(0.2 * pi * t) - y)
 
     def slope(t: float, y: Array) -> list[float]:
-        return [k(t) * LAWS[law](k(t), y[1]) * rate(t, y[0]), scalar_filter.slope(k(t), y[1], beta)]
+        return [k(t) * LAWS[law](k(t), y[1]) * rate(t, y[0]), scalar_filter.scalar_slope(k(t), y[1], beta)]
 
     times = np.linspace(0, 20, 401)
     y, theta = integrated(slope, [5.0, 0.0], times)
@@ -67,7 +67,7 @@ def test_the_worst_case_solves_its_equation() -> None:
     assert [k * theta - 1 for k, theta in found] == pytest.approx([-0.5] * 4)
 
     def slope(t: float, y: Array) -> list[float]:
-        return [scalar_filter.slope(scalar_filter.worst_case(t, 1.0, 5, 0.25)[0], y[0], 5)]
+        return [scalar_filter.scalar_slope(scalar_filter.worst_case(t, 1.0, 5, 0.25)[0], y[0], 5)]
 
     np.testing.assert_allclose(integrated(slope, [0.5], times)[0], [theta for _, theta in found], rtol=1e-6)
 
@@ -76,7 +76,9 @@ def test_the_worst_case_solves_its_equation() -> None:
 def test_crossing_zero(beta: float, speed: float) -> None:
     """From a converged θ: the peak of the formula at k = 0; vargas_scalar has its numbers."""
     times = np.linspace(-40, 40, 40_001) / ((beta / speed) ** (1 / 3) * speed)
-    theta = integrated(lambda t, y: [scalar_filter.slope(-speed * t, y[0], beta)], [-1 / (speed * times[0])], times)[0]
+    theta = integrated(
+        lambda t, y: [scalar_filter.scalar_slope(-speed * t, y[0], beta)], [-1 / (speed * times[0])], times
+    )[0]
     assert theta[times.size // 2] == pytest.approx(scalar_filter.crossing_peak(beta, speed), rel=1e-5)
     assert theta.max() == pytest.approx(scalar_filter.crossing_peak(beta, speed), rel=1e-5)
 
@@ -85,8 +87,8 @@ def test_feed_forward_forbids_the_crossing() -> None:
     """With −θ² k̇ added, β = 100, θ runs away while k → 0 (and would be 1/k exactly if it began there)."""
 
     def slope(t: float, y: Array) -> list[float]:
-        return [scalar_filter.slope(1 - t, y[0], 100) + y[0] ** 2]
+        return [scalar_filter.scalar_slope(1 - t, y[0], 100) + y[0] ** 2]
 
     times = np.array([0.0, 0.9, 0.99, 0.999])
     np.testing.assert_allclose(integrated(slope, [1.0], times)[0], [1, 10, 100, 1000], rtol=1e-5)
-    assert integrated(lambda t, y: [scalar_filter.slope(1 - t, y[0], 100)], [1.0], times)[0].max() < 7
+    assert integrated(lambda t, y: [scalar_filter.scalar_slope(1 - t, y[0], 100)], [1.0], times)[0].max() < 7

@@ -50,7 +50,7 @@ def test_what_hands_on_views_is_called_by_its_own_kind_alone() -> None:
         if not module.name.endswith("__main__"):
             importlib.import_module(module.name)
     every = [one for name, one in KERNELS.items() if name.startswith("helicoide.")]
-    assert KERNELS["helicoide.ik.guard.qp.solve_into"] in called_by(KERNELS["helicoide.ik.guard.qp.solve"])
+    assert KERNELS["helicoide.ik.guard.qp.solve_into"] in called_by(KERNELS["helicoide.ik.guard.qp.solve_qp"])
     assert holds_an_array(get_type_hints(python_function(KERNELS["helicoide.ik.guard.work.opened"]))["return"])
     assert [*misused(every)] == []
 

@@ -11,8 +11,8 @@ from tests.kinematics.arms import NAMES, arm, postures
 from helicoide.arrays import Array, frozen
 from helicoide.geometry import rotation
 from helicoide.kinematics import differential
-from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.generic_rank import counted_rows
+from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.singularity import singularity
 from helicoide.kinematics.spherical_wrist import SingularityKind, determinant_factors, spherical_wrist
 

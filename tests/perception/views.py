@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from tests.driving import at
+from tests.driving import with_joints
 
 from helicoide.arrays import Array
 from helicoide.kinematics.robot_parts import PlanePane
@@ -24,7 +24,7 @@ INSIDE = np.array([0.52, 0.0, 0.23])
 
 def reading(state: State, name: str) -> State:
     """The arm where it reads a plane."""
-    return at(state, state.robot.poses[READINGS[name][0]])
+    return with_joints(state, state.robot.poses[READINGS[name][0]])
 
 
 def read(

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
-from tests.driving import at
+from tests.driving import with_joints
 
 from helicoide import gate
 from helicoide.command import HoldPosition, MoveToJoints
@@ -33,7 +33,7 @@ class _Arm:
         command = self.state.request.command
         if isinstance(command, MoveToJoints) and command is not before.request.command:
             self.sent.append(command)
-            self.state = at(self.state, command.q)
+            self.state = with_joints(self.state, command.q)
 
 
 def toured(state: State, stop_after: int | None, real: bool = False) -> _Arm:

@@ -24,7 +24,7 @@ COUNT = 20_000
 
 def answers(form: object, robot: Robot, lower: Array, upper: Array) -> Iterator[tuple[Array, Answer]]:
     for q in np.random.default_rng(20).uniform(lower, upper, (COUNT, lower.size)):
-        yield q, closed.solve(form, robot, tool_at(robot, frozen(q)), robot.poses["ready"])  # type: ignore[attr-defined]
+        yield q, closed.solve_closed_form(form, robot, tool_at(robot, frozen(q)), robot.poses["ready"])  # type: ignore[attr-defined]
 
 
 def test_polar() -> None:

@@ -9,7 +9,7 @@ from tests.studies.test_coutinho import NAMES, circled, compare
 
 from helicoide import studies
 from helicoide.studies import _coutinho_rows, coutinho_e1
-from helicoide.studies._coutinho_runs import INVERSES, Insertion, run_path, source_control
+from helicoide.studies._coutinho_runs import INVERSES, RunStart, run_path, source_control
 from helicoide.studies.study import Verdict
 
 pytestmark = pytest.mark.soak
@@ -35,7 +35,7 @@ def test_numbers_at_2_ms(path: str, of: float | str) -> None:
 def test_e1_from_the_start_of_the_numbers(name: str) -> None:
     """l_a(0) = 0.15 m, where it passes beside the singularity."""
     gained = source_control(of_tool=coutinho_e1.INVERSES[name][1], position=270.0, orientation=1500.0)
-    found = run_path("E1", gained, 0.002, Insertion(E1_START, 0.15))
+    found = run_path("E1", gained, 0.002, RunStart(E1_START, 0.15))
     for measure, written in FOUND["E1", 2, name].items():
         assert _coutinho_rows.MEASURES[measure].of(found) == digits(written), measure
 

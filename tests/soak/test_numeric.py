@@ -21,7 +21,9 @@ def test_every_reachable_pose_is_reached(name: str, count: int) -> None:
 
 def test_all_eight_postures_of_the_puma_are_found() -> None:
     robot = robot_of("puma560")
-    form = closed.found()["puma560"]
+    form = closed.closed_forms()["puma560"]
     for q in postures(robot, 1_000, seed=9):
         goal = tool_at(robot, q)
-        assert same_postures(robot, numeric.branches(robot, goal, q), closed.solve(form, robot, goal, q), 1e-5)
+        assert same_postures(
+            robot, numeric.branches(robot, goal, q), closed.solve_closed_form(form, robot, goal, q), 1e-5
+        )

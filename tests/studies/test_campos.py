@@ -110,7 +110,7 @@ def test_the_hand_of_the_dexterous_arm_stays_at_one_metre() -> None:
 def test_the_arm_that_is_known_is_of_its_row_and_its_postures_are_real(zeros: tuple[int, ...], bound: int) -> None:
     robot = campos_table.known_arm(zeros)
     goal = np.ascontiguousarray(tool_at(robot, campos_table.POSTURE))
-    found, _ = numeric.gathered(robot, goal, np.zeros(6), True, campos_table.ENDLESS)
+    found, _ = numeric.distinct_postures(robot, goal, np.zeros(6), True, campos_table.ENDLESS)
     assert len(found) == 16 >= bound
     assert max(float(np.abs(tool_at(robot, q) - goal).max()) for q in found) < 1e-8
     apart = [np.abs(wrap(one - other)).max() for i, one in enumerate(found) for other in found[:i]]
@@ -184,7 +184,7 @@ def turned_further(robot: Any, T: Array, q: Array) -> Any:
 
 
 SHARE, POINTED = campos_dexterous.two_link_share, motoman_l3.pointed
-GEOMETRIC, TURN_TO, POSTURES, RANKED = elbow.geometric, paden_kahan.turn_to, puma560.joint_values, choice.ranked
+GEOMETRIC, TURN_TO, POSTURES, RANKED = elbow.geometric, paden_kahan.turn_to, puma560.puma_joint_values, choice.ranked
 HALVES = dual_quaternions.halves
 
 MUTATIONS = [
@@ -227,5 +227,5 @@ def test_a_wrong_subproblem_shows_in_the_residual_of_the_screws(monkeypatch: pyt
     monkeypatch.setattr(screws, "turn_to", mirrored)
     robot = load_robot("puma560")
     T = tool_at(robot, frozen([0.3, -0.5, 0.7, 0.4, 0.9, -1.1]))
-    branches = closed.solve(closed.found()["screws"], robot, T, np.zeros(6)).branches
+    branches = closed.solve_closed_form(closed.closed_forms()["screws"], robot, T, np.zeros(6)).branches
     assert max(branch.turned for branch in branches) > 0.1

@@ -28,7 +28,7 @@ from helicoide.studies import (
 )
 from helicoide.studies._coutinho_circle import rod_arm, run_circle_once
 from helicoide.studies._coutinho_hand import PERIOD, SAMPLE, HapticDevice, dragging_hand, steering_hand
-from helicoide.studies._coutinho_runs import DLS, INVERSES, PSEUDOINVERSE, Insertion, Run, run_path, source_control
+from helicoide.studies._coutinho_runs import DLS, INVERSES, PSEUDOINVERSE, Run, RunStart, run_path, source_control
 from helicoide.studies.study import Row, Statement, Verdict
 from helicoide.text import LANGUAGES
 
@@ -141,7 +141,7 @@ def test_numbers_at_20_ms(path: str, of: float | str) -> None:
 def compare(path: str, step: int, of: float | str) -> Run:
     """A run from the start of the numbers, which it meets; of: a gain Kr, 1/s, or an inverse."""
     chosen = source_control(of_tool=INVERSES[of][1]) if isinstance(of, str) else source_control(of)
-    found = run_path(path, chosen, step / 1000, Insertion(START))
+    found = run_path(path, chosen, step / 1000, RunStart(START))
     for name, written in FOUND.get((path, step, of), {}).items():
         assert _coutinho_rows.MEASURES[name].of(found) == digits(written), name
     assert found["slip_mm_s"].max() < 1e-6
@@ -151,7 +151,7 @@ def compare(path: str, step: int, of: float | str) -> Run:
 @pytest.mark.parametrize(("of_arm", "gain", "drift"), [(DLS, 0.0, 16.9), (DLS, 5.0, 0.15)])
 def test_a_damped_arm_lets_the_shaft_drift(of_arm: follow.ConfiguredMethod, gain: float, drift: float) -> None:
     """κ = 0.05 on J_i too, at 20 ms, mm."""
-    found = run_path("S3", source_control(gain, of_tool=DLS, of_arm=of_arm), 0.02, Insertion(START))
+    found = run_path("S3", source_control(gain, of_tool=DLS, of_arm=of_arm), 0.02, RunStart(START))
     assert found["lateral_mm"].max() == pytest.approx(drift, rel=0.05)
 
 

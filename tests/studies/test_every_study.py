@@ -10,8 +10,8 @@ import pytest
 from tests.studies.record import FOLDER, numbers, recorded
 
 from helicoide import studies
-from helicoide.contributions.studies import described as described_faults
 from helicoide.contributions.studies import result_faults
+from helicoide.contributions.studies import study_description_faults as described_faults
 from helicoide.export.study_json import study_json
 from helicoide.export.study_report import Record
 from helicoide.studies.study import Result

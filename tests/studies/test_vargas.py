@@ -110,8 +110,8 @@ def without_left(J: Any, Theta: Any, gain: Any, update: Any = "composite") -> An
     return -np.dot(gain, J.T @ (J @ Theta - np.eye(len(J))))
 
 
-SCALED, SLOPE = scalar_filter.stepped, scalar_filter.slope
-EXACT = filtered_inverse.stepped
+SCALED, SLOPE = scalar_filter.scalar_step, scalar_filter.scalar_slope
+EXACT = filtered_inverse.filter_step
 # study, what is changed in which module, and what it becomes
 MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
     "vargas_08": (scalar_filter, "slope", lambda k, theta, beta: SLOPE(k, theta, 2 * beta)),

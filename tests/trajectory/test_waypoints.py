@@ -80,7 +80,10 @@ HERE = taught("movemaster")
         (lambda: with_waypoint_name(HERE, "d", "e"), "no waypoint 'd'"),
         (lambda: with_waypoint_name(HERE, "a", "b"), "already a waypoint 'b'; names in use: a, b, c"),
         (lambda: with_waypoint(HERE, 0, HERE.waypoints[1]), "already a waypoint 'b'"),
-        (lambda: with_waypoint(HERE, 4, waypoint(ROBOT, "d", READY)), "no position 4 in the list; the positions are 0 to 3"),
+        (
+            lambda: with_waypoint(HERE, 4, waypoint(ROBOT, "d", READY)),
+            "no position 4 in the list; the positions are 0 to 3",
+        ),
         (lambda: with_waypoint(HERE, -1, waypoint(ROBOT, "d", READY)), "no position -1"),
         (lambda: with_waypoint_at(HERE, "a", 3), "no position 3 in the list; the positions are 0 to 2"),
         (lambda: without_waypoint(WaypointList(ROBOT), "a"), "waypoints: none yet"),

@@ -122,7 +122,7 @@ def test_the_modes_come_to_the_inverse_of_each_singular_value(puma: State, name:
         state = gate.set_option(name, "ratio", 4.0)(state)
     state = gate.set_target(state.T_world_tool[:3, 3] + [0.02, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0])(state)
     view = View(after(state, 10.0), Seat("", "pt_BR"))
-    found, said = readout.modes(view.state), mode_table(view)
+    found, said = readout.method_modes(view.state), mode_table(view)
     assert found is not None
     learnt = found.rates.diagonal() > 2
     assert learnt.sum() >= 3

@@ -18,7 +18,7 @@ from helicoide.geometry import euler, rotation
 from helicoide.ik.postures import solvability
 from helicoide.ik.postures.answer import Answer
 from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
-from helicoide.ik.postures.solve import chosen, reached, solve, solve_by, status
+from helicoide.ik.postures.solve import answer_status, ranked_postures, reached, solve, solve_by
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Language, Text, with_decimal_comma
@@ -81,11 +81,13 @@ def run(
     choosing = weights is not None or obstacle is not None
     asked = (arm, T, q, all or choosing, R is not None)
     answer = solve(*asked) if method is None else solve_by(method, *asked)
-    ranking = chosen(arm, answer, q, alike(arm) if weights is None else weights, _sphere(obstacle), R is not None)
+    ranking = ranked_postures(
+        arm, answer, q, alike(arm) if weights is None else weights, _sphere(obstacle), R is not None
+    )
     free = [row for row in ranking if row.dropped is not COLLIDES]
     shown = ranking if all else free[: 1 if choosing else None] or ranking
     told = answer.only([answer.branches.index(row.branch) for row in free])
-    said = ALL_COLLIDE if answer.branches and not free else status(told)
+    said = ALL_COLLIDE if answer.branches and not free else answer_status(told)
     if json:
         print(json_format.dumps(answer_json(arm, told, said, shown, T, R is not None), indent=1))
     else:

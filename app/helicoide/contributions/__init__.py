@@ -30,7 +30,7 @@ UNKNOWN = Text(
 )
 
 
-def found(kind: Kind) -> tuple[str, ...]:
+def contribution_names(kind: Kind) -> tuple[str, ...]:
     """The names of all of a kind, including those that cannot be used."""
     match kind:
         case "robot":
@@ -56,7 +56,7 @@ def faults(kind: Kind, name: str) -> tuple[Text, ...]:
 
 def named(name: str | None) -> list[tuple[Kind, str]]:
     """Kind and name of all with that name; None: of all. Raises HelicoideError, with all names, if there is none."""
-    every = [(kind, each) for kind in KINDS for each in found(kind)]
+    every = [(kind, each) for kind in KINDS for each in contribution_names(kind)]
     chosen = [(kind, each) for kind, each in every if name in (None, each)]
     if not chosen:
         raise HelicoideError(UNKNOWN.format(name=name, known=", ".join(each for _, each in every)))

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 from helicoide import content, studies
-from helicoide.contributions import TITLES, Kind, found
+from helicoide.contributions import TITLES, Kind, contribution_names
 from helicoide.files.os_errors import os_error_reason
 from helicoide.ik import methods
 from helicoide.kinematics import library
@@ -24,7 +24,7 @@ TAKEN = Text(
     pt_BR="Já há {what} de nome {name}; escolha outro nome.",
 )
 THERE = Text(
-    en="{path} is there already; move it away, or choose another name.",
+    en="{path} already exists; move it away, or choose another name.",
     pt_BR="{path} já existe; tire-o de lá ou escolha outro nome.",
 )
 UNWRITTEN = Text(en="{path} cannot be written: {why}.", pt_BR="Não dá para gravar {path}: {why}.")
@@ -38,7 +38,7 @@ def made(kind: Kind, name: str, own: bool) -> list[Path]:
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
         raise HelicoideError(BAD_NAME.format(name=name, kind=kind))
-    known = (*found(kind), *(library.robot_names() if kind == "robot" else ()))
+    known = (*contribution_names(kind), *(library.robot_names() if kind == "robot" else ()))
     if name in known:
         raise HelicoideError(TAKEN.format(what=TITLES[kind], name=name))
     target = _target(kind, own or not content.IN_CHECKOUT) / name

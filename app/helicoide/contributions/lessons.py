@@ -12,7 +12,7 @@ import numpy as np
 from helicoide import content, gate, lesson
 from helicoide.command import HoldPosition
 from helicoide.contributions.lesson_words import word_faults
-from helicoide.contributions.loading import gathered
+from helicoide.contributions.loading import collected_faults
 from helicoide.foresight import lived
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
@@ -64,7 +64,7 @@ def faults(name: str) -> tuple[Text, ...]:
     except HelicoideError as error:
         return (error.text,)
     found_faults = chain(word_faults(found, robot), _whole(found, robot), _from_anywhere(found, robot))
-    return gathered(content.content_folder("lessons", name) / "lesson.py", found_faults)
+    return collected_faults(content.content_folder("lessons", name) / "lesson.py", found_faults)
 
 
 def played(state: State, seconds: float) -> State:

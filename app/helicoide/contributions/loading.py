@@ -26,23 +26,23 @@ def unusable(package: ModuleType, name: str) -> Text | None:
     try:
         module = importlib.import_module(f"{package.__name__}.{name}")
     except (Exception, SystemExit) as error:  # any error of a contributed file is a fault
-        return raised(file, error)
+        return where_raised(file, error)
     missing = [need for need in package.NEEDS if not hasattr(module, need)]
     return LACKS.format(file=file, names=", ".join(missing)) if missing else None
 
 
-def gathered(file: Path, found: Iterable[Text]) -> tuple[Text, ...]:
+def collected_faults(file: Path, found: Iterable[Text]) -> tuple[Text, ...]:
     """The faults that are found. If the contributed file raises, its error is the last fault."""
     said = list[Text]()
     try:
         for fault in found:
             said.append(fault)
     except Exception as error:  # any error of a contributed file is a fault
-        said.append(raised(file, error))
+        said.append(where_raised(file, error))
     return tuple(said)
 
 
-def raised(file: Path, error: BaseException) -> Text:
+def where_raised(file: Path, error: BaseException) -> Text:
     """Where a contributed file raised, or which error its result caused in the program."""
     if isinstance(error, HelicoideError):
         return error.text

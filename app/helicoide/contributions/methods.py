@@ -8,7 +8,7 @@ from functools import lru_cache
 from itertools import chain
 
 from helicoide import content
-from helicoide.contributions.loading import gathered, unusable
+from helicoide.contributions.loading import collected_faults, unusable
 from helicoide.contributions.options import option_faults
 from helicoide.contributions.promises import HELD, answers
 from helicoide.contributions.trials import asked, bare_state
@@ -69,10 +69,10 @@ def faults(name: str) -> tuple[Text, ...]:
     """The faults of a method, by its name. It drives every arm, which takes a while."""
     if (why := unusable(methods, name)) is not None:
         return (why,)
-    return gathered(content.module_file(methods.__path__, name), chain(described(name), _held(name)))
+    return collected_faults(content.module_file(methods.__path__, name), chain(description_faults(name), _held(name)))
 
 
-def described(name: str) -> Iterator[Text]:
+def description_faults(name: str) -> Iterator[Text]:
     """The faults of the description of a method."""
     method = named(name)
     yield from untold(untranslated("TITLE"), method.TITLE)

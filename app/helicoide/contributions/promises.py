@@ -10,19 +10,19 @@ import numpy as np
 
 from helicoide.arrays import frozen
 from helicoide.contributions.trials import (
-    answered,
     asked,
-    at,
     bare_state,
     clear_of_singularities,
+    controller_step,
     far_poses,
     missing,
     singular_starts,
-    tool_at,
+    with_joints,
 )
 from helicoide.ik.controller import Controller, step
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
+from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics.manipulability import analyse_jacobian
 from helicoide.text import Text
 
@@ -32,7 +32,7 @@ STRETCHED = ("planar2r", "planar3r", "movemaster", "puma560", "zebra_zero")
 CHANGED, STAYED, ROUNDING = 1e-3, 1e-6, 1e-9
 NOT_FINITE = Text(en="an answer is not finite", pt_BR="uma resposta não é finita")
 NO_FIGURE = Text(en="figures without a title in FIGURES: {names}", pt_BR="valores sem título em FIGURES: {names}")
-NOTHING = Text(en="whatever is asked, it answers zero", pt_BR="seja o que for que se peça, a resposta é zero")
+NOTHING = Text(en="its answer is zero for every asked velocity", pt_BR="a resposta é zero para toda velocidade pedida")
 BROKEN = Text(en="it does not keep {promise}: {what}", pt_BR="não cumpre {promise}: {what}")
 LEFT = Text(en="{left:.3g} of {way:.3g} is left of the way", pt_BR="do caminho de {way:.3g} ainda falta {left:.3g}")
 MISSED = Text(en="J q̇ differs from ν by {off:.1e}", pt_BR="J q̇ difere de ν em {off:.1e}")
@@ -47,7 +47,7 @@ def answers(name: str, robot: str, with_orientation: bool) -> Text | None:
     drive, q = Controller().with_method(name), state.arm.q
     for T in far_poses(state.robot, rng):
         for _ in range(10):
-            wished, drive = answered(at(state, q), T, with_orientation, drive, float(rng.choice(DTS)))
+            wished, drive = controller_step(with_joints(state, q), T, with_orientation, drive, float(rng.choice(DTS)))
             if drive.solution is None or not np.isfinite(wished).all():
                 return NOT_FINITE
             if untitled := set(drive.solution.figures) - set(named(name).FIGURES):
@@ -64,7 +64,7 @@ def keeps_limits(name: str, robot: str, with_orientation: bool) -> Text | None:
     for T in far_poses(state.robot, rng):
         for _ in range(40):
             dt = float(rng.choice(DTS))
-            wished, drive = answered(at(state, q), T, with_orientation, drive, dt)
+            wished, drive = controller_step(with_joints(state, q), T, with_orientation, drive, dt)
             q = frozen(q + wished)
             beyond = np.maximum(state.robot.lower - q, q - state.robot.upper).max()
             if not max(beyond, (np.abs(wished) / dt - state.robot.speed).max()) <= ROUNDING:
@@ -77,11 +77,11 @@ def converges(name: str, robot: str, with_orientation: bool) -> Text | None:
     state, rng = bare_state(robot), np.random.default_rng(2)
     q, goal = clear_of_singularities(state.robot, rng, with_orientation)
     T, drive = tool_at(state.robot, goal), Controller().with_method(name)
-    way = missing(at(state, q), T, with_orientation)
+    way = missing(with_joints(state, q), T, with_orientation)
     for _ in range(200):
-        wished, drive = answered(at(state, q), T, with_orientation, drive, 0.02)
+        wished, drive = controller_step(with_joints(state, q), T, with_orientation, drive, 0.02)
         q = frozen(q + wished)
-    left = missing(at(state, q), T, with_orientation)
+    left = missing(with_joints(state, q), T, with_orientation)
     return None if left < max(1e-3, 0.02 * way) else broken(Promise.CONVERGES, LEFT.format(left=left, way=way))
 
 
@@ -90,7 +90,7 @@ def exact(name: str, robot: str, with_orientation: bool) -> Text | None:
     state, rng = bare_state(robot), np.random.default_rng(4)
     for _ in range(10):
         q, _ = clear_of_singularities(state.robot, rng, with_orientation)
-        task = asked(at(state, q), state.T_world_tool, with_orientation)
+        task = asked(with_joints(state, q), state.T_world_tool, with_orientation)
         task = replace(task, rate=task.J @ rng.normal(size=len(q)))
         _, drive = step(state.problem, task, state.arm.poses, Controller().with_method(name))
         off = np.inf if drive.solution is None else float(np.abs(task.J @ drive.solution.rates - task.rate).max())
@@ -106,7 +106,7 @@ def bounded(name: str, robot: str, with_orientation: bool) -> Text | None:
         q, drive = start, Controller().with_method(name)
         T = tool_at(state.robot, start + 0.3 * rng.normal(size=len(start)))
         for _ in range(40):
-            task = asked(at(state, q), T, with_orientation)
+            task = asked(with_joints(state, q), T, with_orientation)
             wished, drive = step(state.problem, task, state.arm.poses, drive)
             rates = np.inf if drive.solution is None else float(np.linalg.norm(drive.solution.rates))
             size = float(np.linalg.norm(task.rate))
@@ -136,10 +136,10 @@ def moved_from_singular(name: str, robot: str) -> float:
     """The largest joint displacement, rad or m, of the stretched arm in 200 steps that ask for the lost direction."""
     state = bare_state(robot)
     start = singular_starts(state, with_orientation=False)[0]
-    lost = analyse_jacobian(asked(at(state, start), state.T_world_tool, False).J).lost_velocities[:, -1]
+    lost = analyse_jacobian(asked(with_joints(state, start), state.T_world_tool, False).J).lost_velocities[:, -1]
     drive, q = Controller().with_method(name), start
     for _ in range(200):
-        task = asked(at(state, q), state.T_world_tool, False)
+        task = asked(with_joints(state, q), state.T_world_tool, False)
         wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)
         q = frozen(q + wished)
     return float(np.abs(q - start).max())

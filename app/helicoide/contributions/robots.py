@@ -13,7 +13,7 @@ import numpy as np
 import trimesh
 
 from helicoide import content
-from helicoide.contributions.loading import raised
+from helicoide.contributions.loading import where_raised
 from helicoide.contributions.words import untold
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_faults import remarks_and_faults
@@ -89,7 +89,7 @@ def _drawing(folder: Path) -> Iterator[Text]:
         SourceFileLoader(build.__name__, str(folder / "build.py")).exec_module(build)
         drawn, again = build.files(), build.files()
     except Exception as error:  # any error of a contributed file is a fault
-        yield raised(folder / "build.py", error)
+        yield where_raised(folder / "build.py", error)
         return
     names = sorted(committed.keys() | drawn.keys())
     other = [name for name in names if not _same_surfaces(committed.get(name, b""), drawn.get(name, b""))]

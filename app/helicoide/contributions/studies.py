@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from helicoide import content, studies
-from helicoide.contributions.loading import gathered, unusable
+from helicoide.contributions.loading import collected_faults, unusable
 from helicoide.contributions.options import option_faults
 from helicoide.contributions.words import untold
 from helicoide.export import errata
@@ -62,11 +62,11 @@ def faults(name: str) -> tuple[Text, ...]:
     """The faults of a study, by its name. Its short form is run."""
     if (why := unusable(studies, name)) is not None:
         return (why,)
-    return gathered(content.module_file(studies.__path__, name), _all(studies.study_named(name)))
+    return collected_faults(content.module_file(studies.__path__, name), _all(studies.study_named(name)))
 
 
 def _all(study: Study) -> Iterator[Text]:
-    yield from described(study)
+    yield from study_description_faults(study)
     shares = list[float]()
     result = study.run(study.Options(), True, shares.append)
     if (np.diff([0.0, *shares, 1.0]) < 0).any():
@@ -74,7 +74,7 @@ def _all(study: Study) -> Iterator[Text]:
     yield from result_faults(result)
 
 
-def described(study: Study) -> Iterator[Text]:
+def study_description_faults(study: Study) -> Iterator[Text]:
     """The faults of the description of a study. Raises HelicoideError for a robot that does not exist."""
     yield from untold(untranslated("TITLE"), study.TITLE)
     yield from untold(untranslated("ABOUT"), study.ABOUT, differ=True)

@@ -36,7 +36,7 @@ def bare_state(robot: str) -> State:
     return replace(state, problem=replace(state.problem, planes=planes_of(())))
 
 
-def at(state: State, q: Array) -> State:
+def with_joints(state: State, q: Array) -> State:
     """The state with other joint values, q (n,), rad or m."""
     robot = state.robot
     return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
@@ -47,16 +47,11 @@ def asked(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain
     return closed_loop_task(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
 
 
-def answered(
+def controller_step(
     state: State, T: Array, with_orientation: bool, drive: Controller, dt: float = 0.01
 ) -> tuple[Array, Controller]:
     """The joint displacement (n,) of one step towards a pose (4, 4), m, and the controller after the step."""
     return step(state.problem, asked(state, T, with_orientation, dt), state.arm.poses, drive)
-
-
-def tool_at(robot: Robot, q: Array) -> Array:
-    """T_world_tool (4, 4), m, at q (n,)."""
-    return frozen(link_poses(robot.chain, frozen(q))[-1] @ robot.T_link_tool)
 
 
 def far_poses(robot: Robot, rng: np.random.Generator) -> Iterator[Array]:
@@ -82,7 +77,7 @@ def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientat
     for _ in range(MOST_DRAWS):
         goal = middle + rng.uniform(-0.6, 0.6, len(half)) * half
         start = goal + rng.uniform(-0.1, 0.1, len(half)) * np.minimum(half, 2.0)
-        worth = [least(at(state, frozen(q)), with_orientation) for q in np.linspace(start, goal, 5)]
+        worth = [least(with_joints(state, frozen(q)), with_orientation) for q in np.linspace(start, goal, 5)]
         if min(worth) > 0.05:
             return frozen(start), frozen(goal)
     raise HelicoideError(ALWAYS_SINGULAR.format(robot=robot.name))
@@ -99,7 +94,7 @@ def usual(robot: str, with_orientation: bool) -> int:
     """The rank of the task's Jacobian at a generic posture."""
     state, rng = bare_state(robot), np.random.default_rng(3)
     q = frozen(rng.uniform(state.robot.lower, state.robot.upper))
-    return analyse_jacobian(asked(at(state, q), state.T_world_tool, with_orientation).J).rank
+    return analyse_jacobian(asked(with_joints(state, q), state.T_world_tool, with_orientation).J).rank
 
 
 def singular_starts(state: State, with_orientation: bool) -> list[Array]:
@@ -109,6 +104,8 @@ def singular_starts(state: State, with_orientation: bool) -> list[Array]:
     grid = [np.zeros(n), *(rng.integers(-2, 3, n) * np.pi / 2 for _ in range(200)), *robot.poses.values()]
     expected = usual(robot.name, with_orientation)
     lost = [
-        q for q in grid if analyse_jacobian(asked(at(state, q), state.T_world_tool, with_orientation).J).rank < expected
+        q
+        for q in grid
+        if analyse_jacobian(asked(with_joints(state, q), state.T_world_tool, with_orientation).J).rank < expected
     ]
     return [frozen(q) for q in lost[:4]]

@@ -15,7 +15,8 @@ from helicoide.text import LANGUAGES, Text
 
 HEADS: dict[StageKind, Text] = {
     "dh": Text(
-        en="{robot}: DH rows ({convention}) and the DH frames in {base}; {units}. The last is not the tool's frame.",
+        en="{robot}: DH rows ({convention}) and the DH frames in {base}; {units}. The last is not the end-effector "
+        "frame.",
         pt_BR="{robot}: linhas DH ({convention}) e referenciais DH em {base}; {units}. O último não é o do efetuador.",
     ),
     "screws": Text(
@@ -38,7 +39,7 @@ ENDS: dict[StageKind, Text] = {
         pt_BR="Origem do último referencial: {place}. Roll, Pitch, Yaw (em torno de z, y, x): {turns}.",
     ),
     "screws": Text(
-        en="The tool, at {before} for q = 0, is at {place}. Roll, Pitch, Yaw (about z, y, x): {turns}.",
+        en="The end effector, at {before} for q = 0, is at {place}. Roll, Pitch, Yaw (about z, y, x): {turns}.",
         pt_BR="O efetuador, em {before} para q = 0, está em {place}. Roll, Pitch, Yaw (em torno de z, y, x): {turns}.",
     ),
 }

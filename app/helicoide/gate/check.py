@@ -63,7 +63,7 @@ def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
     if np.abs(p).max() > far or np.abs(q).max() > FARTHEST or np.linalg.norm(q) < 1e-6:
         raise HelicoideError(
             Text(
-                en="The target must lie within {far:.1f} m of the base and have an orientation.",
+                en="The target must be within {far:.1f} m of the base and have an orientation.",
                 pt_BR="O alvo deve ficar a até {far:.1f} m da base e ter uma orientação.",
             ).format(far=far)
         )

@@ -94,7 +94,7 @@ def held_back(target: Array, former: Array, normal: Array) -> Array:
     return np.asarray(target - min(0.0, float((target - former) @ normal)) * normal)
 
 
-def nearest(problem: Problem, q: Array) -> Array:
+def moving_point_distances(problem: Problem, q: Array) -> Array:
     """Distance of the nearest moving guarded point to each plane, (k,), m. Source: Cerbaro 2022, eq. 20."""
     robot, moving = problem.robot, problem.robot.monitored_links > 0
     poses = link_poses(robot.chain, q)
@@ -105,7 +105,7 @@ def nearest(problem: Problem, q: Array) -> Array:
 def given_way(target: Array, former: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule) -> Array:
     """The target after one application of the rule; the same array where the rule does not apply.
 
-    Args: target and former point, (3,), m, former None for the first target; near (k,), m, of `nearest`.
+    Args: target and former point, (3,), m, former None for the first target; near (k,), m, of `moving_point_distances`.
     """
     watched = list(rule.watched)
     if not watched:
@@ -126,8 +126,8 @@ def given_way(target: Array, former: Array | None, near: Array, planes: Planes, 
 class Track:
     """The results along a path of k points, a row for each.
 
-    targets (k, 3), m, after their changes; q (k, n), rad or m; near (k, planes), m, of `nearest`; errors (k,), m,
-    between tool and target; moved (k,): how often the target was moved, at most the cap; memory: of the loop.
+    targets (k, 3), m, after their changes; q (k, n), rad or m; near (k, planes), m, of
+    `moving_point_distances`; errors (k,), m, between tool and target; moved (k,): how often the target was moved, at most the cap; memory: of the loop.
     """
 
     targets: Array
@@ -160,14 +160,14 @@ def adapted(
     for i, point in enumerate(points):
         target, moved = np.asarray(point), 0
         report = converged(problem, run, aimed(target), q, tolerance, cap, 1, memory)
-        near = nearest(problem, report.q)
+        near = moving_point_distances(problem, report.q)
         while moved < rule.cap:
             other = given_way(target, former, near, problem.planes, problem.zones, rule)
             if other is target:
                 break
             target, moved = other, moved + 1
             report = converged(problem, run, aimed(target), report.q, tolerance, cap, 1, report.memory)
-            near = nearest(problem, report.q)
+            near = moving_point_distances(problem, report.q)
         former = target if rule.ratchets else np.asarray(point)
         q, memory = report.q, report.memory
         rows.append((target, q, near, _missed(report), moved))

@@ -17,7 +17,7 @@ import numpy as np
 from helicoide.arrays import Array, frozen
 from helicoide.ik import Problem
 from helicoide.ik.method import Method, Solution, Task
-from helicoide.ik.task import rotation_vector
+from helicoide.ik.task import rotation_error
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.manipulability import analyse_jacobian
@@ -41,12 +41,12 @@ class TaskError:
 TaskFunction = Callable[[Array, float], TaskError]
 
 
-def quaternion_error(R_target: Array, R_tool: Array) -> Array:
+def quaternion_vector_error(R_target: Array, R_tool: Array) -> Array:
     """Vector part of Q_d * Q_e⁻¹, the shorter way round, world frame, (3,): sin(ϑ/2) a, about half the angle.
 
     Args: rotations (3, 3). Source: Vargas 2013, eqs. 2.40–2.43; the sign is reversed where Δη < 0.
     """
-    vector = rotation_vector(R_target, R_tool)
+    vector = rotation_error(R_target, R_tool)
     half = sqrt(vector @ vector) / 2
     return np.asarray(vector * (sin(half) / (2 * half) if half > 0 else 0.5))
 
@@ -73,7 +73,7 @@ def tool_task_error(
     error = np.zeros(rows)
     error[:3] = (T_world_target[:3, 3] - T[:3, 3]) / length
     if with_orientation:
-        turned = rotation_vector if measure == "rotation vector" else quaternion_error
+        turned = rotation_error if measure == "rotation vector" else quaternion_vector_error
         error[3:] = turned(T_world_target[:3, :3].copy(), T[:3, :3].copy())
     rate = ahead[:rows].copy()
     rate[:3] /= length

@@ -24,7 +24,7 @@ from helicoide.ik.limit_gains import clipped
 from helicoide.ik.method import Solution, Task
 from helicoide.ik.objective import Posture
 from helicoide.ik.packing import packed
-from helicoide.ik.postures.subspace import project
+from helicoide.ik.postures.subspace import project_to_subspace
 from helicoide.ik.task import GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN
 from helicoide.kinematics.generic_rank import movable_rows
 from helicoide.text import Text
@@ -117,7 +117,7 @@ def closed_loop_task(
 
     Args: q (n,), rad or m, and its poses; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
     """
-    goal = project(problem.robot, T_world_target, q).T_world_goal if with_orientation else T_world_target
+    goal = project_to_subspace(problem.robot, T_world_target, q).T_world_goal if with_orientation else T_world_target
     aim = tool_task_error(problem, poses, goal, with_orientation, np.append(ahead, np.zeros(3)))
     rows = movable_rows(problem.robot)[: len(aim.J)]
     return Task(q, aim.J[rows], reference_velocity(aim, gains)[rows], dt)

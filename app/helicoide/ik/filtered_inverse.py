@@ -43,7 +43,7 @@ def lyapunov(J: Array, Theta: Array) -> tuple[float, float]:
     return float(np.sum(S_r * S_r)) / 2, float(np.sum(S_l * S_l)) / 2
 
 
-def slope(J: Array, Theta: Array, gain: Array | float, update: Update | Parts = "composite") -> Array:
+def filter_slope(J: Array, Theta: Array, gain: Array | float, update: Update | Parts = "composite") -> Array:
     """Θ̇ = −Γ (Jᵀ S_r + S_ℓ Jᵀ), with one of the two terms or both. Source: Vargas 2013, eqs. 4.21, 4.26, 4.31."""
     right, left = parts(update)
     S_r, S_l = inversion_errors(J, Theta)
@@ -58,7 +58,7 @@ def step_limit(J: Array, gain: float, update: Update | Parts = "composite") -> f
 
 def euler(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
     """Θ + Θ̇ dt, stable up to `step_limit`. Source: Vargas 2013, tab. 4.1."""
-    return Theta + dt * slope(J, Theta, gain, update)
+    return Theta + dt * filter_slope(J, Theta, gain, update)
 
 
 def sylvester(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
@@ -74,7 +74,7 @@ def sylvester(J: Array, Theta: Array, gain: Array | float, dt: float, update: Up
     return np.asarray(np.linalg.solve(system, known.ravel("F")).reshape((n, r), order="F"))
 
 
-def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
+def exact_update(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite") -> Array:
     """Θ after dt, s, for constant J, exact for every dt.
 
     With J = U Σ Vᵀ, Ψ = Vᵀ Θ U and Γ = γ I: ψᵢⱼ ← e^(−γ (σᵢ² + σⱼ²) dt) ψᵢⱼ, and then
@@ -96,7 +96,7 @@ def exact(J: Array, Theta: Array, gain: Array | float, dt: float, update: Update
 
 
 def _exact_by_columns(J: Array, Theta: Array, Gamma: Array, dt: float, update: Update | Parts) -> Array:
-    """`exact` for a matrix gain Γ = L Lᵀ.
+    """`exact_update` for a matrix gain Γ = L Lᵀ.
 
     With JJᵀ uⱼ = λⱼ uⱼ, each yⱼ = L⁻¹ Θ uⱼ has its own equation ẏⱼ = −Lᵀ(JᵀJ + λⱼ I)L yⱼ + 2 Lᵀ Jᵀ uⱼ.
     """
@@ -118,10 +118,10 @@ def _mean_decay(x: Array) -> Array:
     return np.asarray(-np.expm1(-x) / x)
 
 
-STEPS = {"exact": exact, "sylvester": sylvester, "euler": euler}
+STEPS = {"exact": exact_update, "sylvester": sylvester, "euler": euler}
 
 
-def stepped(
+def filter_step(
     J: Array, Theta: Array, gain: Array | float, dt: float, update: Update | Parts = "composite", step: Step = "exact"
 ) -> Array:
     """Θ after dt, s, by one of the rules in `STEPS`."""

@@ -11,8 +11,8 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik import AtAcceleration, AtSpeed, Problem, Reason, reasons
 from helicoide.ik.guard.work import work_for
 from helicoide.ik.packing import packed
-from helicoide.ik.rollout import are_clear, settle
-from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, allowed, rotation_vector
+from helicoide.ik.rollout import are_clear, roll_to_rest
+from helicoide.ik.task import EVERY, GAIN, ORIENTATION_LENGTH, TOOL_SPEED, TOOL_TURN, allowed, rotation_error
 from helicoide.kinematics.forward import link_poses
 
 REACHED = 0.5e-3
@@ -41,17 +41,17 @@ class Goal:
     reasons: tuple[Reason, ...]
 
 
-def tool_pose(problem: Problem, poses: Array) -> Array:
+def pose_of_tool(problem: Problem, poses: Array) -> Array:
     """T_world_tool (4, 4), m, from the link poses."""
     return frozen(poses[-1] @ problem.robot.T_link_tool)
 
 
 def _goal(problem: Problem, q: Array, T_world_target: Array, multipliers: Array, tick: float) -> Goal:
     poses = frozen(link_poses(problem.robot.chain, q))
-    T = tool_pose(problem, poses)
+    T = pose_of_tool(problem, poses)
     wished = T_world_target[:3, 3]
     short = dist(wished, T[:3, 3])
-    turned = hypot(*rotation_vector(frozen(T_world_target[:3, :3]), frozen(T[:3, :3])))
+    turned = hypot(*rotation_error(frozen(T_world_target[:3, :3]), frozen(T[:3, :3])))
     reach = problem.robot.reach
     turn = (ORIENTATION_LENGTH * reach) ** 2 * min(GAIN * turned, TOOL_TURN)
     pull = min(GAIN * short, TOOL_SPEED * reach) + turn
@@ -87,7 +87,7 @@ def goal_at_joints(problem: Problem, q: Array, q_target: Array, yielding: int = 
     yielding: as in `joint_task`.
     """
     robot = problem.robot
-    wished = tool_pose(problem, link_poses(robot.chain, q_target))
+    wished = pose_of_tool(problem, link_poses(robot.chain, q_target))
     return _rest(problem, packed(problem.without_acceleration_limits), q, wished, (True, q_target, yielding), _AHEAD)
 
 
@@ -99,9 +99,9 @@ def _rest(
     joints: tuple[bool, Array, int],
     ticks: tuple[float, int],
 ) -> Goal:
-    """The goal where a packed arm comes to rest. Args: joints as in `settle`; ticks as in `goal_at_pose`."""
+    """The goal where a packed arm comes to rest. Args: joints as in `roll_to_rest`; ticks as in `goal_at_pose`."""
     rest, work = q.copy(), work_for(arm)
-    settle(arm, rest, T_world_target, joints, *ticks, work.memory)
+    roll_to_rest(arm, rest, T_world_target, joints, *ticks, work.memory)
     return _goal(problem, rest, T_world_target, work.held, ticks[0])
 
 

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.ik.task import rotation_vector
+from helicoide.ik.task import rotation_error
 from helicoide.kinematics import jacobian
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -57,7 +57,7 @@ def _brought(robot: Robot, q: Array, T_world_target: Array) -> Array | None:
         poses = link_poses(chain, frozen(q))
         T = poses[-1] @ robot.T_link_tool
         J = jacobian.geometric_jacobian(poses, chain, jacobian.joint_axes(poses, chain), T[:3, 3].copy(), len(chain))
-        missed, turned = T_world_target[:3, 3] - T[:3, 3], rotation_vector(R_target, frozen(T[:3, :3]))
+        missed, turned = T_world_target[:3, 3] - T[:3, 3], rotation_error(R_target, frozen(T[:3, :3]))
         to_point = _inverse(J[:3], FAINT * robot.reach)
         first = to_point @ missed
         left = J[3:] @ (np.eye(len(q)) - to_point @ J[:3])

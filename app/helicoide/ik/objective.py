@@ -29,7 +29,7 @@ class Posture:
     others: Array = field(default_factory=lambda: NOBODY)
 
 
-def posture(problem: Problem, q: Array, others: Array = NOBODY) -> Posture:
+def posture_at(problem: Problem, q: Array, others: Array = NOBODY) -> Posture:
     """The posture of the arm at q (n,), rad or m."""
     return Posture(q, link_poses(problem.robot.chain, q), others)
 

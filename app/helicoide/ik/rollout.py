@@ -25,7 +25,7 @@ def are_clear(arm: Array, postures: Array) -> NDArray[np.bool_]:
 
 
 @kernel
-def settle(
+def roll_to_rest(
     arm: Array, q: Array, T_world_target: Array, joints: tuple[bool, Array, int], dt: float, ticks: int, memory: Array
 ) -> None:
     """Guarded ticks, each from rest, until no joint moves by `AT_REST`; q and the work space are those of the last.

@@ -12,12 +12,12 @@ from math import exp, expm1, gamma, sqrt
 CROSSING = gamma(2 / 3) / 3 ** (1 / 3)
 
 
-def slope(k: float, theta: float, beta: float) -> float:
+def scalar_slope(k: float, theta: float, beta: float) -> float:
     """θ̇ = −β k (k θ − 1): a low-pass filter of 1/k with the time constant 1/(β k²). Source: Vargas 2013, 4.6, 4.10."""
     return -beta * k * (k * theta - 1)
 
 
-def stepped(k: float, theta: float, beta: float, dt: float) -> float:
+def scalar_step(k: float, theta: float, beta: float, dt: float) -> float:
     """θ after dt, s, for constant k: 1/k + (θ − 1/k) e^(−β k² dt), and θ at k = 0. Source: Vargas 2013, 4.10."""
     x = beta * k * k * dt
     gained = -expm1(-x) / x if x > 1e-12 else 1.0

@@ -15,7 +15,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import TaskError, TaskFunction
-from helicoide.ik.objective import NOBODY, Cost, Objective, Posture, posture
+from helicoide.ik.objective import NOBODY, Cost, Objective, Posture, posture_at
 from helicoide.text import HelicoideError, Text
 
 Chosen = Sequence[tuple[Objective, Any]]
@@ -41,7 +41,7 @@ def push(
     gains: k₀, 1/s, one for all joints, or (n,) for the diagonal of K₀; others: points of a second arm at t, (k, 3), m.
     Source: Cerbaro 2022, eq. 10 (w = −f) and §4.5.
     """
-    return lambda q, t: -gains * total(problem, chosen, posture(problem, q, others(t))).gradient
+    return lambda q, t: -gains * total(problem, chosen, posture_at(problem, q, others(t))).gradient
 
 
 def augmented(problem: Problem, chosen: Chosen, aiming: TaskFunction, others: Others = nobody) -> TaskFunction:
@@ -56,7 +56,7 @@ def augmented(problem: Problem, chosen: Chosen, aiming: TaskFunction, others: Ot
             raise HelicoideError(_NOT_A_ROW.format(title=objective.TITLE))
 
     def with_row(q: Array, t: float) -> TaskError:
-        aim, cost = aiming(q, t), total(problem, chosen, posture(problem, q, others(t)))
+        aim, cost = aiming(q, t), total(problem, chosen, posture_at(problem, q, others(t)))
         return TaskError(
             np.vstack([aim.J, cost.gradient]), np.append(aim.error, 0.0), np.append(aim.feedforward, -cost.value)
         )

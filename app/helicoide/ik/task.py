@@ -12,7 +12,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.guard.packed import CRITICAL, FIRST, OFFSET, ORIENTATION, REACH, SETTING, TOOL, At, array_parts
 from helicoide.ik.guard.packed import DAMPING as LEAST_DAMPING
-from helicoide.ik.guard.qp import SOLVED, project
+from helicoide.ik.guard.qp import SOLVED, project_into_limits
 from helicoide.ik.guard.rows import Task, Vector, point_displacement
 from helicoide.kernels import kernel, kernel_into
 from helicoide.kinematics.tool_kernels import ANGLE_RATIO, DRIVER, Row, rotation_to, tool_row, tool_rows
@@ -27,18 +27,18 @@ EVERY = -1
 
 
 @kernel
-def rotation_vector(R_to: Array, R_from: Array) -> Array:
+def rotation_error(R_to: Array, R_from: Array) -> Array:
     """Rotation vector of R_to R_fromᵀ, the shorter way: θ a with 0 ≤ θ ≤ π, world frame; (3,).
 
     Args: rotations (3, 3), or poses, both in the world frame. See `tool_kernels.rotation_to`.
     """
     vector = np.empty(3)
-    vector[0], vector[1], vector[2] = rotation_to(R_to, row_of(R_from, 0), row_of(R_from, 1), row_of(R_from, 2))
+    vector[0], vector[1], vector[2] = rotation_to(R_to, pose_row(R_from, 0), pose_row(R_from, 1), pose_row(R_from, 2))
     return vector
 
 
 @kernel_into
-def row_of(R: Array, a: int) -> Row:
+def pose_row(R: Array, a: int) -> Row:
     """Row a of a rotation, as a row of a pose with zero translation."""
     return R[a, 0], R[a, 1], R[a, 2], 0.0
 
@@ -145,7 +145,7 @@ def nearest_allowed(arm: Array, at: At, point: Vector) -> Vector:
             normals[p, a] = arm[at.planes + p, a]
         bounds[0, p], bounds[1, p] = arm[at.planes + p, OFFSET] + arm[SETTING, CRITICAL], np.inf
     wished[0], wished[1], wished[2] = point
-    found, _, verdict = project(normals, bounds[0], bounds[1], wished)
+    found, _, verdict = project_into_limits(normals, bounds[0], bounds[1], wished)
     return (found[0], found[1], found[2]) if verdict == SOLVED else point
 
 

@@ -66,7 +66,7 @@ def faults(robot: Robot) -> tuple[Text, ...]:
     return (*_dh(robot), *wrong, *_tools(robot, None if wrong else urdf), *_poses(robot))
 
 
-def postures(robot: Robot) -> list[Array]:
+def tried_postures(robot: Robot) -> list[Array]:
     """Zero, the named postures and random ones within the limits, each (n,), rad or m."""
     random = np.random.default_rng(0).uniform(robot.lower, robot.upper, (POSTURES, len(robot.lower)))
     return [frozen(np.zeros(len(robot.lower))), *robot.poses.values(), *map(frozen, random)]
@@ -85,7 +85,7 @@ def _dh(robot: Robot) -> Iterator[Text]:
     """The first joint whose DH frame does not move with its screw: Aᵢ(q) = Hᵢ(q) Aᵢ(0) is violated."""
     at_zero = dh_frames(robot, frozen(np.zeros(len(robot.lower))))
     joints: tuple[Joint | None, ...] = (None, *robot.joints)
-    for q in postures(robot):
+    for q in tried_postures(robot):
         moved = zip(joints, dh_frames(robot, q), screw_displacements(robot, q), at_zero, strict=True)
         for joint, frame, H, frame_at_zero in moved:
             if joint is not None and (far := apart(frame, H @ frame_at_zero)) is not None:
@@ -96,7 +96,7 @@ def _dh(robot: Robot) -> Iterator[Text]:
 def _tools(robot: Robot, urdf: yourdfpy.URDF | None) -> Iterator[Text]:
     """Differences of the tool pose by DH rows, and by the URDF if there is one, from that by screws."""
     differ = list[Text]()
-    for q in postures(robot):
+    for q in tried_postures(robot):
         tools = [(DH, tool_by_dh(robot, q))]
         if urdf is not None:
             urdf.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))

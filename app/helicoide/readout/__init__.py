@@ -1,16 +1,16 @@
 """Quantities derived from a State for display: named multivectors, distances, instruments and the status in words."""
 
-from helicoide.readout.distances import nearest, plane_distances, zones
+from helicoide.readout.distances import nearest_point_and_plane, plane_distances, zones
 from helicoide.readout.instruments import (
     Instrument,
     counted_names,
     held_by,
     instruments,
-    modes,
+    method_modes,
     near_singular,
     target_pose,
 )
-from helicoide.readout.multivectors import Reading, chosen, distance_product, readings
+from helicoide.readout.multivectors import Reading, chosen_reading, distance_product, readings
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
 from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status, too_near
 
@@ -22,15 +22,15 @@ __all__ = [
     "Reading",
     "Status",
     "Tone",
-    "chosen",
+    "chosen_reading",
     "counted_names",
     "distance_product",
     "held_by",
     "holding",
     "instruments",
-    "modes",
+    "method_modes",
     "near_singular",
-    "nearest",
+    "nearest_point_and_plane",
     "plane_distances",
     "printed_planes",
     "readings",

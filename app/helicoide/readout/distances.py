@@ -21,7 +21,7 @@ def distances_of(state: State, points: Array) -> Array:
     return np.asarray(points @ planes.normals.T - planes.offsets)
 
 
-def nearest(state: State) -> Contact:
+def nearest_point_and_plane(state: State) -> Contact:
     """The guarded point and the plane with the smallest distance to each other."""
     table = plane_distances(state)
     point, plane = np.unravel_index(np.argmin(table), table.shape)

@@ -11,13 +11,13 @@ from helicoide.arrays import Array, frozen
 from helicoide.command import FollowPath, MoveToJoints, MoveToPose
 from helicoide.ik import Reason, reasons
 from helicoide.ik.clik import tool_task_error
-from helicoide.ik.goal import tool_pose
+from helicoide.ik.goal import pose_of_tool
 from helicoide.ik.methods import filtered, filtered_normal, named
 from helicoide.ik.modal import Diagnosis
 from helicoide.ik.rcm.constrained import constrained
-from helicoide.ik.rcm.passage import refusal
+from helicoide.ik.rcm.passage import passage_refusal
 from helicoide.ik.rcm.tip_task import passage_of
-from helicoide.ik.task import rotation_vector
+from helicoide.ik.task import rotation_error
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.generic_rank import counted_rows
 from helicoide.kinematics.manipulability import JacobianAnalysis, analyse_jacobian
@@ -57,7 +57,7 @@ def target_pose(state: State) -> Array:
         case FollowPath(path, s):
             return frozen(path.pose(s))
         case MoveToJoints(q):
-            return tool_pose(state.problem, link_poses(state.robot.chain, q))
+            return pose_of_tool(state.problem, link_poses(state.robot.chain, q))
         case _:
             return state.T_world_tool
 
@@ -113,13 +113,13 @@ def near_singular(state: State) -> Text | None:
     return singularity(state.robot, state.arm.q, state.request.with_orientation).warning()
 
 
-def modes(state: State) -> Diagnosis | None:
+def method_modes(state: State) -> Diagnosis | None:
     """The modal diagnosis of the filtered inverse that drives the arm; None if another method drives it."""
     drive = state.request.controller
     if not isinstance(drive.memory, filtered.Memory):
         return None
     options = drive.options(drive.method)
-    return filtered.modes(
+    return filtered.filter_modes(
         drive.memory, options if isinstance(options, filtered.Options) else filtered_normal.law(options)
     )
 
@@ -141,7 +141,7 @@ def errors(state: State) -> tuple[float, float]:
     wished = target(state)
     if wished is None:
         return 0.0, 0.0
-    turn = rotation_vector(wished[:3, :3].copy(), T[:3, :3].copy())
+    turn = rotation_error(wished[:3, :3].copy(), T[:3, :3].copy())
     return _length(wished[:3, 3] - T[:3, 3]), _length(turn)
 
 
@@ -176,7 +176,7 @@ def _entry(state: State) -> tuple[Instrument, ...]:
         *(
             Instrument(title, symbol, of.w)
             for title, symbol, of in ((OF_ARM, "w_i", at.of_arm), (OF_TOOL, "w_r", at.of_tool))
-            if refusal(problem.robot, passage) is None
+            if passage_refusal(problem.robot, passage) is None
         ),
     )
 

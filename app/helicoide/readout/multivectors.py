@@ -37,7 +37,7 @@ def readings(state: State) -> tuple[Reading, ...]:
     return _readings(state.robot, state.problem.planes.panes)
 
 
-def chosen(state: State, key: str | None) -> Reading | None:
+def chosen_reading(state: State, key: str | None) -> Reading | None:
     """The reading with this key; None if key is None or its object no longer exists."""
     return None if key is None else next((reading for reading in readings(state) if reading.key == key), None)
 

@@ -17,7 +17,7 @@ from helicoide import gate, kernels
 from helicoide.advance import advance
 from helicoide.command import MoveToJoints, MoveToPose
 from helicoide.confinement.planes import signed_distances
-from helicoide.foresight import foreseen, search
+from helicoide.foresight import foreseen, search_posture
 from helicoide.geometry import rigid
 from helicoide.geometry.clifford import CL031
 from helicoide.ik.families import parallel_arm, parallel_postures
@@ -25,10 +25,10 @@ from helicoide.ik.families.polish import polisher
 from helicoide.ik.packing import packed
 from helicoide.ik.postures import numeric
 from helicoide.ik.postures.measure import left
-from helicoide.ik.postures.nearest import nearest
+from helicoide.ik.postures.nearest import nearest_posture
 from helicoide.ik.postures.packed import WIDTH
 from helicoide.ik.postures.solve import solve
-from helicoide.ik.postures.subspace import project
+from helicoide.ik.postures.subspace import project_to_subspace
 from helicoide.ik.step import STILL, task_at
 from helicoide.jobs.process import JobFailed, JobKilled, ProcessJob
 from helicoide.kinematics import tool_kernels, workspace
@@ -79,7 +79,7 @@ def _drive(state: State) -> None:
     asked = with_command(state, MoveToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
     asked = gate.drag_target("", "end", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
-    asked = search(asked)(asked)
+    asked = search_posture(asked)(asked)
     asked = foreseen(advance(gate.play()(asked), TICK))
     foreseen(advance(with_command(asked, MoveToJoints(state.arm.q)), TICK))
     task_at(packed(state.problem), state.arm.q.copy(), state.T_world_tool, STILL, TICK)
@@ -91,9 +91,9 @@ def _look(state: State) -> None:
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
     CL031.outer(rigid.point(T[:3, 3]), rigid.point(T[:3, 3]))
     signed_distances(*state.problem.plane_arrays[:2], state.guarded_points)
-    numeric.posture(robot, T, q)
+    numeric.first_posture(robot, T, q)
     left(robot, q, T)
-    nearest(robot, T, q, with_orientation=True)
+    nearest_posture(robot, T, q, with_orientation=True)
     list_postures(state)(state)
     tool_kernels.tool_pose(tool_kernels.arm_array(robot), q)
     tool_kernels.tool_jacobian(tool_kernels.arm_array(robot), q)
@@ -110,7 +110,9 @@ def _list_postures() -> None:
         robot = load_robot(name)
         solve(robot, robot.T_world_tool_0, robot.poses["ready"], every=True)
     arm = np.ones((parallel_arm.POLISHER, WIDTH))
-    parallel_postures.joint_values(np.concatenate([arm, polisher(robot)]), robot.T_world_tool_0, robot.poses["ready"])
+    parallel_postures.parallel_joint_values(
+        np.concatenate([arm, polisher(robot)]), robot.T_world_tool_0, robot.poses["ready"]
+    )
 
 
 def compiled(report: Callable[[int], None]) -> None:
@@ -131,7 +133,7 @@ def compiled(report: Callable[[int], None]) -> None:
 def rehearse(robot: Robot) -> None:
     """Run what depends on the robot, such as the search for the nearest pose with five joints, and cache its ranks."""
     state = initial_state(robot)
-    project(robot, state.T_world_tool, state.arm.q)
+    project_to_subspace(robot, state.T_world_tool, state.arm.q)
     singularity(robot, state.arm.q)
 
 

@@ -12,7 +12,7 @@ from threading import Lock
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.command import FollowPath
-from helicoide.foresight import foreseen, leads_elsewhere, rests, search, wants_search
+from helicoide.foresight import foreseen, leads_elsewhere, rests, search_posture, wants_search
 from helicoide.state import State, Update
 from helicoide.text import Text
 
@@ -111,7 +111,7 @@ class Workcell:
     def _search(self, state: State) -> None:
         """Search for another posture, in a thread of the searcher."""
         try:
-            found = search(state)
+            found = search_posture(state)
         except Exception:
             log.exception("a search failed")
             found = _searched_in_vain

@@ -139,17 +139,17 @@ def run_columns(moments: Iterator[RcmStep], steps: int, dt: float, progress: Pro
     return {**columns, "moved_mm_s": moved, "t_w": t_w, "q": q, "w_r": w_r, "w_i": w_i}
 
 
-class Insertion(NamedTuple):
+class RunStart(NamedTuple):
     """How the arm starts: joint values q (n,), rad, and the depth l_a of the entry point on the shaft, m."""
 
     q: Array = START
     depth: float = DEPTH
 
 
-INSERTION = Insertion()
+INSERTION = RunStart()
 
 
-def path_steps(name: str, control: RcmControl, dt: float, insertion: Insertion = INSERTION) -> Iterator[RcmStep]:
+def path_steps(name: str, control: RcmControl, dt: float, insertion: RunStart = INSERTION) -> Iterator[RcmStep]:
     """The steps of a run along a path of the source. dt: sample time, s."""
     start, depth = insertion
     robot, path = dia10(), PATHS[name]
@@ -173,7 +173,7 @@ def run_path(
     name: str,
     control: RcmControl,
     dt: float,
-    insertion: Insertion = INSERTION,
+    insertion: RunStart = INSERTION,
     seconds: float | None = None,
     progress: Progress = lambda share: None,
 ) -> Run:

@@ -167,12 +167,19 @@ def _by_family(robot: Robot, T: Array) -> Iterator[tuple[Text, Array]]:
     """Every posture (k, n), rad, that each family finds, the inverse transforms first."""
     now = np.zeros(len(robot.variables))
     for family, name in FORMS[robot.name].items():
-        yield family, np.array([branch.q for branch in closed.solve(closed.found()[name], robot, T, now).branches])
-    yield SEARCH, numeric.gathered(robot, np.ascontiguousarray(T), now, True, MOST)[0]
+        yield (
+            family,
+            np.array(
+                [branch.q for branch in closed.solve_closed_form(closed.closed_forms()[name], robot, T, now).branches]
+            ),
+        )
+    yield SEARCH, numeric.distinct_postures(robot, np.ascontiguousarray(T), now, True, MOST)[0]
 
 
 def _of(robot: Robot, family: Text, q: Array) -> Answer:
-    return closed.solve(closed.found()[FORMS[robot.name][family]], robot, tool_at(robot, q), np.zeros(len(q)))
+    return closed.solve_closed_form(
+        closed.closed_forms()[FORMS[robot.name][family]], robot, tool_at(robot, q), np.zeros(len(q))
+    )
 
 
 def _apart(one: Array, other: Array) -> float:

@@ -61,7 +61,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     robot, now = load_robot(ROBOT), np.zeros(5)
     actuators = cast(Actuators, robot.actuators)
     turn = motoman_l3.pointed(robot, goal(), now)
-    branches = closed.solve(motoman_l3, robot, goal(), now).branches
+    branches = closed.solve_closed_form(motoman_l3, robot, goal(), now).branches
     missed, lost, counts = round_trip(robot, FEW if short else int(options.poses), progress)
     way = actuator_motion(robot, actuators)
     rows = [
@@ -94,7 +94,7 @@ def round_trip(robot: Robot, count: int, progress: Progress) -> tuple[float, flo
     """For random postures: worst residual, m or rad, distance to the generating posture, rad, and solution counts."""
     missed, lost, counts = 0.0, 0.0, set[int]()
     for done, q in enumerate(np.random.default_rng(20).uniform(-np.pi, np.pi, (count, 5)), start=1):
-        answer = closed.solve(motoman_l3, robot, tool_at(robot, frozen(q)), robot.poses["ready"])
+        answer = closed.solve_closed_form(motoman_l3, robot, tool_at(robot, frozen(q)), robot.poses["ready"])
         counts.add(len(answer.branches))
         missed = max(missed, *(max(branch.missed, branch.turned) for branch in answer.branches))
         lost = max(lost, min(float(np.abs(wrap(branch.q - q)).max()) for branch in answer.branches))

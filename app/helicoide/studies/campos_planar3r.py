@@ -64,7 +64,7 @@ def third_axis_pose(x: float, y: float, phi: float) -> Array:
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """Algebra and geometry, the choice of a posture, and random postures; short: 500 of them."""
     robot = planar_with_lengths(ROBOT, L1, L2, L3)
-    branches = closed.solve(planar3r, robot, third_axis_pose(*GOAL), np.zeros(3)).branches
+    branches = closed.solve_closed_form(planar3r, robot, third_axis_pose(*GOAL), np.zeros(3)).branches
     missed, apart, lost, counts = compare_solutions(robot, FEW if short else int(options.poses), progress)
     near, weighed, around = rankings(robot)
     less, others = weight_effect(robot)
@@ -102,7 +102,7 @@ Ranking = tuple[choice.Ranked, ...]
 
 def rankings(robot: Robot) -> tuple[Ranking, Ranking, Ranking]:
     """Postures ranked with equal weights, with decreasing weights, and with an obstacle at the elbow of the nearest."""
-    branches = closed.solve(planar3r, robot, third_axis_pose(*CHOICE), NOW).branches
+    branches = closed.solve_closed_form(planar3r, robot, third_axis_pose(*CHOICE), NOW).branches
     near = choice.ranked(robot, branches, NOW, ALIKE)
     post = Obstacles().with_sphere(link_poses(robot.chain, near[0].branch.q)[2][:3, 3], POST)
     around = choice.ranked(robot, branches, NOW, ALIKE, choice.touching(robot, post))
@@ -117,7 +117,7 @@ def weight_effect(robot: Robot) -> tuple[float, float]:
     """
     turns = []
     for now, q in np.random.default_rng(17).uniform(-np.pi, np.pi, (CHOICES, 2, 3)):
-        branches = closed.solve(planar3r, robot, tool_at(robot, frozen(q)), now).branches
+        branches = closed.solve_closed_form(planar3r, robot, tool_at(robot, frozen(q)), now).branches
         changes = (choice.ranked(robot, branches, now, weights)[0].change for weights in (ALIKE, FALLING))
         turns.append([abs(float(change[0])) for change in changes])
     alike, falling = np.array(turns).T
@@ -131,7 +131,7 @@ def compare_solutions(robot: Robot, count: int, progress: Progress) -> tuple[flo
     """
     missed, apart, lost, counts = 0.0, 0.0, 0.0, set[int]()
     for done, q in enumerate(np.random.default_rng(20).uniform(-np.pi, np.pi, (count, 3)), start=1):
-        answer = closed.solve(planar3r, robot, tool_at(robot, frozen(q)), np.zeros(3))
+        answer = closed.solve_closed_form(planar3r, robot, tool_at(robot, frozen(q)), np.zeros(3))
         counts.add(len(answer.branches))
         missed = max(missed, *(max(branch.missed, branch.turned) for branch in answer.branches))
         lost = max(lost, min(float(np.abs(wrap(branch.q - q)).max()) for branch in answer.branches))
@@ -147,7 +147,7 @@ def disagreements(robot: Robot) -> int:
     links, count = elbow.Annulus(L1, L2), 0
     for x, y, phi in np.random.default_rng(44).uniform([-2, -2, -np.pi], [2, 2, np.pi], (TRIED, 3)):
         goal = np.ascontiguousarray(third_axis_pose(x, y, phi))
-        found, _ = numeric.gathered(robot, goal, np.zeros(3), True, 4)
+        found, _ = numeric.distinct_postures(robot, goal, np.zeros(3), True, 4)
         count += (abs(elbow.cosine_of_elbow(x, y, links)) <= 1) != (len(found) > 0)
     return count
 

@@ -54,7 +54,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     progress(0.4)
     ahead, down, across = polar_frame(polar, goals)
     progress(0.6)
-    found = [closed.solve(motoman_l3, robot, T, robot.poses["ready"]).branches for T in goals]
+    found = [closed.solve_closed_form(motoman_l3, robot, T, robot.poses["ready"]).branches for T in goals]
     progress(0.8)
     rows = [
         *(_taken(arm, goals) for arm in (robot, polar, flat)),
@@ -118,7 +118,7 @@ def _goal(draw: Array) -> Array:
 def goals_in_subspace(robot: Robot, goals: list[Array]) -> int:
     """The number of goals that lie in the subspace of the arm without projection."""
     now = np.zeros(len(robot.variables))
-    return sum(subspace.project(robot, T, now).words is None for T in goals)
+    return sum(subspace.project_to_subspace(robot, T, now).words is None for T in goals)
 
 
 def projection_angles(robot: Robot, goals: list[Array]) -> tuple[float, Array, float]:
@@ -130,7 +130,7 @@ def projection_angles(robot: Robot, goals: list[Array]) -> tuple[float, Array, f
     off, angles, nearer = 0.0, [], 0.0
     for T in goals:
         turn = motoman_l3.pointed(robot, T, now)
-        found = subspace.project(robot, T, now)
+        found = subspace.project_to_subspace(robot, T, now)
         off = max(off, abs(np.sin(found.turned) - abs(float(turn.M @ T[:3, 2]))), found.moved)
         angles.append(found.turned)
         for axis in (turn.M, found.T_world_goal[:3, 2]):
@@ -147,7 +147,7 @@ def polar_frame(robot: Robot, goals: list[Array]) -> tuple[float, float, float]:
     """
     draw = np.random.default_rng(31).uniform([-np.pi, 0.1], [np.pi, 1.0], (len(goals), 2))
     poses = [tool_at(robot, q) for q in draw]
-    poses += [subspace.project(robot, T, np.zeros(2)).T_world_goal for T in goals]
+    poses += [subspace.project_to_subspace(robot, T, np.zeros(2)).T_world_goal for T in goals]
     ahead = max(_apart(T[:3, 2], T[:3, 3] * [1, 1, 0]) for T in poses)
     down = max(_apart(T[:3, 1], -Z) for T in poses)
     across = max(float(np.abs(np.cross(T[:3, 1], T[:3, 2]) - T[:3, 0]).max()) for T in poses)
@@ -197,6 +197,8 @@ OUTSIDE = Text(en="L-3: projected goals without a posture", pt_BR="L-3: alvos pr
 AHEAD = Text(en="polar arm: Ẑ₂ from (x, y, 0), at most", pt_BR="braço polar: maior ângulo entre Ẑ₂ e (x, y, 0)")
 DOWN = Text(en="polar arm: Ŷ₂ from straight down, at most", pt_BR="braço polar: maior ângulo entre Ŷ₂ e a vertical")
 ACROSS = Text(en="polar arm: X̂₂ from Ŷ₂ × Ẑ₂, at most", pt_BR="braço polar: maior diferença entre X̂₂ e Ŷ₂ × Ẑ₂")
-FLAT = Text(en="planar arm: the tool from that matrix, at most", pt_BR="braço planar: maior diferença para essa matriz")
+FLAT = Text(
+    en="planar arm: the end effector from that matrix, at most", pt_BR="braço planar: maior diferença para essa matriz"
+)
 BY_ANGLE = Text(en="L-3: sin |θ| from |M·Ẑ|, largest difference", pt_BR="L-3: sen |θ| e |M·Ẑ|, maior diferença")
 HOW_FAR = Text(en="How far goals of the L-3 are turned", pt_BR="Quanto são girados os alvos do L-3")

@@ -11,7 +11,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik import closed
 from helicoide.ik.closed import puma560
 from helicoide.ik.families import puma_arm
-from helicoide.ik.families.frames import rows_of
+from helicoide.ik.families.frames import pose_rows
 from helicoide.ik.postures import numeric, solvability
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kinematics.library import load_robot
@@ -30,9 +30,9 @@ from helicoide.text import Text
 TITLE = Text(en="Eight postures of the PUMA", pt_BR="Oito posturas do PUMA")
 SOURCE = "Campos 1998, s.19–26, s.55 (Craig)"
 ABOUT = Text(
-    en="Shoulder left or right, elbow up or down, wrist flipped or not: eight postures bring the tool to the same "
-    "pose. The flip of the wrist, θ₄ + 180°, −θ₅, θ₆ + 180°, leaves the tool exactly where it is. Searches that know "
-    "nothing of the closed form find no ninth.",
+    en="Shoulder left or right, elbow up or down, wrist flipped or not: eight postures bring the end effector to the "
+    "same pose. The flip of the wrist, θ₄ + 180°, −θ₅, θ₆ + 180°, leaves the end effector exactly where it is. "
+    "Searches that know nothing of the closed form find no ninth.",
     pt_BR="Ombro à esquerda ou à direita, cotovelo para cima ou para baixo, punho virado ou não: oito posturas levam o "
     "efetuador à mesma pose. Virar o punho, θ₄ + 180°, −θ₅, θ₆ + 180°, deixa o efetuador exatamente onde está. Buscas "
     "que nada sabem da forma fechada não encontram uma nona.",
@@ -63,7 +63,7 @@ def puma_round_trip(
     rows = np.empty((8, 7))
     for done, q in enumerate(np.random.default_rng(seed).uniform(-np.pi, np.pi, (count, 6))):
         T = tool_at(arm, q)
-        counts.append(puma_arm.postures(lengths, rows_of(T), (0.0, 0.0, 0.0), rows))
+        counts.append(puma_arm.puma_wrist_postures(lengths, pose_rows(T), (0.0, 0.0, 0.0), rows))
         found = rows[: counts[-1], :6]
         missed = max(missed, *(float(np.abs(tool_at(arm, row) - T).max()) for row in found))
         apart = max(apart, float(np.abs(wrap(found - q)).max(axis=1).min()))
@@ -75,7 +75,7 @@ def puma_round_trip(
 def run(options: Options, short: bool, progress: Progress) -> Result:
     """One pose, the flip, searches, and random poses; short: 1,000 of them."""
     arm = load_robot(ROBOT)
-    branches = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), np.zeros(6)).branches
+    branches = closed.solve_closed_form(puma560, arm, tool_at(arm, EXAMPLE), np.zeros(6)).branches
     missed, apart, least, most = puma_round_trip(arm, FEW if short else int(options.poses), 560, progress)
     meeting = solvability.meeting_axes(arm)
     rows = [
@@ -116,8 +116,8 @@ def _unknown_to_the_form(arm: Robot) -> int:
     unknown = 0
     for q in np.random.default_rng(23).uniform(-2.5, 2.5, (SEARCHED, 6)):
         T = tool_at(arm, q)
-        formed = np.array([branch.q for branch in closed.solve(puma560, arm, T, np.zeros(6)).branches])
-        searched, _ = numeric.gathered(arm, np.ascontiguousarray(T), np.zeros(6), True, 64)
+        formed = np.array([branch.q for branch in closed.solve_closed_form(puma560, arm, T, np.zeros(6)).branches])
+        searched, _ = numeric.distinct_postures(arm, np.ascontiguousarray(T), np.zeros(6), True, 64)
         apart = np.abs(wrap(formed[:, None] - searched)).max(axis=2)
         unknown += int((apart.min(axis=0) > 1e-5).sum() + (apart.min(axis=1) > 1e-5).sum())
     return unknown
@@ -134,7 +134,7 @@ ALL = slide_statement(
 )
 AXES = slide_statement("axes 4, 5 and 6 meet at a point", "os eixos 4, 5 e 6 se cruzam num ponto", "s.26", 4)
 SHOULDERS = Text(en="postures of the arm, without the wrist", pt_BR="posturas do braço, sem o punho")
-FLIP = Text(en="how far a flip of the wrist moves the tool", pt_BR="quanto virar o punho move o efetuador")
+FLIP = Text(en="how far a flip of the wrist moves the end effector", pt_BR="quanto virar o punho move o efetuador")
 LEAST = Text(en="least number of postures of random poses", pt_BR="menor número de posturas de poses aleatórias")
 MOST = Text(en="largest number of postures of random poses", pt_BR="maior número de posturas de poses aleatórias")
 UNKNOWN = Text(

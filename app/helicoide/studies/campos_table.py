@@ -73,7 +73,7 @@ def known_arm(zeros: tuple[int, ...]) -> Robot:
 def count_postures(robot: Robot, q: Array) -> int:
     """The number of postures that random searches find for the pose of a posture (6,), rad: a lower bound."""
     goal = np.ascontiguousarray(tool_at(robot, q))
-    return len(numeric.gathered(robot, goal, np.zeros(6), True, ENDLESS)[0])
+    return len(numeric.distinct_postures(robot, goal, np.zeros(6), True, ENDLESS)[0])
 
 
 def run(options: Options, short: bool, progress: Progress) -> Result:
@@ -121,7 +121,9 @@ def _spherical(arms: int, draw: np.random.Generator, progress: Progress) -> list
     counts: list[int] = []
     for done in range(arms):
         robot = random_spherical_arm(draw, FAMILIES[done % len(FAMILIES)], right_wrist=False)
-        counts.append(len(closed.solve(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches))
+        counts.append(
+            len(closed.solve_closed_form(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), np.zeros(6)).branches)
+        )
         progress((done + 1) / arms)
     return counts
 

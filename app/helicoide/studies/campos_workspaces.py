@@ -103,7 +103,9 @@ def _map(robot: Robot, samples: int, done: int, progress: Progress) -> Workspace
 
 def _count(arm: Robot, r: float) -> int:
     """The number of postures within the limits for a point at the distance r, m."""
-    return sum(branch.within for branch in closed.solve(planar2r, arm, planar_pose(r, 0.0), np.zeros(2)).branches)
+    return sum(
+        branch.within for branch in closed.solve_closed_form(planar2r, arm, planar_pose(r, 0.0), np.zeros(2)).branches
+    )
 
 
 def _counts(robot: Robot, half: Robot, inner: float, outer: float) -> list[Row]:
@@ -155,13 +157,14 @@ SAME_SET = Text(
     pt_BR="área com o cotovelo só de um lado, sobre a total",
 )
 NEAREST = Text(
-    en="smallest distance of the tool from the first axis", pt_BR="menor distância do efetuador ao primeiro eixo"
+    en="smallest distance of the end effector from the first axis",
+    pt_BR="menor distância do efetuador ao primeiro eixo",
 )
 FARTHEST = Text(
-    en="largest distance of the tool from the first axis", pt_BR="maior distância do efetuador ao primeiro eixo"
+    en="largest distance of the end effector from the first axis", pt_BR="maior distância do efetuador ao primeiro eixo"
 )
 DISC = Text(
-    en="largest distance of the tool from the first axis, two equal links",
+    en="largest distance of the end effector from the first axis, two equal links",
     pt_BR="maior distância do efetuador ao primeiro eixo, dois elos iguais",
 )
 NO_HOLE = Text(
@@ -169,7 +172,8 @@ NO_HOLE = Text(
     pt_BR="posturas de dois elos iguais para um ponto a 1 mm do primeiro eixo",
 )
 TOOL = Text(
-    en="how far the edge moves with a tool 100 mm longer", pt_BR="quanto a borda anda com ferramenta 100 mm mais longa"
+    en="how far the edge moves with an end effector 100 mm longer",
+    pt_BR="quanto a borda anda com ferramenta 100 mm mais longa",
 )
 AREA = Text(en="area, {which}", pt_BR="área, {which}")
 BY_FORMULA = Text(en="area by its formula, {which}", pt_BR="área pela fórmula, {which}")

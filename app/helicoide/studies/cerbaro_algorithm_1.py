@@ -38,11 +38,11 @@ SOURCE = "Cerbaro 2022, §4.5, alg. 1, fig. 38"
 ROBOT = "movemaster"
 ABOUT = Text(
     en="After every step a joint beyond its limit is clipped, that is, put back on it, and its gain grows by a "
-    "hundredth. Where the ellipse begins, J3 is already 9.9° out of range, and the first clip throws the tool off for "
-    "an instant; it also brings the arm into another posture, in which J3 then stays farther from its limit, whether "
-    "the gains grow or not. With k₀ = 500 counted in degrees, with the 6 that eq. 14 prints, and with J3 just inside "
-    "its limit at the start, all that is said of figs. 37 and 38 of J3 and of the error comes out, "
-    "not what is said of J4: with one gain J3 passes its limit, with gains that grow it stays inside, and the tool "
+    "hundredth. Where the ellipse begins, J3 is already 9.9° out of range, and the first clip throws the end effector "
+    "off for an instant; it also brings the arm into another posture, in which J3 then stays farther from its limit, "
+    "whether the gains grow or not. With k₀ = 500 counted in degrees, with the 6 that eq. 14 prints, and with J3 just "
+    "inside its limit at the start, all that is said of figs. 37 and 38 of J3 and of the error comes out, not what is "
+    "said of J4: with one gain J3 passes its limit, with gains that grow it stays inside, and the end effector "
     "notices nothing. These numbers stand apart, since 500 in degrees does not fit the other demonstrations. Here no "
     "velocity ẋ_d of the path is fed forward, as the errors that are stated for fig. 36 suggest. −w (eq. 12) measures "
     "how far all joints are from the middle of their ranges.",
@@ -74,7 +74,7 @@ UNCHANGED = Statement(
     0.1,
 )
 OUTSIDE = Text(
-    en="J3 begins 9.9° beyond its limit; to put it there at once moves the tool by 75 mm",
+    en="J3 begins 9.9° beyond its limit; to put it there at once moves the end effector by 75 mm",
     pt_BR="J3 parte 9,9° além do limite; levá-la até ele de uma vez desloca o efetuador 75 mm",
 )
 

@@ -14,10 +14,10 @@ ROBOT = "movemaster"
 ABOUT = join_texts(
     (
         Text(
-            en="A level circle brings the arm near its base, where the tool folds back and the wrist comes to 31 mm "
-            "from a wall; the source watches that for the tool alone. With the orientation held, part of the circle is "
-            "beyond reach. With Algorithm 1 the joint that comes nearest to its limit stays 13° farther from it; "
-            "nearly as much, 12.6°, comes of the clips alone.",
+            en="A level circle brings the arm near its base, where the end effector folds back and the wrist comes to "
+            "31 mm from a wall; the source watches that for the end effector alone. With the orientation held, part "
+            "of the circle is beyond reach. With Algorithm 1 the joint that comes nearest to its limit stays 13° "
+            "farther from it; nearly as much, 12.6°, comes of the clips alone.",
             pt_BR="Um círculo horizontal traz o braço para perto da base, onde o efetuador se dobra para trás e o "
             "punho chega a 31 mm de uma parede que a fonte só vigia para o efetuador. Com a orientação mantida, parte "
             "do círculo está fora do alcance. Com o Algoritmo 1, a junta que mais se aproxima do seu limite fica "

@@ -14,8 +14,9 @@ ROBOT = "movemaster"
 ABOUT = join_texts(
     (
         Text(
-            en="The tool is to run round an ellipse that leads past walls, ceiling and bench of a foam enclosure. The "
-            "target gives way wherever a joint comes near the ceiling, or the tool near a wall or the bench.",
+            en="The end effector is to run round an ellipse that leads past walls, ceiling and bench of a foam "
+            "enclosure. The target gives way wherever a joint comes near the ceiling, or the end effector near a wall "
+            "or the bench.",
             pt_BR="O efetuador deve percorrer uma elipse que passa perto de paredes, teto e bancada de um recinto de "
             "espuma. O alvo cede onde uma junta se aproxima do teto, ou o efetuador de uma parede ou da bancada.",
         ),

@@ -14,9 +14,9 @@ ROBOT = "movemaster"
 ABOUT = join_texts(
     (
         Text(
-            en="The tool is to run along a straight line, from its middle to both ends, which lie nearer to the side "
-            "walls than the critical 80 mm. With its orientation held the arm stays below the ceiling but bends the "
-            "wrist beyond its limit; left free, the elbow rises, and the target has to give way.",
+            en="The end effector is to run along a straight line, from its middle to both ends, which lie nearer to "
+            "the side walls than the critical 80 mm. With its orientation held the arm stays below the ceiling but "
+            "bends the wrist beyond its limit; left free, the elbow rises, and the target has to give way.",
             pt_BR="O efetuador deve percorrer uma reta, do meio até os dois extremos, que ficam a menos dos 80 mm "
             "críticos das paredes laterais. Com a orientação mantida, o braço fica abaixo do teto, mas dobra o punho "
             "além do limite; com ela livre, o cotovelo sobe, e o alvo tem de ceder.",

@@ -193,7 +193,7 @@ def _ours(here: list[CloudReadings], bracket: list[CloudReadings]) -> list[Row]:
 
 
 OF_WALL = Text(en="{wall}: {what}", pt_BR="{wall}: {what}")
-BEHIND = Text(en="camera 200 mm behind the tool", pt_BR="câmera 200 mm atrás do efetuador")
+BEHIND = Text(en="camera 200 mm behind the end effector", pt_BR="câmera 200 mm atrás do efetuador")
 AT_T265 = Text(en="camera where the T265 is", pt_BR="câmera no lugar da T265")
 SHARE_OF_DRAWS = Text(en="share of the draws (%)", pt_BR="fração dos sorteios (%)")
 TILTED = Text(en="tilt from the wall (°)", pt_BR="inclinação em relação à parede (°)")

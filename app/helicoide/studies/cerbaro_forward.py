@@ -30,10 +30,10 @@ TITLE = Text(en="Forward kinematics, two arms", pt_BR="Cinemática direta, dois 
 SOURCE = "Cerbaro 2022, §4.2–4.3, eqs. 1–8, figs. 25, 26"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="Where the tools of the ORCA and the Movemaster are in one posture each: by DH rows, whose matrix ends in the "
-    "last DH frame, and by successive screws, whose matrix is what the point of the tool at q = 0 is moved by. Two "
-    "people measured both on the arms, ten times. Where a table or an equation was put right for this, the row says "
-    "so; what tables 5 and 6 give as they are printed has rows of its own.",
+    en="Where the end effectors of the ORCA and the Movemaster are in one posture each: by DH rows, whose matrix ends "
+    "in the last DH frame, and by successive screws, whose matrix is what the point of the end effector at q = 0 is "
+    "moved by. Two people measured both on the arms, ten times. Where a table or an equation was put right for this, "
+    "the row says so; what tables 5 and 6 give as they are printed has rows of its own.",
     pt_BR="Onde ficam os efetuadores do ORCA e do Movemaster numa postura de cada um: pelas linhas DH, cuja matriz "
     "termina no último referencial DH, e por helicoides sucessivos, cuja matriz é o que move o ponto do efetuador em "
     "q = 0. Duas pessoas mediram ambos nos braços, dez vezes. Onde uma tabela ou equação foi corrigida para isso, a "
@@ -221,7 +221,7 @@ def _way(robot: Robot, motion: Motion) -> Chart:
             measured[:, 1] * (0, 1),
         ),
     )
-    title = Text(en="{robot}: the tool, from above", pt_BR="{robot}: o efetuador, visto de cima").format(
+    title = Text(en="{robot}: the end effector, from above", pt_BR="{robot}: o efetuador, visto de cima").format(
         robot=robot.title
     )
     return Chart(title, untranslated("x (mm)"), untranslated("y (mm)"), lines, FIGURES[robot.name])

@@ -23,11 +23,11 @@ TITLE = Text(en="Convergence of the Movemaster", pt_BR="Convergência do Movemas
 SOURCE = "Cerbaro 2022, §4.4.4, dem. 1, fig. 34"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="From home the tool is to come to (440, 0, 200) mm, pointing 60° below level. Five joints have five tasks, and "
-    "no freedom is left. How many steps it takes depends on the share κ of the error that each step removes, which the "
-    "source leaves open: with 0.3 it takes the 17 that are printed; with 0.56, which suits the ORCA, it takes 8. The "
-    "posture that is reached lies outside the limit of J3. The λ that is printed has no unit: we suppose that of J, "
-    "mm/rad.",
+    en="From home the end effector is to come to (440, 0, 200) mm, pointing 60° below level. Five joints have five "
+    "tasks, and no freedom is left. How many steps it takes depends on the share κ of the error that each step "
+    "removes, which the source leaves open: with 0.3 it takes the 17 that are printed; with 0.56, which suits the "
+    "ORCA, it takes 8. The posture that is reached lies outside the limit of J3. The λ that is printed has no unit: "
+    "we suppose that of J, mm/rad.",
     pt_BR="Da posição de origem (home) o efetuador deve chegar a (440, 0, 200) mm, apontando 60° abaixo da horizontal. "
     "Cinco juntas têm cinco tarefas, e não sobra liberdade. Quantos passos são precisos depende da fração κ do erro "
     "que cada um percorre, e a fonte a deixa em aberto: com 0,3 são os 17 impressos, com o 0,56 que serve ao ORCA, 8. "

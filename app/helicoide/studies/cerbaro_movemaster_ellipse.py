@@ -35,10 +35,10 @@ TITLE = Text(en="The Movemaster round an ellipse", pt_BR="O Movemaster numa elip
 SOURCE = "Cerbaro 2022, §4.4.4, dem. 2, eq. 32, figs. 35, 36"
 ROBOT = "movemaster"
 ABOUT = Text(
-    en="One turn in a minute, the tool 60° below level all the time: five tasks for five joints. With the velocity of "
-    "the path fed forward the error of position stays below a nanometre; without it, or with the one that eq. 32 "
-    "prints, it has the order that is stated for fig. 36, if that is in mm. J3 runs beyond the limit of table 3, since "
-    "no freedom is left to avoid it.",
+    en="One turn in a minute, the end effector 60° below level all the time: five tasks for five joints. With the "
+    "velocity of the path fed forward the error of position stays below a nanometre; without it, or with the one that "
+    "eq. 32 prints, it has the order that is stated for fig. 36, if that is in mm. J3 runs beyond the limit of table "
+    "3, since no freedom is left to avoid it.",
     pt_BR="Uma volta por minuto, com o efetuador sempre 60° abaixo da horizontal: cinco tarefas para cinco juntas. Com "
     "a velocidade da trajetória antecipada, o erro de posição fica abaixo de um nanômetro; sem ela, ou com a que a eq. "
     "32 imprime, tem a ordem que se diz da fig. 36, se ela está em mm. J3 passa do limite da tabela 3, pois não sobra "
@@ -55,8 +55,8 @@ FED = Text(
     "eq. 32 em mm/s também (0,0061 mm)",
 )
 DAMPED = Text(
-    en="only the damping turns the tool; the printed λ = 0.1, which we suppose in mm/rad, gives a tenth of what is "
-    "stated for fig. 36, 0.3 to 0.9 would give its order",
+    en="only the damping turns the end effector; the printed λ = 0.1, which we suppose in mm/rad, gives a tenth of "
+    "what is stated for fig. 36, 0.3 to 0.9 would give its order",
     pt_BR="só o amortecimento gira o efetuador; o λ = 0,1 impresso, que supomos em mm/rad, dá um décimo do que se diz "
     "da fig. 36; de 0,3 a 0,9 daria a sua ordem",
 )

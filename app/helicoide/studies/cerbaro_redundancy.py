@@ -32,9 +32,9 @@ TITLE = Text(en="Redundancy of the ORCA", pt_BR="Redundância do ORCA")
 SOURCE = "Cerbaro 2022, §4.4.1, fig. 27"
 ROBOT = "orca"
 ABOUT = Text(
-    en="An arm with three joints needs only two to put its tool on a point of its plane: one freedom is left. "
-    "The arm glides from posture A to posture B of the source through the null space of its Jacobian, and the tool "
-    "stays where it is.",
+    en="An arm with three joints needs only two to put its end effector on a point of its plane: one freedom is left. "
+    "The arm glides from posture A to posture B of the source through the null space of its Jacobian, and the end "
+    "effector stays where it is.",
     pt_BR="Um braço de três juntas só precisa de duas para pôr o efetuador num ponto do plano: sobra uma liberdade. "
     "O braço desliza da postura A à postura B da fonte pelo espaço nulo do jacobiano, e o efetuador fica onde está.",
 )
@@ -95,7 +95,9 @@ def _rows(orca: Problem, way: LoopRun) -> tuple[Row, ...]:
     held_5r, _ = null_space_size(setups.pitch_and_roll_task(movemaster, goal, 0.0), q)
     points = [
         Row(
-            Text(en="{name}: {axis} of the tool", pt_BR="{name}: {axis} do efetuador").format(name=name, axis=axis),
+            Text(en="{name}: {axis} of the end effector", pt_BR="{name}: {axis} do efetuador").format(
+                name=name, axis=axis
+            ),
             1000 * setups.tool_position(orca, posture)[i],
             "mm",
             printed_statement(("583,2", "173,2")[i], "§4.4.1, fig. 27"),
@@ -124,7 +126,10 @@ def _rows(orca: Problem, way: LoopRun) -> tuple[Row, ...]:
         Row(Text(en="freedoms, ORCA at x, y", pt_BR="liberdades, ORCA em x, y"), free),
         Row(Text(en="freedoms, Movemaster at x, y, z", pt_BR="liberdades, Movemaster em x, y, z"), free_5r),
         Row(
-            Text(en="way from A to B: the tool leaves its point by", pt_BR="de A a B: o efetuador sai do ponto por"),
+            Text(
+                en="way from A to B: the end effector leaves its point by",
+                pt_BR="de A a B: o efetuador sai do ponto por",
+            ),
             float(way.position_error.max()),
             "mm",
         ),
@@ -146,7 +151,7 @@ def side_motion(movemaster: Problem) -> float:
 
 
 def _charts(way: LoopRun) -> tuple[Chart, ...]:
-    named = (Text(en="of the tool", pt_BR="do efetuador"), way)
+    named = (Text(en="of the end effector", pt_BR="do efetuador"), way)
     return (
         _postures(),
         joint_chart("fig. 27", way, (1, 2, 3)),

@@ -31,8 +31,8 @@ from helicoide.studies._coutinho_runs import (
     E1_START,
     FILTERED,
     ROBOT,
-    Insertion,
     Run,
+    RunStart,
     sign_changes,
     source_control,
 )
@@ -152,7 +152,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     for done, (name, (_, of_tool)) in enumerate(INVERSES.items()):
         gained = source_control(of_tool=of_tool, position=Kp, orientation=Ko)
         told = share_of_progress(progress, done, len(INVERSES))
-        runs[name] = run_along("E1", gained, STEP, Insertion(E1_START, E1_DEPTH), SECONDS if short else None, told)
+        runs[name] = run_along("E1", gained, STEP, RunStart(E1_START, E1_DEPTH), SECONDS if short else None, told)
     titled = {INVERSES[name][0]: got for name, got in runs.items()}
     rows = (
         *(() if short else _crossed(runs)),

@@ -10,7 +10,7 @@ import numpy as np
 
 from helicoide.ik.method import Quantity
 from helicoide.ik.rcm.follow import RcmStep
-from helicoide.ik.rcm.older import avoiding, entry_first, entry_jacobian, extended, tool_jacobian
+from helicoide.ik.rcm.older import avoiding, entry_first, entry_jacobian, extended, older_tool_jacobian
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.studies._coutinho_rows import FEEDBACK, TIME
 from helicoide.studies._coutinho_runs import ROBOT, path_steps, source_control
@@ -87,7 +87,7 @@ def _apart(moment: RcmStep) -> tuple[float, float, float, float]:
     The last way takes the tool first and the entry point as its obstacle, which is the stack by eq. 1.3.
     """
     at, nu, asked = moment.at, moment.command, moment.asked
-    J_e, J_c = tool_jacobian(at), entry_jacobian(at)
+    J_e, J_c = older_tool_jacobian(at), entry_jacobian(at)
     stack = np.vstack([J_e, J_c])
     inverted = np.linalg.solve(stack, np.concatenate([nu, asked]))
     determinant, factors = abs(np.linalg.det(stack)), at.place.outside**2 * at.of_arm.w * at.of_tool.w

@@ -15,9 +15,9 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 2: a redundant joint", pt_BR="Simulação 2: uma junta redundante")
 SOURCE = "Vargas 2013, §2.4, sim. 2, figs. 2.9–2.10"
 ABOUT = Text(
-    en="""The same path as in simulation 1, but the angle of the tool is free: three joints for two coordinates. The \
-error fades as before, and of all motions that do it the pseudoinverse takes the smallest. Compare its fastest joint \
-with that of simulation 1, which is three times faster.""",
+    en="""The same path as in simulation 1, but the angle of the end effector is free: three joints for two \
+coordinates. The error fades as before, and of all motions that do it the pseudoinverse takes the smallest. Compare \
+its fastest joint with that of simulation 1, which is three times faster.""",
     pt_BR="""O mesmo caminho da simulação 1, mas o ângulo do efetuador está livre: três juntas para duas coordenadas. \
 O erro se apaga como antes e, de todos os movimentos que o fazem, a pseudoinversa escolhe o menor. Compare a junta \
 mais rápida com a da simulação 1, três vezes mais veloz.""",

@@ -24,10 +24,10 @@ from helicoide.text import Text, untranslated
 TITLE = Text(en="Simulation 6: a singular start", pt_BR="Simulação 6: partida singular")
 SOURCE = "Vargas 2013, §3.5, sim. 6, figs. 3.12–3.13"
 ABOUT = Text(
-    en="""The arm is stretched, and the path leads straight inwards: at first no joint moves the tool that way. Look \
-at who leaves: damped least squares and the modified filtered inverse never do, since their answer has no part along \
-the lost direction. The feedback leaves, because its G is not diagonal and lets one coordinate push the other, and so \
-does the filtered inverse whose Θ is not zero at the start.""",
+    en="""The arm is stretched, and the path leads straight inwards: at first no joint moves the end effector that \
+way. Look at who leaves: damped least squares and the modified filtered inverse never do, since their answer has no \
+part along the lost direction. The feedback leaves, because its G is not diagonal and lets one coordinate push the \
+other, and so does the filtered inverse whose Θ is not zero at the start.""",
     pt_BR="""O braço está esticado e o caminho aponta direto para dentro: no início nenhuma junta move o efetuador \
 nessa direção. Veja quem sai: a inversa amortecida e a filtrada modificada nunca saem, pois sua resposta não tem \
 componente na direção perdida. A realimentada sai, porque seu G não é diagonal e faz uma coordenada empurrar a outra; \

@@ -32,9 +32,9 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 7: through a singular posture", pt_BR="Simulação 7: através de uma postura singular")
 SOURCE = "Vargas 2013, §3.5, sim. 7, figs. 3.14–3.15"
 ABOUT = Text(
-    en="""The path leads through the axis of the shoulder, where no joint moves the tool along it; the arm gets there \
-after 32 s. The pseudoinverse asks for 70 rad/s in steps of 1 ms. Compare the filtered inverses: the larger γ is, the \
-smaller the error, and the faster the joints, though never beyond 3 rad/s.""",
+    en="""The path leads through the axis of the shoulder, where no joint moves the end effector along it; the arm \
+gets there after 32 s. The pseudoinverse asks for 70 rad/s in steps of 1 ms. Compare the filtered inverses: the larger \
+γ is, the smaller the error, and the faster the joints, though never beyond 3 rad/s.""",
     pt_BR="""O caminho passa pelo eixo do ombro, onde nenhuma junta move o efetuador ao longo dele; o braço chega lá \
 em 32 s. A pseudoinversa pede 70 rad/s em passos de 1 ms. Compare as inversas filtradas: quanto maior γ, menor o erro, \
 e mais rápidas as juntas, embora nunca além de 3 rad/s.""",

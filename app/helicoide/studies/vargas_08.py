@@ -79,7 +79,7 @@ def _constant(name: str, k: float, beta: float) -> Row:
     """How long θ takes for all but 1/e of its way to 1/k, by Euler's rule on the law of θ, beside 1/(β k²)."""
     tau, theta, taken = 1 / (beta * k * k), 1.0, 0
     while abs(theta - 1 / k) > abs(1.0 - 1 / k) / e:
-        theta += 1e-3 * tau * scalar_filter.slope(k, theta, beta)
+        theta += 1e-3 * tau * scalar_filter.scalar_slope(k, theta, beta)
         taken += 1
     law = Statement(untranslated("τ = 1/(βk²)"), "eq. 4.10", tau, "=", 0.01 * tau)
     title = Text(en="time constant, in a thousand steps", pt_BR="constante de tempo, em mil passos")

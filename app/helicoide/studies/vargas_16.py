@@ -44,8 +44,9 @@ from helicoide.text import Text
 TITLE = Text(en="Simulation 16: round an obstacle", pt_BR="Simulação 16: contornando um obstáculo")
 SOURCE = "Vargas 2013, §4.7, sim. 16, fig. 4.41"
 ABOUT = Text(
-    en="""The path of simulation 1 passes an obstacle at 0.25. A hill of cost around it, of height α, pushes the tool \
-away as one more row of the task. Look at where the tool goes: it keeps farther off the higher the hill is.""",
+    en="""The path of simulation 1 passes an obstacle at 0.25. A hill of cost around it, of height α, pushes the end \
+effector away as one more row of the task. Look at where the end effector goes: it keeps farther off the higher the \
+hill is.""",
     pt_BR="""O caminho da simulação 1 passa a 0,25 de um obstáculo. Uma colina de custo em torno dele, de altura α, \
 afasta o efetuador como mais uma linha da tarefa. Observe o percurso do efetuador: quanto mais alta a colina, mais \
 longe ele passa.""",

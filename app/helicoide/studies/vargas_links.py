@@ -40,8 +40,8 @@ TITLE = Text(en="An obstacle beside the links", pt_BR="Um obstáculo ao lado dos
 SOURCE = "Vargas 2013, §4.7, fig. 4.42"
 ABOUT = Text(
     en="""The obstacle stands beside the arm, not beside the path. Play the run: with eight points on each link that \
-see it, the arm folds out of the way and the tool hardly leaves its path. Seen by the ends of the links alone, it \
-slips in between them in two of the three places.""",
+see it, the arm folds out of the way and the end effector hardly leaves its path. Seen by the ends of the links alone, \
+it slips in between them in two of the three places.""",
     pt_BR="""O obstáculo está ao lado do braço, não do caminho. Veja a simulação: com oito pontos em cada elo que o \
 percebem, o braço se dobra para dar passagem e o efetuador quase não sai do caminho. Visto só pelas pontas dos elos, \
 ele passa entre elas em dois dos três lugares.""",

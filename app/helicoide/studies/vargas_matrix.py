@@ -173,7 +173,7 @@ def _modes(path: FilterPath, gain: float) -> list[Row]:
     U, _, Vt = np.linalg.svd(path.K)
     off_diagonal, off_residual = 0.0, 0.0
     for Theta, here in zip(path.Theta, path.seen(gain), strict=True):
-        moving = Vt @ filtered_inverse.slope(path.K, Theta, gain) @ U
+        moving = Vt @ filtered_inverse.filter_slope(path.K, Theta, gain) @ U
         d = -2 * gain * (here.sigma * here.d - 1) * here.sigma
         off_diagonal = max(off_diagonal, float(np.abs(moving.diagonal() - d).max()))
         np.fill_diagonal(moving, 0.0)
@@ -258,7 +258,7 @@ def _crossing(gain: float, dt: float) -> tuple[Array, Array]:
     t, Theta, found = np.arange(1, 2 * np.pi, dt), np.zeros((3, 3)), []
     for now in t:
         found.append(Theta[2, 2])
-        Theta = filtered_inverse.exact(np.diag([1, 0.5, np.cos(now)]), Theta, gain, dt)
+        Theta = filtered_inverse.exact_update(np.diag([1, 0.5, np.cos(now)]), Theta, gain, dt)
     return np.cos(t), np.array(found)
 
 

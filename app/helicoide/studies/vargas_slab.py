@@ -36,12 +36,12 @@ from helicoide.studies.vargas.table import (
 )
 from helicoide.text import Text
 
-TITLE = Text(en="A slab that the tool does not leave", pt_BR="Uma faixa de onde o efetuador não sai")
+TITLE = Text(en="A slab that the end effector does not leave", pt_BR="Uma faixa de onde o efetuador não sai")
 SOURCE = "Vargas 2013, §4.7, eq. 4.73"
 ABOUT = Text(
-    en="""The path swings between y = −0.5 and 0.5, and a barrier asks the tool to stay within |y| < 0.3. Look at y: \
-the steeper the barrier the nearer to its face the tool goes, but it never touches it, and x is followed all the \
-while.""",
+    en="""The path swings between y = −0.5 and 0.5, and a barrier asks the end effector to stay within |y| < 0.3. Look \
+at y: the steeper the barrier the nearer to its face the end effector goes, but it never touches it, and x is followed \
+all the while.""",
     pt_BR="""O caminho oscila entre y = −0,5 e 0,5, e uma barreira pede que o efetuador fique em |y| < 0,3. Observe \
 y: quanto mais íngreme a barreira, mais perto da face o efetuador chega, mas nunca a toca, e x é seguido o tempo \
 todo.""",

@@ -6,7 +6,7 @@ import numpy as np
 from markupsafe import Markup
 
 from helicoide.ik.modal import Diagnosis
-from helicoide.readout import modes
+from helicoide.readout import method_modes
 from helicoide.text import Language, Text, untranslated
 from helicoide.view import html
 from helicoide.view.formula import formula_html
@@ -39,7 +39,7 @@ LINE = Markup("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>"
 
 def mode_table(view: View) -> Markup:
     """A table with σᵢ, dᵢ, σᵢdᵢ and τᵢ of each mode, and below it ‖R‖ and V_c."""
-    language, found = view.seat.language, modes(view.state)
+    language, found = view.seat.language, method_modes(view.state)
     if found is None:
         return html.note(NONE[language])
     left = LEFT.format(R=float(np.linalg.norm(found.R)), V=found.V_c, floor=found.floor)

@@ -12,7 +12,7 @@ from helicoide.text import Text
 from helicoide.view import html
 from helicoide.view.formula import formula_html
 from helicoide.view.rows import Checkbox, DependentRows, Dropdown, Folder, ForArm, HtmlRow, Row, Slider, View
-from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
+from helicoide.view.settings import NONE, NOTHING_TO_SET, setting_rows
 
 
 def objective_rows(robot: Robot) -> list[Row]:
@@ -71,7 +71,7 @@ def _how(robot: Robot, name: str) -> list[Row]:
             lambda view: second(view).adapts,
             lambda on: ForArm(gate.grow_weights(on)),
         ),
-        *rows_of(
+        *setting_rows(
             objective.Options,
             robot.reach,
             lambda view: second(view).options,

@@ -74,7 +74,7 @@ def _sphere(robot: Robot, index: int) -> list[Row]:
     ]
 
 
-def entry_rows() -> Folder:
+def entry_point_rows() -> Folder:
     """The entry point: whether it is held, and its position."""
     return Folder(
         Text(

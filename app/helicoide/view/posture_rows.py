@@ -14,7 +14,7 @@ from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.postures.branch import wrap
 from helicoide.ik.postures.choice import OUT_OF_LIMITS, Ranked
-from helicoide.ik.postures.solve import EXACT, status
+from helicoide.ik.postures.solve import EXACT, answer_status
 from helicoide.kinematics.robot import Robot
 from helicoide.readout import too_near
 from helicoide.state import PostureList, State
@@ -43,14 +43,14 @@ COST = Text(en="cost {cost:.2f}", pt_BR="custo {cost:.2f}")
 WEIGHTS = Text(en="Joint weights", pt_BR="Pesos das juntas")
 WEIGHT = Text(en="weight {n} {title}", pt_BR="peso {n} {title}")
 WHY_WEIGHTS = Text(
-    en="The list is sorted by cost: the sum of the joint motions from the current posture, in radians, each times its "
-    "weight (for a prismatic joint, the motion divided by the reach). Large weights near the base favour motion of "
-    "the outer links. Postures too close to an obstacle or a plane, or outside the joint limits, come last (Campos "
-    "1998, s.17).",
-    pt_BR="A lista está em ordem de custo: a soma dos movimentos das juntas desde a postura atual, em radianos, cada "
-    "um vezes o seu peso (numa junta prismática, o movimento dividido pelo alcance). Pesos grandes perto da base "
-    "favorecem o movimento dos elos mais distantes. Posturas perto demais de um obstáculo ou plano, ou fora dos "
-    "limites das juntas, vêm no fim (Campos 1998, s.17).",
+    en="The list is sorted by cost: the sum of the joint motions from the posture at the time of listing, in radians, "
+    "each times its weight (for a prismatic joint, the motion divided by the reach). Large weights near the base "
+    "favour motion of the outer links. Postures too close to an obstacle or a plane, or outside the joint limits, "
+    "come last (Campos 1998, s.17).",
+    pt_BR="A lista está em ordem de custo: a soma dos movimentos das juntas desde a postura no momento da listagem, "
+    "em radianos, cada um vezes o seu peso (numa junta prismática, o movimento dividido pelo alcance). Pesos grandes "
+    "perto da base favorecem o movimento dos elos mais distantes. Posturas perto demais de um obstáculo ou plano, ou "
+    "fora dos limites das juntas, vêm no fim (Campos 1998, s.17).",
 )
 
 
@@ -120,7 +120,7 @@ def _place(listed: PostureList, state: State) -> int | None:
 @lru_cache(maxsize=64)
 def _written(listed: PostureList, problem: Problem, here: int | None, language: Language) -> Markup:
     x, y, z = (1000 * float(value) for value in listed.T_world_goal[:3, 3])
-    head = HEAD.format(x=x, y=y, z=z, status=status(listed.answer))[language]
+    head = HEAD.format(x=x, y=y, z=z, status=answer_status(listed.answer))[language]
     items = (
         ITEM.format(
             "here" if place == here else "",

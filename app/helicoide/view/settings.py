@@ -18,7 +18,7 @@ Options = Callable[[View], Any]
 Change = Callable[[str, object], PageRequest]
 
 
-def rows_of(kind: type, length: float, options: Options, change: Change) -> list[Row]:
+def setting_rows(kind: type, length: float, options: Options, change: Change) -> list[Row]:
     """A row for each setting of an options class.
 
     length: the characteristic length, m, for what is shown in mm; options: the current values; change: makes the

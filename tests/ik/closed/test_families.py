@@ -30,7 +30,7 @@ BY = [(name, family) for name, families in FAMILIES.items() for family in famili
 
 
 def found(family: str, robot: Robot, T: Array, q: Array) -> Answer:
-    return closed.solve(closed.found()[family], robot, T, q)
+    return closed.solve_closed_form(closed.closed_forms()[family], robot, T, q)
 
 
 def apart(one: Answer, other: Answer) -> float:
@@ -109,7 +109,7 @@ def test_a_singular_wrist_keeps_its_fourth_joint(name: str, family: str) -> None
 @pytest.mark.parametrize("family", ["geometry", "inverse_transform", "screws", "dual_quaternions"])
 def test_other_arms_are_refused_in_words(family: str) -> None:
     robot = load_robot("scara")
-    assert closed.found()[family].applies(robot) is not None
+    assert closed.closed_forms()[family].applies(robot) is not None
     with pytest.raises(HelicoideError, match="This form needs"):
         found(family, robot, np.eye(4), robot.poses["ready"])
 

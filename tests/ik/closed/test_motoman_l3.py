@@ -58,13 +58,13 @@ def test_an_arm_bent_at_zero_on_a_pedestal() -> None:
     robot = with_points(replace(ROBOT, joints=(*ROBOT.joints[:4], turned)), points, pose((0.6, 0, 0.9), R))
     assert motoman_l3.applies(robot) is None
     for q in np.random.default_rng(3).uniform(-3, 3, (20, 5)):
-        answer = closed.solve(motoman_l3, robot, tool_at(robot, q), NOW)
+        answer = closed.solve_closed_form(motoman_l3, robot, tool_at(robot, q), NOW)
         assert worst(robot, answer) < 1e-9
         assert recovered(answer, q) < 1e-9
 
 
 def test_the_four_postures_of_the_test_goal() -> None:
-    answer = closed.solve(motoman_l3, ROBOT, goal(), NOW)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, goal(), NOW)
     assert [branch.name.en for branch in answer.branches] == list(SOLUTIONS)
     np.testing.assert_allclose([np.degrees(b.q) for b in answer.branches], list(SOLUTIONS.values()), atol=5.1e-5)
     assert [branch.within for branch in answer.branches] == [True, True, False, True]
@@ -79,7 +79,7 @@ def test_the_projection_of_the_test_goal() -> None:
     turn = motoman_l3.pointed(ROBOT, goal(), NOW)
     assert np.degrees(turn.angle) == pytest.approx(ANGLE, abs=5e-5)
     np.testing.assert_allclose(turn.Z, POINTING, atol=5e-7)
-    answer = closed.solve(motoman_l3, ROBOT, goal(), NOW)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, goal(), NOW)
     np.testing.assert_allclose(answer.T_world_goal[:3, 2], turn.Z, atol=1e-12)
     assert answer.turned == pytest.approx(abs(turn.angle), abs=1e-12)
     assert answer.values[0]["θ"] == pytest.approx(turn.angle)
@@ -97,7 +97,7 @@ def test_the_projection_is_the_smallest_turn_into_the_plane(
     assert steps.M @ steps.R[:, 2] == pytest.approx(0, abs=1e-12)
     # the slope of asin rises without bound where its argument comes to 1
     assert np.sin(abs(steps.angle)) == pytest.approx(abs(steps.M @ T[:3, 2]), abs=1e-12)
-    goal = closed.solve(motoman_l3, ROBOT, T, NOW).T_world_goal
+    goal = closed.solve_closed_form(motoman_l3, ROBOT, T, NOW).T_world_goal
     np.testing.assert_allclose(goal, pose(p, steps.R), atol=1e-12)
     turned = between(T, goal)[1]
     up, out = np.array([0, 0, 1.0]), np.cross(steps.M, [0, 0, 1.0])
@@ -111,7 +111,7 @@ def test_the_projection_is_the_smallest_turn_into_the_plane(
 @given(q=st.tuples(angles, angles, st.floats(0.01, 3.1), angles, angles), sign=st.sampled_from([-1, 1]))
 def test_every_posture_is_found_again(q: tuple[float, ...], sign: int) -> None:
     theta = np.array(q) * [1, 1, sign, 1, 1]
-    answer = closed.solve(motoman_l3, ROBOT, tool_at(ROBOT, theta), theta)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, tool_at(ROBOT, theta), theta)
     assert len(answer.branches) == 4
     assert worst(ROBOT, answer) < 1e-9
     reach = np.hypot(*tool_at(ROBOT, theta)[:2, 3])
@@ -122,7 +122,7 @@ def test_every_posture_is_found_again(q: tuple[float, ...], sign: int) -> None:
 def test_each_step_follows_from_those_before() -> None:
     """The steps: u, c₃, θ₂ and the sum a = θ₂ + θ₃ + θ₄."""
     l2, l3 = 0.4, 0.5
-    for steps in closed.solve(motoman_l3, ROBOT, goal(), NOW).values:
+    for steps in closed.solve_closed_form(motoman_l3, ROBOT, goal(), NOW).values:
         u, p_z = steps["u"], steps["p_z"]
         assert u == pytest.approx(np.cos(steps["θ₁"]) * steps["p_x"] + np.sin(steps["θ₁"]) * steps["p_y"])
         assert steps["c₃"] == pytest.approx((u**2 + p_z**2 - l2**2 - l3**2) / (2 * l2 * l3))
@@ -136,13 +136,13 @@ def test_each_step_follows_from_those_before() -> None:
 @pytest.mark.parametrize(("edge", "outward"), [(0.9, 1), (0.1, -1)])
 def test_postures_meet_on_the_edges(edge: float, outward: int, d: float, count: int) -> None:
     r = edge + outward * d
-    answer = closed.solve(motoman_l3, ROBOT, pose((0.6 * r, 0, 0.8 * r), np.eye(3)), NOW)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, pose((0.6 * r, 0, 0.8 * r), np.eye(3)), NOW)
     assert len(answer.branches) == count
     assert answer.short == pytest.approx(max(d, 0), rel=1e-6, abs=1e-12)
 
 
 def test_out_of_reach_is_a_value_with_words() -> None:
-    answer = closed.solve(motoman_l3, ROBOT, pose((900, 0, 1200), np.eye(3)), NOW)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, pose((900, 0, 1200), np.eye(3)), NOW)
     assert answer.branches == ()
     assert answer.short == pytest.approx(1499.1)
     for language, edge in zip(LANGUAGES, ("outer radius", "raio externo"), strict=True):
@@ -154,7 +154,7 @@ def test_out_of_reach_is_a_value_with_words() -> None:
 def test_over_the_waist_the_hand_gives_the_plane(z: float, heading: float, tilt: float, now: float) -> None:
     """At p_x = p_y = 0 every plane of the arm holds the point; the one in which the hand points needs no turn."""
     T = pose((0, 0, z), euler.euler_matrix([heading, tilt, 0.3], "zyz"))
-    answer = closed.solve(motoman_l3, ROBOT, T, np.array([now, 0, 0, 0, 0]))
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, T, np.array([now, 0, 0, 0, 0]))
     assert (answer.turned, answer.free) == (pytest.approx(0, abs=1e-9), ())
     assert len(answer.branches) == 4
     assert worst(ROBOT, answer) < 1e-9
@@ -165,7 +165,7 @@ def test_over_the_waist_the_hand_gives_the_plane(z: float, heading: float, tilt:
 @settings(max_examples=40)
 def test_upright_over_the_waist_theta_1_is_free_and_kept(z: float, roll: float, now: float, down: bool) -> None:
     T = pose((0, 0, z), euler.euler_matrix([0, np.pi * down, roll], "zyz"))
-    answer = closed.solve(motoman_l3, ROBOT, T, np.array([now, 0, 0, 0, 0]))
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, T, np.array([now, 0, 0, 0, 0]))
     assert answer.free == (0,)
     assert answer.branches[0].q[0] == pytest.approx(now)
     assert worst(ROBOT, answer) < 1e-9
@@ -178,7 +178,7 @@ def test_a_hand_square_to_the_plane_is_turned_outward(side: int) -> None:
     p = np.array([0.3, 0.4, 0.2])
     M = np.array([-0.8, 0.6, 0])
     T = pose(p, np.column_stack([np.cross([0, 0, 1.0], side * M), [0, 0, 1.0], side * M]))
-    answer = closed.solve(motoman_l3, ROBOT, T, NOW)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, T, NOW)
     np.testing.assert_allclose(answer.T_world_goal[:3, 2], [0.6, 0.8, 0], atol=1e-12)
     assert answer.turned == pytest.approx(np.pi / 2)
     assert len(answer.branches) == 4
@@ -191,7 +191,7 @@ def test_nearly_square_to_the_plane_the_turn_stays_a_rotation(side: float) -> No
     R = rotation.exponential(side * np.array([0.3, 0.5, 0.8])) @ np.column_stack(
         [np.cross([0, 0, 1.0], M), [0, 0, 1.0], M]
     )
-    answer = closed.solve(motoman_l3, ROBOT, pose((0.3, 0.4, 0.2), R), NOW)
+    answer = closed.solve_closed_form(motoman_l3, ROBOT, pose((0.3, 0.4, 0.2), R), NOW)
     assert answer.turned == pytest.approx(np.pi / 2, abs=1e-6)
     assert worst(ROBOT, answer) < 1e-12
 
@@ -199,7 +199,9 @@ def test_nearly_square_to_the_plane_the_turn_stays_a_rotation(side: float) -> No
 def test_equal_links_folded_leave_the_upper_arm_free() -> None:
     robot = equal_links()
     now = np.array([0.4, -1.1, 0, 0, 0])
-    answer = closed.solve(motoman_l3, robot, pose((0, 0, 0), euler.euler_matrix([0.2, 0.5, 0.1], "zyz")), now)
+    answer = closed.solve_closed_form(
+        motoman_l3, robot, pose((0, 0, 0), euler.euler_matrix([0.2, 0.5, 0.1], "zyz")), now
+    )
     assert answer.free == (1,)
     assert {round(float(branch.q[1]), 9) for branch in answer.branches} == {-1.1}
     assert worst(robot, answer) < 1e-12
@@ -209,7 +211,7 @@ def test_actuators_count_every_posture_that_they_can_hold() -> None:
     """A → θ → A and back, for the branches that the ball screws hold."""
     assert ROBOT.actuators is not None
     held = {}
-    for branch in closed.solve(motoman_l3, ROBOT, goal(), NOW).branches:
+    for branch in closed.solve_closed_form(motoman_l3, ROBOT, goal(), NOW).branches:
         try:
             pulses = ROBOT.actuators.from_joints(branch.q)
         except HelicoideError:
@@ -227,7 +229,7 @@ def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(numbers: tuple[in
     robot = moved(reversed_axes(ROBOT, *numbers), place)
     assert motoman_l3.applies(robot) is None
     for q in np.random.default_rng(0).uniform(-3, 3, (8, 5)):
-        answer = closed.solve(motoman_l3, robot, tool_at(robot, q), NOW)
+        answer = closed.solve_closed_form(motoman_l3, robot, tool_at(robot, q), NOW)
         assert worst(robot, answer) < 1e-9
         assert recovered(answer, q) < 1e-9
 
@@ -235,7 +237,7 @@ def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(numbers: tuple[in
 @pytest.mark.parametrize("numbers", [(1,), (1, 2, 3, 4)])
 def test_the_front_is_where_the_tool_stands_at_zero(numbers: tuple[int, ...]) -> None:
     """Also where the shoulder counts the other way, so that its axis points to the right."""
-    answer = closed.solve(motoman_l3, reversed_axes(ROBOT, *numbers), goal(), NOW)
+    answer = closed.solve_closed_form(motoman_l3, reversed_axes(ROBOT, *numbers), goal(), NOW)
     assert [branch.name.en for branch in answer.branches] == list(SOLUTIONS)
     heading = [np.degrees(branch.q[0]) for branch in answer.branches]
     assert heading == pytest.approx([21.8014, 21.8014, -158.1986, -158.1986], abs=1e-4)
@@ -244,7 +246,7 @@ def test_the_front_is_where_the_tool_stands_at_zero(numbers: tuple[int, ...]) ->
 def test_a_tool_ahead_of_the_wrist_keeps_its_point() -> None:
     """The wrist's plane is that of a tool point on its axis: {W} = {G} (T_wrist_tool)⁻¹, s.14."""
     longer = replace(ROBOT, T_world_tool_0=frozen(pose((0.9, 0, 0.12), euler.euler_matrix([0.7, 0, 0], "zyx"))))
-    answer = closed.solve(motoman_l3, longer, goal(), NOW)
+    answer = closed.solve_closed_form(motoman_l3, longer, goal(), NOW)
     assert answer.moved == 0
     assert answer.turned == pytest.approx(np.radians(16.6918), abs=1e-6)
     assert len(answer.branches) == 4
@@ -258,13 +260,13 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     assert isinstance(motoman_l3.applies(robot), Text)
     with pytest.raises(HelicoideError, match="This form needs"):
-        closed.solve(motoman_l3, robot, np.eye(4), np.zeros(len(robot.variables)))
+        closed.solve_closed_form(motoman_l3, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 
 def test_a_goal_that_is_no_pose_is_refused() -> None:
     T = goal()
     T[0, 3] = np.nan
-    for function in (partial(closed.solve, motoman_l3), motoman_l3.pointed):
+    for function in (partial(closed.solve_closed_form, motoman_l3), motoman_l3.pointed):
         with pytest.raises(HelicoideError, match="pose"):
             function(ROBOT, T, NOW)
         with pytest.raises(HelicoideError, match="finite joint values"):

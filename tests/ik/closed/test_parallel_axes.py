@@ -17,7 +17,7 @@ from helicoide.geometry import euler, rotation
 from helicoide.ik import closed
 from helicoide.ik.closed import parallel_axes
 from helicoide.ik.families.parallel_arm import parallel_arm
-from helicoide.ik.families.parallel_postures import joint_values
+from helicoide.ik.families.parallel_postures import parallel_joint_values
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.ik.postures.solve import solve, solve_by
 from helicoide.kernels import run_interpreted
@@ -89,7 +89,7 @@ def test_there_and_back_again(name: str, digits: int, sign: int, tmp_path: Path)
     robot, counts = ur(name, tmp_path, digits, sign), []
     assert next(iter(closed.of(robot))) == "parallel_axes"
     for q in np.random.default_rng(2).uniform(-pi, pi, (40, 6)):
-        answer = closed.solve(parallel_axes, robot, tool_at(robot, q), HERE)
+        answer = closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), HERE)
         assert worst(robot, answer) < 1e-9
         assert distance(answer, q) < 1e-6
         assert len({branch.name.en for branch in answer.branches}) == len(answer.branches) == len(answer.values)
@@ -131,7 +131,7 @@ def test_axes_at_any_angles(seed: int) -> None:
     robot = skewed(seed)
     q = np.random.default_rng(seed).uniform(-pi, pi, 6)
     assert parallel_axes.applies(robot) is None
-    answer = closed.solve(parallel_axes, robot, tool_at(robot, q), HERE)
+    answer = closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), HERE)
     assert worst(robot, answer) < 1e-8
     assert distance(answer, q) < 1e-3
     assert len(answer.branches) <= 8
@@ -142,7 +142,7 @@ def test_names_say_where_shoulder_elbow_and_wrist_are(tmp_path: Path) -> None:
     robot = ur("ur5", tmp_path)
     seen = set()
     for q in np.random.default_rng(4).uniform(-pi, pi, (40, 6)):
-        for branch in closed.solve(parallel_axes, robot, tool_at(robot, q), HERE).branches:
+        for branch in closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), HERE).branches:
             poses = link_poses(robot.chain, branch.q)
             along = poses[2, :3, :3] @ robot.directions[1]
             flat = np.eye(3) - np.outer(along, along)
@@ -165,7 +165,7 @@ def test_whole_turns_lead_into_the_limits(tmp_path: Path) -> None:
     q = np.array([4.0, -1.2, 1.5, -5.0, 1.1, 6.0])
     answer = solve(robot, tool_at(robot, q), q)
     np.testing.assert_allclose(answer.branches[0].q, q, atol=1e-9)
-    listed = closed.solve(parallel_axes, robot, tool_at(robot, q), q)
+    listed = closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), q)
     assert all(branch.within and (np.abs(branch.q) <= pi).all() for branch in listed.branches)
 
 
@@ -173,20 +173,20 @@ def test_a_singular_wrist_keeps_joint_6(tmp_path: Path) -> None:
     robot = ur("ur5", tmp_path)
     q = np.array([0.3, -1.2, 1.4, 0.6, 0.0, 0.7])
     for kept in (0.7, -1.0):
-        answer = closed.solve(parallel_axes, robot, tool_at(robot, q), np.array([0, 0, 0, 0, 0, kept]))
+        answer = closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), np.array([0, 0, 0, 0, 0, kept]))
         assert answer.free == (5,)
         assert "joint 6" in answer.words.en
         assert "junta 6" in answer.words.pt_BR
         assert worst(robot, answer) < 1e-9
         singular = [branch.q[5] for branch in answer.branches if abs(np.sin(branch.q[4])) < 1e-6]
         np.testing.assert_allclose(singular, kept, atol=1e-9)
-    assert distance(closed.solve(parallel_axes, robot, tool_at(robot, q), q), q) < 1e-6
+    assert distance(closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), q), q) < 1e-6
 
 
 @pytest.mark.parametrize("q", [HERE, np.array([0.2, -0.8, 0, 0.5, 1, 0.3])], ids=["home", "stretched"])
 def test_a_stretched_arm_is_found_on_its_edge(q: Array, tmp_path: Path) -> None:
     robot = ur("ur5e", tmp_path)
-    answer = closed.solve(parallel_axes, robot, tool_at(robot, q), q)
+    answer = closed.solve_closed_form(parallel_axes, robot, tool_at(robot, q), q)
     assert distance(answer, q) < 1e-5
     assert worst(robot, answer) < 1e-9
 
@@ -195,13 +195,13 @@ def test_out_of_reach_is_said_and_told_from_an_orientation_that_is_not_taken(tmp
     robot = ur("ur5", tmp_path)
     T = tool_at(robot, robot.poses["ready"]).copy()
     T[:3, 3] += [3, 1, 0]
-    answer = closed.solve(parallel_axes, robot, T, HERE)
+    answer = closed.solve_closed_form(parallel_axes, robot, T, HERE)
     assert answer.branches == ()
     assert answer.short > 2
     assert f"{1000 * answer.short:.3g} mm" in answer.words.en
     near = tool_at(robot, np.array([0.1, -0.5, 0.02, 0.3, 1.2, 0.4])).copy()
     near[:3, :3] = near[:3, :3] @ np.diag([1, -1, -1])
-    turned = closed.solve(parallel_axes, robot, near, HERE)
+    turned = closed.solve_closed_form(parallel_axes, robot, near, HERE)
     assert turned.branches == ()
     assert turned.short == 0
     assert "orientation" in turned.words.en
@@ -213,9 +213,9 @@ def test_the_kernel_is_its_plain_function(tmp_path: Path) -> None:
     arm = parallel_arm(robot)
     assert arm is not None
     for q in [*np.random.default_rng(5).uniform(-pi, pi, (5, 6)), HERE]:
-        rows = joint_values(arm, tool_at(robot, q), q)
+        rows = parallel_joint_values(arm, tool_at(robot, q), q)
         with run_interpreted():
-            expected = joint_values(arm, tool_at(robot, q), q)
+            expected = parallel_joint_values(arm, tool_at(robot, q), q)
         np.testing.assert_allclose(wrap(rows[:, :6] - expected[:, :6]), 0, atol=1e-7)
         np.testing.assert_array_equal(rows[:, 6:], expected[:, 6:])
 
@@ -225,4 +225,4 @@ def test_other_arms_are_refused(name: str) -> None:
     other = load_robot(name)
     assert parallel_axes.applies(other) is not None
     with pytest.raises(HelicoideError):
-        closed.solve(parallel_axes, other, np.eye(4), np.zeros(len(other.variables)))
+        closed.solve_closed_form(parallel_axes, other, np.eye(4), np.zeros(len(other.variables)))

@@ -35,7 +35,7 @@ def there_and_back(arms: list[Robot], draw: np.random.Generator, poses: int = 1)
     for robot in arms:
         assert pieper.applies(robot) is None
         for q in draw.uniform(-pi, pi, (poses, 6)):
-            answer = closed.solve(pieper, robot, tool_at(robot, q), HERE)
+            answer = closed.solve_closed_form(pieper, robot, tool_at(robot, q), HERE)
             missed, apart = max(missed, worst(robot, answer)), max(apart, distance(answer, q))
             counts.add(len(answer.branches))
     return missed, apart, counts
@@ -101,7 +101,7 @@ def test_the_puma_by_both_forms(lengths: tuple[float, ...]) -> None:
     robot = puma_with_lengths(*lengths)
     for q in np.random.default_rng(5).uniform(-pi, pi, (20, 6)):
         T = tool_at(robot, q)
-        one, other = closed.solve(pieper, robot, T, HERE), closed.solve(puma560, robot, T, HERE)
+        one, other = closed.solve_closed_form(pieper, robot, T, HERE), closed.solve_closed_form(puma560, robot, T, HERE)
         assert len(one.branches) == len(other.branches) == 8
         assert max(distance(one, branch.q) for branch in other.branches) < 1e-8
 
@@ -120,7 +120,10 @@ def test_rows_that_are_mirrored_have_the_postures_of_the_puma(lengths: tuple[flo
     assert next(iter(closed.of(mirrored))) == "pieper"
     for q in np.random.default_rng(8).uniform(-pi, pi, (20, 6)):
         T = tool_at(mirrored, q)
-        one, other = closed.solve(pieper, mirrored, T, HERE), closed.solve(puma560, robot, T, HERE)
+        one, other = (
+            closed.solve_closed_form(pieper, mirrored, T, HERE),
+            closed.solve_closed_form(puma560, robot, T, HERE),
+        )
         assert len(one.branches) == len(other.branches) == 8
         assert max(distance(one, signs * branch.q) for branch in other.branches) < 1e-8
 
@@ -192,7 +195,7 @@ def test_a_root_at_infinity_of_the_tangent_is_found(family: str, theta3: float) 
     robot = random_spherical_arm(draw, family)
     q = draw.uniform(-pi, pi, 6)
     q[2] = theta3 - pieper_arm.arm_of(robot).shifts[2]  # type: ignore[union-attr]
-    answer = closed.solve(pieper, robot, tool_at(robot, q), HERE)
+    answer = closed.solve_closed_form(pieper, robot, tool_at(robot, q), HERE)
     assert distance(answer, q) < 1e-8
     assert worst(robot, answer) < 1e-9
 
@@ -214,7 +217,7 @@ def test_a_singular_wrist_keeps_joint_4() -> None:
     robot = load_robot("zebra_zero")
     q = np.array([0.3, 0.8, -1.9, 0.4, 0, -1.1])
     for kept in (0.0, 1.3):
-        answer = closed.solve(pieper, robot, tool_at(robot, q), np.array([0, 0, 0, kept, 0, 0]))
+        answer = closed.solve_closed_form(pieper, robot, tool_at(robot, q), np.array([0, 0, 0, kept, 0, 0]))
         assert answer.free == (3, 5)
         assert "4, 6" in answer.words.en
         assert "4, 6" in answer.words.pt_BR
@@ -227,7 +230,7 @@ def test_a_singular_wrist_keeps_joint_4() -> None:
 def test_a_singular_wrist_that_is_first_keeps_joint_3() -> None:
     robot = backwards(load_robot("zebra_zero"))
     q = np.array([0.3, 0.8, -1.9, 0.4, 0, -1.1])[::-1]
-    answer = closed.solve(pieper, robot, tool_at(robot, q), q)
+    answer = closed.solve_closed_form(pieper, robot, tool_at(robot, q), q)
     assert answer.free == (0, 2)
     assert distance(answer, q) < 1e-9
 
@@ -238,7 +241,7 @@ def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
     q = np.array([0.3, 0.8, 0, 0.4, 0.7, -1.1])
     q[2] = np.arcsin(0.2794 * np.cos(q[1]) / 0.2286) - q[1]
     for kept in (0.3, -2.0):
-        answer = closed.solve(pieper, robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
+        answer = closed.solve_closed_form(pieper, robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
         assert answer.free == (0,)
         assert "joints 1;" in answer.words.en
         assert np.abs(wrap([branch.q[0] - kept for branch in answer.branches])).max() < 1e-9
@@ -248,7 +251,7 @@ def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
 def test_where_postures_merge_each_is_listed_once() -> None:
     robot = load_robot("zebra_zero")
     q = np.array([0.3, 0.8, -pi / 2, 0.4, 0.7, -1.1])
-    answer = closed.solve(pieper, robot, tool_at(robot, q), HERE)
+    answer = closed.solve_closed_form(pieper, robot, tool_at(robot, q), HERE)
     assert len(answer.branches) == 4
     assert distance(answer, q) < 1e-6
     assert len({branch.name.en for branch in answer.branches}) == 4
@@ -259,7 +262,7 @@ def test_out_of_reach_by_how_much() -> None:
     robot = load_robot("zebra_zero")
     T = robot.T_world_tool_0.copy()
     T[:3, 3] = [0.6, 0, 0.165]
-    answer = closed.solve(pieper, robot, T, HERE)
+    answer = closed.solve_closed_form(pieper, robot, T, HERE)
     assert answer.branches == ()
     assert answer.short == pytest.approx(0.6 - 0.508, abs=1e-9)
     assert "92 mm" in answer.words.en
@@ -274,7 +277,7 @@ def test_the_edge_of_a_general_arm_is_where_postures_end() -> None:
     T = np.eye(4)
     T[:3, 3] = far
     T = T @ robot.dh.T_dh_tool
-    short = closed.solve(pieper, robot, T, HERE).short
+    short = closed.solve_closed_form(pieper, robot, T, HERE).short
     centres = np.array([dh_frames(robot, q)[6][:3, 3] for q in draw.uniform(-pi, pi, (3000, 6))])
     nearest = np.linalg.norm(centres - far, axis=1).min()
     assert nearest - 0.2 < short <= nearest
@@ -296,7 +299,7 @@ def test_a_root_just_off_the_circle_is_no_posture(beyond: float, postures: int) 
     T = tool_at(robot, np.array([0.3, 0, -right, 0.4, 0.7, 0.2])).copy()
     assert np.linalg.norm(T[:3, 3]) == pytest.approx(1, abs=1e-12)
     T[:3, 3] *= 1 + beyond
-    answer = closed.solve(pieper, robot, T, HERE)
+    answer = closed.solve_closed_form(pieper, robot, T, HERE)
     assert len(answer.branches) == postures
     assert answer.short == pytest.approx(max(beyond, 0), abs=1e-11)
 
@@ -314,9 +317,9 @@ def test_a_wrist_that_cannot_turn_that_way_is_told_from_reach() -> None:
     ]
     robot = arm_from_dh([tuple(map(float, row)) for row in rows], np.eye(4), np.eye(4))  # type: ignore[misc]
     T = tool_at(robot, np.array([0.2, -0.5, -1.4, 0.1, 0.6, 0.3])).copy()
-    assert closed.solve(pieper, robot, T, HERE).branches
+    assert closed.solve_closed_form(pieper, robot, T, HERE).branches
     T[:3, :3] = T[:3, :3] @ np.diag([1, -1, -1])
-    answer = closed.solve(pieper, robot, T, HERE)
+    answer = closed.solve_closed_form(pieper, robot, T, HERE)
     assert answer.branches == ()
     assert answer.short < 1e-9
     assert "orientation" in answer.words.en
@@ -325,7 +328,7 @@ def test_a_wrist_that_cannot_turn_that_way_is_told_from_reach() -> None:
 
 def test_within_the_limits() -> None:
     robot = load_robot("puma560")
-    answer = closed.solve(pieper, robot, tool_at(robot, robot.poses["example"]), HERE)
+    answer = closed.solve_closed_form(pieper, robot, tool_at(robot, robot.poses["example"]), HERE)
     expected = [bool(np.all((robot.lower <= branch.q) & (branch.q <= robot.upper))) for branch in answer.branches]
     assert [branch.within for branch in answer.branches] == expected
     assert sum(expected) == 2
@@ -336,7 +339,7 @@ def test_other_arms_are_refused(name: str) -> None:
     robot = packaged_arm(name) if name in ("ur5", "panda", "z1") else load_robot(name)
     assert pieper.applies(robot) is not None
     with pytest.raises(HelicoideError):
-        closed.solve(pieper, robot, np.eye(4), np.zeros(len(robot.variables)))
+        closed.solve_closed_form(pieper, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 
 def test_a_wrist_that_cannot_be_moved_everywhere_is_refused() -> None:

@@ -34,7 +34,9 @@ def test_two_postures_inside_one_on_an_edge_none_outside(l1: float, l2: float, h
 
     def count(r: float) -> int:
         return len(
-            closed.solve(planar2r, robot, planar_pose(r * np.cos(heading), r * np.sin(heading)), np.zeros(2)).branches
+            closed.solve_closed_form(
+                planar2r, robot, planar_pose(r * np.cos(heading), r * np.sin(heading)), np.zeros(2)
+            ).branches
         )
 
     assert [count(links.outer + d) for d in (-1e-6, 0, 1e-6)] == [2, 1, 0]
@@ -46,7 +48,7 @@ def test_two_postures_inside_one_on_an_edge_none_outside(l1: float, l2: float, h
 @pytest.mark.parametrize(("r", "short"), [(1.75, 0.05), (1e6, 1e6 - 1.7), (0.25, 0.05), (0.0, 0.3)])
 def test_out_of_reach_is_said_with_the_distance_to_the_edge(r: float, short: float) -> None:
     """Limits of the annulus: s.10, s.44, s.53."""
-    answer = closed.solve(planar2r, ROBOT, planar_pose(0.6 * r, -0.8 * r), np.zeros(2))
+    answer = closed.solve_closed_form(planar2r, ROBOT, planar_pose(0.6 * r, -0.8 * r), np.zeros(2))
     assert answer.branches == ()
     assert answer.short == pytest.approx(short, rel=1e-12)
     assert abs(answer.values[0]["c₂"]) > 1
@@ -59,7 +61,7 @@ def test_both_roads_lead_to_the_same_angles(l1: float, l2: float, theta: tuple[f
     links = elbow.Annulus(l1, l2)
     x, y = end_of(*theta, links)
     assume(not links.on_edge(hypot(x, y)) and links.beyond(hypot(x, y)) == 0)
-    found = elbow.postures(x, y, links, kept=0.0)
+    found = elbow.elbow_postures(x, y, links, kept=0.0)
     assert len(found) == 2
     # θ₂ loses digits where the arm is nearly straight, θ₁ and the point also where they nearly meet the first axis
     nearness = links.outer / hypot(x, y)
@@ -80,7 +82,7 @@ def test_both_roads_on_the_edges(l1: float, l2: float, theta1: float, theta2: fl
     links = elbow.Annulus(l1, l2)
     assume(links.inner > 1e-3)
     x, y = end_of(theta1, theta2, links)
-    (posture,) = elbow.postures(x, y, links, kept=0.0)
+    (posture,) = elbow.elbow_postures(x, y, links, kept=0.0)
     one, two = posture.algebraic, posture.geometric
     assert (one.theta2, two.theta2) == (theta2, theta2)
     assert posture.name == (elbow.FOLDED if theta2 else elbow.STRETCHED)
@@ -92,7 +94,7 @@ def test_both_roads_on_the_edges(l1: float, l2: float, theta1: float, theta2: fl
 def test_every_posture_comes_to_the_point(theta: tuple[float, float], sign: int) -> None:
     q = np.array([theta[0], sign * theta[1]])
     T = tool_at(ROBOT, q)
-    answer = closed.solve(planar2r, ROBOT, T, np.zeros(2))
+    answer = closed.solve_closed_form(planar2r, ROBOT, T, np.zeros(2))
     assert max(branch.missed for branch in answer.branches) < 1e-12
     assert recovered(answer, q) < 1e-9
     # the goal is the asked pose, which one of the two has; the other has the mirrored elbow and another orientation
@@ -104,7 +106,7 @@ def test_every_posture_comes_to_the_point(theta: tuple[float, float], sign: int)
 
 
 def test_the_two_orientations_are_those_of_the_postures() -> None:
-    answer = closed.solve(planar2r, ROBOT, planar_pose(1, 0.8), np.zeros(2))
+    answer = closed.solve_closed_form(planar2r, ROBOT, planar_pose(1, 0.8), np.zeros(2))
     for branch, steps in zip(answer.branches, answer.values, strict=True):
         assert between(tool_at(ROBOT, branch.q), planar_pose(1, 0.8, steps["φ"])) == pytest.approx((0, 0), abs=1e-12)
         for language in LANGUAGES:
@@ -119,7 +121,7 @@ def test_the_two_orientations_are_those_of_the_postures() -> None:
 def test_equal_links_reach_the_centre_with_every_orientation(phi: float, kept: float) -> None:
     """s.8: the dexterous space is one point, and there θ₁ is free."""
     robot = planar_with_lengths("planar2r", 1.0, 1.0)
-    answer = closed.solve(planar2r, robot, planar_pose(0, 0, phi), np.array([kept, 0.3]))
+    answer = closed.solve_closed_form(planar2r, robot, planar_pose(0, 0, phi), np.array([kept, 0.3]))
     (branch,) = answer.branches
     assert answer.free == (0,)
     np.testing.assert_allclose(np.exp(1j * branch.q), np.exp(1j * np.array([kept, np.pi])), atol=1e-12)
@@ -133,7 +135,9 @@ def test_equal_links_reach_the_centre_with_every_orientation(phi: float, kept: f
 def test_limits_leave_one_posture_for_every_point_inside(r: float, heading: float) -> None:
     """s.12: θ₁ in [0, 360)°, θ₂ in [0, 180]°: the same points, one orientation for each."""
     robot = with_joint_limits(ROBOT, [0, 0], [2 * np.pi, np.pi])
-    answer = closed.solve(planar2r, robot, planar_pose(r * np.cos(heading), r * np.sin(heading)), np.zeros(2))
+    answer = closed.solve_closed_form(
+        planar2r, robot, planar_pose(r * np.cos(heading), r * np.sin(heading)), np.zeros(2)
+    )
     (kept,) = [branch for branch in answer.branches if branch.within]
     assert np.all((kept.q >= -1e-9) & (kept.q <= [2 * np.pi, np.pi]))
     assert kept.missed < 1e-12
@@ -144,9 +148,9 @@ def test_another_tool_moves_the_edge() -> None:
     T = ROBOT.T_world_tool_0.copy()
     T[0, 3] += 0.1
     longer = replace(ROBOT, T_world_tool_0=frozen(T))
-    assert closed.solve(planar2r, ROBOT, planar_pose(1.79, 0), np.zeros(2)).short == pytest.approx(0.09)
-    assert closed.solve(planar2r, longer, planar_pose(1.79, 0), np.zeros(2)).short == 0
-    assert closed.solve(planar2r, longer, planar_pose(1.81, 0), np.zeros(2)).short == pytest.approx(0.01)
+    assert closed.solve_closed_form(planar2r, ROBOT, planar_pose(1.79, 0), np.zeros(2)).short == pytest.approx(0.09)
+    assert closed.solve_closed_form(planar2r, longer, planar_pose(1.79, 0), np.zeros(2)).short == 0
+    assert closed.solve_closed_form(planar2r, longer, planar_pose(1.81, 0), np.zeros(2)).short == pytest.approx(0.01)
 
 
 def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(rng: np.random.Generator) -> None:
@@ -156,7 +160,7 @@ def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(rng: np.random.Ge
     bent[:3, 3] = (1.3, 0.4, 0.05)
     robot = moved(reversed_axes(replace(ROBOT, T_world_tool_0=frozen(bent)), 1), place)
     for q in rng.uniform(-3, 3, (20, 2)):
-        answer = closed.solve(planar2r, robot, tool_at(robot, q), q)
+        answer = closed.solve_closed_form(planar2r, robot, tool_at(robot, q), q)
         assert max(branch.missed for branch in answer.branches) < 1e-12
         assert recovered(answer, q) < 1e-9
 
@@ -165,9 +169,9 @@ def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(rng: np.random.Ge
 def test_a_goal_that_is_no_pose_is_refused(bad: float) -> None:
     for T in (planar_pose(bad, 0), 2 * planar_pose(0.5, 0), np.eye(3), np.diag([1.0, 1, -1, 1])):
         with pytest.raises(HelicoideError, match="pose"):
-            closed.solve(planar2r, ROBOT, T, np.zeros(2))
+            closed.solve_closed_form(planar2r, ROBOT, T, np.zeros(2))
     with pytest.raises(HelicoideError, match="finite joint values"):
-        closed.solve(planar2r, ROBOT, planar_pose(1, 0), np.array([bad, 0]))
+        closed.solve_closed_form(planar2r, ROBOT, planar_pose(1, 0), np.array([bad, 0]))
 
 
 @pytest.mark.parametrize("name", ["planar3r", "polar_rp", "scara", "movemaster"])
@@ -176,7 +180,7 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
     reason = planar2r.applies(robot)
     assert reason is not None
     with pytest.raises(HelicoideError, match="This form needs"):
-        closed.solve(planar2r, robot, np.eye(4), np.zeros(len(robot.variables)))
+        closed.solve_closed_form(planar2r, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 
 def test_coinciding_axes_are_refused() -> None:
@@ -192,7 +196,7 @@ def rng() -> np.random.Generator:
 
 def test_steps_are_numbers_of_the_source() -> None:
     """Each step of s.44–48 follows from those before it."""
-    for steps in closed.solve(planar2r, ROBOT, planar_pose(1, 0.8), np.zeros(2)).values:
+    for steps in closed.solve_closed_form(planar2r, ROBOT, planar_pose(1, 0.8), np.zeros(2)).values:
         x, y, l1, l2 = steps["x"], steps["y"], 1.0, 0.7
         assert steps["c₂"] == pytest.approx((x**2 + y**2 - l1**2 - l2**2) / (2 * l1 * l2))
         assert steps["s₂"] ** 2 + steps["c₂"] ** 2 == pytest.approx(1)
@@ -203,7 +207,7 @@ def test_steps_are_numbers_of_the_source() -> None:
 
 def test_near_the_edge_the_point_is_still_met() -> None:
     for inside in (1e-11, 1e-9, 1e-7):
-        answer = closed.solve(planar2r, ROBOT, planar_pose(1.7 - inside, 0), np.zeros(2))
+        answer = closed.solve_closed_form(planar2r, ROBOT, planar_pose(1.7 - inside, 0), np.zeros(2))
         assert max(branch.missed for branch in answer.branches) <= 1e-9
         points: list[Array] = [tool_at(ROBOT, branch.q)[:2, 3] for branch in answer.branches]
         np.testing.assert_allclose(points, [[1.7 - inside, 0]] * len(points), atol=1e-9)

@@ -35,7 +35,7 @@ def of_wrist(x: float, y: float, phi: float) -> Array:
 
 def test_the_numbers_of_the_source() -> None:
     """(x, y, φ) = (1, 0.8, 0.5) of the third axis; recomputed from the formulas of the source."""
-    answer = closed.solve(planar3r, ROBOT, of_wrist(1, 0.8, 0.5), np.zeros(3))
+    answer = closed.solve_closed_form(planar3r, ROBOT, of_wrist(1, 0.8, 0.5), np.zeros(3))
     expected = [[0.100185, 1.463447, -1.063633], [1.249296, -1.463447, 0.714151]]
     np.testing.assert_allclose([branch.q for branch in answer.branches], expected, atol=5e-7)
     assert [branch.name.pt_BR for branch in answer.branches] == ["cotovelo para baixo", "cotovelo para cima"]
@@ -47,7 +47,7 @@ def test_the_numbers_of_the_source() -> None:
 @settings(max_examples=50)
 def test_every_posture_is_found_again(robot: Robot, theta: tuple[float, float, float], sign: int) -> None:
     q = np.array([theta[0], sign * theta[1], theta[2]])
-    answer = closed.solve(planar3r, robot, tool_at(robot, q), np.zeros(3))
+    answer = closed.solve_closed_form(planar3r, robot, tool_at(robot, q), np.zeros(3))
     assert len(answer.branches) == 2
     assert worst(robot, answer) < 1e-12
     assert recovered(answer, q) < 1e-9
@@ -57,7 +57,7 @@ def test_every_posture_is_found_again(robot: Robot, theta: tuple[float, float, f
 @given(x=st.floats(-1.7, 1.7), y=st.floats(-1.7, 1.7), phi=angles)
 def test_each_step_follows_from_those_before(x: float, y: float, phi: float) -> None:
     """s.43–49 and s.52–54, with the numbers that a page shows."""
-    answer = closed.solve(planar3r, ROBOT, of_wrist(x, y, phi), np.zeros(3))
+    answer = closed.solve_closed_form(planar3r, ROBOT, of_wrist(x, y, phi), np.zeros(3))
     assert (len(answer.branches) == 0) == (answer.short > 0)
     assert len(answer.values) == max(1, len(answer.branches))
     for branch, steps in zip(answer.branches, answer.values, strict=False):
@@ -84,7 +84,7 @@ def test_a_tilted_goal_is_laid_into_the_plane(tilt: tuple[float, float], z: floa
     T = planar_pose(0.9, 0.4, z=z)
     T[:3, :3] = euler.euler_matrix([phi, *tilt], "zyx")
     R = T[:3, :3]
-    answer = closed.solve(planar3r, ROBOT, T, np.zeros(3))
+    answer = closed.solve_closed_form(planar3r, ROBOT, T, np.zeros(3))
     expected = planar_pose(0.9, 0.4, np.arctan2(R[1, 0] - R[0, 1], R[0, 0] + R[1, 1]))
     np.testing.assert_allclose(answer.T_world_goal, expected, atol=1e-9)
     assert answer.moved == pytest.approx(abs(z), abs=1e-9)
@@ -93,7 +93,7 @@ def test_a_tilted_goal_is_laid_into_the_plane(tilt: tuple[float, float], z: floa
 
 
 def test_out_of_reach_is_a_value_with_words() -> None:
-    answer = closed.solve(planar3r, ROBOT, of_wrist(0.6 * 2, 0.8 * 2, 1.0), np.zeros(3))
+    answer = closed.solve_closed_form(planar3r, ROBOT, of_wrist(0.6 * 2, 0.8 * 2, 1.0), np.zeros(3))
     assert answer.branches == ()
     assert answer.short == pytest.approx(0.3)
     for language in LANGUAGES:
@@ -103,7 +103,7 @@ def test_out_of_reach_is_a_value_with_words() -> None:
 @given(kept=st.floats(-3, 3), phi=angles)
 def test_the_wrist_over_the_first_axis_leaves_theta_1_free(kept: float, phi: float) -> None:
     robot = planar_with_lengths("planar3r", 0.8, 0.8, L3)
-    answer = closed.solve(planar3r, robot, of_wrist(0, 0, phi), np.array([kept, 0.1, 0.2]))
+    answer = closed.solve_closed_form(planar3r, robot, of_wrist(0, 0, phi), np.array([kept, 0.1, 0.2]))
     (branch,) = answer.branches
     assert answer.free == (0,)
     assert branch.q[0] == pytest.approx(kept)
@@ -127,7 +127,7 @@ def test_an_arm_that_stands_elsewhere_and_counts_the_other_way(numbers: tuple[in
     place[:3, :3], place[:3, 3] = euler.euler_matrix([0.4, -0.9, 2.0], "zyx"), (0.3, -0.2, 0.5)
     robot = moved(reversed_axes(ROBOT, *numbers), place)
     for q in np.random.default_rng(0).uniform(-3, 3, (20, 3)):
-        answer = closed.solve(planar3r, robot, tool_at(robot, q), np.zeros(3))
+        answer = closed.solve_closed_form(planar3r, robot, tool_at(robot, q), np.zeros(3))
         assert worst(robot, answer) < 1e-12
         assert recovered(answer, q) < 1e-9
 
@@ -136,7 +136,7 @@ def test_an_arm_bent_at_zero() -> None:
     """Where the file counts from a bent arm the angles of the source are shifted."""
     bent = with_points(ROBOT, [(0, 0, 0), (1, 0, 0.3), (1.2, 0.5, 0.1)], planar_pose(1.3, 0.9, 0.4, z=-0.2))
     for q in np.random.default_rng(1).uniform(-3, 3, (20, 3)):
-        answer = closed.solve(planar3r, bent, tool_at(bent, q), np.zeros(3))
+        answer = closed.solve_closed_form(planar3r, bent, tool_at(bent, q), np.zeros(3))
         assert worst(bent, answer) < 1e-12
         assert recovered(answer, q) < 1e-9
 
@@ -144,10 +144,10 @@ def test_an_arm_bent_at_zero() -> None:
 def test_limits_are_told() -> None:
     """ORCA's elbow holds ±150°: a point nearer than that allows is met outside the limits only."""
     q = np.radians([10.0, 155.0, 20.0])
-    answer = closed.solve(planar3r, ORCA, tool_at(ORCA, q), np.zeros(3))
+    answer = closed.solve_closed_form(planar3r, ORCA, tool_at(ORCA, q), np.zeros(3))
     assert [branch.within for branch in answer.branches] == [False, False]
     q = np.radians([10.0, 145.0, 20.0])
-    assert closed.solve(planar3r, ORCA, tool_at(ORCA, q), np.zeros(3)).branches[0].within
+    assert closed.solve_closed_form(planar3r, ORCA, tool_at(ORCA, q), np.zeros(3)).branches[0].within
 
 
 @pytest.mark.parametrize("name", ["planar2r", "scara", "motoman_l3", "puma560"])
@@ -155,9 +155,9 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     assert planar3r.applies(robot) is not None
     with pytest.raises(HelicoideError, match="This form needs"):
-        closed.solve(planar3r, robot, np.eye(4), np.zeros(len(robot.variables)))
+        closed.solve_closed_form(planar3r, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 
 def test_a_goal_that_is_no_pose_is_refused() -> None:
     with pytest.raises(HelicoideError, match="pose"):
-        closed.solve(planar3r, ROBOT, planar_pose(0.5, np.nan), np.zeros(3))
+        closed.solve_closed_form(planar3r, ROBOT, planar_pose(0.5, np.nan), np.zeros(3))

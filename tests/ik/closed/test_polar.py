@@ -31,7 +31,7 @@ def test_a_goal_takes_the_matrix_of_the_subspace(x: float, y: float, z: float, t
     assume(rho > 1e-6)
     T = planar_pose(x, y, z=z)
     T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
-    answer = closed.solve(polar, ROBOT, T, np.zeros(2))
+    answer = closed.solve_closed_form(polar, ROBOT, T, np.zeros(2))
     expected = [[y / rho, 0, x / rho, x], [-x / rho, 0, y / rho, y], [0, -1, 0, 0], [0, 0, 0, 1]]
     np.testing.assert_allclose(answer.T_world_goal, expected, atol=1e-12)
     assert (answer.moved, answer.turned) == pytest.approx(between(T, np.array(expected)), abs=1e-9)
@@ -43,7 +43,7 @@ def test_a_goal_takes_the_matrix_of_the_subspace(x: float, y: float, z: float, t
 
 @given(theta1=st.floats(-3.1, 3.1), rho=st.floats(0.3, 0.8))
 def test_every_posture_is_found_again(theta1: float, rho: float) -> None:
-    answer = closed.solve(polar, ROBOT, tool_at(ROBOT, frozen([theta1, rho])), np.zeros(2))
+    answer = closed.solve_closed_form(polar, ROBOT, tool_at(ROBOT, frozen([theta1, rho])), np.zeros(2))
     np.testing.assert_allclose(answer.branches[0].q, [theta1, rho], atol=1e-12)
     assert answer.branches[0].within
     assert (answer.moved, answer.turned) == pytest.approx((0, 0), abs=1e-12)
@@ -51,7 +51,7 @@ def test_every_posture_is_found_again(theta1: float, rho: float) -> None:
 
 @given(theta1=st.floats(-3.1, 3.1))
 def test_on_the_axis_theta_1_is_kept_and_it_is_said(theta1: float) -> None:
-    answer = closed.solve(polar, ROBOT, planar_pose(0, 0), np.array([theta1, 0.5]))
+    answer = closed.solve_closed_form(polar, ROBOT, planar_pose(0, 0), np.array([theta1, 0.5]))
     (branch,) = answer.branches
     assert answer.free == (0,)
     np.testing.assert_allclose(branch.q, [theta1, 0], atol=1e-12)
@@ -64,7 +64,7 @@ def test_on_the_axis_theta_1_is_kept_and_it_is_said(theta1: float) -> None:
 
 @pytest.mark.parametrize(("rho", "far"), [(0.9, "100 mm"), (0.25, "50 mm"), (0.6, None)])
 def test_a_point_beyond_the_stroke_is_told(rho: float, far: str | None) -> None:
-    answer = closed.solve(polar, ROBOT, planar_pose(rho, 0), np.zeros(2))
+    answer = closed.solve_closed_form(polar, ROBOT, planar_pose(rho, 0), np.zeros(2))
     assert answer.branches[0].within == (far is None)
     for language, stroke in zip(LANGUAGES, ("stroke", "curso"), strict=True):
         assert (stroke in answer.words[language]) == (far is not None)
@@ -78,7 +78,7 @@ def test_an_arm_that_stands_elsewhere_with_its_tool_ahead() -> None:
     place[:3, :3], place[:3, 3] = euler.euler_matrix([0.4, -0.9, 2.0], "zyx"), (0.3, -0.2, 0.5)
     robot = moved(replace(ROBOT, T_world_tool_0=frozen(T)), place)
     for q in np.random.default_rng(0).uniform([-3, 0.3], [3, 0.8], (20, 2)):
-        answer = closed.solve(polar, robot, tool_at(robot, q), np.zeros(2))
+        answer = closed.solve_closed_form(polar, robot, tool_at(robot, q), np.zeros(2))
         np.testing.assert_allclose(answer.branches[0].q, q, atol=1e-12)
         assert worst(robot, answer) < 1e-12
 
@@ -95,9 +95,9 @@ def test_other_arms_are_refused_in_words(name: str) -> None:
     robot = load_robot(name)
     assert polar.applies(robot) is not None
     with pytest.raises(HelicoideError, match="This form needs"):
-        closed.solve(polar, robot, np.eye(4), np.zeros(len(robot.variables)))
+        closed.solve_closed_form(polar, robot, np.eye(4), np.zeros(len(robot.variables)))
 
 
 def test_a_goal_that_is_no_pose_is_refused() -> None:
     with pytest.raises(HelicoideError, match="pose"):
-        closed.solve(polar, ROBOT, planar_pose(0.5, np.nan), np.zeros(2))
+        closed.solve_closed_form(polar, ROBOT, planar_pose(0.5, np.nan), np.zeros(2))

@@ -12,7 +12,7 @@ from helicoide.arrays import Array
 from helicoide.ik import closed
 from helicoide.ik.closed import pieper, puma560
 from helicoide.ik.families import puma_arm
-from helicoide.ik.families.frames import rows_of
+from helicoide.ik.families.frames import pose_rows
 from helicoide.ik.postures.branch import tool_at, wrap
 from helicoide.kernels import run_interpreted
 from helicoide.kinematics.forward import dh_frames, link_poses
@@ -48,8 +48,8 @@ def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Arr
     """Postures of the kernel for the pose at θ."""
     rows = np.empty((8, 7))
     return rows[
-        : puma_arm.postures(
-            np.array(lengths), rows_of(puma_wrist_pose(lengths, theta)), (now[0], now[1], now[3]), rows
+        : puma_arm.puma_wrist_postures(
+            np.array(lengths), pose_rows(puma_wrist_pose(lengths, theta)), (now[0], now[1], now[3]), rows
         ),
         :6,
     ]
@@ -58,7 +58,7 @@ def rows_for(lengths: tuple[float, ...], theta: Array, now: Array = HERE) -> Arr
 def test_the_eight_postures_of_the_example(arm: Robot) -> None:
     assert np.allclose(puma_wrist_pose(LENGTHS[0], EXAMPLE)[:3, 3], POINT, rtol=0, atol=5e-7)
     np.testing.assert_allclose(np.degrees(wrap(rows_for(LENGTHS[0], EXAMPLE))), TABLE, rtol=0, atol=5.1e-5)
-    answer = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), HERE)
+    answer = closed.solve_closed_form(puma560, arm, tool_at(arm, EXAMPLE), HERE)
     off = wrap([branch.q for branch in answer.branches] - np.radians(TABLE))
     assert np.abs(np.degrees(off)).max() < 5.1e-5
 
@@ -98,7 +98,7 @@ def test_there_and_back_again(lengths: tuple[float, ...]) -> None:
     """Eight postures each time, all there, among them the one that made the pose; base and tool anywhere."""
     robot = puma_with_lengths(*lengths)
     for q in np.random.default_rng(2).uniform(-pi, pi, (30, 6)):
-        answer = closed.solve(puma560, robot, tool_at(robot, q), HERE)
+        answer = closed.solve_closed_form(puma560, robot, tool_at(robot, q), HERE)
         assert len(answer.branches) == 8
         assert worst(robot, answer) < 1e-12
         assert distance(answer, q) < 1e-9
@@ -125,7 +125,7 @@ def test_the_flip_keeps_the_tool_still(arm: Robot) -> None:
     for q in np.random.default_rng(5).uniform(-pi, pi, (20, 6)):
         flipped = q * [1, 1, 1, 1, -1, 1] + [0, 0, 0, pi, 0, pi]
         np.testing.assert_allclose(tool_at(arm, flipped), tool_at(arm, q), rtol=0, atol=2e-15)
-        names = {branch.name.en for branch in closed.solve(puma560, arm, tool_at(arm, q), HERE).branches}
+        names = {branch.name.en for branch in closed.solve_closed_form(puma560, arm, tool_at(arm, q), HERE).branches}
         assert len(names) == 8
 
 
@@ -135,7 +135,7 @@ def test_names_say_where_shoulder_and_elbow_are(lengths: tuple[float, ...]) -> N
     robot = puma_with_lengths(*lengths)
     up = robot.dh.T_world_dh[:3, 2]
     for q in np.random.default_rng(6).uniform(-pi, pi, (10, 6)):
-        for branch in closed.solve(puma560, robot, tool_at(robot, q), HERE).branches:
+        for branch in closed.solve_closed_form(puma560, robot, tool_at(robot, q), HERE).branches:
             frames = dh_frames(robot, branch.q)
             axis = frames[3][:3, 2]
             elbow, centre = (frames[i][:3, 3] - frames[2][:3, 3] - lengths[2] * axis for i in (3, 6))
@@ -161,7 +161,7 @@ def stretched(lengths: tuple[float, ...], way: int) -> Array:
 
 def test_at_the_shoulder_singularity_the_pairs_merge(arm: Robot) -> None:
     q = shoulder_singular(LENGTHS[0], 0.9)
-    answer = closed.solve(puma560, arm, tool_at(arm, q), HERE)
+    answer = closed.solve_closed_form(puma560, arm, tool_at(arm, q), HERE)
     assert len(answer.branches) == 4
     assert worst(arm, answer) < 1e-12
     assert distance(answer, q) < 1e-6
@@ -171,7 +171,7 @@ def test_at_the_shoulder_singularity_the_pairs_merge(arm: Robot) -> None:
 def test_at_the_elbow_singularity_the_pairs_merge(arm: Robot, way: int, known: float) -> None:
     """Folded, the wrist centre is half a millimetre from the shoulder, and θ2 that much less certain."""
     q = stretched(LENGTHS[0], way)
-    answer = closed.solve(puma560, arm, tool_at(arm, q), HERE)
+    answer = closed.solve_closed_form(puma560, arm, tool_at(arm, q), HERE)
     assert len(answer.branches) == 4
     assert worst(arm, answer) < 1e-12
     assert distance(answer, q) < known
@@ -181,7 +181,7 @@ def test_at_the_elbow_singularity_the_pairs_merge(arm: Robot, way: int, known: f
 def test_a_singular_wrist_keeps_joint_4(arm: Robot, theta5: float) -> None:
     q = np.array([0.3, -0.5, 0.7, 0.4, theta5, -1.1])
     for kept in (0.0, 1.3):
-        answer = closed.solve(puma560, arm, tool_at(arm, q), np.array([0, 0, 0, kept, 0, 0]))
+        answer = closed.solve_closed_form(puma560, arm, tool_at(arm, q), np.array([0, 0, 0, kept, 0, 0]))
         assert answer.free == (3, 5)
         assert "joint 4 keeps" in answer.words.en
         assert "junta 4 mantém" in answer.words.pt_BR
@@ -189,7 +189,7 @@ def test_a_singular_wrist_keeps_joint_4(arm: Robot, theta5: float) -> None:
         assert worst(arm, answer) < 1e-12
         singular = [branch for branch in answer.branches if abs(sin(branch.q[4])) < 1e-9]
         assert [branch.q[3] for branch in singular] == [kept]
-    assert distance(closed.solve(puma560, arm, tool_at(arm, q), q), q) < 1e-9
+    assert distance(closed.solve_closed_form(puma560, arm, tool_at(arm, q), q), q) < 1e-9
 
 
 def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
@@ -197,7 +197,7 @@ def test_a_wrist_centre_on_the_waist_keeps_joint_1() -> None:
     robot = puma_with_lengths(*lengths)
     q = shoulder_singular(lengths, 0.9) - [row.theta for row in robot.dh.rows]
     for kept in (0.5, -2.0):
-        answer = closed.solve(puma560, robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
+        answer = closed.solve_closed_form(puma560, robot, tool_at(robot, q), np.array([kept, 0, 0, 0, 0, 0]))
         assert answer.free == (0,)
         assert [branch.q[0] for branch in answer.branches] == pytest.approx([kept] * 4)
         assert worst(robot, answer) < 1e-12
@@ -207,7 +207,7 @@ def test_equal_links_folded_onto_the_shoulder_keep_joint_2() -> None:
     lengths = (0.4, 0.0, 0.1, 0.4)
     robot = puma_with_lengths(*lengths)
     q = stretched(lengths, -1) - [row.theta for row in robot.dh.rows]
-    answer = closed.solve(puma560, robot, tool_at(robot, q), q)
+    answer = closed.solve_closed_form(puma560, robot, tool_at(robot, q), q)
     assert 1 in answer.free
     assert worst(robot, answer) < 1e-9
     assert distance(answer, q) < 1e-6
@@ -219,9 +219,9 @@ def test_rounding_does_not_put_an_edge_out_of_reach(arm: Robot) -> None:
     assert np.linalg.norm(T[:3, 3]) == pytest.approx(outer, abs=1e-12)
     beyond = T.copy()
     beyond[:3, 3] *= 1 + 1e-13
-    assert closed.solve(puma560, arm, beyond, HERE).branches
+    assert closed.solve_closed_form(puma560, arm, beyond, HERE).branches
     beyond[:3, 3] *= 1 + 1e-9
-    answer = closed.solve(puma560, arm, beyond, HERE)
+    answer = closed.solve_closed_form(puma560, arm, beyond, HERE)
     assert answer.branches == ()
     assert answer.short == pytest.approx(1e-9 * outer, rel=1e-3)
 
@@ -237,7 +237,10 @@ def test_out_of_reach_by_how_much(lengths: tuple[float, ...]) -> None:
         T = np.eye(4)
         T[:3, 3] = place
         T = T @ robot.dh.T_dh_tool
-        answer, by_search = closed.solve(puma560, robot, T, HERE), closed.solve(pieper, robot, T, HERE)
+        answer, by_search = (
+            closed.solve_closed_form(puma560, robot, T, HERE),
+            closed.solve_closed_form(pieper, robot, T, HERE),
+        )
         assert (len(answer.branches) == 0) == (answer.short > 0) == ("Out of reach" in answer.words.en)
         assert answer.short == pytest.approx(by_search.short, abs=1e-8)
         assert (untranslated("{short:.3g} mm").format(short=1000 * answer.short).pt_BR in answer.words.pt_BR) == (
@@ -251,7 +254,7 @@ def test_the_range_of_the_source() -> None:
 
 def test_two_of_the_eight_keep_the_limits(arm: Robot) -> None:
     """The robot's file names both."""
-    answer = closed.solve(puma560, arm, tool_at(arm, arm.poses["example"]), HERE)
+    answer = closed.solve_closed_form(puma560, arm, tool_at(arm, arm.poses["example"]), HERE)
     within = [branch.q for branch in answer.branches if branch.within]
     expected = [arm.poses["example"], arm.poses["example_other"]]
     np.testing.assert_allclose(within, expected, rtol=0, atol=2e-6)
@@ -262,7 +265,7 @@ def test_other_arms_are_refused(name: str) -> None:
     other = load_robot(name)
     assert puma560.applies(other) is not None
     with pytest.raises(HelicoideError):
-        closed.solve(puma560, other, np.eye(4), np.zeros(len(other.variables)))
+        closed.solve_closed_form(puma560, other, np.eye(4), np.zeros(len(other.variables)))
 
 
 @pytest.mark.parametrize(("row", "column"), [(1, 0), (3, 0), (4, 0), (1, 1), (4, 1), (1, 2), (4, 2)])
@@ -282,7 +285,7 @@ def test_the_form_is_known_by_its_rows(arm: Robot) -> None:
 
 
 def test_what_the_equations_gave_on_the_way(arm: Robot) -> None:
-    answer = closed.solve(puma560, arm, tool_at(arm, EXAMPLE), HERE)
+    answer = closed.solve_closed_form(puma560, arm, tool_at(arm, EXAMPLE), HERE)
     for branch, values in zip(answer.branches, answer.values, strict=True):
         a2, a3, d3, d4 = LENGTHS[0]
         p, theta = link_poses(arm.chain, branch.q)[-1][:3, 3], [values[f"θ_{i + 1}"] for i in range(6)]

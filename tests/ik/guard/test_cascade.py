@@ -16,9 +16,9 @@ Task = tuple[Array, Array, Array, Array]
 
 
 def descend(task: Task, begins: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
-    """What `cascade.descend` writes: x and the multipliers; and its verdict."""
+    """What `cascade.solve_cascade` writes: x and the multipliers; and its verdict."""
     x, multipliers = np.empty(task[0].shape[1]), np.empty((len(begins) + 1, len(lower)))
-    verdict = cascade.descend(task, begins, A, lower, upper, x, multipliers)
+    verdict = cascade.solve_cascade(task, begins, A, lower, upper, x, multipliers)
     return x, multipliers, verdict
 
 
@@ -104,7 +104,7 @@ def test_one_level_is_the_programme_itself() -> None:
     J, v, weights, damping = task
     x, multipliers, _ = descend(task, np.zeros(0, dtype=np.int64), *box(5, 0.3))
     H, g = J.T @ (weights[:, None] ** 2 * J) + np.diag(damping), J.T @ (weights**2 * v)
-    expected, of_rows, _ = qp.solve(H, g, *box(5, 0.3))
+    expected, of_rows, _ = qp.solve_qp(H, g, *box(5, 0.3))
     np.testing.assert_allclose(x, expected, atol=1e-12)
     np.testing.assert_allclose(multipliers[0], of_rows, atol=1e-12)
     assert np.abs(of_rows).max() > 0

@@ -32,7 +32,7 @@ from helicoide.ik.method import Task as MethodTask
 from helicoide.ik.methods import guarded as method
 from helicoide.ik.packing import packed
 from helicoide.ik.step import STILL, step_task, task_at
-from helicoide.ik.task import ORIENTATION_LENGTH, joint_task, rotation_vector
+from helicoide.ik.task import ORIENTATION_LENGTH, joint_task, rotation_error
 from helicoide.kinematics.differential import point_jacobian
 from helicoide.kinematics.forward import link_poses
 from helicoide.text import HelicoideError
@@ -357,7 +357,7 @@ def test_orientation_yields_gradually_near_a_plane_and_comes_back() -> None:
         aim[2, 3] += height
         q, _, _ = ticked(problem, q, towards(problem, q, aim))
         now = tool(problem, q)
-        tilted.append(float(np.linalg.norm(rotation_vector(T[:3, :3].copy(), now[:3, :3].copy()))))
+        tilted.append(float(np.linalg.norm(rotation_error(T[:3, :3].copy(), now[:3, :3].copy()))))
         off.append(float(np.linalg.norm(now[:3, 3] - aim[:3, 3])))
     assert max(tilted[:50]) < np.radians(0.2)
     assert max(tilted) > np.radians(5)

@@ -16,7 +16,7 @@ def test_a_step_is_that_of_least_squares(n: int, damping: float) -> None:
     random = np.random.default_rng(n)
     for _ in range(20):
         columns, e = random.normal(size=(n, 6)), random.normal(size=6)
-        step = columns @ blocks.solved(columns, tuple(e.tolist()), damping)
+        step = columns @ blocks.solve_damped(columns, tuple(e.tolist()), damping)
         expected = np.linalg.lstsq(np.vstack([columns.T, np.sqrt(damping) * np.eye(n)]), np.append(e, np.zeros(n)))[0]
         np.testing.assert_allclose(step, expected, rtol=0, atol=1e-14 / damping + 1e-10 * np.abs(expected).max())
 
@@ -27,7 +27,7 @@ def test_columns_in_one_plane_leave_the_others_alone() -> None:
     columns = np.zeros((3, 6))
     columns[:, [0, 1, 5]] = random.normal(size=(3, 3))
     e = random.normal(size=6)
-    step = columns @ blocks.solved(columns, tuple(e.tolist()), 1e-12)
+    step = columns @ blocks.solve_damped(columns, tuple(e.tolist()), 1e-12)
     np.testing.assert_allclose(columns.T @ step, e * [1, 1, 0, 0, 0, 1], rtol=0, atol=1e-9)
 
 
@@ -46,4 +46,4 @@ def test_the_factors_are_those_of_the_block() -> None:
         np.testing.assert_allclose(L @ D @ L.T, A, rtol=0, atol=1e-13)
         np.testing.assert_allclose(L @ blocks.forward(F, tuple(v)), v, rtol=0, atol=1e-12)
         np.testing.assert_allclose(L.T @ blocks.backward(F, tuple(v)), v, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(D @ blocks.divided(F, tuple(v)), v, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(D @ blocks.divided_by_pivots(F, tuple(v)), v, rtol=0, atol=1e-12)

@@ -34,7 +34,7 @@ def example(robot: Robot = ROBOT) -> tuple[Branch, ...]:
     """The third axis at (−0.7, −1.1), φ = −1.4; recomputed from the formulas of the source."""
     phi = -1.4
     T = planar_pose(-0.7 + L3 * np.cos(phi), -1.1 + L3 * np.sin(phi), phi)
-    return closed.solve(planar3r, robot, T, NOW).branches
+    return closed.solve_closed_form(planar3r, robot, T, NOW).branches
 
 
 @pytest.mark.parametrize(("weights", "costs", "chosen"), COSTS.values())
@@ -43,7 +43,7 @@ def test_weights_turn_the_choice(
 ) -> None:
     rows = choice.ranked(ROBOT, example(), NOW, weights)
     assert [row.cost for row in rows] == pytest.approx(costs, abs=6e-4)
-    best = choice.nearest(rows)
+    best = choice.first_usable(rows)
     assert best is not None
     np.testing.assert_allclose(best.branch.q, chosen, atol=5.1e-5)
 
@@ -55,7 +55,7 @@ def test_an_obstacle_rules_a_posture_out_and_the_other_is_chosen() -> None:
     rows = choice.ranked(ROBOT, example(), NOW, (1, 1, 1), choice.touching(ROBOT, post))
     assert [row.branch.name for row in rows] == [far.branch.name, near.branch.name]
     assert [row.dropped for row in rows] == [None, choice.COLLIDES]
-    assert choice.nearest(rows) is rows[0]
+    assert choice.first_usable(rows) is rows[0]
 
 
 @pytest.mark.parametrize("name", ["puma560", "movemaster", "planar3r"])
@@ -86,8 +86,8 @@ def test_limits_rule_a_posture_out_before_it_is_asked_whether_it_collides() -> N
 def test_where_all_are_ruled_out_there_is_none() -> None:
     rows = choice.ranked(ROBOT, example(), NOW, (1, 1, 1), lambda q: True)
     assert len(rows) == 2
-    assert choice.nearest(rows) is None
-    assert choice.nearest(choice.ranked(ROBOT, (), NOW, (1, 1, 1))) is None
+    assert choice.first_usable(rows) is None
+    assert choice.first_usable(choice.ranked(ROBOT, (), NOW, (1, 1, 1))) is None
 
 
 def test_the_way_round_is_taken_where_the_limits_leave_it() -> None:
@@ -122,7 +122,7 @@ def test_the_ranking_goes_by_cost_and_no_branch_is_lost(
     q: tuple[float, ...], now: tuple[float, ...], weights: tuple[float, ...]
 ) -> None:
     robot = load_l3()
-    branches = closed.solve(motoman_l3, robot, tool_at(robot, np.array(q)), np.array(now)).branches
+    branches = closed.solve_closed_form(motoman_l3, robot, tool_at(robot, np.array(q)), np.array(now)).branches
     rows = choice.ranked(robot, branches, np.array(now), weights)
     assert {id(row.branch) for row in rows} == {id(branch) for branch in branches}
     assert [row.dropped is None for row in rows] == sorted((row.dropped is None for row in rows), reverse=True)

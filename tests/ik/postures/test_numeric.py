@@ -37,7 +37,7 @@ def failures(robot: Robot, count: int, seed: int = 0) -> list[Array]:
     failed = []
     for q in postures(robot, count, seed):
         goal = tool_at(robot, q)
-        found = numeric.posture(robot, goal, robot.poses["ready"])[:-4]
+        found = numeric.first_posture(robot, goal, robot.poses["ready"])[:-4]
         missed, turned = between(goal, tool_at(robot, found))
         kept = (found >= robot.lower - 1e-12) & (found <= robot.upper + 1e-12)
         if missed > 1.001e-6 or turned > 1.001e-6 or not kept.all():
@@ -71,7 +71,7 @@ def test_a_position_alone_is_reached(name: str) -> None:
     robot = arm(name)
     for q in postures(robot, 20, seed=2):
         goal = tool_at(robot, q)
-        branch = numeric.solve(robot, goal, robot.poses["ready"], with_orientation=False).branches[0]
+        branch = numeric.solve_numerically(robot, goal, robot.poses["ready"], with_orientation=False).branches[0]
         assert between(goal, tool_at(robot, branch.q))[0] < 1.001e-6
         assert branch.within
         assert branch.turned < 1e-12
@@ -105,10 +105,10 @@ def test_the_posture_that_a_pose_comes_from_is_the_first(name: str) -> None:
 
 def test_all_eight_postures_of_the_puma_are_found() -> None:
     robot = arm("puma560")
-    form = closed.found()["puma560"]
+    form = closed.closed_forms()["puma560"]
     for q in postures(robot, 20, seed=5):
         goal = tool_at(robot, q)
-        known = closed.solve(form, robot, goal, q)
+        known = closed.solve_closed_form(form, robot, goal, q)
         assert len(known.branches) == 8
         assert same_postures(robot, numeric.branches(robot, goal, q), known, 1e-6)
 
@@ -118,7 +118,8 @@ def test_the_same_question_has_the_same_answer() -> None:
     for q in postures(robot, 5, seed=6):
         goal = tool_at(robot, q)
         np.testing.assert_array_equal(
-            numeric.posture(robot, goal, robot.poses["ready"]), numeric.posture(robot, goal, robot.poses["ready"])
+            numeric.first_posture(robot, goal, robot.poses["ready"]),
+            numeric.first_posture(robot, goal, robot.poses["ready"]),
         )
         lists = [numeric.branches(robot, goal, q).branches for _ in range(2)]
         np.testing.assert_array_equal([b.q for b in lists[0]], [b.q for b in lists[1]])
@@ -131,7 +132,7 @@ def at(x: float, y: float, z: float) -> Array:
 
 
 def missed(robot: Robot, T: Array) -> float:
-    answer = numeric.solve(robot, T, robot.poses["ready"], with_orientation=False)
+    answer = numeric.solve_numerically(robot, T, robot.poses["ready"], with_orientation=False)
     assert answer.branches[0].within
     assert answer.short == pytest.approx(answer.branches[0].missed, rel=1e-12)
     assert between(T, tool_at(robot, answer.branches[0].q))[0] == pytest.approx(answer.short, abs=1e-12)
@@ -171,7 +172,7 @@ def test_a_slide_stops_at_its_limit() -> None:
     goal = tool_at(robot, robot.poses["ready"]).copy()
     low = tool_at(robot, frozen([*robot.poses["ready"][:2], robot.upper[2], robot.poses["ready"][3]]))
     goal[:3, 3] = low[:3, 3] - [0, 0, 0.03]
-    answer = numeric.solve(robot, goal, robot.poses["ready"])
+    answer = numeric.solve_numerically(robot, goal, robot.poses["ready"])
     assert answer.branches[0].within
     assert answer.short == pytest.approx(0.03, rel=1e-6)
     assert answer.branches[0].q[2] == pytest.approx(robot.upper[2], abs=1e-9)
@@ -181,7 +182,7 @@ def test_what_only_postures_beyond_the_limits_reach_is_said() -> None:
     robot = arm("movemaster")
     behind = robot.poses["ready"] + np.array([np.pi, 0, 0, 0, 0])
     goal = tool_at(robot, behind)
-    answer = numeric.solve(robot, goal, robot.poses["ready"])
+    answer = numeric.solve_numerically(robot, goal, robot.poses["ready"])
     assert answer.branches[0].within
     assert answer.short > 0.1
     assert "outside the joint limits" in answer.words.en
@@ -194,7 +195,7 @@ def test_the_position_comes_first_where_five_joints_cannot_turn_the_tool() -> No
     robot = arm("movemaster")
     goal = tool_at(robot, robot.poses["ready"]).copy()
     goal[:3, :3] = rotation.exponential(np.array([0, 0, 0.3])) @ goal[:3, :3]
-    branch = numeric.solve(robot, goal, robot.poses["ready"]).branches[0]
+    branch = numeric.solve_numerically(robot, goal, robot.poses["ready"]).branches[0]
     assert branch.missed < 1e-3
     assert 0.1 < branch.turned < 0.31
     poses = [tool_at(robot, branch.q + 1e-3 * step) for step in np.random.default_rng(0).normal(size=(200, 5))]
@@ -363,12 +364,12 @@ def test_only_joints_that_stand_alike_after_a_turn_are_unwound() -> None:
 def test_a_start_beyond_the_limits_leads_back_into_them(seed: int) -> None:
     robot = arm("movemaster")
     goal = tool_at(robot, postures(robot, 1, seed)[0])
-    branch = numeric.solve(robot, goal, robot.poses["home"]).branches[0]
+    branch = numeric.solve_numerically(robot, goal, robot.poses["home"]).branches[0]
     assert branch.within
     assert branch.missed < 1.001e-6
 
 
-@pytest.mark.parametrize("solve", [numeric.solve, numeric.branches])
+@pytest.mark.parametrize("solve", [numeric.solve_numerically, numeric.branches])
 def test_what_is_no_pose_or_no_posture_is_refused(solve: Callable[..., Answer]) -> None:
     robot = arm("puma560")
     for T in (2 * np.eye(4), np.full((4, 4), np.nan), np.eye(3)):

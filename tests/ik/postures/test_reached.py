@@ -20,7 +20,7 @@ from helicoide.ik.postures import solve as front
 from helicoide.ik.postures.answer import Answer, Found
 from helicoide.ik.postures.branch import between
 from helicoide.ik.postures.measure import left
-from helicoide.ik.postures.solve import EXACT, reached, solve, solve_by, status, ways
+from helicoide.ik.postures.solve import EXACT, answer_status, reached, solve, solve_by, ways
 from helicoide.kinematics.forward import tool_by_dual_quaternions
 from helicoide.kinematics.robot import Robot
 
@@ -91,8 +91,8 @@ def test_two_joints_reach_a_pose_by_the_posture_that_has_its_orientation() -> No
     over[:3, :3] = rotation.exponential(np.array([0, 0, 1.0])) @ T[:3, :3]
     turned = solve(robot, over, q)
     assert not reached(turned)
-    assert status(turned).en.startswith("projected by ")
-    assert f"{np.degrees(turned.branches[0].turned):.3f}°" in status(turned).en
+    assert answer_status(turned).en.startswith("projected by ")
+    assert f"{np.degrees(turned.branches[0].turned):.3f}°" in answer_status(turned).en
 
 
 def test_a_form_that_is_wrong_is_found_out(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -142,7 +142,7 @@ def test_the_rows_of_the_table(zeros: tuple[int, ...], row: int) -> None:
 def test_the_first_row_of_the_table_does_not_hold_for_the_puma_without_a3() -> None:
     """s.22 gives at most 4 postures for a1 = a3 = a5 = 0; the source's own check of that arm counts 8."""
     robot = puma_with_lengths(*LENGTHS[2])
-    answer = closed.solve(pieper, robot, tool_at(robot, np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])), HERE)
+    answer = closed.solve_closed_form(pieper, robot, tool_at(robot, np.array([0.3, -0.5, 0.7, 0.4, 0.9, -1.1])), HERE)
     assert len(answer.branches) == 8
     assert all(max(branch.missed, branch.turned) < 1e-12 for branch in answer.branches)
     assert solvability.table_row(robot) == 4
@@ -162,7 +162,7 @@ def test_no_more_postures_than_the_bound(family: str) -> None:
     draw = np.random.default_rng(2)
     for _ in range(15):
         robot = random_spherical_arm(draw, family, right_wrist=False)
-        found = closed.solve(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), HERE).branches
+        found = closed.solve_closed_form(pieper, robot, tool_at(robot, draw.uniform(-pi, pi, 6)), HERE).branches
         assert 0 < len(found) <= solvability.verdict(robot).bound == 8  # type: ignore[operator]
 
 

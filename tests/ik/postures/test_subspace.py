@@ -15,7 +15,7 @@ from helicoide.geometry import euler, rotation
 from helicoide.ik.families.turret import turret
 from helicoide.ik.postures import subspace, workspace
 from helicoide.ik.postures.branch import between, tool_at
-from helicoide.ik.postures.nearest import nearest
+from helicoide.ik.postures.nearest import nearest_posture
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.studies._campos_arms import planar_pose
@@ -39,7 +39,7 @@ def posture(robot: Robot, shares: tuple[float, ...]) -> Array:
 def test_a_pose_that_the_arm_takes_stays(name: str, shares: tuple[float, ...]) -> None:
     robot = ROBOTS[name]
     T = tool_at(robot, posture(robot, shares))
-    projection = subspace.project(robot, T, robot.poses["ready"])
+    projection = subspace.project_to_subspace(robot, T, robot.poses["ready"])
     # nearer to its edge than 10⁻¹² of its reach a 2R counts as stretched or folded, an angle of some 10⁻⁶
     near = 1e-5 if name == "planar2r" else 1e-9
     assert projection.moved < 1e-9
@@ -57,9 +57,9 @@ def test_a_projected_pose_stays_and_says_how_far_it_went(
     T = planar_pose(*p[:2], z=p[2])
     T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
     now = robot.poses["ready"]
-    first = subspace.project(robot, T, now)
+    first = subspace.project_to_subspace(robot, T, now)
     assert (first.moved, first.turned) == pytest.approx(between(T, first.T_world_goal), abs=1e-12)
-    again = subspace.project(robot, first.T_world_goal, now)
+    again = subspace.project_to_subspace(robot, first.T_world_goal, now)
     np.testing.assert_allclose(again.T_world_goal, first.T_world_goal, atol=1e-7)
     assert (first.words is None) == (max(first.moved, first.turned) < 1e-9)
 
@@ -67,7 +67,7 @@ def test_a_projected_pose_stays_and_says_how_far_it_went(
 def test_what_was_done_is_said_with_its_numbers() -> None:
     T = planar_pose(0.9, 0.4, 0.3, z=0.05)
     T[:3, :3] = T[:3, :3] @ euler.euler_matrix([0, np.radians(20), 0], "zyx")
-    words = subspace.project(ROBOTS["planar3r"], T, np.zeros(3)).words
+    words = subspace.project_to_subspace(ROBOTS["planar3r"], T, np.zeros(3)).words
     assert words is not None
     for language in LANGUAGES:
         assert "50 mm" in words[language]
@@ -79,7 +79,7 @@ def test_the_movemaster_turns_its_hand_into_its_plane(p: tuple[float, ...], turn
     """As the L-3: the point is kept, |θ| = asin |M·Ẑ|, Ẑ the roll axis, which is the x axis of this tool."""
     T = planar_pose(*p[:2], z=p[2])
     T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
-    projection = subspace.project(ROBOTS["movemaster"], T, np.zeros(5))
+    projection = subspace.project_to_subspace(ROBOTS["movemaster"], T, np.zeros(5))
     M = np.array([-p[1], p[0], 0]) / np.hypot(*p[:2])
     assert projection.moved == 0
     assert np.sin(projection.turned) == pytest.approx(abs(M @ T[:3, 0]), abs=1e-9)
@@ -91,7 +91,7 @@ def test_the_movemaster_turns_its_hand_into_its_plane(p: tuple[float, ...], turn
 def test_the_scara_keeps_its_quill_upright(p: tuple[float, ...], turn: tuple[float, ...]) -> None:
     T = planar_pose(*p[:2], z=p[2])
     T[:3, :3] = euler.euler_matrix(list(turn), "zyx")
-    projection = subspace.project(ROBOTS["scara"], T, np.zeros(4))
+    projection = subspace.project_to_subspace(ROBOTS["scara"], T, np.zeros(4))
     np.testing.assert_allclose(projection.T_world_goal[:3, 3], p)
     np.testing.assert_allclose(projection.T_world_goal[:3, 2], [0, 0, -1], atol=1e-12)
     down = euler.euler_matrix([0, 0, np.pi], "zyx")
@@ -105,7 +105,7 @@ def test_the_scara_keeps_its_quill_upright(p: tuple[float, ...], turn: tuple[flo
 def test_a_goal_of_two_links_lies_in_their_plane_out_of_reach_too(r: float) -> None:
     T = planar_pose(r, 0, z=0.2)
     T[:3, :3] = euler.euler_matrix([0.7, 0.4, -0.3], "zyx")
-    projection = subspace.project(ROBOTS["planar2r"], T, np.zeros(2))
+    projection = subspace.project_to_subspace(ROBOTS["planar2r"], T, np.zeros(2))
     np.testing.assert_allclose(projection.T_world_goal[:, 2:], [[0, r], [0, 0], [1, 0], [0, 1]], atol=1e-12)
     assert projection.moved == pytest.approx(0.2)
 
@@ -114,7 +114,7 @@ def test_upside_down_every_heading_is_as_near_and_the_present_one_is_kept() -> N
     T = planar_pose(0.5, 0.2)
     T[:3, :3] = np.diag([1.0, -1, -1])
     q = np.array([0.3, 0.4, 0.5])
-    projection = subspace.project(ROBOTS["orca"], T, q)
+    projection = subspace.project_to_subspace(ROBOTS["orca"], T, q)
     np.testing.assert_allclose(projection.T_world_goal, planar_pose(0.5, 0.2, 1.2), atol=1e-12)
     assert projection.turned == pytest.approx(np.pi)
 
@@ -126,10 +126,10 @@ def test_no_posture_at_the_point_turns_less(name: str) -> None:
     for q in rng.uniform(robot.lower, robot.upper, (2, robot.lower.size)):
         T = tool_at(robot, q)
         T[:3, :3] = T[:3, :3] @ rotation.exponential(rng.normal(scale=0.3, size=3))
-        projection = subspace.project(robot, T, q)
+        projection = subspace.project_to_subspace(robot, T, q)
         assert projection.moved == pytest.approx(0, abs=1e-12)
         for start in rng.normal(q, 0.1, (5, q.size)):
-            gap, turn = between(T, tool_at(robot, nearest(robot, T, frozen(start), with_orientation=False)))
+            gap, turn = between(T, tool_at(robot, nearest_posture(robot, T, frozen(start), with_orientation=False)))
             assert gap < 1e-6
             assert turn >= projection.turned - 1e-6
 
@@ -137,7 +137,7 @@ def test_no_posture_at_the_point_turns_less(name: str) -> None:
 def test_arms_with_six_joints_take_every_pose() -> None:
     robot = load_robot("puma560")
     T = planar_pose(0.5, 0.1, 0.3, z=0.2)
-    projection = subspace.project(robot, T, robot.poses["ready"])
+    projection = subspace.project_to_subspace(robot, T, robot.poses["ready"])
     np.testing.assert_array_equal(projection.T_world_goal, T)
     assert projection.words is None
 
@@ -155,10 +155,10 @@ def test_other_arms_are_searched() -> None:
     assert turret(robot) is None
     for q in rng.uniform(robot.lower, robot.upper, (4, 5)):
         T = tool_at(robot, q)
-        exact = subspace.project(robot, T, robot.poses["ready"])
+        exact = subspace.project_to_subspace(robot, T, robot.poses["ready"])
         assert (exact.moved, exact.turned) == pytest.approx((0, 0), abs=1e-7)
         T[:3, :3] = T[:3, :3] @ rotation.exponential(rng.normal(scale=0.2, size=3))
-        found = subspace.project(robot, T, q)
+        found = subspace.project_to_subspace(robot, T, q)
         cost = (found.moved / robot.reach) ** 2 + found.turned**2
         for near in rng.normal(q, 0.05, (50, 5)):
             gap, turn = between(T, tool_at(robot, frozen(near)))
@@ -169,7 +169,7 @@ def test_other_arms_are_searched() -> None:
 def test_distance_to_the_edge_of_a_planar_arm(r: float, heading: float) -> None:
     T = planar_pose(r * np.cos(heading), r * np.sin(heading))
     expected = max(r - 1.7, 0.3 - r, 0)
-    assert subspace.beyond(ROBOTS["planar2r"], T, np.zeros(2)) == pytest.approx(expected, abs=1e-9)
+    assert subspace.distance_beyond(ROBOTS["planar2r"], T, np.zeros(2)) == pytest.approx(expected, abs=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -192,7 +192,7 @@ def test_distance_to_the_edge_of_other_arms(name: str, p: tuple[float, ...], exp
     robot = ROBOTS[name]
     T = robot.T_world_tool_0.copy()
     T[:3, 3] = p
-    assert subspace.beyond(robot, T, robot.poses["ready"]) == pytest.approx(expected, abs=1e-8)
+    assert subspace.distance_beyond(robot, T, robot.poses["ready"]) == pytest.approx(expected, abs=1e-8)
 
 
 def test_edges_of_planar_workspaces() -> None:
@@ -236,12 +236,12 @@ def test_an_arm_that_stands_elsewhere_projects_alike(name: str) -> None:
     T = planar_pose(0.31, 0.22, z=0.4)
     T[:3, :3] = euler.euler_matrix([0.3, 0.5, -0.2], "zyx")
     now = robot.poses["ready"]
-    here = subspace.project(robot, T, now)
-    there = subspace.project(moved(robot, place), place @ T, now)
+    here = subspace.project_to_subspace(robot, T, now)
+    there = subspace.project_to_subspace(moved(robot, place), place @ T, now)
     np.testing.assert_allclose(there.T_world_goal, place @ here.T_world_goal, atol=1e-9)
 
 
-@pytest.mark.parametrize("function", [subspace.project, subspace.beyond])
+@pytest.mark.parametrize("function", [subspace.project_to_subspace, subspace.distance_beyond])
 def test_what_is_no_pose_is_refused(function: object) -> None:
     with pytest.raises(HelicoideError, match="pose"):
         function(ROBOTS["orca"], planar_pose(np.nan, 0), np.zeros(3))  # type: ignore[operator]

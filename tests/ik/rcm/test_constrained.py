@@ -15,7 +15,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.ik.rcm import wrists
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis, constraint, null_basis
-from helicoide.ik.rcm.older import entry_jacobian, tool_jacobian
+from helicoide.ik.rcm.older import entry_jacobian, older_tool_jacobian
 from helicoide.ik.rcm.passage import SLIT, TROCAR, Insertion, Passage, insertion, through
 from helicoide.kinematics import differential
 from helicoide.kinematics.forward import link_poses
@@ -197,8 +197,8 @@ def test_it_maps_what_any_link_may_do_to_the_tool(name: str, basis: Basis) -> No
         v = np.linalg.pinv(at.null) @ (of_link - at.push @ entry_rate)
         u = np.concatenate([v, rates[passage.link :]])
         assert at.J.shape == (6, 6 - passage.r + len(q) - passage.link)
-        np.testing.assert_allclose(at.J @ u + at.J_entry @ entry_rate, tool_jacobian(at) @ rates, atol=1e-12)
-        np.testing.assert_allclose(tool_jacobian(at), differential.body_jacobian(robot, q), atol=2e-15)
+        np.testing.assert_allclose(at.J @ u + at.J_entry @ entry_rate, older_tool_jacobian(at) @ rates, atol=1e-12)
+        np.testing.assert_allclose(older_tool_jacobian(at), differential.body_jacobian(robot, q), atol=2e-15)
         np.testing.assert_allclose(entry_jacobian(at) @ rates, entry_rate, atol=1e-14)
         np.testing.assert_allclose(at.constraint @ at.push, np.eye(passage.r), atol=1e-14)
 
@@ -214,7 +214,7 @@ def test_the_characteristic_length_is_no_matter_to_an_exact_inverse(robot, basis
         u = np.linalg.solve(asked.J, asked.rate)
         of_arm = at.arm_task(at.shaft_velocity(u, entry_rate), 0.01)
         rates = at.rates(np.linalg.solve(of_arm.J, of_arm.rate), u)
-        np.testing.assert_allclose(tool_jacobian(at) @ rates, command, atol=1e-14)
+        np.testing.assert_allclose(older_tool_jacobian(at) @ rates, command, atol=1e-14)
         np.testing.assert_allclose(at.at_entry(rates), entry_rate, atol=1e-15)
         np.testing.assert_array_equal(of_arm.q, START)
         assert (asked.dt, of_arm.dt) == (0.01, 0.01)

@@ -9,7 +9,7 @@ from tests.ik.rcm.runs import START
 from helicoide.arrays import Array
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
-from helicoide.ik.rcm.older import avoiding, by_priority, entry_first, entry_jacobian, extended, tool_jacobian
+from helicoide.ik.rcm.older import avoiding, by_priority, entry_first, entry_jacobian, extended, older_tool_jacobian
 from helicoide.ik.rcm.passage import through
 from helicoide.kinematics import differential
 from helicoide.kinematics.forward import link_poses
@@ -70,7 +70,7 @@ def test_at_the_start_they_agree_to_rounding() -> None:
 def test_singularities_of_the_stack_are_those_of_arm_and_wrist() -> None:
     """|det [J_e; J_c]| = l_a² w_i w_r = w_i l_b² |sin θ₇|."""
     for at, _, _ in scenes("source", 50):
-        stack = np.vstack([tool_jacobian(at), entry_jacobian(at)])
+        stack = np.vstack([older_tool_jacobian(at), entry_jacobian(at)])
         l_a, l_b = at.place.outside, at.place.inside
         determinant = abs(np.linalg.det(stack))
         assert determinant == pytest.approx(l_a**2 * at.of_arm.w * at.of_tool.w, rel=1e-9)

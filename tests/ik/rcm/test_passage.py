@@ -13,7 +13,7 @@ from tests.kinematics.arms import MIXED, NAMES, arm
 from helicoide.ik.postures.branch import tool_at
 from helicoide.ik.rcm.constrained import constrained
 from helicoide.ik.rcm.follow import RcmControl, rcm_loop
-from helicoide.ik.rcm.passage import SLIT, TROCAR, insertion, refusal, through
+from helicoide.ik.rcm.passage import SLIT, TROCAR, insertion, passage_refusal, through
 from helicoide.ik.rcm.paths import PATHS
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.library import load_robot
@@ -78,12 +78,12 @@ def test_n_minus_r_decides_on_the_rank(robot, across, rank: int) -> None:
     q = START[: len(robot().joints)]
     at = constrained(problem_without_planes(robot()), passage, q, entry_on(robot(), q, 0.15))
     assert at.of_tool.rank == rank
-    assert (refusal(robot(), passage) is None) == (rank == 6)
+    assert (passage_refusal(robot(), passage) is None) == (rank == 6)
 
 
 def test_seven_joints_are_refused_in_words() -> None:
     robot, passage = seven_joints(), through(seven_joints(), LINK)
-    said = refusal(robot, passage)
+    said = passage_refusal(robot, passage)
     assert said is not None
     assert "7 joints" in said.en
     assert "n − r = 5" in said.en
@@ -104,7 +104,7 @@ def test_seven_joints_are_refused_in_words() -> None:
 
 def test_the_rod_arm_is_refused_too() -> None:
     robot = load_robot("dia10_rod")
-    said = refusal(robot, through(robot, 7))
+    said = passage_refusal(robot, through(robot, 7))
     assert said is not None
     assert "n − r = 5" in said.en
 
@@ -112,7 +112,7 @@ def test_the_rod_arm_is_refused_too() -> None:
 @pytest.mark.parametrize("link", [2, 4])
 def test_an_entry_point_too_near_the_base_is_refused(link: int) -> None:
     """Four joints cannot give their link every velocity that the entry point leaves free."""
-    said = refusal(dia10(), through(dia10(), link))
+    said = passage_refusal(dia10(), through(dia10(), link))
     assert said is not None
     assert f"link {link}" in said.en
     assert "from 6 to 6" in said.en
@@ -120,14 +120,14 @@ def test_an_entry_point_too_near_the_base_is_refused(link: int) -> None:
 
 
 def test_an_entry_point_beyond_the_wrist_is_refused() -> None:
-    said = refusal(dia10(), through(dia10(), 8, SLIT))
+    said = passage_refusal(dia10(), through(dia10(), 8, SLIT))
     assert said is not None
     assert "8 joints before it and 0 beyond" in said.en
-    assert refusal(dia10(), replace(through(dia10(), LINK, SLIT), link=7)) is None
+    assert passage_refusal(dia10(), replace(through(dia10(), LINK, SLIT), link=7)) is None
 
 
 def test_joints_that_follow_others_are_refused() -> None:
-    said = refusal(arm(MIXED), through(arm(MIXED), 2))
+    said = passage_refusal(arm(MIXED), through(arm(MIXED), 2))
     assert said is not None
     assert "coupled joints" in said.en
     assert "juntas acopladas" in said.pt_BR

@@ -85,7 +85,7 @@ def test_any_arm_with_five_joints_may_hold_a_rod(name: str) -> None:
     """Its last link is the rod; one joint less behind a trocar is refused in words."""
     robot = dia10() if name == "dia10" else load_robot(name)
     passage = through(robot, len(robot.joints))
-    assert rod.refusal(robot, passage) is None
+    assert rod.rod_refusal(robot, passage) is None
     q = robot.poses["ready"]
     T = link_poses(robot.chain, q)[-1] @ passage.T_link_shaft
     tip = tool_at(robot, q)[:3, 3]
@@ -98,10 +98,10 @@ def test_any_arm_with_five_joints_may_hold_a_rod(name: str) -> None:
 def test_too_few_joints_are_refused() -> None:
     robot = load_robot("scara")
     passage = through(robot, 2)
-    said = rod.refusal(robot, passage)
+    said = rod.rod_refusal(robot, passage)
     assert said is not None
     assert "4 joints" in said.en
     assert "pelo menos 5" in said.pt_BR
     with pytest.raises(HelicoideError, match="at least 5"):
         rod.to_points(problem_without_planes(robot), passage, tip_reference)
-    assert rod.refusal(robot, through(robot, 2, SLIT)) is None
+    assert rod.rod_refusal(robot, through(robot, 2, SLIT)) is None

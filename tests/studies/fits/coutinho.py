@@ -13,7 +13,7 @@ from helicoide.arrays import Array
 from helicoide.ik.postures.branch import tool_at
 from helicoide.kinematics import differential
 from helicoide.studies import coutinho_s1, coutinho_s2, coutinho_s3, coutinho_s4
-from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, Insertion, dia10, run_path, source_control
+from helicoide.studies._coutinho_runs import DLS, PSEUDOINVERSE, START, RunStart, dia10, run_path, source_control
 from helicoide.studies.study import Row, Statement
 
 PLACE = np.array([0.194, 1.019, 0.958])  # table 4.2, m
@@ -37,10 +37,10 @@ def rows(q: Array) -> list[Row]:
     found = [
         row
         for name, stated in STATED.items()
-        for row in stated(run_path(name, source_control(), STEPS[name], Insertion(q)), STEPS[name])
+        for row in stated(run_path(name, source_control(), STEPS[name], RunStart(q)), STEPS[name])
     ]
     damped = (
-        run_path("S3", source_control(of_tool=DLS, of_arm=arm), STEPS["S3"], Insertion(q))
+        run_path("S3", source_control(of_tool=DLS, of_arm=arm), STEPS["S3"], RunStart(q))
         for arm in (PSEUDOINVERSE, DLS)
     )
     return [*found, *coutinho_s3.s3_rows(*damped)]

@@ -17,7 +17,7 @@ from helicoide.geometry.clifford import CL031
 from helicoide.geometry.incidence import point_line_distance
 from helicoide.ik.families.elbow_wrist import ElbowWrist
 from helicoide.ik.families.listed import Steps, theta
-from helicoide.ik.families.six_or_five import refusal, solved
+from helicoide.ik.families.six_or_five import neither_kind, postures_by_kind
 from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.forward import joint_motor
@@ -43,7 +43,7 @@ NONE, ROUNDING, FREE = 1e-20, 1e-12, 1e-10
 
 def applies(robot: Robot) -> Text | None:
     """Why the form does not apply to a robot; None where it does."""
-    return refusal(robot)
+    return neither_kind(robot)
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
@@ -51,7 +51,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
 
     Raises HelicoideError if T_world_tool is not a pose or if the form does not apply.
     """
-    return solved(robot, T_world_tool, q, _six, _five)
+    return postures_by_kind(robot, T_world_tool, q, _six, _five)
 
 
 def halves(L: Array, measure: Callable[[Array], float], kept: float) -> list[float]:

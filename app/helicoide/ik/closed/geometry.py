@@ -11,7 +11,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_wrist import ELSE, ElbowWrist, elbow_wrist
-from helicoide.ik.families.listed import Steps, listed, theta
+from helicoide.ik.families.listed import Steps, distinct_branches, theta
 from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -44,7 +44,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := elbow_wrist(robot)) is None:
         raise HelicoideError(ELSE)
-    return listed(robot, T_world_tool, q, lambda T, now: _postures(robot, arm, T, now))
+    return distinct_branches(robot, T_world_tool, q, lambda T, now: _postures(robot, arm, T, now))
 
 
 def _postures(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:

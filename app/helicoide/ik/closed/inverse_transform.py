@@ -12,7 +12,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.families.elbow import Annulus
-from helicoide.ik.families.listed import Steps, listed, theta
+from helicoide.ik.families.listed import Steps, distinct_branches, theta
 from helicoide.ik.families.turret import turret
 from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.robot import Robot
@@ -63,7 +63,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (reason := applies(robot)) is not None:
         raise HelicoideError(reason)
-    return listed(robot, T_world_tool, q, lambda T, now: _postures(robot, T, now))
+    return distinct_branches(robot, T_world_tool, q, lambda T, now: _postures(robot, T, now))
 
 
 def _postures(robot: Robot, T_world_tool: Array, q: Array) -> Iterator[Steps]:

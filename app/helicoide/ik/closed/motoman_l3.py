@@ -12,7 +12,7 @@ from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_turret import ElbowTurret, elbow_turret
 from helicoide.ik.families.pointing import Pointing
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said, rows_of
+from helicoide.ik.postures.answer import Found, Said, stacked_postures
 from helicoide.ik.postures.branch import check_pose, sentences, wrap
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -81,7 +81,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := elbow_turret(robot)) is None:
         raise HelicoideError(_ELSE)
-    goal = subspace.project(robot, T_world_tool, q)
+    goal = subspace.project_to_subspace(robot, T_world_tool, q)
     T = np.linalg.inv(arm.T_world_base) @ goal.T_world_goal @ np.linalg.inv(arm.T_wrist_tool)
     r = float(np.linalg.norm(T[:3, 3]))
     M, free = arm.turret.normal(arm.turret.seen(goal.T_world_goal), float(q[0]))
@@ -97,7 +97,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
         values=[{**start, **steps} for _, steps in found] or [{**start, "c₃": elbow.cosine_of_elbow(r, 0, arm.links)}],
         free=tuple(joint for joint, is_free in ((0, free), (1, arm.links.at_centre(r))) if is_free),
     )
-    rows = rows_of([_joints(arm, steps) for _, steps in found], 5)
+    rows = stacked_postures([_joints(arm, steps) for _, steps in found], 5)
     return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short=arm.links.beyond(r))
 
 
@@ -120,7 +120,7 @@ def _steps(links: elbow.Annulus, T: Array, theta1: float, kept: float) -> list[d
             "θ₂": two.theta1,
             "θ₄": float(wrap(a - two.theta1 - two.theta2)),
         }
-        for two in (posture.algebraic for posture in elbow.postures(u, -float(T[2, 3]), links, kept))
+        for two in (posture.algebraic for posture in elbow.elbow_postures(u, -float(T[2, 3]), links, kept))
     ]
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.families import elbow
-from helicoide.ik.families.frames import row_of, rows_of
+from helicoide.ik.families.frames import first_four, pose_rows
 from helicoide.ik.families.movemaster_arm import (
     BACK,
     BEND,
@@ -21,7 +21,7 @@ from helicoide.ik.families.movemaster_arm import (
     SIGNS,
     TURNED,
     Side,
-    joint_values,
+    movemaster_joint_values,
     seen,
     side_of,
 )
@@ -60,19 +60,19 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := side_of(robot)) is None:
         raise HelicoideError(ELSE)
-    rows, goal, noted = joint_values(arm.packed, T_world_tool, q)
-    told = Words(arm, goal, rows, noted, float(q[0]))
+    rows, goal, noted = movemaster_joint_values(arm.packed, T_world_tool, q)
+    told = MovemasterPostures(arm, goal, rows, noted, float(q[0]))
     return Found(
         rows, goal, told, turned=float(noted[TURNED]), short=0.0 if len(rows) else arm.links.beyond(told.nearer)
     )
 
 
 @dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
-class Words:
-    """Names, sentences and intermediate values for the postures that `joint_values` found.
+class MovemasterPostures:
+    """Names, sentences and intermediate values for the postures that `movemaster_joint_values` found.
 
     T_world_goal (4, 4), m: the pose after its rotation into the plane of the arm; rows, noted: results of
-    `joint_values`; theta1: the current θ₁, rad, which defines the plane of the arm if the goal does not.
+    `movemaster_joint_values`; theta1: the current θ₁, rad, which defines the plane of the arm if the goal does not.
     """
 
     arm: Side
@@ -124,13 +124,13 @@ class Words:
         return self.arm.turret.seen(self.T_world_goal)
 
     def _seen(self, headings: Sequence[float] | Array) -> Iterator[tuple[complex, float, complex]]:
-        return (seen(self.arm.packed, rows_of(self.T), float(theta1)) for theta1 in headings)
+        return (seen(self.arm.packed, pose_rows(self.T), float(theta1)) for theta1 in headings)
 
     def _values(self) -> Iterator[Mapping[str, float]]:
         """`values` in m and rad; θ₂, θ₃ and θ₄ about the y axis of the base."""
         for row, (zeta, alpha, wrist) in zip(self.rows, self._seen(self.rows[:, 0]), strict=True):
             theta = row[:5] * [1.0, *self.arm.packed[SIGNS, :3], 1.0]
-            _, cosine, _ = elbows(wrist, row_of(self.arm.packed[LINKS]), elbow.EDGE)
+            _, cosine, _ = elbows(wrist, first_four(self.arm.packed[LINKS]), elbow.EDGE)
             yield {
                 "u": zeta.real, "p_z": -zeta.imag, "α": alpha, "u_W": wrist.real, "z_W": -wrist.imag,
                 "cos(θ₃ + δ)": cosine, **{f"θ{'₁₂₃₄₅'[i]}": float(wrap(theta[i])) for i in range(5)},
@@ -140,7 +140,7 @@ class Words:
 
 SIDES = (
     Text(en="waist to the front, {elbow}", pt_BR="cintura de frente, {elbow}"),
-    Text(en="waist turned back, {elbow}", pt_BR="cintura virada para trás, {elbow}"),
+    Text(en="waist to the back, {elbow}", pt_BR="cintura para trás, {elbow}"),
 )
 ELSE = Text(
     en="This form needs five revolute joints: a waist; shoulder, elbow and wrist pitch with parallel axes "
@@ -149,8 +149,8 @@ ELSE = Text(
     "paralelos, perpendiculares a ela; e uma rolagem que leva o efetuador no plano do braço.",
 )
 COUNTED = Text(
-    en="Postures: {n}; the waist to the front or turned back, the elbow up or down.",
-    pt_BR="Posturas: {n}; a cintura de frente ou virada para trás, o cotovelo para cima ou para baixo.",
+    en="Postures: {n}; waist to the front or to the back, elbow up or down.",
+    pt_BR="Posturas: {n}; cintura de frente ou para trás, cotovelo para cima ou para baixo.",
 )
 OVER = Text(
     en="The end effector is vertical on the waist axis: θ₁ is arbitrary and keeps its value.",

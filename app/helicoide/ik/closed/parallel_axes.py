@@ -10,7 +10,7 @@ from math import cos, sin
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.families.frames import row_of
+from helicoide.ik.families.frames import first_four
 from helicoide.ik.families.parallel_arm import (
     AHEAD,
     ALONG,
@@ -34,7 +34,7 @@ from helicoide.ik.families.parallel_postures import (
     LOOSE,
     UP,
     centre_from_waist,
-    joint_values,
+    parallel_joint_values,
     rotated,
     triple,
 )
@@ -79,14 +79,14 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := parallel_arm(robot)) is None:
         raise HelicoideError(ELSE)
-    rows = joint_values(arm, T_world_tool, q)
-    short = 0.0 if len(rows) else subspace.beyond(robot, T_world_tool, q)
-    return Found(rows, T_world_tool, Words(arm, T_world_tool, rows, short), short=short)
+    rows = parallel_joint_values(arm, T_world_tool, q)
+    short = 0.0 if len(rows) else subspace.distance_beyond(robot, T_world_tool, q)
+    return Found(rows, T_world_tool, ParallelAxesPostures(arm, T_world_tool, rows, short), short=short)
 
 
 @dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
-class Words:
-    """Names, sentences and intermediate values for the postures in the rows of `joint_values`."""
+class ParallelAxesPostures:
+    """Names, sentences and intermediate values for the postures in the rows of `parallel_joint_values`."""
 
     arm: Array
     T_world_tool: Array
@@ -130,7 +130,7 @@ class Words:
             phi = float(theta[1:4].sum())
             seen = complex(x @ v, np.cross(h, x) @ v)
             wrist = complex(seen - ending(arm, SHOULDER) - ending(arm, HAND) * np.exp(1j * phi))
-            _, cosine, _ = elbows(wrist, row_of(arm[LINKS]), 0.0)
+            _, cosine, _ = elbows(wrist, first_four(arm[LINKS]), 0.0)
             yield {
                 "h · (W − p₁)": float(arm[SETTING, ASIDE]), "u": seen.real, "φ": float(wrap(phi)), "u_W": wrist.real,
                 "z_W": -wrist.imag, "cos(θ₃ + δ)": cosine,

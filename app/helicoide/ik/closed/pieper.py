@@ -10,7 +10,7 @@ from math import cos, sin
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.families.pieper_arm import Arm, arm_of, beyond
+from helicoide.ik.families.pieper_arm import Arm, arm_of, pieper_distance_beyond
 from helicoide.ik.families.pieper_postures import (
     ACCEPTED,
     ARM,
@@ -19,7 +19,7 @@ from helicoide.ik.families.pieper_postures import (
     SHOULDER,
     WAIST,
     WRIST,
-    joint_values,
+    pieper_joint_values,
     wrist_pose,
 )
 from helicoide.ik.families.polish import polisher
@@ -61,14 +61,14 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if isinstance(arm := arm_of(robot), Text):
         raise HelicoideError(arm)
-    rows = joint_values(arm.packed, polisher(robot), T_world_tool, q)
-    told = Words(arm, T_world_tool, rows)
+    rows = pieper_joint_values(arm.packed, polisher(robot), T_world_tool, q)
+    told = PieperPostures(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
 @dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
-class Words:
-    """Names, sentences and intermediate values for the postures in the rows of `joint_values`."""
+class PieperPostures:
+    """Names, sentences and intermediate values for the postures in the rows of `pieper_joint_values`."""
 
     arm: Arm
     T_world_tool: Array
@@ -104,7 +104,7 @@ class Words:
     @cached_property
     def short(self) -> float:
         """Distance of the wrist centre from its workspace, m."""
-        return beyond(self.arm, self.T[:3, 3])
+        return pieper_distance_beyond(self.arm, self.T[:3, 3])
 
     @cached_property
     def T(self) -> Array:

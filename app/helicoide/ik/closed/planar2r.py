@@ -10,7 +10,7 @@ from helicoide.arrays import Array
 from helicoide.ik.families import elbow
 from helicoide.ik.families.planar import planar
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said, rows_of
+from helicoide.ik.postures.answer import Found, Said, stacked_postures
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -46,9 +46,9 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if isinstance(arm := planar(robot, 2), Text):
         raise HelicoideError(arm)
-    goal = subspace.project(robot, T_world_tool, q)
+    goal = subspace.project_to_subspace(robot, T_world_tool, q)
     x, y, _ = arm.end(goal.T_world_goal)
-    found = elbow.postures(x, y, arm.links, kept=float(arm.angles(q)[0]))
+    found = elbow.elbow_postures(x, y, arm.links, kept=float(arm.angles(q)[0]))
     thetas = [np.array([one.algebraic.theta1, one.algebraic.theta2]) for one in found]
     start = {"x": x, "y": y}
     values = [{**start, **one.values, "φ": float(wrap(theta.sum()))} for one, theta in zip(found, thetas, strict=True)]
@@ -59,7 +59,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
         values=values or [{**start, "c₂": elbow.cosine_of_elbow(x, y, arm.links)}],
         free=(0,) if arm.links.at_centre(r) else (),
     )
-    rows = rows_of([arm.joints(theta) for theta in thetas], 2)
+    rows = stacked_postures([arm.joints(theta) for theta in thetas], 2)
     return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short=arm.links.beyond(r))
 
 

@@ -59,7 +59,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := polar_arm(robot)) is None:
         raise HelicoideError(_ELSE)
-    goal = subspace.project(robot, T_world_tool, q)
+    goal = subspace.project_to_subspace(robot, T_world_tool, q)
     x, y = arm.place(goal.T_world_goal)
     rho = hypot(x, y)
     on_axis = rho < ON_AXIS

@@ -10,7 +10,16 @@ from math import hypot
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.families.puma_arm import FREE, NUMBER, Puma, beyond, is_folded, joint_values, puma, wrist_range
+from helicoide.ik.families.puma_arm import (
+    FREE,
+    NUMBER,
+    Puma,
+    is_folded,
+    puma,
+    puma_distance_beyond,
+    puma_joint_values,
+    wrist_range,
+)
 from helicoide.ik.postures.answer import Found
 from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics.robot import Robot
@@ -47,14 +56,14 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     """
     if (arm := puma(robot)) is None:
         raise HelicoideError(ELSE)
-    rows = joint_values(arm.packed, T_world_tool, q)
-    told = Words(arm, T_world_tool, rows)
+    rows = puma_joint_values(arm.packed, T_world_tool, q)
+    told = PumaPostures(arm, T_world_tool, rows)
     return Found(rows, T_world_tool, told, short=0.0 if len(rows) else told.short)
 
 
 @dataclass(eq=False)  # a frozen instance takes four times as long to create, a noticeable delay
-class Words:
-    """Names, sentences and intermediate values for the postures in the rows of `joint_values`."""
+class PumaPostures:
+    """Names, sentences and intermediate values for the postures in the rows of `puma_joint_values`."""
 
     arm: Puma
     T_world_tool: Array
@@ -87,7 +96,7 @@ class Words:
     @property
     def short(self) -> float:
         """Distance of the wrist centre from its workspace, m."""
-        return beyond(self.arm.lengths, self.T[:3, 3])
+        return puma_distance_beyond(self.arm.lengths, self.T[:3, 3])
 
     @property
     def theta(self) -> Array:
@@ -102,7 +111,7 @@ class Words:
 
 @cache
 def names(passes_left: bool) -> tuple[Text, ...]:
-    """The names of the eight postures by their number in `joint_values`. passes_left: d₃ ≥ 0, see `puma_arm`."""
+    """The names of the eight postures by their number in `puma_joint_values`. passes_left: d₃ ≥ 0, see `puma_arm`."""
     left_and_up = [((row < 4) == passes_left, (row < 4) == (row % 4 < 2)) for row in range(8)]
     return tuple(
         NAME.format(shoulder=SHOULDER[left], elbow=ELBOW[up], wrist=WRIST[row % 2])

@@ -15,7 +15,7 @@ from helicoide.geometry import rotation
 from helicoide.ik.families.elbow_wrist import ElbowWrist
 from helicoide.ik.families.listed import Steps, theta
 from helicoide.ik.families.paden_kahan import Axis, axis_of, turn_to, turns_to, turns_to_distance
-from helicoide.ik.families.six_or_five import refusal, solved
+from helicoide.ik.families.six_or_five import neither_kind, postures_by_kind
 from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.forward import screw_transform
@@ -41,7 +41,7 @@ EQUATIONS = (
 
 def applies(robot: Robot) -> Text | None:
     """Why the form does not apply to a robot; None where it does."""
-    return refusal(robot)
+    return neither_kind(robot)
 
 
 def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
@@ -49,7 +49,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
 
     Raises HelicoideError if T_world_tool is not a pose or if the form does not apply.
     """
-    return solved(robot, T_world_tool, q, _six, _five)
+    return postures_by_kind(robot, T_world_tool, q, _six, _five)
 
 
 def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:

@@ -146,7 +146,7 @@ def geometric(x: float, y: float, links: Annulus, sign: int, kept: float) -> Geo
 
 
 @dataclass(frozen=True)
-class Posture:
+class ElbowPosture:
     """One posture of the two links for a point: its name and the steps of both derivations."""
 
     name: Text
@@ -161,11 +161,11 @@ class Posture:
         return {**steps, "θ₁": one.theta1, "β": two.beta, "cos ψ": two.cos_psi, "ψ": two.psi}
 
 
-def postures(x: float, y: float, links: Annulus, kept: float) -> tuple[Posture, ...]:
+def elbow_postures(x: float, y: float, links: Annulus, kept: float) -> tuple[ElbowPosture, ...]:
     """Every posture of the links for a point: two inside, one on an edge, none outside. Args as in `algebraic`."""
     r = hypot(x, y)
     return tuple(
-        Posture(_name(sign, links, r), algebraic(x, y, links, sign, kept), geometric(x, y, links, sign, kept))
+        ElbowPosture(_name(sign, links, r), algebraic(x, y, links, sign, kept), geometric(x, y, links, sign, kept))
         for sign in links.elbows(r)
     )
 

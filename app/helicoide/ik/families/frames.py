@@ -11,20 +11,20 @@ Tool = tuple[Row, Row, Row]
 
 
 @kernel_into
-def row_of(a: Array) -> Row:
+def first_four(a: Array) -> Row:
     """The first four numbers of a row."""
     return a[0], a[1], a[2], a[3]
 
 
 @kernel_into
-def rows_of(T: Array) -> Tool:
+def pose_rows(T: Array) -> Tool:
     """A pose (4, 4), m, as its rows."""
-    return row_of(T[0]), row_of(T[1]), row_of(T[2])
+    return first_four(T[0]), first_four(T[1]), first_four(T[2])
 
 
 @kernel_into
 def framed(T_base_world: Array, T_world_tool: Array, T_tool_end: Array) -> Tool:
     """T_base_end = T_base_world T_world_tool T_tool_end, of poses (4, 4), m."""
-    tool, end = rows_of(T_world_tool), rows_of(T_tool_end)
-    x, y, z = rows_of(T_base_world)
+    tool, end = pose_rows(T_world_tool), pose_rows(T_tool_end)
+    x, y, z = pose_rows(T_base_world)
     return tool_row(tool_row(x, tool), end), tool_row(tool_row(y, tool), end), tool_row(tool_row(z, tool), end)

@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said, rows_of
+from helicoide.ik.postures.answer import Found, Said, stacked_postures
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.numeric import POSTURE
 from helicoide.kinematics.robot import Robot
@@ -22,25 +22,27 @@ COUNTED = Text(en="Postures: {n}.", pt_BR="Posturas: {n}.")
 OUTSIDE = Text(en="Out of reach by {short:.3g} mm.", pt_BR="Fora do alcance por {short:.3g} mm.")
 
 
-def listed(robot: Robot, T_world_tool: Array, q: Array, road: Callable[[Array, Array], Iterable[Steps]]) -> Found:
+def distinct_branches(
+    robot: Robot, T_world_tool: Array, q: Array, road: Callable[[Array, Array], Iterable[Steps]]
+) -> Found:
     """The postures that `road` yields for a tool pose, each once.
 
     Args: T_world_tool (4, 4), m: projected to the subspace of the arm first; q (n,), rad: kept where a joint is free;
     road: a closed form, as a function of the projected pose and q. Raises HelicoideError for an invalid pose or q.
     """
     now = robot.check_joints(q)
-    goal = subspace.project(robot, T_world_tool, now)
+    goal = subspace.project_to_subspace(robot, T_world_tool, now)
     found: list[Steps] = []
     for theta, values in road(goal.T_world_goal, now):
         if not any(np.abs(wrap(theta - other)).max() < MERGED for other, _ in found):
             found.append((theta, values))
-    short = 0.0 if found else subspace.beyond(robot, goal.T_world_goal, now)
+    short = 0.0 if found else subspace.distance_beyond(robot, goal.T_world_goal, now)
     told = Said(
         names=[POSTURE.format(n=n + 1) for n in range(len(found))],
         words=sentences(goal.words, COUNTED.format(n=len(found)) if found else OUTSIDE.format(short=1000 * short)),
         values=[values for _, values in found],
     )
-    rows = rows_of([theta for theta, _ in found], len(now))
+    rows = stacked_postures([theta for theta, _ in found], len(now))
     return Found(rows, goal.T_world_goal, told, goal.moved, goal.turned, short)
 
 

@@ -14,7 +14,7 @@ from numpy import empty
 
 from helicoide.arrays import Array
 from helicoide.ik.families.elbow import EDGE, Annulus
-from helicoide.ik.families.frames import Tool, row_of, rows_of
+from helicoide.ik.families.frames import Tool, first_four, pose_rows
 from helicoide.ik.families.pointing import into_plane
 from helicoide.ik.families.turret import Turret, normal_of, turret
 from helicoide.ik.families.two_links import bent, elbows, two_links
@@ -119,23 +119,23 @@ def mixed(a: Triple, c: float, b: Triple, s: float) -> Triple:
     return c * a[0] + s * b[0], c * a[1] + s * b[1], c * a[2] + s * b[2]
 
 
-def joint_values(arm: Array, T_world_tool: Array, q: Array) -> tuple[Array, Array, Array]:
+def movemaster_joint_values(arm: Array, T_world_tool: Array, q: Array) -> tuple[Array, Array, Array]:
     """Every posture for a tool pose (4, 4), m, whose hand is first rotated into the plane of the arm.
 
     Args: arm: `Side.packed`; q (5,), rad: where θ₁ or θ₂ is free, it is kept. Returns rows (k, 7): q, rad, whether the
     waist is turned back and the sign of the bend; the pose solved for, (4, 4), m; and the row NOTED.
     """
     rows, goal = empty((NOTED + 1, 7)), T_world_tool.copy()
-    return rows[: joint_values_into(arm, T_world_tool, q, rows, goal)], goal, rows[NOTED]
+    return rows[: movemaster_joint_values_into(arm, T_world_tool, q, rows, goal)], goal, rows[NOTED]
 
 
 @kernel_into
-def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, goal: Array) -> int:
-    """Write the results of `joint_values` into rows (5, 7), the last of them NOTED, and goal; returns the number."""
-    x, y, z = rows_of(arm[BASE:])
-    world = rows_of(T_world_tool)
+def movemaster_joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array, goal: Array) -> int:
+    """Write the results of `movemaster_joint_values` into rows (5, 7), the last NOTED, and goal; returns the number."""
+    x, y, z = pose_rows(arm[BASE:])
+    world = pose_rows(T_world_tool)
     tool = tool_row(x, world), tool_row(y, world), tool_row(z, world)
-    hand, two, signs, noted, k = three(arm[HAND]), row_of(arm[LINKS]), arm[SIGNS], rows[NOTED], 0
+    hand, two, signs, noted, k = three(arm[HAND]), first_four(arm[LINKS]), arm[SIGNS], rows[NOTED], 0
     M, _ = normal_of(tool, hand, signs[OVER], q[0])
     _, _, cosine, sine, tool = into_plane(tool, hand, M)
     for i in range(3 if abs(sine) > STILL else 0):

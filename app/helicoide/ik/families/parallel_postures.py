@@ -7,7 +7,7 @@ from math import atan2, sqrt
 from numpy import empty
 
 from helicoide.arrays import Array
-from helicoide.ik.families.frames import row_of
+from helicoide.ik.families.frames import first_four
 from helicoide.ik.families.parallel_arm import (
     AHEAD,
     AHEAD_TOOL,
@@ -127,14 +127,14 @@ def sixth_angle(arm: Array, u: Triple, there: Triple, kept: float) -> tuple[floa
 
 
 @kernel_into
-def postures(arm: Array, T: Array, q: Array, rows: Array) -> int:
+def parallel_axes_postures(arm: Array, T: Array, q: Array, rows: Array) -> int:
     """Write every posture for a tool pose (4, 4), m, into rows (8, 10): q, rad, and the columns above.
 
     Args: arm of `parallel_arm`; q (6,), rad: kept where a joint is free. Returns the number of postures.
     """
     k = 0
     s1, s5, s6, v = triple(arm[WAIST]), triple(arm[FIFTH]), triple(arm[SIXTH]), centre_from_waist(arm, T)
-    shoulder, hand, two = ending(arm, SHOULDER), ending(arm, HAND), row_of(arm[LINKS])
+    shoulder, hand, two = ending(arm, SHOULDER), ending(arm, HAND), first_four(arm[LINKS])
     waists, first, second = waist_angles(arm, v, q[0])
     for waist in range(waists):
         theta1 = first if waist == 0 else second
@@ -167,17 +167,17 @@ def postures(arm: Array, T: Array, q: Array, rows: Array) -> int:
     return k
 
 
-def joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
-    """The rows of `postures`, polished and verified, each once. Args as there."""
+def parallel_joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
+    """The rows of `parallel_axes_postures`, polished and verified, each once. Args as there."""
     rows = empty((9, 10))
     return rows[: verify(arm, T_world_tool, q, rows)]
 
 
 @kernel_into
 def verify(arm: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
-    """Write the rows of `joint_values` into rows (9, 10), of which the last is temporary; returns their number."""
+    """Write the rows of `parallel_joint_values` into rows (9, 10), the last temporary; returns their number."""
     goal, there, k = stand_of(T_world_tool), rows[8], 0
-    for found in range(postures(arm, T_world_tool, q, rows)):
+    for found in range(parallel_axes_postures(arm, T_world_tool, q, rows)):
         for i in range(LOOSE + 1):
             there[i] = rows[found, i]
         left = polished(arm[POLISHER:], T_world_tool, goal, there[:6])

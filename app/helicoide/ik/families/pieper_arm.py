@@ -166,7 +166,7 @@ def meridian(arm: Arm, theta2: Array, theta3: Array) -> tuple[Array, Array]:
     return np.hypot(c2 * f1 - s2 * f2 + arm.a[0], ca1 * across - sa1 * up), sa1 * across + ca1 * up
 
 
-def beyond(arm: Arm, p: Array) -> float:
+def pieper_distance_beyond(arm: Arm, p: Array) -> float:
     """The distance of a point (3,), m, from the workspace of the wrist centre, m, by a refined grid of θ2 and θ3."""
     out, (theta2, theta3), span = hypot(p[0], p[1]), np.zeros(2), np.pi
     far = np.zeros(0)

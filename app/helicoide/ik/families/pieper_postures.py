@@ -18,14 +18,14 @@ from helicoide.kinematics.chain import Chain
 from helicoide.kinematics.tool_kernels import write_pose
 
 ACCEPTED = 1e-9  # the largest error of a posture, m and rad
-# Columns of a posture after its q: the number of the posture of θ₁ to θ₃ (from 0 in `postures`, 1 in `joint_values`),
-# whether the wrist is flipped, and the free joints, as the sum of the three numbers below.
+# Columns of a posture after its q: the number of the posture of θ₁ to θ₃ (from 0 in `pieper_wrist_postures`, 1 in
+# `pieper_joint_values`), whether the wrist is flipped, and the free joints, as the sum of the three numbers below.
 ARM, FLIPPED, LOOSE = 6, 7, 8
 WAIST, SHOULDER, WRIST = 1, 2, 4
 
 
 @kernel
-def at(row: Array, c: float, s: float) -> float:
+def row_at(row: Array, c: float, s: float) -> float:
     """row₀ + row₁ cos θ₃ + row₂ sin θ₃."""
     return float(row[0] + row[1] * c + row[2] * s)
 
@@ -64,8 +64,8 @@ def second_angles(arm: Any, theta3: float, r: float, z: float, kept: float) -> t
     If a₁ or sα₁ is zero, only the other equation is used. kept: θ₂ where it is free, rad.
     """
     a1, sa1, c, s = arm["a"][0], sin(arm["alpha"][0]), cos(theta3), sin(theta3)
-    k1, minus_k2 = at(arm["f"][0], c, s), at(arm["f"][1], c, s)
-    k3, k4 = at(arm["k"][0], c, s), at(arm["k"][1], c, s)
+    k1, minus_k2 = row_at(arm["f"][0], c, s), row_at(arm["f"][1], c, s)
+    k3, k4 = row_at(arm["k"][0], c, s), row_at(arm["k"][1], c, s)
     if a1 < NONE:
         return linear(minus_k2, k1, (z - k4) / sa1, kept)
     x = (r - k3) / (2 * a1)
@@ -111,7 +111,7 @@ def wrist_angles(alpha: Array, M: Array, kept: float, flipped: bool) -> tuple[fl
 
 
 @kernel
-def postures(arm: Any, T: Array, kept: Array) -> Array:
+def pieper_wrist_postures(arm: Any, T: Array, kept: Array) -> Array:
     """Every θ for a pose of the wrist (4, 4), m, as rows (k, 9): θ, rad, and the columns above.
 
     Args: arm of PIEPER; kept (6,), rad: θ where a joint is free.
@@ -123,7 +123,7 @@ def postures(arm: Any, T: Array, kept: Array) -> Array:
     for third in range(third_angles(arm, r, z, kept[2], angles)):
         theta3 = angles[third]
         c, s = cos(theta3), sin(theta3)
-        f1, f2, f3 = at(arm["f"][0], c, s), at(arm["f"][1], c, s), at(arm["f"][2], c, s)
+        f1, f2, f3 = row_at(arm["f"][0], c, s), row_at(arm["f"][1], c, s), row_at(arm["f"][2], c, s)
         count, one, other = second_angles(arm, theta3, r, z, kept[1])
         for second in range(count):
             theta2 = one if second == 0 else other
@@ -169,7 +169,7 @@ def wrist_pose(arm: Any, T_world_tool: Array) -> Array:
 
 
 @kernel
-def joint_values(arms: Chain, table: Array, T_world_tool: Array, q: Array) -> Array:
+def pieper_joint_values(arms: Chain, table: Array, T_world_tool: Array, q: Array) -> Array:
     """Every posture for a tool pose (4, 4), m, polished and verified, each once: q, rad, and the columns above.
 
     Args: arms (1,) of PIEPER; table of `polish.polisher`; q (6,), rad: kept where a joint is free.
@@ -179,7 +179,7 @@ def joint_values(arms: Chain, table: Array, T_world_tool: Array, q: Array) -> Ar
     kept, there = np.empty(6), np.empty(6)
     for i in range(6):
         kept[i] = (q[5 - i] if backwards else q[i]) + shifts[i]
-    rows = postures(form, wrist_pose(form, T_world_tool), kept)
+    rows = pieper_wrist_postures(form, wrist_pose(form, T_world_tool), kept)
     k, number, last = 0, 0, -1.0
     for row in rows:
         for i in range(6):

@@ -8,7 +8,7 @@ from math import sqrt
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.families.frames import Tool, rows_of
+from helicoide.ik.families.frames import Tool, pose_rows
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.tool_kernels import Triple, cross, dot, tool_row
 
@@ -42,7 +42,7 @@ def turned_into_plane(T: Array, hand: Array, M: Array) -> Pointing:
 
     hand: the pointing direction in the frame of the tool, (3,), unit.
     """
-    K, Z, cosine, sine, R = into_plane(rows_of(np.ascontiguousarray(T)), tuple(hand.tolist()), tuple(M.tolist()))
+    K, Z, cosine, sine, R = into_plane(pose_rows(np.ascontiguousarray(T)), tuple(hand.tolist()), tuple(M.tolist()))
     return Pointing(M, np.array(K), np.array(Z), cosine, sine, np.array(R)[:, :3])
 
 

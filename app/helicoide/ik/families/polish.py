@@ -10,7 +10,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.postures.descent import descend
 from helicoide.ik.postures.errors import COLUMNS, goal_of
-from helicoide.ik.postures.listing import wrapped
+from helicoide.ik.postures.listing import wrapped_angle
 from helicoide.ik.postures.measure import Stand, measured, remains
 from helicoide.ik.postures.packed import LANES, PERIOD, WIDTH, behind_joints, search_of, wide
 from helicoide.kernels import kernel, kernel_into
@@ -77,7 +77,7 @@ def is_known(rows: Array, k: int, q: Array) -> bool:
     """Whether one of the first k rows equals the posture q (n,), rad, up to `MERGED` and full turns."""
     for i in range(k):
         j = 0
-        while j < q.shape[0] and abs(wrapped(rows[i, j] - q[j])) < MERGED:
+        while j < q.shape[0] and abs(wrapped_angle(rows[i, j] - q[j])) < MERGED:
             j += 1
         if j == q.shape[0]:
             return True

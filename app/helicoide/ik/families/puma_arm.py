@@ -80,7 +80,7 @@ def is_folded(side: float, pz: float, d3: float) -> bool:
 
 
 @kernel_into
-def postures(lengths: Array, wrist: Tool, kept: Triple, rows: Array) -> int:
+def puma_wrist_postures(lengths: Array, wrist: Tool, kept: Triple, rows: Array) -> int:
     """Write every θ, rad, and its number into rows (8, 7); returns how many there are.
 
     The order is shoulder +, −, for each elbow +, −, for each the wrist and its flip. Of equal postures only the first
@@ -130,28 +130,28 @@ def postures(lengths: Array, wrist: Tool, kept: Triple, rows: Array) -> int:
     return k
 
 
-def joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
-    """Every posture for a tool pose (4, 4), m, as rows (k, 7): q (6,), rad, and its number as in `postures`.
+def puma_joint_values(arm: Array, T_world_tool: Array, q: Array) -> Array:
+    """Every posture for a tool pose (4, 4), m, as rows (k, 7): q (6,), rad, and its number as in `puma_wrist_postures`.
 
     Args: arm: `Puma.packed`; q (6,), rad: kept where a joint is free.
     """
     rows = empty((8, 7))
-    return rows[: joint_values_into(arm, T_world_tool, q, rows)]
+    return rows[: puma_joint_values_into(arm, T_world_tool, q, rows)]
 
 
 @kernel_into
-def joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
-    """Write the rows of `joint_values` into rows (8, 7); returns their number."""
+def puma_joint_values_into(arm: Array, T_world_tool: Array, q: Array, rows: Array) -> int:
+    """Write the rows of `puma_joint_values` into rows (8, 7); returns their number."""
     shifts = arm[SHIFTS]
     kept = (q[0] + shifts[0], q[1] + shifts[1], q[3] + shifts[3])
-    count = postures(arm[LENGTHS_OF], framed(arm[WORLD:], T_world_tool, arm[TOOL:]), kept, rows)
+    count = puma_wrist_postures(arm[LENGTHS_OF], framed(arm[WORLD:], T_world_tool, arm[TOOL:]), kept, rows)
     for row in range(count):
         for joint in range(6):
             rows[row, joint] -= shifts[joint]
     return count
 
 
-def beyond(lengths: Array, p: Array) -> float:
+def puma_distance_beyond(lengths: Array, p: Array) -> float:
     """The distance of a point (3,), m, from the workspace of the wrist centre, m: a shell outside a cylinder.
 
     √(px² + py²) ≥ |d₃| and |a₂ − ρ| ≤ √(|p|² − d₃²) ≤ a₂ + ρ with ρ² = a₃² + d₄². Source: Campos 1998, s.55 (ranges).

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 from helicoide.arrays import Array
 from helicoide.ik.families.elbow_wrist import ElbowWrist, elbow_wrist
-from helicoide.ik.families.listed import Steps, listed
+from helicoide.ik.families.listed import Steps, distinct_branches
 from helicoide.ik.families.turret import Turret, turret
 from helicoide.ik.postures.answer import Found
 from helicoide.kinematics.robot import Robot
@@ -24,18 +24,18 @@ OR_FIVE = Text(
 )
 
 
-def refusal(robot: Robot) -> Text | None:
+def neither_kind(robot: Robot) -> Text | None:
     """Why a robot is neither kind of arm; None if it is one."""
     return OR_FIVE if elbow_wrist(robot) is None and turret(robot) is None else None
 
 
-def solved(robot: Robot, T_world_tool: Array, q: Array, by_six: Six, by_five: Five) -> Found:
+def postures_by_kind(robot: Robot, T_world_tool: Array, q: Array, by_six: Six, by_five: Five) -> Found:
     """Every posture for a tool pose (4, 4), m, by the steps for the kind of arm; q (n,), rad: kept where one is free.
 
     Raises HelicoideError for an invalid pose and for another kind of arm.
     """
     if (six := elbow_wrist(robot)) is not None:
-        return listed(robot, T_world_tool, q, lambda T, now: by_six(robot, six, T, now))
+        return distinct_branches(robot, T_world_tool, q, lambda T, now: by_six(robot, six, T, now))
     if (five := turret(robot)) is not None:
-        return listed(robot, T_world_tool, q, lambda T, now: by_five(robot, five, T, now))
+        return distinct_branches(robot, T_world_tool, q, lambda T, now: by_five(robot, five, T, now))
     raise HelicoideError(OR_FIVE)

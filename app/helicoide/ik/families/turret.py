@@ -12,7 +12,7 @@ from math import cos, sin, sqrt
 import numpy as np
 
 from helicoide.arrays import Array, frozen
-from helicoide.ik.families.frames import Tool, rows_of
+from helicoide.ik.families.frames import Tool, pose_rows
 from helicoide.ik.families.pointing import Pointing, turned_into_plane
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.robot import Robot
@@ -47,7 +47,7 @@ class Turret:
         Where the tool is over the first axis, the plane is the one in which it points. If it also points along the
         axis, θ₁, rad, is kept. Source: Campos 1998, s.55; Craig, ch. 4.
         """
-        M, is_free = normal_of(rows_of(T_base_tool), tuple(self.hand.tolist()), self.over, theta1)
+        M, is_free = normal_of(pose_rows(T_base_tool), tuple(self.hand.tolist()), self.over, theta1)
         return np.array(M), is_free
 
     def pointed(self, T_world_tool: Array, theta1: float) -> tuple[Pointing, Array]:

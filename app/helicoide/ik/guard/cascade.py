@@ -50,15 +50,15 @@ def orthonormalised(rows: Array, basis: Array, count: int, smallest: float) -> i
     while count < n:
         longest, square = -1, smallest * smallest
         for i in range(rows.shape[0]):
-            if qp.dot(rows[i], rows[i]) > square:
-                longest, square = i, qp.dot(rows[i], rows[i])
+            if qp.inner_product(rows[i], rows[i]) > square:
+                longest, square = i, qp.inner_product(rows[i], rows[i])
         if longest < 0:
             break
         for k in range(n):
             basis[count, k] = rows[longest, k] / np.sqrt(square)
         for i in range(rows.shape[0]):
             for _ in range(2):
-                along = qp.dot(rows[i], basis[count])
+                along = qp.inner_product(rows[i], basis[count])
                 for k in range(n):
                     rows[i, k] = rows[i, k] - along * basis[count, k] if i != longest else 0.0
         count += 1
@@ -72,7 +72,7 @@ def null_space(J: Array) -> Array:
     rows, basis, rest = J.copy(), np.zeros((n, n)), np.eye(n)
     largest = 0.0
     for i in range(J.shape[0]):
-        largest = max(largest, qp.dot(J[i], J[i]))
+        largest = max(largest, qp.inner_product(J[i], J[i]))
     rank = orthonormalised(rows, basis, 0, DEPENDENT * np.sqrt(largest)) if largest > 0.0 else 0
     for i in range(n):
         for k in range(rank):
@@ -122,7 +122,7 @@ def reduced_rows(A: Array, lower: Array, upper: Array, Z: Array, x: Array) -> tu
             for j in range(free):
                 rows[i, j] += entry * Z[k, j]
         low[i], high[i] = lower[i] - done, upper[i] - done
-        if qp.dot(rows[i], rows[i]) < NEGLIGIBLE * NEGLIGIBLE * square:
+        if qp.inner_product(rows[i], rows[i]) < NEGLIGIBLE * NEGLIGIBLE * square:
             for j in range(free):
                 rows[i, j] = 0.0
     return rows, low, high
@@ -142,18 +142,18 @@ def within_rest(
     HZ = times(H, Z)
     H_rest, g_rest = np.zeros((free, free)), np.zeros(free)
     for i in range(n):
-        slope = g[i] - qp.dot(H[i], x)
+        slope = g[i] - qp.inner_product(H[i], x)
         for j in range(free):
             g_rest[j] += Z[i, j] * slope
             for k in range(free):
                 H_rest[j, k] += Z[i, j] * HZ[i, k]
     rows, low, high = reduced_rows(A, lower, upper, Z, x)
-    u, multipliers, verdict = qp.solve(H_rest, g_rest, rows, low, high)
+    u, multipliers, verdict = qp.solve_qp(H_rest, g_rest, rows, low, high)
     if verdict != qp.SOLVED:
         return x, np.zeros(lower.shape[0])
     moved = x.copy()
     for i in range(n):
-        moved[i] += qp.dot(Z[i], u)
+        moved[i] += qp.inner_product(Z[i], u)
     return moved, multipliers
 
 
@@ -172,7 +172,9 @@ def first_level(
 
 
 @kernel
-def descend(task: Task, begins: Indices, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array) -> int:
+def solve_cascade(
+    task: Task, begins: Indices, A: Array, lower: Array, upper: Array, x: Array, multipliers: Array
+) -> int:
     """Write the displacement x that solves the levels one after another, with lower ≤ [I; A] x ≤ upper.
 
     Args: task: J (r, n), v (r,), weights (r,), damping d (n,); begins: the rows at which further levels begin, empty

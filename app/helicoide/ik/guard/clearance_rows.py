@@ -79,8 +79,8 @@ def raise_bounds(
         if after[j, LEFT] >= allowed:
             continue
         if number < at.by_planes:
-            lower[n + j] += 1.1 * (near[j, LEFT] + qp.dot(A[j], step) - after[j, LEFT])
+            lower[n + j] += 1.1 * (near[j, LEFT] + qp.inner_product(A[j], step) - after[j, LEFT])
             continue
         row, pair = j + spare, at.pairs + number - at.by_planes
         there = collision.witness_row(A, row, arm, at, pair, points, after[j, S], after[j, T], poses, axes)
-        lower[n + row] = allowed - there + 1.1 * (there + qp.dot(A[row], step) - after[j, LEFT])
+        lower[n + row] = allowed - there + 1.1 * (there + qp.inner_product(A[row], step) - after[j, LEFT])

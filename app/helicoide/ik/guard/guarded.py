@@ -79,7 +79,7 @@ def relax_bounds(
     task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
     multipliers: Array,
 ) -> int:  # fmt: skip
-    """`cascade.descend` once more after it was infeasible, with wider acceleration bounds.
+    """`cascade.solve_cascade` once more after it was infeasible, with wider acceleration bounds.
 
     They are widened to include the feasible point nearest to constant velocity, Δq = q̇ dt.
     Args: lower, upper (m,): changed in place; box of `motion_box`.
@@ -89,14 +89,14 @@ def relax_bounds(
     for i in range(n):
         before[0, i], before[1, i], going_on[i] = lower[i], upper[i], rates[i] * dt
         lower[i], upper[i] = box[HARD_DOWN, i], box[HARD_UP, i]
-    nearest, _, verdict = qp.project(A, lower, upper, going_on)
+    nearest, _, verdict = qp.project_into_limits(A, lower, upper, going_on)
     if verdict != qp.SOLVED:
         x[:] = 0.0
         return verdict
     for i in range(n):
         lower[i] = max(box[HARD_DOWN, i], min(before[0, i], nearest[i] - ROUNDING))
         upper[i] = min(box[HARD_UP, i], max(before[1, i], nearest[i] + ROUNDING))
-    if cascade.descend(task, begins, A, lower, upper, x, multipliers) != qp.SOLVED:
+    if cascade.solve_cascade(task, begins, A, lower, upper, x, multipliers) != qp.SOLVED:
         x[:] = nearest
     return qp.SOLVED
 
@@ -235,12 +235,12 @@ def solve_again(
     multipliers: Array, before: Array, multipliers_before: Array, spare: Array,
 ) -> bool:  # fmt: skip
     """`solve_one` once more; without a solution, x and the multipliers are restored."""
-    qp.copy(x, before)
-    qp.copy(multipliers, multipliers_before)
+    qp.copy_into(x, before)
+    qp.copy_into(multipliers, multipliers_before)
     is_solved = solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
     if not is_solved:
-        qp.copy(before, x)
-        qp.copy(multipliers_before, multipliers)
+        qp.copy_into(before, x)
+        qp.copy_into(multipliers_before, multipliers)
     return is_solved
 
 

@@ -63,7 +63,7 @@ def linearise_entry(task: Task, step: Array, asked: Array, away: Array, after: A
     J, v, _, _ = task
     settled = True
     for i in range(2):
-        bent = asked[i] + after[i] - away[i] + qp.dot(J[i], step)
+        bent = asked[i] + after[i] - away[i] + qp.inner_product(J[i], step)
         settled = settled and abs(bent - v[i]) < SETTLED
         v[i] = bent
     return settled
@@ -77,12 +77,12 @@ def entry_pull(task: Task, begins: Indices, A: Array, step: Array, multipliers: 
     H, g = np.empty((n, n)), np.empty(n)
     cascade.normal_equations(task, 2, begins[1] if begins.shape[0] > 1 else J.shape[0], H, g)
     for i in range(step.shape[0]):
-        g[i] -= qp.dot(H[i], step)
+        g[i] -= qp.inner_product(H[i], step)
         g[i] += multipliers[1, i]
         for r in range(A.shape[0]):
             g[i] += A[r, i] * multipliers[1, J.shape[1] + r]
-    a, b, c = qp.dot(J[0], J[0]), qp.dot(J[0], J[1]), qp.dot(J[1], J[1])
-    s, t = qp.dot(J[0], g), qp.dot(J[1], g)
+    a, b, c = qp.inner_product(J[0], J[0]), qp.inner_product(J[0], J[1]), qp.inner_product(J[1], J[1])
+    s, t = qp.inner_product(J[0], g), qp.inner_product(J[1], g)
     determinant = max(a * c - b * b, 1e-12 * a * c)
     return float(np.sqrt((c * s - b * t) ** 2 + (a * t - b * s) ** 2) / determinant) if determinant > 0.0 else 0.0
 
@@ -92,8 +92,8 @@ def solve_levels(
     task: Task, begins: Indices, A: Array, lower: Array, upper: Array, box: Array, rates: Array, dt: float, x: Array,
     multipliers: Array,
 ) -> int:  # fmt: skip
-    """`cascade.descend`; where it is infeasible, the acceleration bounds are widened by `relax_bounds`."""
-    verdict = cascade.descend(task, begins, A, lower, upper, x, multipliers)
+    """`cascade.solve_cascade`; where it is infeasible, the acceleration bounds are widened by `relax_bounds`."""
+    verdict = cascade.solve_cascade(task, begins, A, lower, upper, x, multipliers)
     if verdict != qp.SOLVED:
         verdict = relax_bounds(task, begins, A, lower, upper, box, rates, dt, x, multipliers)
     return verdict

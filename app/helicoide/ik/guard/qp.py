@@ -20,7 +20,7 @@ ROUNDING = 1e-12
 
 
 @kernel_into
-def dot(a: Array, b: Array) -> float:
+def inner_product(a: Array, b: Array) -> float:
     """a·b without BLAS, whose call costs more than the sum of a few products."""
     total = 0.0
     for i in range(a.shape[0]):
@@ -29,7 +29,7 @@ def dot(a: Array, b: Array) -> float:
 
 
 @kernel_into
-def copy(a: Array, b: Array) -> None:
+def copy_into(a: Array, b: Array) -> None:
     """Write a (n,) into b."""
     for i in range(a.shape[0]):
         b[i] = a[i]
@@ -77,7 +77,7 @@ def rounding(L: Array, y: Array, x: Array) -> float:
     softest = 0.0
     for i in range(x.shape[0]):
         softest = max(softest, L[i, i])
-    return float(ROUNDING * (1.0 + np.sqrt(dot(x, x)) + softest * np.sqrt(dot(y, y))))
+    return float(ROUNDING * (1.0 + np.sqrt(inner_product(x, x)) + softest * np.sqrt(inner_product(y, y))))
 
 
 @kernel_into
@@ -141,13 +141,13 @@ def split(c: Array, Q: Array, R: Array, count: int, z: Array, r: Array) -> float
         for k in range(j + 1, count):
             r[j] -= R[j, k] * r[k]
         r[j] /= R[j, j]
-    return dot(z, z)
+    return inner_product(z, z)
 
 
 @kernel_into
 def append(Q: Array, R: Array, count: int, z: Array) -> None:
     """Add an active row to Q and R. Args: z: the rest of the row, of `split`."""
-    length = np.sqrt(dot(z, z))
+    length = np.sqrt(inner_product(z, z))
     for k in range(z.shape[0]):
         Q[count, k] = z[k] / length
     R[count, count] = length
@@ -200,8 +200,8 @@ def active_set(
             for j in range(count):
                 if r[j] > 1e-12 and force[j] / r[j] < step:
                     out, step = j, force[j] / r[j]
-            if curvature > 1e-20 * dot(entering, entering) and count < n:
-                full = (bound - dot(entering, y)) / curvature
+            if curvature > 1e-20 * inner_product(entering, entering) and count < n:
+                full = (bound - inner_product(entering, y)) / curvature
             if step == np.inf and full == np.inf:
                 return INFEASIBLE
             t = min(step, full)
@@ -228,8 +228,8 @@ def active_set(
 
 
 @kernel
-def project(A: Array, lower: Array, upper: Array, x: Array) -> tuple[Array, Array, int]:
-    """The point nearest to x (n,) where lower ≤ [I; A] x ≤ upper; arguments and results as in `solve`."""
+def project_into_limits(A: Array, lower: Array, upper: Array, x: Array) -> tuple[Array, Array, int]:
+    """The point nearest to x (n,) where lower ≤ [I; A] x ≤ upper; arguments and results as in `solve_qp`."""
     y, nearest, multipliers = x.copy(), x.copy(), np.zeros(lower.shape[0])
     spare = np.empty(room(x.shape[0]))
     verdict = active_set(np.eye(x.shape[0]), y, nearest, A, lower, upper, multipliers, spare)
@@ -256,7 +256,7 @@ def solve_into(
 
 
 @kernel
-def solve(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
+def solve_qp(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
     """`solve_into` with new arrays and H and g unchanged: x, the multipliers and the verdict."""
     x, multipliers, spare = np.empty(g.shape[0]), np.empty(lower.shape[0]), np.empty(room(g.shape[0]))
     return x, multipliers, solve_into(H.copy(), g.copy(), A, lower, upper, x, multipliers, spare)

@@ -127,7 +127,7 @@ def updated(task: Task, memory: Memory, options: Options) -> Memory:
     Source: Vargas 2013, eq. 4.61; ch. 5 for the feed-forward.
     """
     J, Theta = task.J, memory.Theta
-    following = filtered_inverse.stepped(J, Theta, options.gain, task.dt, options.parts, options.step)
+    following = filtered_inverse.filter_step(J, Theta, options.gain, task.dt, options.parts, options.step)
     if options.ahead and memory.before is not None and np.linalg.svd(J, compute_uv=False)[-1] > options.above:
         following = following - Theta @ (J - memory.before) @ Theta
     if np.abs(following).max() > LARGEST:
@@ -135,7 +135,7 @@ def updated(task: Task, memory: Memory, options: Options) -> Memory:
     return Memory(frozen(following), J)
 
 
-def modes(memory: Memory, options: Options) -> Diagnosis | None:
+def filter_modes(memory: Memory, options: Options) -> Diagnosis | None:
     """Θ in the singular directions of the previous Jacobian; None before the first step. Source: Vargas 2013, §4.4."""
     if memory.before is None:
         return None

@@ -51,14 +51,14 @@ def cost(problem: Problem, posture: Posture, options: Options) -> Cost:
     At a singular posture w is not differentiable; the one-sided gradient given there leads out of it.
     """
     turns = counted_rows(problem.robot, options.of == "pose")[3:].any()
-    J, rates = tool_jacobian(problem, posture.poses, 6 if turns else 3)
+    J, rates = tool_jacobian_and_rates(problem, posture.poses, 6 if turns else 3)
     found, r = analyse_jacobian(J), generic_rank(problem.robot, len(J))
     sigma, U, V = found.sigma[:r], found.U[:, :r], found.V[:, :r]
     others = np.array([np.prod(np.delete(sigma, i)) for i in range(r)])
     return Cost(-float(np.prod(sigma)), -np.einsum("i,ai,abk,bi->k", others, U, rates, V, optimize=True))
 
 
-def tool_jacobian(problem: Problem, poses: Array, rows: int) -> tuple[Array, Array]:
+def tool_jacobian_and_rates(problem: Problem, poses: Array, rows: int) -> tuple[Array, Array]:
     """The tool's J (rows, n), lengths divided by ℓ as in `clik.tool_task_error`, and ∂J/∂q (rows, n, n).
 
     Column i of J is (vᵢ, ωᵢ). ∂vᵢ/∂qⱼ = ω_min(i,j) × v_max(i,j); ∂ωᵢ/∂qⱼ = ωⱼ × ωᵢ for j < i, else 0.

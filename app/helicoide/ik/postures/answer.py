@@ -160,18 +160,18 @@ class Answer:
         return Answer(self.rows[list(places)], self.found)
 
 
-def in_order(robot: Robot, found: Found, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Answer:
-    """The answer with the postures in the order of `listing.in_order`. Args: T_world_tool: the asked pose (4, 4), m."""
-    return Answer(listing.in_order(robot, found.q, T_world_tool, found.T_world_goal, q, with_orientation), found)
+def answer_in_order(robot: Robot, found: Found, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Answer:
+    """The answer in the order of `listing.listed_in_order`. Args: T_world_tool: the asked pose (4, 4), m."""
+    return Answer(listing.listed_in_order(robot, found.q, T_world_tool, found.T_world_goal, q, with_orientation), found)
 
 
-def as_found(robot: Robot, found: Found, T_world_tool: Array, with_orientation: bool = True) -> Answer:
+def answer_as_found(robot: Robot, found: Found, T_world_tool: Array, with_orientation: bool = True) -> Answer:
     """The answer with the postures in the order in which they were found."""
     T = check_pose(T_world_tool)
-    return Answer(listing.as_found(robot, found.q, T, found.T_world_goal, with_orientation), found)
+    return Answer(listing.listed_as_found(robot, found.q, T, found.T_world_goal, with_orientation), found)
 
 
-def rows_of(postures: Sequence[Array], n: int) -> Array:
+def stacked_postures(postures: Sequence[Array], n: int) -> Array:
     """Postures (n,) as rows (k, n), also for k = 0."""
     return np.array(postures, dtype=np.float64).reshape(len(postures), n)
 

@@ -50,7 +50,7 @@ def forward(F: Factors, v: Triple) -> Triple:
 
 
 @kernel_into
-def divided(F: Factors, v: Triple) -> Triple:
+def divided_by_pivots(F: Factors, v: Triple) -> Triple:
     """D⁻¹ v."""
     _, d = F
     return d[0] * v[0], d[1] * v[1], d[2] * v[2]
@@ -65,7 +65,7 @@ def backward(F: Factors, v: Triple) -> Triple:
 
 
 @kernel_into
-def solved(columns: Array, e: Error, damping: float) -> Error:
+def solve_damped(columns: Array, e: Error, damping: float) -> Error:
     """y of (J Jᵀ + λ) y = e: with P = L D Lᵀ and H = L⁻¹ Qᵀ, first (R − Hᵀ D⁻¹ H) y₂ = e₂ − Hᵀ D⁻¹ L⁻¹ e₁, then y₁.
 
     Args: columns (n, ≥ 6) of J, position first; damping: λ > 0, without which arms with fewer than six joints have no
@@ -80,10 +80,10 @@ def solved(columns: Array, e: Error, damping: float) -> Error:
         x, y, z = plus(x, w[0], v), plus(y, w[1], v), plus(z, w[2], v)
     F = factors(P)
     x, y, z, e1 = forward(F, x), forward(F, y), forward(F, z), forward(F, (e[0], e[1], e[2]))
-    a, b, c = divided(F, x), divided(F, y), divided(F, z)
+    a, b, c = divided_by_pivots(F, x), divided_by_pivots(F, y), divided_by_pivots(F, z)
     xx, xy, xz, yy, yz, zz = R
     G = factors((xx - dot(x, a), xy - dot(x, b), xz - dot(x, c), yy - dot(y, b), yz - dot(y, c), zz - dot(z, c)))
     e2 = (e[3] - dot(a, e1), e[4] - dot(b, e1), e[5] - dot(c, e1))
-    y2 = backward(G, divided(G, forward(G, e2)))
-    y1 = backward(F, divided(F, plus(plus(plus(e1, -y2[0], x), -y2[1], y), -y2[2], z)))
+    y2 = backward(G, divided_by_pivots(G, forward(G, e2)))
+    y1 = backward(F, divided_by_pivots(F, plus(plus(plus(e1, -y2[0], x), -y2[1], y), -y2[2], z)))
     return y1[0], y1[1], y1[2], y2[0], y2[1], y2[2]

@@ -9,7 +9,7 @@ from numpy import empty
 from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
-from helicoide.ik.task import rotation_vector
+from helicoide.ik.task import rotation_error
 from helicoide.kernels import kernel_into
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -46,7 +46,7 @@ def tool_at(robot: Robot, q: Array) -> Array:
 
 def between(T_world_a: Array, T_world_b: Array) -> tuple[float, float]:
     """From one pose (4, 4), m, to another: the distance of their origins, m, and the angle of R_b R_aᵀ, rad."""
-    turn = rotation_vector(T_world_b[:3, :3].copy(), T_world_a[:3, :3].copy())
+    turn = rotation_error(T_world_b[:3, :3].copy(), T_world_a[:3, :3].copy())
     return float(np.linalg.norm(T_world_b[:3, 3] - T_world_a[:3, 3])), float(np.linalg.norm(turn))
 
 

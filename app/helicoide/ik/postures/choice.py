@@ -83,7 +83,7 @@ def alike(robot: Robot) -> Array:
     return frozen([1.0 / robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables])
 
 
-def nearest(rows: Sequence[Ranked]) -> Ranked | None:
+def first_usable(rows: Sequence[Ranked]) -> Ranked | None:
     """The first posture of a ranking that is not dropped; None where all are."""
     return next((row for row in rows if row.dropped is None), None)
 

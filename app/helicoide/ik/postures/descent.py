@@ -6,7 +6,7 @@ It minimises ½ e², e = (Δp / ℓ, w θ a), within the joint limits:
 
 Source: Chan and Lawrence 1988, General inverse kinematics with the error damped pseudoinverse, and Sugihara 2011,
 Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method: λ ∝ e². Joints at a limit: Bertsekas 1982,
-Projected Newton methods. For goals out of reach `settle` adapts λ as in Marquardt 1963. Shapes are not checked.
+Projected Newton methods. For goals out of reach `minimise_error` adapts λ as in Marquardt 1963. Shapes are not checked.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.postures.blocks import Error, solved
+from helicoide.ik.guard.qp import copy_into
+from helicoide.ik.postures.blocks import Error, solve_damped
 from helicoide.ik.postures.errors import COLUMNS, Goal, linearised, squares
 from helicoide.ik.postures.packed import (
     HELD,
@@ -34,9 +35,9 @@ from helicoide.kernels import kernel_into
 
 DAMPING = 0.1  # λ / e²; the ½ and 1 of the sources take 1.5 times as many steps
 LEAST = 1e-12  # added to λ: keeps the system solvable at the goal, also with fewer than six joints
-SLACK = 1e-9  # the smallest λ of `settle`: with a smaller one rounding errors of e / λ exceed the step
+SLACK = 1e-9  # the smallest λ of `minimise_error`: with a smaller one rounding errors of e / λ exceed the step
 HOPELESS = 0.02  # `descend` fails where a step is predicted to reduce e² by less than this fraction
-SETTLED = 1e-14  # `settle` ends where a step is predicted to reduce e² by less than this fraction
+SETTLED = 1e-14  # `minimise_error` ends where a step is predicted to reduce e² by less than this fraction
 
 
 @kernel_into
@@ -98,18 +99,11 @@ def descend(table: Array, goal: Goal, q: Array, room: Array) -> tuple[int, float
             return step, setting[REACH] * np.sqrt(p), np.sqrt(r)
         leave_out(table, q, e, columns)
         damping = DAMPING * (p + r) + LEAST
-        y = solved(columns, e, damping)
+        y = solve_damped(columns, e, damping)
         if p + r - damping * by(e, y) < HOPELESS * (p + r):
             return -step - 1, np.inf, np.inf
         step_to(table, q, columns, y, q)
     return -steps, np.inf, np.inf
-
-
-@kernel_into
-def copy(a: Array, b: Array) -> None:
-    """Write a into b, both (n,), without the temporary array of `b[:] = a`."""
-    for i in range(a.shape[0]):
-        b[i] = a[i]
 
 
 @kernel_into
@@ -122,7 +116,7 @@ def promised(columns: Array, e: Error, y: Error) -> float:
 
 
 @kernel_into
-def settle(table: Array, goal: Goal, q: Array, trial: Array, room: Array) -> float:
+def minimise_error(table: Array, goal: Goal, q: Array, trial: Array, room: Array) -> float:
     """One search from q, in place, for the minimum of e², which is returned; only steps that reduce e² are taken.
 
     Args: as in `descend`; trial (n,): temporary posture.
@@ -134,13 +128,13 @@ def settle(table: Array, goal: Goal, q: Array, trial: Array, room: Array) -> flo
     damping = DAMPING * least + LEAST
     for _ in range(int(table[SETTING, STEPS])):
         leave_out(table, q, e, columns)
-        y = solved(columns, e, damping)
+        y = solve_damped(columns, e, damping)
         if promised(columns, e, y) <= SETTLED * least:
             break
         step_to(table, q, columns, y, trial)
         tried = sum(squares(linearised(table, goal, trial, room)))
         if tried < least:
-            copy(trial, q)
+            copy_into(trial, q)
             least, damping = tried, max(damping / 3.0, SLACK)
         else:
             damping *= 4.0

@@ -43,7 +43,7 @@ def rotation(a: Array) -> Rows:
 
 
 @kernel_into
-def turned(R: Rows, v: Triple) -> Triple:
+def rotated(R: Rows, v: Triple) -> Triple:
     """R v."""
     return dot(R[0], v), dot(R[1], v), dot(R[2], v)
 
@@ -55,7 +55,7 @@ def goal_of(table: Array, T: Array) -> Goal:
     R = (T[0, 0], T[0, 1], T[0, 2]), (T[1, 0], T[1, 1], T[1, 2]), (T[2, 0], T[2, 1], T[2, 2])
     scale = 1.0 / table[SETTING, REACH]
     p = (scale * T[0, 3], scale * T[1, 3], scale * T[2, 3])
-    return (turned(base, turned(R, x)), turned(base, turned(R, y)), turned(base, turned(R, z))), turned(base, p)
+    return (rotated(base, rotated(R, x)), rotated(base, rotated(R, y)), rotated(base, rotated(R, z))), rotated(base, p)
 
 
 @kernel_into

@@ -22,7 +22,7 @@ REACHED = 1e-5  # the largest errors of a goal that counts as reached, m and rad
 
 
 @lru_cache(maxsize=64)
-def listed(robot: Robot) -> Array:
+def listing_table(robot: Robot) -> Array:
     """A robot packed for the kernel, (m + 1 + n, 10): the rows of `measured`, then those of the variables.
 
     All variables have equal weights, as in `choice.alike`.
@@ -33,7 +33,7 @@ def listed(robot: Robot) -> Array:
     return np.concatenate([measured(robot), joints])
 
 
-def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, with_orientation: bool) -> Array:
+def listed_in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, with_orientation: bool) -> Array:
     """Postures in order: those that reach the solved pose first, among them those within the limits, then by cost.
 
     Each periodic joint takes the shorter way from q where its limits allow it.
@@ -41,18 +41,18 @@ def in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, 
     m. Returns (k, n + 7), with the columns above.
     """
     rows = empty((len(found), len(q) + 7))
-    list_into(listed(robot), found, asked, solved, q, with_orientation, True, rows)
+    list_into(listing_table(robot), found, asked, solved, q, with_orientation, True, rows)
     return rows
 
 
-def as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
+def listed_as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
     """Postures in the order in which they were found, with angles in (−π, π] where the limits allow it.
 
-    Arguments and result as in `in_order`.
+    Arguments and result as in `listed_in_order`.
     """
     still = np.zeros(len(robot.variables))
     rows = empty((len(found), len(still) + 7))
-    list_into(listed(robot), found, asked, solved, still, with_orientation, False, rows)
+    list_into(listing_table(robot), found, asked, solved, still, with_orientation, False, rows)
     return rows
 
 
@@ -62,7 +62,7 @@ def column(rows: Array, which: int) -> Array:
 
 
 @kernel_into
-def wrapped(x: float) -> float:
+def wrapped_angle(x: float) -> float:
     """The same angle in (−π, π]."""
     y = x - 2 * np.pi * np.ceil((x - np.pi) / (2 * np.pi))
     return y if y > -np.pi else np.pi
@@ -79,7 +79,7 @@ def into_limits(joint: Array, x: float) -> float:
     """An angle in (−π, π], or plus 2πk where only that is within the limits; a joint that is not periodic: x itself."""
     if joint[WHOLE] == 0.0:
         return x
-    angle = wrapped(x)
+    angle = wrapped_angle(x)
     if keeps(joint, angle):
         return angle
     turns = max(np.ceil((joint[LOWER] - ON_LIMIT - angle) / (2 * np.pi)), 0.0)
@@ -91,7 +91,7 @@ def into_limits(joint: Array, x: float) -> float:
 @kernel_into
 def way_to(joint: Array, x: float, now: float) -> float:
     """The displacement of a joint from `now` to a value, the shorter one if it is periodic."""
-    return wrapped(x - now) if joint[WHOLE] > 0.0 else x - now
+    return wrapped_angle(x - now) if joint[WHOLE] > 0.0 else x - now
 
 
 @kernel_into
@@ -116,7 +116,10 @@ def list_into(
     ordered: bool,
     rows: Array,
 ) -> None:
-    """Write the rows of `in_order`, or those of `as_found`. Source: Campos 1998, s.17 (the choice of the nearest)."""
+    """Write the rows of `listed_in_order`, or those of `listed_as_found`.
+
+    Source: Campos 1998, s.17 (the choice of the nearest).
+    """
     n, k = now.shape[0], found.shape[0]
     arm, joints = robot[: robot.shape[0] - n], robot[robot.shape[0] - n :]
     wished, goal = stand_of(asked), stand_of(solved)

@@ -12,7 +12,7 @@ from helicoide.kinematics.robot import Robot
 STEPS, SEARCHES = 200, 12
 
 
-def nearest(robot: Robot, T_world_goal: Array, q: Array, with_orientation: bool) -> Array:
+def nearest_posture(robot: Robot, T_world_goal: Array, q: Array, with_orientation: bool) -> Array:
     """The best of several minima of ‖Δp‖²/ℓ² + ‖Δθ‖², ℓ the reach, or of ‖Δp‖² alone: (n,), rad or m.
 
     Prismatic joints keep their limits, angles are free. The searches start at q (n,) and at fixed other postures. The

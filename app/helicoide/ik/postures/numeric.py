@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
 from helicoide.ik.postures import listing
-from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Said, in_order
+from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Said, answer_in_order
 from helicoide.ik.postures.branch import check_pose
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.packed import PERIOD, UNIT, Search, behind_joints, limited, search_of, wide
@@ -73,7 +73,7 @@ def _towards(robot: Robot, with_orientation: bool) -> Search:
     return search_of(robot, limited(robot), weight, WITHIN, APPROACH_STEPS, APPROACHES)
 
 
-def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Array:
+def first_posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool = True) -> Array:
     """The first posture found within the limits, to 10⁻⁶ m and rad; the first search starts at q.
 
     Args: T_world_tool (4, 4), m; q (n,), rad or m; both unchecked. Returns (n + 4,), as `restarts.search` writes it.
@@ -85,29 +85,29 @@ def posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation: bool 
     return answer
 
 
-def solve(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
+def solve_numerically(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
     """One posture within the limits; the nearest that was found where none reaches the goal.
 
     Args: T_world_tool (4, 4), m; q (n,), rad or m: the start of the first search; with_orientation: False for the
     position alone. Raises HelicoideError for an invalid pose, or unless q has n finite values.
     """
     goal, start = check_pose(T_world_tool), robot.check_joints(q)
-    return in_order(robot, one(robot, goal, start, with_orientation), goal, start, with_orientation)
+    return answer_in_order(robot, one(robot, goal, start, with_orientation), goal, start, with_orientation)
 
 
 def branches(robot: Robot, T_world_tool: ArrayLike, q: ArrayLike, with_orientation: bool = True) -> Answer:
     """Every posture that restarts find, within the limits or not, to 10⁻⁹ m and rad, the nearest first.
 
     Some of them where there are infinitely many; the nearest one within the limits where none is found.
-    Arguments and errors as in `solve`.
+    Arguments and errors as in `solve_numerically`.
     """
     goal, start = check_pose(T_world_tool), robot.check_joints(q)
-    return in_order(robot, every(robot, goal, start, with_orientation), goal, start, with_orientation)
+    return answer_in_order(robot, every(robot, goal, start, with_orientation), goal, start, with_orientation)
 
 
 def one(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
-    """`solve` as a `Found`; arguments are not checked."""
-    found = posture(robot, goal, start, with_orientation)
+    """`solve_numerically` as a `Found`; arguments are not checked."""
+    found = first_posture(robot, goal, start, with_orientation)
     if found[-4] == np.inf:
         return _nearest(robot, goal, start, with_orientation)
     return Found(found[None], goal, Reached(int(found[-1])))
@@ -115,12 +115,12 @@ def one(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Foun
 
 def every(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
     """`branches` as a `Found`; arguments are not checked."""
-    rows, searches = gathered(robot, goal, start, with_orientation, MOST)
+    rows, searches = distinct_postures(robot, goal, start, with_orientation, MOST)
     if not len(rows):
         return _nearest(robot, goal, start, with_orientation)
     endless = any(_is_endless(robot, row, goal, with_orientation) for row in rows)
     words = (ENDLESS if endless else FOUND).format(n=len(rows), s="s"[: len(rows) > 1], searches=searches)
-    ordered = listing.in_order(robot, rows, goal, goal, start, with_orientation)
+    ordered = listing.listed_in_order(robot, rows, goal, goal, start, with_orientation)
     rows = rows[listing.column(ordered, listing.NUMBER).astype(int)]
     return Found(rows, goal, Said([POSTURE.format(n=n + 1) for n in range(len(rows))], words))
 
@@ -145,7 +145,7 @@ class Reached:
         return REACHED.format(searches=self.searches, es="es"[: 2 * more], s="s"[:more])
 
 
-def gathered(robot: Robot, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
+def distinct_postures(robot: Robot, goal: Array, start: Array, with_orientation: bool, most: int) -> tuple[Array, int]:
     """Different postures (k, n), within the limits or not, and the number of searches; arguments are not checked.
 
     The search ends with `most` postures, after `MOST_SEARCHES`, or after `PATIENCE` repeated ones since the last new.
@@ -181,7 +181,7 @@ def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) ->
     """The nearest posture within the limits; the words say whether others reach the goal."""
     q = approached(_towards(robot, with_orientation), goal, start)
     missed, turned = left(robot, q, goal, with_orientation)
-    beyond_limits = len(gathered(robot, goal, start, with_orientation, 1)[0]) > 0
+    beyond_limits = len(distinct_postures(robot, goal, start, with_orientation, 1)[0]) > 0
     words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * missed, degrees=np.degrees(turned))
     return Found(q[None], goal, Said((POSTURE.format(n=1),), words), short=missed)
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from helicoide.arrays import Array
-from helicoide.ik.postures.descent import copy, descend, held, settle
+from helicoide.ik.guard.qp import copy_into
+from helicoide.ik.postures.descent import descend, held, minimise_error
 from helicoide.ik.postures.errors import goal_of
 from helicoide.ik.postures.packed import LOWER, SEARCHES, SETTING, STRIDE, UPPER, behind_joints
 from helicoide.kernels import kernel_into
@@ -64,8 +65,8 @@ def approach(table: Array, T_world_tool: Array, start: Array, room: Array, answe
     goal, least = goal_of(table, T_world_tool), np.inf
     begin(table, start, q)
     for number in range(1, int(table[SETTING, SEARCHES]) + 1):
-        left = settle(table, goal, q, trial, room)
+        left = minimise_error(table, goal, q, trial, room)
         if left < 0.999999 * least:
-            copy(q, best)
+            copy_into(q, best)
             least = left
         draw(table, number, q)

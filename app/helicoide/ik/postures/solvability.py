@@ -43,7 +43,7 @@ class Ground(Enum):
 
 
 @dataclass(frozen=True, eq=False)
-class Verdict:
+class Solvability:
     """The result of Pieper's test.
 
     ground; axes: the three axes, counted from 0; point: where they meet at q = 0, (3,), m; bound: the largest number of
@@ -64,7 +64,7 @@ class Verdict:
         return self.ground in (Ground.MEETING, Ground.PARALLEL, Ground.FEW)
 
 
-def verdict(robot: Robot) -> Verdict:
+def verdict(robot: Robot) -> Solvability:
     """Pieper's test: three adjacent revolute axes that meet at a point, or three that are parallel, suffice.
 
     With n ≤ 4 joints the missing axes can be chosen through a point of the last one, so that three meet.
@@ -86,7 +86,7 @@ def verdict(robot: Robot) -> Verdict:
     said = ground.value.format(axes=shown, joints=joints)
     if bound is not None:
         said = sentences(said, AT_MOST.format(bound=bound, row=row))
-    return Verdict(ground, axes, point, bound, row, said)
+    return Solvability(ground, axes, point, bound, row, said)
 
 
 def meeting_axes(robot: Robot) -> tuple[tuple[int, ...], Array] | None:

@@ -12,7 +12,7 @@ from helicoide.ik.clik import TaskFunction, task_from, to_pose
 from helicoide.ik.converge import Tolerance, converged, loop_of
 from helicoide.ik.method import Method, Task
 from helicoide.ik.postures import listing, numeric, subspace
-from helicoide.ik.postures.answer import Answer, Form, Found, Said, as_found, in_order
+from helicoide.ik.postures.answer import Answer, Form, Found, Said, answer_as_found, answer_in_order
 from helicoide.ik.postures.branch import check_pose, pose_of, sentences
 from helicoide.ik.postures.choice import Ranked, ranked, touching
 from helicoide.ik.postures.measure import left
@@ -67,10 +67,10 @@ def solve_by(
         return _searched(robot, T, q, every, with_orientation)
     if name in methods.names():
         return _iterated(robot, methods.named(name), T, q, with_orientation)
-    if name not in closed.found():
+    if name not in closed.closed_forms():
         why = Text(en=f"There is no way {name!r}.", pt_BR=f"Não existe o modo {name!r}.")
         raise _refused(robot, why, with_orientation)
-    form = closed.found()[name]
+    form = closed.closed_forms()[name]
     reason = form.applies(robot) if with_orientation or form.OF_POINTS else _WHOLE
     if reason is not None:
         why = sentences(Text(en=f"{name} does not apply.", pt_BR=f"{name} não se aplica."), reason)
@@ -109,7 +109,7 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
         T = T.copy()
         T[:3, :3] = subspace.project_point(robot, T, q).T_world_goal[:3, :3]
     found = form.find(robot, T, q)
-    answer = in_order(robot, found, T, q, with_orientation)
+    answer = answer_in_order(robot, found, T, q, with_orientation)
     if every:
         return answer
     if answer.is_solved:
@@ -117,27 +117,27 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
     one = numeric.one(robot, found.T_world_goal, q, with_orientation)
     told = Said(one.told.names, sentences(found.told.words, one.told.words), free=found.told.free)
     one = one._replace(told=told, moved=found.moved, turned=found.turned, short=max(found.short, one.short))
-    return in_order(robot, one, T, q, with_orientation)
+    return answer_in_order(robot, one, T, q, with_orientation)
 
 
 def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: bool) -> Answer:
     """The answer of the searches; if an arm with fewer than six joints does not reach the goal, it is projected."""
     find = numeric.every if every else numeric.one
-    answer = in_order(robot, find(robot, T, q, with_orientation), T, q, with_orientation)
+    answer = answer_in_order(robot, find(robot, T, q, with_orientation), T, q, with_orientation)
     if _is_met(answer) or len(robot.variables) >= 6:
         return answer
-    goal = (subspace.project if with_orientation else subspace.project_point)(robot, T, q)
+    goal = (subspace.project_to_subspace if with_orientation else subspace.project_point)(robot, T, q)
     if goal.words is None:
         return answer
     found = find(robot, goal.T_world_goal, q, with_orientation)
     told = Said(found.told.names, sentences(goal.words, found.told.words))
     found = found._replace(told=told, moved=goal.moved, turned=goal.turned)
-    return in_order(robot, found, T, q, with_orientation)
+    return answer_in_order(robot, found, T, q, with_orientation)
 
 
 def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation: bool) -> Answer:
     """The result of a method that iterates from q, with its default settings, without limits and planes."""
-    goal = subspace.project(robot, T, q) if with_orientation else subspace.Projection(T, 0.0, 0.0)
+    goal = subspace.project_to_subspace(robot, T, q) if with_orientation else subspace.Projection(T, 0.0, 0.0)
     problem, aiming = _aiming(robot, goal.T_world_goal, with_orientation)
     why = method.applies(_task(aiming, q))
     if why is not None:
@@ -146,10 +146,10 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
     report = converged(problem, run, aiming, q, EXACT, STEPS)
     told = Said((method.TITLE,), sentences(goal.words, report.words))
     found = Found(report.q[None], goal.T_world_goal, told, goal.moved, goal.turned)
-    return as_found(robot, found, T, with_orientation)
+    return answer_as_found(robot, found, T, with_orientation)
 
 
-def chosen(
+def ranked_postures(
     robot: Robot, answer: Answer, q: Array, weights: ArrayLike, obstacles: Obstacles, with_orientation: bool
 ) -> tuple[Ranked, ...]:
     """The postures of an answer by increasing weighted motion from q, those that miss the goal or are ruled out last.
@@ -185,7 +185,7 @@ def reached(answer: Answer) -> bool:
     return any(branch.within and EXACT.holds(branch.missed, branch.turned) for branch in answer.branches)
 
 
-def status(answer: Answer) -> Text:
+def answer_status(answer: Answer) -> Text:
     """In few words: reached, or the remaining errors, and whether the goal was projected."""
     if reached(answer):
         return REACHED

@@ -13,7 +13,7 @@ from helicoide.ik.families.planar import Planar, planar
 from helicoide.ik.families.polar_arm import polar_arm
 from helicoide.ik.families.turret import turret
 from helicoide.ik.postures.branch import between, check_pose, tool_at
-from helicoide.ik.postures.nearest import nearest
+from helicoide.ik.postures.nearest import nearest_posture
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
@@ -44,12 +44,12 @@ _TAKEN = Text(
 )
 
 
-def project(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
+def project_to_subspace(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
     """The nearest pose of the arm's subspace to a pose (4, 4), m; it may still lie outside the workspace.
 
     All axes parallel: the tilt is removed, and without a prismatic joint also the height; with two joints the
     orientation is that of the nearer posture. Polar arms keep (x, y). Arms of `families.turret` keep the position, and
-    the pointing axis is rotated into their plane. Others with fewer than six joints: `nearest.nearest`. Six joints and
+    the pointing axis is rotated into their plane. Others with fewer than six joints: `nearest_posture`. Six joints and
     more: the pose itself.
     Args: q (n,), rad or m: decides where the geometry leaves a choice. Raises HelicoideError for an invalid pose.
     Source: Campos 1998, s.29, s.31–36, s.55.
@@ -62,7 +62,8 @@ def project(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
 def project_point(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
     """The projection of the position of a pose (4, 4), m, alone, with the orientation that the arm has there.
 
-    For arms whose axes are all parallel and for polar arms; for others the pose itself. Args, errors as in `project`.
+    For arms whose axes are all parallel and for polar arms; for others the pose itself. Args, errors as in
+    `project_to_subspace`.
     """
     T, q = check_pose(T_world_tool), robot.check_joints(q)
     if not (isinstance(planar(robot, 2), Planar) or _keeps_upright(robot) or polar_arm(robot)):
@@ -71,12 +72,12 @@ def project_point(robot: Robot, T_world_tool: Array, q: Array) -> Projection:
     return Projection(goal, between(T, goal)[0], 0.0)
 
 
-def beyond(robot: Robot, T_world_goal: Array, q: Array) -> float:
+def distance_beyond(robot: Robot, T_world_goal: Array, q: Array) -> float:
     """How far a pose of the subspace (4, 4), m, lies beyond the edge of the workspace, m; 0 inside.
 
     Planar arms with two or three joints: the distance from the annulus of the first two links, for the orientation of
     the goal. Others: the distance to the nearest point that the tool reaches in any orientation, found by
-    `nearest.nearest` and so an upper bound; prismatic joints keep their limits, angles are free.
+    `nearest_posture` and so an upper bound; prismatic joints keep their limits, angles are free.
     Args: q (n,), rad or m: the start of the search. Source: Campos 1998, s.6–10, s.44, s.53.
     """
     T, q = check_pose(T_world_goal), robot.check_joints(q)
@@ -84,7 +85,7 @@ def beyond(robot: Robot, T_world_goal: Array, q: Array) -> float:
         if isinstance(arm := planar(robot, count), Planar):
             x, y, _ = arm.end(T)
             return arm.links.beyond(float(np.hypot(x, y)))
-    missing, _ = between(T, tool_at(robot, nearest(robot, T, q, with_orientation=False)))
+    missing, _ = between(T, tool_at(robot, nearest_posture(robot, T, q, with_orientation=False)))
     return missing if missing > NOTHING else 0.0
 
 
@@ -99,7 +100,7 @@ def _projected(robot: Robot, T: Array, q: Array) -> Array:
         return polar.tool(float(q[0]) if rho < NOTHING else float(np.arctan2(-x, y)), rho)
     if (arm := turret(robot)) is not None:
         return arm.pointed(T, float(q[0]))[1]
-    return T if len(robot.variables) >= 6 else tool_at(robot, nearest(robot, T, q, with_orientation=True))
+    return T if len(robot.variables) >= 6 else tool_at(robot, nearest_posture(robot, T, q, with_orientation=True))
 
 
 def _of_two_links(arm: Planar, upright: Array, q: Array) -> Array:

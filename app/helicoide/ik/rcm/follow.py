@@ -19,7 +19,7 @@ from helicoide.ik import Problem, methods
 from helicoide.ik.method import Method, Solution, Task
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.free_motions import Basis
-from helicoide.ik.rcm.passage import Passage, refusal
+from helicoide.ik.rcm.passage import Passage, passage_refusal
 from helicoide.text import HelicoideError
 
 
@@ -124,7 +124,7 @@ def body_velocity(R_world_tool: Array, ahead: Array, error: Array, position: flo
     return np.concatenate([move, turn])
 
 
-def answered(
+def loop_pass(
     at: Constrained, control: RcmControl, wish: RcmReference, error: Array, dt: float, memory: tuple[Any, Any]
 ) -> tuple[Array, Array, Solution, Solution, Array, tuple[Any, Any]]:
     """One pass of the loop of fig. 3.3: v_rd + Kr e_r, ν, the solutions for u and for the arm, θ̇, and both memories."""
@@ -149,9 +149,9 @@ def rcm_loop(
     """Steps of the closed loop from q (n,) with the entry point at p_rcm (3,), m, without end.
 
     Explicit Euler, also for the entry point: p_rcm ← p_rcm + R_0i Nᵀ v_rd Δt. memory: of the two inverses; None for
-    their initial memory. Raises HelicoideError where the arm has too few joints, see `passage.refusal`.
+    their initial memory. Raises HelicoideError where the arm has too few joints, see `passage_refusal`.
     """
-    refused = refusal(problem.robot, passage)
+    refused = passage_refusal(problem.robot, passage)
     if refused:
         raise HelicoideError(refused)
     t = 0.0
@@ -159,7 +159,7 @@ def rcm_loop(
         at = constrained(problem, passage, q, entry_world, control.basis)
         wish = wished(t)
         error = pose_error(wish.T_world_target, at.T_world_tool)
-        asked, nu, tool, arm, rates, memory = answered(at, control, wish, error, dt, memory)
+        asked, nu, tool, arm, rates, memory = loop_pass(at, control, wish, error, dt, memory)
         yield RcmStep(t, q, entry_world, at, error, asked, nu, tool, arm, rates, memory)
         q = q + rates * dt
         entry_world = entry_world + at.R_world_shaft @ (at.place.forbidden.T @ wish.entry_rate) * dt

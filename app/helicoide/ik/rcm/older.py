@@ -13,7 +13,7 @@ from helicoide.ik.rcm.constrained import Constrained
 from helicoide.kinematics.manipulability import RANK_TOLERANCE
 
 
-def tool_jacobian(at: Constrained) -> Array:
+def older_tool_jacobian(at: Constrained) -> Array:
     """J_e = [Ad_ei J_i, J_e2], body Jacobian of the tool, (6, n). Source: Coutinho 2015, eqs. 3.8, 3.14."""
     return np.hstack([at.Ad_tool_shaft @ at.J_arm, at.J[:, at.null.shape[1] :]])
 
@@ -30,7 +30,7 @@ def extended(at: Constrained, command: Array, entry_rate: Array) -> Array:
     With n = 6 + r joints |det [J_e; J_c]| = w_i w_r in the scaled basis. Args: ν (6,), v_rd (r,), m/s and rad/s.
     Source: Coutinho 2015, §1.2.1, after Baillieul and Funda.
     """
-    stack = np.vstack([tool_jacobian(at), entry_jacobian(at)])
+    stack = np.vstack([older_tool_jacobian(at), entry_jacobian(at)])
     return np.asarray(_pinv(stack) @ np.concatenate([command, entry_rate]))
 
 
@@ -51,7 +51,7 @@ def entry_first(at: Constrained, command: Array, entry_rate: Array) -> Array:
 
     Args: ν (6,), v_rd (r,). Source: Coutinho 2015, §1.2.1, after Azimian.
     """
-    return by_priority(entry_jacobian(at), entry_rate, tool_jacobian(at), command)
+    return by_priority(entry_jacobian(at), entry_rate, older_tool_jacobian(at), command)
 
 
 def avoiding(

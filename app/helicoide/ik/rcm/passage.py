@@ -99,7 +99,7 @@ def insertion(passage: Passage, T_world_shaft: Array, entry_world: Array) -> Ins
     return Insertion(outside, passage.length - outside, N, N @ [c[0], 0.0, c[2]])
 
 
-def refusal(robot: Robot, passage: Passage) -> Text | None:
+def passage_refusal(robot: Robot, passage: Passage) -> Text | None:
     """Why the tool cannot have six degrees of freedom while the shaft passes through the entry point; None if it can.
 
     At least six joints must move the restricted link and r more the tool beyond it: n − r ≥ 6, i ≥ 6, n − i ≥ r. No

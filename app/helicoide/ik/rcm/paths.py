@@ -37,7 +37,7 @@ class Way:
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
+class RcmPath:
     """A path of the source as a function of time, its duration, s, and the forbidden directions `across`, (r, 3)."""
 
     way: Callable[[float], Way]
@@ -67,7 +67,7 @@ class Path:
 class OfTool:
     """A path of the source as a `trajectory.path.Path`, for a tool that starts at T_0 (4, 4), m."""
 
-    path: Path
+    path: RcmPath
     T_world_start: Array
 
     @property
@@ -144,12 +144,12 @@ def e1(t: float) -> Way:
     )
 
 
-PATHS: Mapping[str, Path] = MappingProxyType(
+PATHS: Mapping[str, RcmPath] = MappingProxyType(
     {
-        "S1": Path(s1, 200.0, SLIT),
-        "S2": Path(s2, 200.0, TROCAR),
-        "S3": Path(s3, 200.0, TROCAR),
-        "S4": Path(s4, 200.0, TROCAR),
-        "E1": Path(e1, 45.0, TROCAR),
+        "S1": RcmPath(s1, 200.0, SLIT),
+        "S2": RcmPath(s2, 200.0, TROCAR),
+        "S3": RcmPath(s3, 200.0, TROCAR),
+        "S4": RcmPath(s4, 200.0, TROCAR),
+        "E1": RcmPath(e1, 45.0, TROCAR),
     }
 )

@@ -35,7 +35,7 @@ class TipWish:
     entry_rate: Array
 
 
-def refusal(robot: Robot, passage: Passage) -> Text | None:
+def rod_refusal(robot: Robot, passage: Passage) -> Text | None:
     """Why the tip cannot be moved in three directions; None if it can: n ≥ 3 + r."""
     n, rows = len(robot.variables), 3 + passage.r
     if n >= rows:
@@ -69,7 +69,7 @@ def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> TaskErro
 
 def to_points(problem: Problem, passage: Passage, wished: Callable[[float], TipWish]) -> TaskFunction:
     """The task function for `clik.followed`. Raises HelicoideError if the arm has too few joints."""
-    refused = refusal(problem.robot, passage)
+    refused = rod_refusal(problem.robot, passage)
     if refused:
         raise HelicoideError(refused)
     return lambda q, t: aim(problem, passage, q, wished(t))

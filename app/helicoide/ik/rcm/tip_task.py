@@ -19,7 +19,7 @@ from helicoide.ik.method import Task
 from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, pose_error
-from helicoide.ik.rcm.passage import Passage, refusal, through
+from helicoide.ik.rcm.passage import Passage, passage_refusal, through
 from helicoide.ik.rcm.rod import TipWish
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
@@ -40,8 +40,8 @@ def refused(problem: Problem, with_orientation: bool, drive: Controller) -> Text
     assert problem.entry is not None
     passage = passage_of(problem.robot, problem.entry)
     if not with_orientation:
-        return rod.refusal(problem.robot, passage)
-    return refusal(problem.robot, passage) or (NOTHING_FREE if drive.secondary is not None else None)
+        return rod.rod_refusal(problem.robot, passage)
+    return passage_refusal(problem.robot, passage) or (NOTHING_FREE if drive.secondary is not None else None)
 
 
 def tip_task(

@@ -86,7 +86,7 @@ def _errors(runs: ConfinedRuns, figure: str) -> Chart:
         ]
     lines.append(_level(untranslated("10 mm"), 10.0))
     name = Text(
-        en="Position error, and how far the tool is off the path",
+        en="Position error, and how far the end effector is off the path",
         pt_BR="Erro de posição, e quanto o efetuador se desvia",
     )
     return Chart(name, SHARE, untranslated("mm"), tuple(lines), figure, log=True)

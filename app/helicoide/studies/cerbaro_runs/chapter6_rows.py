@@ -213,7 +213,7 @@ _GIVEN_UP = Text(
 _NEAREST = Text(en="{of}: least distance", pt_BR="{of}: menor distância")
 _TO_CEILING = Text(en="{of}: least distance to the ceiling", pt_BR="{of}: menor distância ao teto")
 _TOOL_TO_WALLS = Text(
-    en="cases 2 and 3: least distance of the tool to walls and bench",
+    en="cases 2 and 3: least distance of the end effector to walls and bench",
     pt_BR="casos 2 e 3: menor distância do efetuador a paredes e bancada",
 )
 _TO_WALLS = Text(

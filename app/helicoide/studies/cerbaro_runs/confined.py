@@ -17,7 +17,7 @@ from helicoide.command import FollowPath
 from helicoide.confinement import planes_of
 from helicoide.foresight import lived
 from helicoide.ik import Limits, Problem, limit_gains, objectives
-from helicoide.ik.adaptation import Rule, Track, adapted, nearest, trimmed
+from helicoide.ik.adaptation import Rule, Track, adapted, moving_point_distances, trimmed
 from helicoide.ik.clik import TaskFunction
 from helicoide.ik.controller import Controller, SecondaryObjective
 from helicoide.ik.converge import Run, Tolerance, converged, loop_of
@@ -154,7 +154,7 @@ def run_constrained(path: Ellipse, k0: float, seconds: float, progress: Progress
         state = lived(state, CONTROL_PERIOD)
         points.append(path.point(state.request.path_s))
         q.append(state.arm.q)
-        near.append(nearest(state.problem, state.arm.q.copy()))
+        near.append(moving_point_distances(state.problem, state.arm.q.copy()))
         progress((step + 1) / turn)
     wished, tool = np.array(points), np.array([setups.tool_position(state.problem, one) for one in q])
     errors = np.linalg.norm(tool - wished, axis=1)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from helicoide.arrays import Array
 from helicoide.ik import Problem
 from helicoide.ik.clik import LoopStep
-from helicoide.ik.objective import posture
+from helicoide.ik.objective import posture_at
 from helicoide.ik.secondary import total
 from helicoide.studies.cerbaro_runs import setups
 from helicoide.studies.study import Chart, ChartLine, Interpretation, Motion, Progress, Statement
@@ -101,7 +101,7 @@ def subsampled_loop(values: Array) -> Array:
 def mean_cost(problem: Problem, q: Array) -> float:
     """The mean of −w along postures q (k, n), 1/(2n) Σ (off the middle over the range)² (Cerbaro 2022, eq. 12)."""
     chosen = setups.limit_distance()
-    return float(np.mean([total(problem, chosen, posture(problem, one)).value for one in subsampled_loop(q)]))
+    return float(np.mean([total(problem, chosen, posture_at(problem, one)).value for one in subsampled_loop(q)]))
 
 
 TIME = Text(en="time (s)", pt_BR="tempo (s)")
@@ -178,7 +178,7 @@ def tool_path_chart(figure: str, problem: Problem, axes: str, wanted: Array, *na
     )
     asked = (Text(en="path asked for", pt_BR="trajetória pedida"), wanted)
     lines = tuple(ChartLine(words, 1000 * way[:, i], 1000 * way[:, j]) for words, way in (asked, *ways))
-    title = Text(en="Path of the tool in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
+    title = Text(en="Path of the end effector in {plane}", pt_BR="Caminho do efetuador em {plane}").format(plane=axes)
     return Chart(title, untranslated(f"{axes[0]} (mm)"), untranslated(f"{axes[1]} (mm)"), lines, figure)
 
 

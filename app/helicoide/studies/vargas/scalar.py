@@ -20,7 +20,7 @@ def scalar_filter_steps(
     """θ at t₀, t₀ + dt, … t₁, (s + 1,), by exact steps with k taken at their midpoints."""
     found = [theta]
     for i in range(round((t_1 - t_0) / dt)):
-        theta = scalar_filter.stepped(k(t_0 + (i + 0.5) * dt), theta, beta, dt)
+        theta = scalar_filter.scalar_step(k(t_0 + (i + 0.5) * dt), theta, beta, dt)
         found.append(theta)
     return np.array(found)
 
@@ -62,7 +62,7 @@ def scalar_closed_loop(law: Law, beta: float, dt: float, seconds: float, rate: f
 
     def slope(t: float, y: float, theta: float) -> tuple[float, float]:
         k = sine_gain(t)
-        return k * law(k, theta) * wish(t, y), scalar_filter.slope(k, theta, beta)
+        return k * law(k, theta) * wish(t, y), scalar_filter.scalar_slope(k, theta, beta)
 
     y, theta, steps, half = 5.0, 0.0, round(seconds / dt), dt / 2
     columns = []

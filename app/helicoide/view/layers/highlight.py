@@ -65,7 +65,7 @@ class Highlight:
             and old.seat is new.seat
         ):
             return
-        chosen = readout.chosen(state, new.seat.selected)
+        chosen = readout.chosen_reading(state, new.seat.selected)
         kind, _, number = ("" if chosen is None else chosen.key).partition(" ")
         for handle, kinds in ((self.frame, ("tool",)), (self.lines, ("joint", "plane")), (self.ball, ("point",))):
             if handle.visible != (kind in kinds):

@@ -58,12 +58,12 @@ def behind(stage: Stage) -> Array:
     return np.asarray(back * max((float(along.max(initial=0.0)) for along in moving), default=0.0))
 
 
-def beyond(cut: float, count: int) -> int:
+def layers_before_cut(cut: float, count: int) -> int:
     """How many of `count` layers have their centre before the cut. cut: −1 to 1, from one end to the other."""
     return int(np.clip(np.ceil(count / 2 * (1 + cut) - 0.5 - 1e-9), 0, count))
 
 
-def divided(found: WorkspaceMap, parts: int) -> Mask:
+def split_cells(found: WorkspaceMap, parts: int) -> Mask:
     """The reached cells, each divided into `parts` along every axis, so that large cells are drawn as cubes."""
     mask = found.reached.reshape(found.cells.shape)
     for axis in range(mask.ndim):
@@ -106,7 +106,7 @@ class WorkspaceLayer:
         shown = found is not None and new.seat.visible_layers[NAME]
         if found is not None and shown:
             parts = max(1, FINE // max(found.cells.shape))
-            self._draw(found, parts, beyond(new.seat.cut, parts * found.cells.shape[self.axis]))
+            self._draw(found, parts, layers_before_cut(new.seat.cut, parts * found.cells.shape[self.axis]))
         if self.cloud is not None and self.cloud.visible != shown:
             self.cloud.visible = shown
 
@@ -114,7 +114,7 @@ class WorkspaceLayer:
         if self.drawn is not None and self.drawn[0] is found and self.drawn[1] == hidden:
             return
         self.drawn = found, hidden
-        steps = visible(remaining(divided(found, parts), hidden, self.axis, self.way))
+        steps = visible(remaining(split_cells(found, parts), hidden, self.axis, self.way))
         steps = steps[np.unique(np.linspace(0, len(steps) - 1, min(MOST, len(steps))).astype(int))]
         points = middles(found, (steps + 0.5) / parts - 0.5) + self.behind
         self.cloud = self.stage.scene.add_point_cloud(

@@ -97,12 +97,12 @@ def _header(reading: Reading, language: Language) -> Markup:
 
 def _key(view: View) -> str | None:
     """The key of the highlighted multivector; None if it does not exist any more."""
-    reading = readout.chosen(view.state, view.seat.selected)
+    reading = readout.chosen_reading(view.state, view.seat.selected)
     return None if reading is None else reading.key
 
 
 def _selected(view: View) -> Markup:
-    reading = readout.chosen(view.state, view.seat.selected)
+    reading = readout.chosen_reading(view.state, view.seat.selected)
     if reading is None:
         return Markup("")
     return Markup('<div class="helicoide-lit">{}</div>').format(_shown(view, reading))
@@ -121,7 +121,7 @@ def _pair(view: View) -> Contact:
         return Contact(int(number), int(table[:, int(number)].argmin()))
     if kind == "point":
         return Contact(int(table[int(number)].argmin()), int(number))
-    return readout.nearest(view.state)
+    return readout.nearest_point_and_plane(view.state)
 
 
 def _distance(view: View) -> Markup:

@@ -34,7 +34,7 @@ from helicoide.view.rows import (
     TrySingular,
     View,
 )
-from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
+from helicoide.view.settings import NONE, NOTHING_TO_SET, setting_rows
 
 TITLE = Text(en="Method", pt_BR="Método")
 ORDER = 3
@@ -107,7 +107,7 @@ def _settings(robot: Robot, method: str) -> list[Row]:
     """A row for each setting of a method."""
     if not method or not settings(named(method).Options):
         return [HtmlRow(lambda view: html.note(NOTHING_TO_SET[view.seat.language]))]
-    return rows_of(
+    return setting_rows(
         named(method).Options,
         robot.reach,
         lambda view: view.state.request.controller.options(method),

@@ -14,7 +14,7 @@ from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_faults import remarks_and_faults
 from helicoide.text import Text, untranslated
 from helicoide.view import html, layers
-from helicoide.view.obstacle_rows import entry_rows, obstacle_rows
+from helicoide.view.obstacle_rows import entry_point_rows, obstacle_rows
 from helicoide.view.path_rows import path_rows
 from helicoide.view.plane_rows import plane_rows
 from helicoide.view.posture_rows import posture_rows
@@ -61,7 +61,7 @@ def rows(robot: Robot) -> list[Row]:
         *([ball_rows(robot)] if gate.can_grasp(robot) else []),
         plane_rows(robot),
         obstacle_rows(robot),
-        *([entry_rows()] if "rcm" in robot.frames else []),
+        *([entry_point_rows()] if "rcm" in robot.frames else []),
         workspace_rows(robot),
         Folder(Text(en="Show", pt_BR="Mostrar"), _shows(), open=False),
     ]

@@ -45,7 +45,7 @@ from helicoide.view.rows import (
     Row,
     View,
 )
-from helicoide.view.settings import NONE, NOTHING_TO_SET, rows_of
+from helicoide.view.settings import NONE, NOTHING_TO_SET, setting_rows
 
 TITLE = Text(en="Study", pt_BR="Estudo")
 ORDER = 4
@@ -146,7 +146,7 @@ def _settings(name: str) -> Sequence[Row]:
     def chosen(view: View) -> object:
         return view.desk.options.get(name) or options()
 
-    return rows_of(options, 1.0, chosen, lambda setting, value: ForDesk(desks.with_study_option(setting, value)))
+    return setting_rows(options, 1.0, chosen, lambda setting, value: ForDesk(desks.with_study_option(setting, value)))
 
 
 def _motions(view: View) -> tuple[Motion, ...]:

@@ -10,7 +10,7 @@ import numpy as np
 from helicoide import gate
 from helicoide.arrays import Array, frozen
 from helicoide.contributions.trials import with_joints
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.geometry import rotation
 from helicoide.ik import Limits
 from helicoide.ik.guard.collision import clearances
@@ -28,7 +28,7 @@ ON_THE_WAY = 2e-3  # parking begins up to 1e-3 rad from `ready`
 def after(state: State, seconds: float, dt: float = 0.01) -> State:
     """The state after some seconds without requests."""
     for _ in range(round(seconds / dt)):
-        state = lived(state, dt)
+        state = advance_with_search(state, dt)
     return state
 
 
@@ -50,7 +50,7 @@ def clear_posture(rng: Random, state: State, clearance: float) -> Array:
 def apart(state: State) -> float:
     """The smallest clearance between two bodies of the arm, m; negative if they are too near."""
     left = clearances(packed(state.problem), state.arm.q)
-    return float(left[len(state.guarded_points) * len(state.problem.planes.normals) :].min(initial=np.inf))
+    return float(left[len(state.monitored_points) * len(state.problem.planes.normals) :].min(initial=np.inf))
 
 
 def place(rng: Random) -> Array:
@@ -120,7 +120,7 @@ WISHES: list[tuple[float, Wish]] = [
     (2, posture),
     (2, limits),
     (1, lambda rng, state: gate.restore_planes()),
-    (2, lambda rng, state: gate.hold_orientation(rng.random() < 0.5)),
+    (2, lambda rng, state: gate.keep_orientation(rng.random() < 0.5)),
     (1, lambda rng, state: gate.stop()),
     (2, lambda rng, state: gate.play()),
     (1, lambda rng, state: gate.scrub(rng.uniform(0, 1))),
@@ -184,7 +184,7 @@ def rough_ride(state: State, rng: Random, ticks: int) -> Worst:
         state = wish(rng, state)(state)
         dt = float(np.exp(rng.uniform(np.log(0.001), np.log(0.05))))
         for _ in range(int(rng.integers(1, rng.choice([5, 50, 300])))):
-            new = lived(state, dt)
+            new = advance_with_search(state, dt)
             watch(worst, state, new, dt)
             state = new
     return worst
@@ -199,7 +199,7 @@ def clear_goal(rng: Random, state: State, clearance: float = 0.110) -> tuple[Sta
 def misses(start: State, T_world_target: Array, with_orientation: bool, seconds: float = 12.0) -> float:
     """The distance of the tool from a target after at most `seconds`, m; it ends early at 0.1 mm."""
     position = T_world_target[:3, 3]
-    state = gate.hold_orientation(with_orientation)(start)
+    state = gate.keep_orientation(with_orientation)(start)
     state = gate.set_target(position, rotation.from_matrix(T_world_target[:3, :3]))(state)
     for _ in range(round(10 * seconds)):
         state = after(state, 0.1)

@@ -13,7 +13,7 @@ import viser
 from tests.driving import rough_ride
 
 from helicoide import content, gate, lesson
-from helicoide.foresight import foreseen, lived
+from helicoide.foresight import advance_with_search, foreseen
 from helicoide.ik import methods, objectives
 from helicoide.kinematics import workspace
 from helicoide.kinematics.library import load_robot
@@ -99,7 +99,7 @@ class Lab:
     def pass_time(self, ticks: int) -> None:
         """Advance the arm, with its goal computed and drawn about as often as in the lab."""
         for tick in range(ticks):
-            self.state = lived(self.state, TICK)
+            self.state = advance_with_search(self.state, TICK)
             if tick % 10 == 0:
                 self.state = foreseen(self.state)
                 self.draw()
@@ -243,7 +243,7 @@ def surroundings(lab: Lab) -> None:
         lab.post(update)
         drags(lab)
     if "rcm" in lab.state.robot.frames:
-        lab.post(gate.hold_entry(True))
+        lab.post(gate.enforce_entry(True))
         lab.post(gate.drag_entry("", "start", lab.state.problem.entry.point))  # type: ignore[union-attr]
         lab.post(gate.drag_entry("", "end", lab.state.problem.entry.point + 0.02))  # type: ignore[union-attr]
         drags(lab)

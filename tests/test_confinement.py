@@ -81,7 +81,7 @@ def test_a_plane_stops_at_80_mm_from_any_side(robot: Robot, seed: int) -> None:
     moved = dragged(state, int(rng.integers(3)), centre, wxyz)
     (index,) = np.flatnonzero((moved.problem.planes.normals != state.problem.planes.normals).any(axis=1))
     normal = rigid.rotation.to_matrix(wxyz)[:, 2]
-    asked = float(((state.guarded_points - centre) @ normal).min())
+    asked = float(((state.monitored_points - centre) @ normal).min())
     np.testing.assert_allclose(moved.problem.planes.normals[index], normal, rtol=0, atol=1e-12)
     assert plane_distances(moved)[:, index].min() == pytest.approx(max(0.080, asked), abs=1e-9)
     assert moved.request.drag is None

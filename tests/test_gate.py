@@ -11,7 +11,7 @@ from tests.driving import after, beside, turning_z_to, with_joints
 
 from helicoide import gate
 from helicoide.command import GetReady, HoldPosition, MoveToPose, Park
-from helicoide.foresight import lived, search_posture, wants_search
+from helicoide.foresight import advance_with_search, search_posture, wants_search
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
 from helicoide.state import State, Update, initial_state
@@ -114,7 +114,7 @@ def test_what_a_search_finds_is_nothing_after_something_else_was_asked(state: St
     held = gate.drag_target("one", "start", [0.9, 0, 0.4], UP)(state)
     released = gate.drag_target("one", "end", [0.9, 0, 0.4], UP)(held)
     found = search_posture(released)
-    for meanwhile in (gate.stop(), gate.set_target([0.5, 0, 0.3], UP), gate.hold_orientation(False)):
+    for meanwhile in (gate.stop(), gate.set_target([0.5, 0, 0.3], UP), gate.keep_orientation(False)):
         other = meanwhile(released)
         assert found(other) is other
 
@@ -136,7 +136,7 @@ def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
     stopped = gate.stop()(moving)
     later = stopped
     for _ in range(200):
-        later = lived(later, 0.01)
+        later = advance_with_search(later, 0.01)
         assert later.arm.q is stopped.arm.q
         assert not later.arm.velocities.any()
     assert later.request.command == HoldPosition(stopped=True)
@@ -144,7 +144,7 @@ def test_nothing_moves_after_a_stop(state: State, wish: str) -> None:
 
 @pytest.mark.parametrize("moves", [True, False])
 def test_a_stop_that_closes_something_stops_too_and_says_so_where_something_moved(state: State, moves: bool) -> None:
-    asked = gate.set_target([0.6, 0.0, 0.2], UP)(gate.hold_orientation(False)(state))
+    asked = gate.set_target([0.6, 0.0, 0.2], UP)(gate.keep_orientation(False)(state))
     before = after(asked, 0.2 if moves else 10.0)
     assert before.arm.moving == moves
     stopped = gate.stop(closing=True)(before)
@@ -186,12 +186,12 @@ def test_parking_passes_ready_and_ends_exactly_at_home(state: State) -> None:
     clear_before = []
     while not state.arm.parked:
         clear_before.append(plane_distances(state).min())
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
     assert min(clear_before) >= 0.080 - 1e-9
     assert np.abs(state.arm.q - robot.poses["ready"]).max() < 0.02
     nearest = []
     while isinstance(state.request.command, Park):
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         nearest.append(plane_distances(state).min())
         assert beside(robot, state.arm.q) < 1e-3
         assert (np.abs(state.arm.velocities) <= robot.speed + 1e-9).all()
@@ -213,7 +213,7 @@ def test_parking_never_leads_through_a_plane(state: State, side: float) -> None:
     assert plane_distances(down).min() == pytest.approx(0.080, abs=1e-9)
     state = gate.get_ready()(after(gate.park()(down), 0.3))
     for _ in range(200):
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         assert state.arm.parked or plane_distances(state).min() >= 0.080 - 1e-9
     assert not state.arm.parked
 

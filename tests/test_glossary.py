@@ -1,4 +1,4 @@
-"""The glossary of CONTRIBUTING: its code names exist, retired names are not defined, retired phrases are not written."""
+"""The glossary of CONTRIBUTING: code names exist, retired names are not defined, retired phrases are not written."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from tests.test_architecture import FILES, PACKAGE, name_of, tree
 GLOSSARY = (PACKAGE.parents[1] / "CONTRIBUTING.md").read_text("utf-8").partition("## Glossary")[2]
 # Names that a contract asks of each file of a kind.
 CONTRACT = {
-    "Options", "Memory", "applies", "build", "cost", "find", "gradient", "rows", "run", "start", "step", "names", "named",
-    "faults", "product", "sandwich", "coordinates", "main",
+    "Options", "Memory", "applies", "build", "cost", "find", "gradient", "rows", "run", "start", "step", "names",
+    "named", "faults", "product", "sandwich", "coordinates", "main",
 }  # fmt: skip
 WORD = re.compile(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])")
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from helicoide import content, lesson
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.kinematics.library import load_robot
 from helicoide.lesson import Lesson, Step
 from helicoide.seat import Seat
@@ -138,6 +138,6 @@ def test_a_met_goal_stays_done_and_only_its_own() -> None:
     tour = Lesson("tour", untranslated("Tour"), "movemaster", (step, step), {})
     start = initial_state(load_robot("movemaster"))
     assert lesson.progressed(tour, start, seat) is seat
-    done = lesson.progressed(tour, lived(start, 0.01), seat)
+    done = lesson.progressed(tour, advance_with_search(start, 0.01), seat)
     assert done.done == {"a"}
     assert lesson.progressed(tour, start, done) is done

@@ -11,7 +11,7 @@ import pytest
 from helicoide import content, gate, lesson
 from helicoide.contributions import lessons
 from helicoide.contributions.lessons import TICK, played
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.geometry import rotation
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
@@ -124,7 +124,7 @@ def test_passing_by_the_angle_does_not_count(seat: Seat) -> None:
     step = step_of("drive_the_arm", "joint")
     state = gate.set_joint(2, np.radians(-120.0))(initial_state(robot()))
     for _ in range(200):
-        state = lived(state, TICK)
+        state = advance_with_search(state, TICK)
         assert not step.goal(state, seat)
 
 
@@ -149,7 +149,7 @@ def test_only_the_blue_arc_is_refused(degrees: float) -> None:
 def test_a_small_turn_or_an_unheld_orientation_does_not_count() -> None:
     reached = drive("orientation")
     assert not reached(dragged(HERE, (0, 0, 1), 15.0), 1.0)
-    assert not reached(lambda state: gate.hold_orientation(False)(dragged(HERE, (0, 0, 1), 40.0)(state)), 1.0)
+    assert not reached(lambda state: gate.keep_orientation(False)(dragged(HERE, (0, 0, 1), 40.0)(state)), 1.0)
     assert not reached(dragged((0.6, 0.18, 0.15)), 2.0)
 
 

@@ -145,7 +145,7 @@ def rests(update: Callable[[State], State]) -> Callable[[State], State]:
 
 
 def with_position_only(update: Callable[[State], State]) -> Callable[[State], State]:
-    return lambda state: update(gate.hold_orientation(False)(state))
+    return lambda state: update(gate.keep_orientation(False)(state))
 
 
 # how the state is made; the tone; words that the status must contain in English and in Portuguese
@@ -252,14 +252,14 @@ def test_a_singular_posture_is_named_in_the_readout(state: State) -> None:
 def test_the_rows_that_count_are_named(name: str, rows: str) -> None:
     state = initial_state(load_robot(name))
     assert readout.counted_names(state) == rows
-    assert readout.counted_names(gate.hold_orientation(False)(state)) == ("x, y" if "planar" in name else "x, y, z")
+    assert readout.counted_names(gate.keep_orientation(False)(state)) == ("x, y" if "planar" in name else "x, y, z")
 
 
 @pytest.mark.parametrize("with_orientation", [True, False])
 def test_a_stretched_arm_of_two_joints_reads_singular(with_orientation: bool) -> None:
     """Its orientation follows from its position: task rows that it cannot follow do not hide the singularity."""
     state = with_joints(initial_state(load_robot("planar2r")), np.array([0.4, 0.0]))
-    state = gate.hold_orientation(with_orientation)(state)
+    state = gate.keep_orientation(with_orientation)(state)
     values = {instrument.symbol: instrument.value for instrument in readout.instruments(state)}
     assert values["w"] < 1e-9
     assert values[r"\kappa"] > 1e9
@@ -272,7 +272,7 @@ def test_a_stretched_arm_of_two_joints_reads_singular(with_orientation: bool) ->
 @pytest.mark.parametrize("with_orientation", [True, False])
 def test_a_camera_on_two_crossing_axes_is_driven_by_every_method(method: str, with_orientation: bool) -> None:
     """Its joints rotate the tool but cannot move it: without orientation no task row is left, which the status says."""
-    state = gate.hold_orientation(with_orientation)(initial_state(pan_tilt()))
+    state = gate.keep_orientation(with_orientation)(initial_state(pan_tilt()))
     state = gate.set_target([0.1, 0.0, 0.3], [0.9, 0.1, 0.3, 0.2])(gate.choose_method(method)(state))
     before = state.arm.q
     state = after(state, 0.3)

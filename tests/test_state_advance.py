@@ -11,7 +11,7 @@ from tests.driving import after, beyond, clear_goal, clear_posture, misses, roug
 from helicoide import gate
 from helicoide.arrays import frozen
 from helicoide.command import FollowPath
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.ik import Limits
 from helicoide.kinematics.forward import link_poses
 from helicoide.kinematics.robot import Robot
@@ -57,7 +57,7 @@ def test_time_and_only_time_goes_on_at_rest(state: State) -> None:
 def test_the_old_state_is_left_as_it_was(state: State) -> None:
     asked = gate.set_target([0.4, 0.15, 0.3], [1, 0, 0, 0])(state)
     before = asked.arm.q.copy()
-    assert lived(asked, 0.01).arm.q is not asked.arm.q
+    assert advance_with_search(asked, 0.01).arm.q is not asked.arm.q
     np.testing.assert_array_equal(asked.arm.q, before)
 
 
@@ -82,7 +82,7 @@ def test_a_joint_outside_its_limits_comes_back_in_and_never_goes_further(robot: 
     state = gate.set_target(state.T_world_tool[:3, 3] - [0.2, 0, 0], [1, 0, 0, 0])(state)
     outside = beyond(state, state.arm.q)
     for _ in range(500):
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         assert (beyond(state, state.arm.q) <= outside + 1e-12).all()
         outside = beyond(state, state.arm.q)
 
@@ -96,11 +96,11 @@ def test_a_target_out_of_reach_brings_the_arm_to_rest(state: State) -> None:
 
 def test_the_path_is_followed_from_where_the_arm_stands(state: State) -> None:
     """Ellipse of eq. 33: once the tool is on it, the tool stays on it where no plane limits the arm."""
-    state = after(gate.hold_orientation(False)(gate.play()(gate.choose_path("eq33")(state))), 1.2)
+    state = after(gate.keep_orientation(False)(gate.play()(gate.choose_path("eq33")(state))), 1.2)
     assert state.request.command.arrived
     apart = []
     for _ in range(150):
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         apart.append(
             np.linalg.norm(state.T_world_tool[:3, 3] - state.request.command.path.point(state.request.command.s))
         )
@@ -122,7 +122,7 @@ def test_a_path_that_begins_out_of_reach_is_followed_all_the_same(state: State, 
     far = state.T_world_tool.copy()
     far[:3, 3] += [0.5, 0.0, 0.3]
     path = LinePath(far, state.T_world_tool, 2.0)
-    state = gate.choose_method(method)(gate.hold_orientation(False)(state))
+    state = gate.choose_method(method)(gate.keep_orientation(False)(state))
     ended = after(replace(state, request=replace(state.request, command=FollowPath(path, 0.0, playing=True))), 15.0)
     assert (ended.request.path_s, ended.request.command.playing) == (2.0, False)
     np.testing.assert_allclose(ended.T_world_tool[:3, 3], state.T_world_tool[:3, 3], atol=2e-3)
@@ -133,7 +133,7 @@ def test_an_open_path_is_followed_to_its_end(state: State) -> None:
     end = state.T_world_tool.copy()
     end[:3, 3] += [-0.05, 0.08, 0.04]
     path = LinePath(state.T_world_tool, end, 2.0)
-    state = with_command(gate.hold_orientation(False)(state), FollowPath(path, 0.0, playing=True))
+    state = with_command(gate.keep_orientation(False)(state), FollowPath(path, 0.0, playing=True))
     halfway, ended = after(state, 1.0), after(state, 3.0)
     assert 0.9 < halfway.request.path_s < 1.1
     assert halfway.request.command.playing

@@ -34,7 +34,7 @@ def main() -> None:
 def _run(arguments: list[str]) -> None:
     """Run the command that is asked for. No other command module is imported, and --help imports none."""
     names = content.module_names(commands.__name__)
-    functions = {name: _run_of(name) if name == arguments[0] else _told(name) for name in names}
+    functions = {name: _run_of(name) if name == arguments[0] else _with_command_named(name) for name in names}
     tyro.extras.subcommand_cli_from_dict(functions, prog="helicoide", description=ABOUT, args=arguments)
 
 
@@ -49,16 +49,16 @@ def _run_of(name: str) -> Callable[..., None]:
         gc.enable()
 
 
-def _told(name: str) -> Callable[[], None]:
+def _with_command_named(name: str) -> Callable[[], None]:
     """A function with the docstring of the command's `run` for --help, read from the source without an import."""
     text = (Path(commands.__path__[0]) / f"{name}.py").read_text("utf-8")
     (run,) = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name == "run")
 
-    def told() -> None:
+    def described() -> None:
         raise AssertionError(f"{name} was not imported")
 
-    told.__doc__ = ast.get_docstring(run)
-    return told
+    described.__doc__ = ast.get_docstring(run)
+    return described
 
 
 if __name__ == "__main__":

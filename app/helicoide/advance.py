@@ -139,7 +139,7 @@ def _from_here(state: State, arm: Array) -> Work:
 
 def _after(state: State, q: Array, work: Work) -> State:
     """The state with the results of a guarded step; the arm is at rest if no joint moved by `IMPERCEPTIBLE`."""
-    arm, held = state.arm, ActiveSet(work.held, work.pull)
+    arm, held = state.arm, ActiveSet(work.multipliers, work.pull)
     if np.abs(q - arm.q).max() < IMPERCEPTIBLE:
         return _still(replace(state, arm=replace(arm, active_set=held)))
     for array in (q, work.poses, work.rates):

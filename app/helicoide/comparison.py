@@ -15,7 +15,7 @@ SPAN, SPACING = 10.0, 0.05  # s, of what is kept
 class Effort(NamedTuple):
     """Of one arm at one tick: ‖q̇‖ that its method asks for and that the arm has, rad/s; distance to the target, m."""
 
-    asked: float
+    requested: float
     speed: float
     error: float
 

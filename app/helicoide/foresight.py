@@ -89,12 +89,12 @@ def _asks_the_same(new: State, old: State) -> bool:
     return asked and same and now.controller.method == then.controller.method and not new.arm.parked
 
 
-def lived(state: State, dt: float) -> State:
+def advance_with_search(state: State, dt: float) -> State:
     """As `advance`, but a search that is due runs first. For use without real time."""
     return advance(search_posture(state)(state) if wants_search(state) else state, dt)
 
 
-def rests(old: State, new: State) -> bool:
+def at_rest(old: State, new: State) -> bool:
     """Whether a tick has changed nothing but the time, and later ticks will not either until the request changes."""
     was, now = old.request, new.request
     kept = (

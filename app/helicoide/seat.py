@@ -36,7 +36,7 @@ class Seat:
     stages: Stages | None = None
     cloud_unit: str = ""
     projector: bool = False
-    way: str = "joints"
+    move_type: str = "joints"
 
     def with_layer(self, name: str, on: bool) -> Seat:
         """The same seat with one layer of the scene shown or hidden."""

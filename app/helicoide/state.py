@@ -181,8 +181,8 @@ class State:
         return pose_of_tool(self.problem, self.arm.poses)
 
     @property
-    def guarded_points(self) -> Array:
-        """The guarded points at the present posture, (p, 3), m, world frame."""
+    def monitored_points(self) -> Array:
+        """The monitored points at the present posture, (p, 3), m, world frame."""
         return points_on(self.robot, self.arm.poses)
 
     @property
@@ -208,7 +208,7 @@ Update = Callable[[State], State]
 
 
 def points_on(robot: Robot, poses: Array) -> Array:
-    """The guarded points for link poses (m + 1, 4, 4), as (p, 3), m, world frame. Uses no compiled kernel."""
+    """The monitored points for link poses (m + 1, 4, 4), as (p, 3), m, world frame. Uses no compiled kernel."""
     carriers = poses[robot.monitored_links]
     return np.asarray((carriers[:, :3, :3] @ robot.monitored_points[:, :, None])[:, :, 0] + carriers[:, :3, 3])
 
@@ -255,6 +255,6 @@ def _things(problem: Problem) -> tuple[int, int, bool]:
     return len(problem.planes.panes), len(problem.obstacles.radii), problem.entry is not None
 
 
-def with_drag(state: State, grasp: Drag | None) -> State:
+def with_drag(state: State, drag: Drag | None) -> State:
     """The state with another drag, or none."""
-    return replace(state, request=replace(state.request, drag=grasp))
+    return replace(state, request=replace(state.request, drag=drag))

@@ -29,7 +29,7 @@ FOLLOWED, NEAR_PATH = 2.0, 0.1
 
 def start(state: State) -> State:
     """Ask for the arm at `ready`, the measured planes, a held orientation and the path at its beginning."""
-    for change in (gate.restore_planes(), gate.hold_orientation(True), gate.get_ready()):
+    for change in (gate.restore_planes(), gate.keep_orientation(True), gate.get_ready()):
         state = change(state)
     return replace(state, request=replace(state.request, path_choice=PathChoice(), path_s=0.0))
 

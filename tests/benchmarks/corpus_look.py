@@ -19,7 +19,7 @@ from helicoide.arrays import Array
 from helicoide.commands.ik import answer_json
 from helicoide.confinement import Obstacles
 from helicoide.ik.postures.answer import Answer
-from helicoide.ik.postures.choice import alike
+from helicoide.ik.postures.choice import equal_weights
 from helicoide.ik.postures.solve import answer_status, ranked_postures, reached, solve
 from helicoide.kinematics.forward import FORMULATIONS
 from helicoide.kinematics.library import load_robot
@@ -159,7 +159,7 @@ def _there_and_back(robot: Robot, tree: Tree | None, found: Findings, solving: S
         T, _ = _pose(robot, tree, q)
         ready = robot.poses["ready"]
         answer = solving(robot, T, ready)
-        shown = ranked_postures(robot, answer, ready, alike(robot), Obstacles(), True)
+        shown = ranked_postures(robot, answer, ready, equal_weights(robot), Obstacles(), True)
         json.dumps(answer_json(robot, answer, answer_status(answer), shown, T, True), allow_nan=False)
         found.asked += 1
         said = f"{robot.tool_link}: {answer_status(answer).en}; q = {[round(float(x), 6) for x in q]}"

@@ -81,7 +81,7 @@ SITUATIONS = (
 
 def _states(situation: Situation) -> Iterator[State]:
     """The arm before each of its ticks."""
-    state = gate.hold_orientation(situation.with_orientation)(initial_state(load_robot("movemaster")))
+    state = gate.keep_orientation(situation.with_orientation)(initial_state(load_robot("movemaster")))
     for tick in range(TICKS):
         command = situation.wish(state, tick)
         state = state if command is None else with_command(state, command)

@@ -23,7 +23,7 @@ def main() -> None:
             "frames": 0 if display is None else display.frames,
             "windows": len(lab.visitors),
             "gap": gap,
-            "resting": lab.clock.rests,
+            "resting": lab.clock.idle,
         }
         print(json.dumps(told), flush=True)
     lab.close()

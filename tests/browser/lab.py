@@ -33,7 +33,7 @@ PROJECT = """(p) => {
 def clearance(state: State) -> float:
     """The smallest distance of a guarded point to a plane, m."""
     normals, offsets, _ = state.problem.plane_arrays
-    return float(signed_distances(normals, offsets, state.guarded_points.copy()).min())
+    return float(signed_distances(normals, offsets, state.monitored_points.copy()).min())
 
 
 @dataclass

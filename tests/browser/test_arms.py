@@ -126,7 +126,7 @@ def way(page: Page, state: State) -> tuple[Array, Array]:
 
 
 def test_the_gizmo_takes_the_tool_along(lab: Lab, page: Page, arm: State) -> None:
-    lab.post(gate.hold_orientation(False))
+    lab.post(gate.keep_orientation(False))
     start = lab.state.T_world_tool[:3, 3]
     arrow, along = way(page, lab.state)
     grab(lab, page, start + arrow, start + arrow + along)

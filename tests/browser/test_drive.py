@@ -76,7 +76,7 @@ def test_a_pane_dragged_onto_the_arm_stops_80_mm_from_it(lab: Lab, page: Page) -
     page.mouse.up()
     until(page, lambda: lab.state.request.drag is None)
     lab.ticks(page, 20)
-    distance = (lab.state.guarded_points - lab.state.problem.planes.centres[0]) @ normal
+    distance = (lab.state.monitored_points - lab.state.problem.planes.centres[0]) @ normal
     assert distance.min() == pytest.approx(CRITICAL, abs=1e-9)
     assert np.linalg.norm(lab.state.problem.planes.centres[0] - centre) > 0.03
     assert (lab.state.arm.q == q).all()

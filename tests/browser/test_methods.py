@@ -89,7 +89,7 @@ def test_the_table_follows_the_method_and_its_settings(lab: Lab, page: Page) -> 
 
 
 def test_an_objective_is_chosen_and_weighed(lab: Lab, page: Page) -> None:
-    lab.post(gate.hold_orientation(False))
+    lab.post(gate.keep_orientation(False))
     choose(page, "Method", "pseudoinverse")
     page.get_by_text("Secondary objective", exact=True).click()
     choose(page, "Objective", objectives.named("limit_distance").TITLE.en)

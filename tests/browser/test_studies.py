@@ -28,7 +28,7 @@ def page(shared_page: Page) -> Iterator[Page]:
 
 
 def desk(lab: Lab) -> StudyPanelState:
-    (found,) = {visitor.place.desk for visitor in lab.session.visitors.values()}
+    (found,) = {visitor.place.study_panel for visitor in lab.session.visitors.values()}
     return found
 
 

@@ -40,7 +40,7 @@ def test_a_sphere_is_added_dragged_and_taken_away(lab: Lab, page: Page) -> None:
     until(page, lambda: lab.state.request.drag is None)
     moved = lab.state.problem.obstacles.ends[0, 0] - centre
     np.testing.assert_allclose(moved, 0.1 * up, atol=0.03)
-    lab.post(gate.hold_orientation(False))
+    lab.post(gate.keep_orientation(False))
     lab.post(gate.set_target(lab.state.problem.obstacles.ends[0, 0], [1, 0, 0, 0]))
     tab(page, "Method")
     until(page, lambda: "obstacle 1" in page.locator(".helicoide-instruments").inner_text())
@@ -59,7 +59,7 @@ def test_the_instrument_is_kept_in_its_entry_point_by_a_method_of_the_source(lab
     lab.post(gate.choose_method("pseudoinverse"))
     T = lab.state.T_world_tool
     lab.post(gate.set_target(T[:3, 3] + 0.02 * T[:3, 0], [1, 0, 0, 0]))
-    lab.post(gate.hold_orientation(False))
+    lab.post(gate.keep_orientation(False))
     until(page, lambda: lab.state.arm.moving)
     until(page, lambda: not lab.state.arm.moving)
     assert beside(lab.state) < 1e-5

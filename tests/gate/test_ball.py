@@ -13,7 +13,7 @@ from tests.driving import after
 from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.command import Replay
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.kinematics.ball import BALL_RADIUS, GRASP_DISTANCE, holding_opening
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
@@ -91,7 +91,7 @@ def test_the_golf_ball_is_taken_from_stand_to_stand(state: State) -> None:
     for _ in range(4000):
         if not isinstance(state.request.command, Replay):
             break
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         highest, nearest = max(highest, centre(state)[2]), min(nearest, plane_distances(state).min())
     state = after(state, 1.0)
     assert state.ball is not None

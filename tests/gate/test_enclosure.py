@@ -36,7 +36,7 @@ def test_a_plane_by_its_coefficients_confines_at_once(state: State) -> None:
 
 
 def test_a_plane_through_the_arm_is_moved_back_from_it(state: State) -> None:
-    elbow = state.guarded_points[2]
+    elbow = state.monitored_points[2]
     through = gate.add_plane_through(elbow + np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]]))(state)
     assert plane_distances(through)[:, -1].min() == pytest.approx(CRITICAL, abs=1e-9)
     assert through.notice is not None

@@ -31,13 +31,13 @@ def beside(state: State) -> float:
 @pytest.fixture(params=["dia10", "dia10_rod"])
 def held(request: pytest.FixtureRequest) -> State:
     """An arm that holds its instrument in the entry point where it is, and moves it by its position alone."""
-    return gate.hold_entry(True)(gate.hold_orientation(False)(initial_state(load_robot(request.param))))
+    return gate.enforce_entry(True)(gate.keep_orientation(False)(initial_state(load_robot(request.param))))
 
 
 def test_it_is_held_where_the_instrument_is(held: State) -> None:
     assert held.notice is None
     assert beside(held) < 1e-12
-    loose = gate.hold_entry(False)(held)
+    loose = gate.enforce_entry(False)(held)
     assert loose.problem.entry is None
 
 
@@ -59,7 +59,7 @@ def test_the_instrument_stays_in_it_while_the_tip_moves(held: State, method: str
 @pytest.mark.parametrize("method", METHODS)
 def test_the_whole_pose_is_held_through_the_constrained_jacobian(method: str) -> None:
     """Coutinho 2015, fig. 3.3, on the arm with eight joints: n − r = 6."""
-    state = gate.hold_entry(True)(gate.choose_method(method)(initial_state(load_robot("dia10"))))
+    state = gate.enforce_entry(True)(gate.choose_method(method)(initial_state(load_robot("dia10"))))
     T = state.T_world_tool
     goal = T[:3, 3] + 0.02 * T[:3, 0]
     quat = [np.cos(0.05), 0.0, np.sin(0.05), 0.0]
@@ -91,18 +91,18 @@ def test_an_entry_point_that_moves_takes_the_instrument_along(held: State) -> No
 
 def test_seven_joints_are_too_few_for_a_held_orientation_and_the_page_says_so() -> None:
     """n − r = 5 (Coutinho 2015, §5.1)."""
-    state = gate.hold_entry(True)(gate.choose_method("pseudoinverse")(initial_state(load_robot("dia10_rod"))))
+    state = gate.enforce_entry(True)(gate.choose_method("pseudoinverse")(initial_state(load_robot("dia10_rod"))))
     state = after(gate.set_target(state.T_world_tool[:3, 3], UP)(state), 0.1)
     assert state.request.controller.refusal is not None
     assert "n − r = 5" in status(state).text.en
     assert "n − r = 5" in status(state).text.pt_BR
-    free = after(gate.hold_orientation(False)(state), 0.1)
+    free = after(gate.keep_orientation(False)(state), 0.1)
     assert free.request.controller.refusal is None
 
 
 def test_an_objective_has_no_joint_left_where_all_six_ways_are_held() -> None:
     state = gate.choose_objective("limit_distance")(gate.choose_method("damped")(initial_state(load_robot("dia10"))))
-    state = gate.hold_entry(True)(state)
+    state = gate.enforce_entry(True)(state)
     state = after(gate.set_target(state.T_world_tool[:3, 3], UP)(state), 0.05)
     assert state.request.controller.refusal is not None
     assert "objective" in state.request.controller.refusal.en
@@ -116,7 +116,7 @@ def test_it_is_read_off(held: State) -> None:
 
 
 def test_an_arm_without_an_instrument_is_refused(state: State) -> None:
-    refused = gate.hold_entry(True)(state)
+    refused = gate.enforce_entry(True)(state)
     assert refused.problem is state.problem
     assert refused.notice is not None
     assert "rcm" in refused.notice.en

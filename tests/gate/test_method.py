@@ -80,7 +80,7 @@ def test_settings_outlive_a_change_of_method_and_hold_for_both_arms(moving: Stat
 
 
 def test_a_gain_of_one_axis_makes_that_axis_faster(moving: State) -> None:
-    state = gate.hold_orientation(False)(gate.choose_method("pseudoinverse")(moving))
+    state = gate.keep_orientation(False)(gate.choose_method("pseudoinverse")(moving))
     left = state.T_world_tool[:3, 3] - [0.45, 0.15, 0.25]
     slow = after(gate.set_gain(1, 0.5)(state), 0.2).T_world_tool[:3, 3] - [0.45, 0.15, 0.25]
     assert abs(slow[1]) > 0.8 * abs(left[1])
@@ -95,7 +95,7 @@ def test_an_objective_that_cannot_be_a_row_is_not_made_one(moving: State, name: 
 
 def test_an_objective_moves_the_joints_and_leaves_the_tool(state: State) -> None:
     """Middle of the limits in the null space: the posture changes while the tool stays on its target."""
-    state = gate.hold_orientation(False)(gate.choose_method("pseudoinverse")(state))
+    state = gate.keep_orientation(False)(gate.choose_method("pseudoinverse")(state))
     T = state.T_world_tool
     state = gate.set_target(T[:3, 3], [1, 0, 0, 0])(state)
     pushed = after(gate.weigh_objective(100.0)(gate.choose_objective("limit_distance")(state)), 2.0)
@@ -105,7 +105,7 @@ def test_an_objective_moves_the_joints_and_leaves_the_tool(state: State) -> None
 
 def test_weights_grow_where_a_joint_is_stopped(state: State) -> None:
     """Algorithm 1: towards a target that needs a joint beyond its limit, the weight of that joint grows."""
-    state = gate.hold_orientation(False)(gate.choose_method("pseudoinverse")(state))
+    state = gate.keep_orientation(False)(gate.choose_method("pseudoinverse")(state))
     state = gate.grow_weights(True)(gate.weigh_objective(10.0)(gate.choose_objective("limit_distance")(state)))
     state = after(gate.set_target([-0.3, 0.3, 0.3], [1, 0, 0, 0])(state), 3.0)
     assert state.request.controller.secondary is not None
@@ -114,7 +114,7 @@ def test_weights_grow_where_a_joint_is_stopped(state: State) -> None:
 
 
 def test_the_arm_beside_follows_the_same_target_and_comes_back(moving: State) -> None:
-    state = gate.compare_with("damped")(gate.hold_orientation(False)(moving))
+    state = gate.compare_with("damped")(gate.keep_orientation(False)(moving))
     assert state.compared is not None
     assert state.compared.arm.q is state.arm.q
     state = after(state, 4.0)

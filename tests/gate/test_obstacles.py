@@ -13,7 +13,7 @@ from helicoide.confinement import Obstacles
 from helicoide.foresight import foreseen
 from helicoide.ik import ObstacleContact
 from helicoide.kinematics.library import load_robot
-from helicoide.readout import held_by, holding, status
+from helicoide.readout import limited_by, limiting, status
 from helicoide.state import State, Update, initial_state
 
 UP = [1.0, 0.0, 0.0, 0.0]
@@ -59,7 +59,7 @@ def test_there_are_six_at_most(state: State) -> None:
 
 
 def test_the_arm_stops_at_a_sphere_and_says_so() -> None:
-    state = gate.add_obstacle()(gate.hold_orientation(False)(initial_state(load_robot("puma560"))))
+    state = gate.add_obstacle()(gate.keep_orientation(False)(initial_state(load_robot("puma560"))))
     centre = obstacles(state).ends[0, 0]
     state = gate.set_target(centre, UP)(state)
     assert "obstacle 1" in status(foreseen(state)).text.en
@@ -69,24 +69,24 @@ def test_the_arm_stops_at_a_sphere_and_says_so() -> None:
         least = min(least, apart(state))
     assert least >= -1e-9
     assert apart(state) < 1e-3
-    assert any(isinstance(reason, ObstacleContact) for reason in held_by(state))
+    assert any(isinstance(reason, ObstacleContact) for reason in limited_by(state))
     assert np.linalg.norm(state.T_world_tool[:3, 3] - centre) > obstacles(state).radii[0]
 
 
 @pytest.mark.parametrize("method", ["pseudoinverse", "filtered", "transpose"])
 def test_no_method_drives_the_arm_into_a_sphere(beside_it: State, method: str) -> None:
-    state = gate.choose_method(method)(gate.hold_orientation(False)(beside_it))
+    state = gate.choose_method(method)(gate.keep_orientation(False)(beside_it))
     state = gate.set_target(obstacles(state).ends[0, 0], UP)(state)
     for _ in range(300):
         state = after(state, 0.01)
         assert apart(state) >= -1e-9
     assert apart(state) < 1e-3
-    assert "obstáculo 1" in " ".join(text.pt_BR for text in holding(state))
+    assert "obstáculo 1" in " ".join(text.pt_BR for text in limiting(state))
 
 
 def test_a_dragged_sphere_stops_at_the_arm_and_goes_around_it(beside_it: State) -> None:
     start = obstacles(beside_it).ends[0, 0]
-    elbow = beside_it.guarded_points[2]
+    elbow = beside_it.monitored_points[2]
     state = drag(beside_it, elbow, ("start", "update"))
     assert 0 <= apart(state) < 2e-3
     assert state.notice is not None
@@ -98,7 +98,7 @@ def test_a_dragged_sphere_stops_at_the_arm_and_goes_around_it(beside_it: State) 
 
 
 def test_a_sphere_that_runs_through_the_arm_in_one_step_stops_before_it(beside_it: State) -> None:
-    start, elbow = obstacles(beside_it).ends[0, 0], beside_it.guarded_points[2]
+    start, elbow = obstacles(beside_it).ends[0, 0], beside_it.monitored_points[2]
     through = drag(beside_it, elbow + (elbow - start))
     assert apart(through) >= 0
     assert np.linalg.norm(obstacles(through).ends[0, 0] - elbow) < np.linalg.norm(start - elbow)
@@ -112,7 +112,7 @@ def test_only_the_hand_that_holds_a_sphere_moves_it(beside_it: State) -> None:
 
 
 def test_a_sphere_grows_as_far_as_the_arm_leaves_room(beside_it: State) -> None:
-    near = drag(beside_it, beside_it.guarded_points[2])
+    near = drag(beside_it, beside_it.monitored_points[2])
     grown = gate.set_obstacle_radius(0, 0.2)(near)
     assert obstacles(grown).radii[0] < 0.2
     assert apart(grown) >= -1e-9
@@ -123,13 +123,13 @@ def test_a_sphere_grows_as_far_as_the_arm_leaves_room(beside_it: State) -> None:
 
 
 def test_the_arm_beside_stops_a_sphere_too(beside_it: State) -> None:
-    state = after(gate.set_joint(0, 0.6)(gate.hold_orientation(False)(beside_it)), 0.2)
+    state = after(gate.set_joint(0, 0.6)(gate.keep_orientation(False)(beside_it)), 0.2)
     both = gate.compare_with("damped")(state)
     assert both.compared is not None
     state = after(gate.set_target([0.3, -0.3, 0.3], UP)(both), 0.3)
     other = state.compared_state
     assert other is not None
-    pushed = drag(state, other.guarded_points[-1])
+    pushed = drag(state, other.monitored_points[-1])
     beside = pushed.compared_state
     assert beside is not None
     assert apart(beside) >= 0
@@ -171,11 +171,11 @@ def test_forged_numbers_change_nothing(beside_it: State, value: object) -> None:
 
 def test_an_objective_keeps_the_joints_away_from_spheres(state: State) -> None:
     """Vargas 2013, eq. 4.74, with the centres of the spheres for the points of the second arm."""
-    state = gate.hold_orientation(False)(gate.choose_method("pseudoinverse")(state))
-    state = drag(gate.add_obstacle()(state), state.guarded_points[2])
+    state = gate.keep_orientation(False)(gate.choose_method("pseudoinverse")(state))
+    state = drag(gate.add_obstacle()(state), state.monitored_points[2])
     state = gate.set_target(state.T_world_tool[:3, 3], UP)(state)
     pushed = after(gate.weigh_objective(1.0)(gate.choose_objective("second_arm")(state)), 3.0)
-    before = np.linalg.norm(state.guarded_points - obstacles(state).ends[0, 0], axis=1).min()
-    now = np.linalg.norm(pushed.guarded_points - obstacles(state).ends[0, 0], axis=1).min()
+    before = np.linalg.norm(state.monitored_points - obstacles(state).ends[0, 0], axis=1).min()
+    now = np.linalg.norm(pushed.monitored_points - obstacles(state).ends[0, 0], axis=1).min()
     assert now > before + 1e-3
     assert np.linalg.norm(pushed.T_world_tool[:3, 3] - state.T_world_tool[:3, 3]) < 1e-3

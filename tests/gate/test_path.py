@@ -13,7 +13,7 @@ from tests.driving import after
 
 from helicoide import gate
 from helicoide.command import FollowPath, HoldPosition, MoveToJoints, PathChoice, Replay
-from helicoide.foresight import foreseen, lived
+from helicoide.foresight import advance_with_search, foreseen
 from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.readout import plane_distances
 from helicoide.readout.status import FOLLOWING, status
@@ -39,10 +39,10 @@ def test_every_path_is_smooth_and_its_twist_is_its_derivative(name: str, key: st
 def test_every_arm_follows_the_paths_from_its_ready_posture(name: str, key: str) -> None:
     """Round once: the tool is on the path at every instant, and comes back."""
     state = gate.choose_path(key)(initial_state(load_robot(name)))
-    state = gate.play()(gate.hold_orientation(False)(gate.set_duration(10.0)(state)))
+    state = gate.play()(gate.keep_orientation(False)(gate.set_duration(10.0)(state)))
     worst = 0.0
     for _ in range(1000):
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         assert isinstance(state.request.command, FollowPath)
         if state.request.command.arrived:
             wished = state.request.command.path.pose(state.request.command.s)[:3, 3]
@@ -88,7 +88,7 @@ def test_a_time_scaling_starts_at_rest_and_takes_as_long(state: State) -> None:
 
 
 def test_another_duration_goes_on_from_the_same_place(state: State) -> None:
-    playing = after(gate.play()(gate.hold_orientation(False)(state)), 4.0)
+    playing = after(gate.play()(gate.keep_orientation(False)(state)), 4.0)
     slower = gate.set_duration(60.0)(playing)
     assert isinstance(slower.request.command, FollowPath)
     assert slower.request.command.arrived
@@ -131,14 +131,14 @@ def test_the_least_time_keeps_the_limits_and_the_path() -> None:
 def test_the_least_time_keeps_clear_of_planes_and_says_how_far_the_path_is_left(state: State) -> None:
     """Eq. 33 leads out of the enclosure; the most that the tool is beside it is said, in both languages."""
     state = gate.choose_path("eq33")(state)
-    played = along_fastest(state)(gate.hold_orientation(False)(state))
+    played = along_fastest(state)(gate.keep_orientation(False)(state))
     assert isinstance(played.request.command, Replay)
     said = float(re.search(r"([\d.]+) mm", played.request.command.title.en)[1]) / 1000  # type: ignore[index]
     assert untranslated("{said:.1f} mm").format(said=1000 * said).pt_BR in played.request.command.title.pt_BR
     curve = np.array([gate.presets(state.robot)["eq33"].path.pose(s)[:3, 3] for s in np.linspace(0, 30, 3001)])
     beside = 0.0
     for _ in range(6000):
-        played = lived(played, 0.01)
+        played = advance_with_search(played, 0.01)
         assert plane_distances(played).min() >= 0.080 - 1e-9
         if not isinstance(played.request.command, Replay):
             break

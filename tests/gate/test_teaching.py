@@ -11,7 +11,7 @@ from tests.driving import after, turning_z_to
 from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.command import MoveToJoints, Replay
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.kinematics.library import load_robot
 from helicoide.readout import plane_distances
 from helicoide.session.replaying import replay_through
@@ -26,7 +26,7 @@ UP = [1.0, 0.0, 0.0, 0.0]
 @pytest.fixture
 def taught() -> State:
     """Three points of the PUMA, the last reached along a line."""
-    state = gate.record()(gate.hold_orientation(False)(initial_state(load_robot("puma560"))))
+    state = gate.record()(gate.keep_orientation(False)(initial_state(load_robot("puma560"))))
     start = state.T_world_tool[:3, 3]
     for way, move in (("joints", [0.05, 0.15, 0.05]), ("line", [0.05, -0.1, -0.05])):
         state = gate.record(way)(after(gate.set_target(start + move, UP)(state), 4.0))
@@ -42,7 +42,7 @@ def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> N
         command = state.request.command
         if not isinstance(command, Replay):
             break
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         if command.arrived and isinstance(state.request.command, Replay):
             wished = tool_pose_in(state.robot, path.q(state.request.command.s))[:3, 3]
             worst = max(worst, float(np.linalg.norm(state.T_world_tool[:3, 3] - wished)))
@@ -57,7 +57,7 @@ def test_the_taught_path_is_gone_through_within_a_millimetre(taught: State) -> N
 
 
 def test_a_plane_in_the_way_slows_the_replay_and_is_never_crossed(state: State) -> None:
-    state = gate.record()(gate.hold_orientation(False)(state))
+    state = gate.record()(gate.keep_orientation(False)(state))
     state = gate.record()(after(gate.set_target([0.5, 0.15, 0.3], UP)(state), 5.0))
     state = replay_through(replace(state, arm=replace(state.arm, q=state.robot.poses["ready"])))(
         after(gate.get_ready()(state), 6.0)
@@ -66,7 +66,7 @@ def test_a_plane_in_the_way_slows_the_replay_and_is_never_crossed(state: State) 
     state = gate.drag_plane("one", "start", 0, ceiling, _facing(state))(state)
     state = gate.drag_plane("one", "end", 0, ceiling, _facing(state))(state)
     for _ in range(1500):
-        state = lived(state, 0.01)
+        state = advance_with_search(state, 0.01)
         assert plane_distances(state).min() >= 0.080 - 1e-9
     assert not isinstance(state.request.command, Replay), "it ends, beside its path if need be"
 
@@ -94,7 +94,7 @@ def test_points_go_to_a_file_and_come_back(taught: State) -> None:
 
 
 def test_the_way_the_stay_and_the_posture_of_a_point_can_be_changed(taught: State) -> None:
-    state = gate.set_dwell("P2", 1.5)(gate.set_way("P2", "screw")(taught))
+    state = gate.set_dwell("P2", 1.5)(gate.set_move_type("P2", "screw")(taught))
     state = gate.teach_again("P1")(gate.go_to("zero")(state))
     first, second, third = state.taught.waypoints
     assert (second.move_type, second.dwell, third) == ("screw", 1.5, taught.taught.waypoints[2])
@@ -114,7 +114,7 @@ def test_what_is_wrong_changes_nothing(taught: State, state: State) -> None:
         gate.rename_waypoint("P1", "P2"),
         gate.rename_waypoint("P1", "  "),
         gate.move_waypoint("P1", 7),
-        gate.set_way("P1", "jump"),
+        gate.set_move_type("P1", "jump"),
         gate.set_dwell("P1", -1.0),
         gate.set_dwell("P1", float("nan")),
         gate.teach_again("P9"),
@@ -155,6 +155,6 @@ def test_a_motion_beyond_the_limits_lags_and_keeps_them(state: State) -> None:
     far[2] = -3.0
     played = gate.replay_motion([0.0, 4.0], [ready, far], untranslated("run"))(state)
     for _ in range(900):
-        played = lived(played, 0.01)
+        played = advance_with_search(played, 0.01)
         assert (played.arm.q >= played.problem.limits.lower - 1e-9).all()
     assert not isinstance(played.request.command, Replay)

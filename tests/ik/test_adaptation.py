@@ -18,11 +18,11 @@ from helicoide.ik.adaptation import (
     Rule,
     adapted,
     everywhere,
-    given_way,
-    held_back,
     moved_away,
     moving_point_distances,
     trimmed,
+    with_distances_kept,
+    with_target_moved,
 )
 from helicoide.ik.converge import CAP_PER_POINT, Tolerance, converged, loop_of
 from helicoide.studies.cerbaro_runs.confined import ELLIPSE, confined_problem, path_samples
@@ -57,12 +57,12 @@ def test_a_target_held_back_comes_no_nearer_and_moves_along_the_normal_only(
     target: Array, before: Array, azimuth: float, elevation: float
 ) -> None:
     n = np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation), np.sin(elevation)])
-    back = held_back(target, before, n)
+    back = with_distances_kept(target, before, n)
     assert (back - before) @ n >= -1e-12
     np.testing.assert_allclose(np.cross(back - target, n), 0, atol=1e-12)
     if (target - before) @ n >= 0:
         np.testing.assert_array_equal(back, target)
-    np.testing.assert_allclose(held_back(back, before, n), back, atol=1e-12)
+    np.testing.assert_allclose(with_distances_kept(back, before, n), back, atol=1e-12)
 
 
 @given(cloud=st.lists(points, min_size=1, max_size=9))
@@ -101,7 +101,7 @@ BOTH = everywhere(FLOOR_AND_WALL)
 )
 def test_which_rule_applies(near: tuple[float, float], rule: Rule, expected: tuple[float, ...]) -> None:
     target, before = np.array([0.4, 0.1, 0.1]), np.array([0.3, 0.2, 0.15])
-    found = given_way(target, before, np.array(near), FLOOR_AND_WALL, ZONES, rule)
+    found = with_target_moved(target, before, np.array(near), FLOOR_AND_WALL, ZONES, rule)
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
     assert (found is target) == (tuple(target) == expected)
 
@@ -110,9 +110,9 @@ def test_the_printed_damping_forbids_to_rise_whatever_the_plane() -> None:
     level = Rule((0,), level=True)
     higher, lower = np.array([0.4, 0.1, 0.2]), np.array([0.4, 0.1, 0.1])
     near = np.array([0.1, 1.0])
-    np.testing.assert_array_equal(given_way(higher, lower, near, FLOOR_AND_WALL, ZONES, level), lower)
-    assert given_way(lower, higher, near, FLOOR_AND_WALL, ZONES, level) is lower
-    assert given_way(higher, None, near, FLOOR_AND_WALL, ZONES, level) is higher
+    np.testing.assert_array_equal(with_target_moved(higher, lower, near, FLOOR_AND_WALL, ZONES, level), lower)
+    assert with_target_moved(lower, higher, near, FLOOR_AND_WALL, ZONES, level) is lower
+    assert with_target_moved(higher, None, near, FLOOR_AND_WALL, ZONES, level) is higher
 
 
 def test_the_points_that_cannot_move_are_not_watched() -> None:

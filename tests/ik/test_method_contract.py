@@ -92,7 +92,7 @@ def test_under_the_guard_no_method_breaks_a_promise_and_switching_never_jumps(ro
     for _ in range(60):
         state = gate.choose_method(str(rng.choice(names())))(state)
         state = gate.compare_with(rng.choice([None, *names()]))(state)
-        state = gate.hold_orientation(bool(rng.random() < 0.5))(state)
+        state = gate.keep_orientation(bool(rng.random() < 0.5))(state)
         far = state.robot.reach * rng.choice([0.3, 1.0, 3.0]) * rng.normal(size=3)
         state = replace(state, request=replace(state.request, command=MoveToPose(tool_moved(state, far, rng))))
         dt = float(rng.choice(DTS))

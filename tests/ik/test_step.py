@@ -42,7 +42,7 @@ def test_a_work_space_holds_the_rates_and_nothing_else_of_the_steps_before(name:
         assert step(arm, q, T, STILL, DT, work.memory) == step(arm, again, T, STILL, DT, before.memory)
         np.testing.assert_array_equal(q, again)
         np.testing.assert_array_equal(work.rates, before.rates)
-        np.testing.assert_array_equal(work.held, before.held)
+        np.testing.assert_array_equal(work.multipliers, before.multipliers)
         moved += float(np.abs(work.rates).max())
     assert moved > 1.0, "the arm hardly moved: this shows nothing"
 

@@ -141,7 +141,7 @@ for name in ("movemaster", "dia10_rod", "polar_rp"):
     begun = [gate.add_obstacle(), gate.get_ready(), gate.set_joint(0, start.arm.q[0] + 0.1)]
     begun += [gate.choose_path(path) for path in gate.presets(start.robot)]
     if "rcm" in start.robot.frames:
-        begun.append(gate.hold_entry(True))
+        begun.append(gate.enforce_entry(True))
     for method in methods.names():
         for update in begun:
             state = gate.play()(update(gate.choose_method(method)(start)))

@@ -47,7 +47,7 @@ def test_a_lab_at_rest_does_nothing(lab: Lab, hand: Hand) -> None:
     """No tick, no frame and no word: counted over a second, after all that was left to say has been said."""
     hand.do(hand.page.give("1 waist", 3.0))
     assert eventually(lambda: abs(state(lab).arm.q[0] - 0.05236) < 1e-3)
-    assert eventually(lambda: lab.clock.rests)
+    assert eventually(lambda: lab.clock.idle)
     time.sleep(1.5)
     display = lab.shared.display
     assert display is not None

@@ -64,17 +64,20 @@ def drawn(lab: Lab) -> str:
 @pytest.mark.parametrize("name", TALKATIVE)
 def test_a_study_holds_nothing_up(lab: Lab, hand: Hand, name: str) -> None:
     (visitor,) = lab.visitors.values()
-    before = visitor.place.desk.last
+    before = visitor.place.study_panel.last
     hand.do(hand.page.give("Study", dict(studies_by_source())[name].en))
-    assert eventually(lambda: visitor.place.desk.study == name)
+    assert eventually(lambda: visitor.place.study_panel.study == name)
 
     def begun() -> bool:
         """The button can be pressed once the page has heard that there is a study."""
         hand.do(hand.page.press("Run"))
-        return eventually(lambda: visitor.place.desk.progress is not None, 1.0) or visitor.place.desk.last is not before
+        return (
+            eventually(lambda: visitor.place.study_panel.progress is not None, 1.0)
+            or visitor.place.study_panel.last is not before
+        )
 
     assert eventually(begun)
-    turns = under_way(lab, hand, lambda: visitor.place.desk.last is not before)
+    turns = under_way(lab, hand, lambda: visitor.place.study_panel.last is not before)
     assert turns.longest < LONGEST, turns.what
     assert state(lab).request.command == HoldPosition(stopped=True)
 

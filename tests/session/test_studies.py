@@ -16,7 +16,7 @@ from helicoide.seat import Seat
 from helicoide.session import studies
 from helicoide.session.seats import Place
 from helicoide.session.studies import FAILED, Studies
-from helicoide.studies import panel_state as desks
+from helicoide.studies import panel_state
 from helicoide.studies.panel_state import StudyPanelState
 
 NAME = "cerbaro_orca_convergence"
@@ -64,11 +64,11 @@ class Person:
 
     @property
     def desk(self) -> StudyPanelState:
-        return self.place.desk
+        return self.place.study_panel
 
     def begin(self) -> None:
-        self.studies.redesk(self.place, desks.with_study(NAME))
-        self.studies.redesk(self.place, desks.with_run_started)
+        self.studies.change(self.place, panel_state.with_study(NAME))
+        self.studies.change(self.place, panel_state.with_run_started)
         assert self.desk.progress == 0
 
     async def until(self, condition: Callable[[], object]) -> None:
@@ -188,8 +188,8 @@ def test_a_study_that_breaks_is_said_with_its_traceback_in_the_log(
 @pytest.mark.parametrize(
     "end",
     [
-        lambda person: person.studies.redesk(person.place, desks.with_run_ended),
-        lambda person: person.studies.redesk(person.place, desks.with_study("")),
+        lambda person: person.studies.change(person.place, panel_state.with_run_ended),
+        lambda person: person.studies.change(person.place, panel_state.with_study("")),
         lambda person: person.studies.forget(person.place),
         lambda person: person.studies.close(),
     ],

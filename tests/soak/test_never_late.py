@@ -42,16 +42,19 @@ def test_no_study_holds_anything_up(lab: Lab, name: str) -> None:
     hand = window(lab)
     (visitor,) = lab.visitors.values()
     hand.do(hand.page.give("Study", dict(studies_by_source())[name].en))
-    assert eventually(lambda: visitor.place.desk.study == name)
+    assert eventually(lambda: visitor.place.study_panel.study == name)
 
     def begun() -> bool:
         hand.do(hand.page.press("Run"))
-        return eventually(lambda: visitor.place.desk.progress is not None, 1.0) or visitor.place.desk.last is not None
+        return (
+            eventually(lambda: visitor.place.study_panel.progress is not None, 1.0)
+            or visitor.place.study_panel.last is not None
+        )
 
     assert eventually(begun)
     heard, lab.clock.gap = [], 0.0
     with counted(lab.loop) as turns:
-        while visitor.place.desk.progress is not None:
+        while visitor.place.study_panel.progress is not None:
             heard.append(hand.do(hand.page.stop()))
             hand.do(hand.page.press("Play"))
             time.sleep(1.0)
@@ -61,7 +64,7 @@ def test_no_study_holds_anything_up(lab: Lab, name: str) -> None:
         f"{name}: stop heard within {max(heard, default=0.0):.3f} s (goal {HEARD}), "
         f"longest gap {lab.clock.gap:.3f} s (goal {GAP}), longest turn {turns.longest:.3f} s of processor time"
     )
-    assert visitor.place.desk.failure is None
+    assert visitor.place.study_panel.failure is None
     assert turns.longest < LONGEST, turns.what
 
 
@@ -117,7 +120,7 @@ def test_an_hour_of_random_use_leaves_nothing_behind(lab: Lab, caplog: pytest.Lo
 def used(lab: Lab) -> tuple[float, int, int]:
     """Memory, MB, threads and open files of this process, when nothing is under way and the garbage is out."""
     places, bays = list(lab.seats.places.values()), list(lab.bays)
-    assert eventually(lambda: all(place.desk.progress is None for place in places), 600)
+    assert eventually(lambda: all(place.study_panel.progress is None for place in places), 600)
     assert eventually(lambda: all(bay.workcell.state.workspace.progress is None for bay in bays), 600)
     gc.collect()
     process = psutil.Process()

@@ -180,20 +180,20 @@ def test_a_window_drives_only_when_its_page_has_passed_the_last_fence(
         number = meet(page, "f")["fence"]
         assert isinstance(number, int)
         line.link.hear(HelicoideMadeAt(1000 * monotonic()))
-        assert not line.link.drives
+        assert not line.link.has_control
         assert line.link.hear(HelicoideFence(number))
-        assert line.link.drives
+        assert line.link.has_control
         post(control.fence, "f")
         assert json.loads(page.recv(5)) == {"fence": number + 1}
         assert not line.link.hear(HelicoideFence(number))
-        assert not line.link.drives
+        assert not line.link.has_control
         assert line.link.hear(HelicoideFence(number + 1))
         for at in (1000 * (monotonic() - 1.1), float("nan"), "now", None):
             line.link.hear(HelicoideMadeAt(at))  # type: ignore[arg-type]
-            assert not line.link.drives
+            assert not line.link.has_control
         line.link.hear(HelicoideMadeAt(1000 * (monotonic() - 0.5)))
-        assert line.link.drives
-    assert eventually(lambda: not line.link.drives)
+        assert line.link.has_control
+    assert eventually(lambda: not line.link.has_control)
 
 
 def test_who_says_too_much_waits_and_nobody_else(server: viser.ViserServer, page: Connection, stops: list[str]) -> None:

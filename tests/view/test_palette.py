@@ -10,7 +10,7 @@ from helicoide.kinematics.library import load_robot, robot_titles
 from helicoide.text import LANGUAGES
 from helicoide.view import layers, panels
 from helicoide.view.palette import ARM, LAYER, LESSON, METHOD, POSE, STUDY, TAB, palette
-from helicoide.view.rows import ForArm, ForDesk, ForLab, ShowTab
+from helicoide.view.rows import ForArm, ForLab, ForStudyPanel, ShowTab
 
 
 @pytest.mark.parametrize("name", robot_titles())
@@ -33,5 +33,5 @@ def test_the_palette_has_every_tab_layer_lesson_study_pose_method_and_arm(name: 
         assert len({text[language] for text, _ in known}) == len(known)
     assert sum(isinstance(wish, ShowTab) for _, wish in known) == kinds[TAB]
     assert sum(isinstance(wish, ForLab) for _, wish in known) == kinds[ARM]
-    assert sum(isinstance(wish, ForDesk) for _, wish in known) == kinds[STUDY]
+    assert sum(isinstance(wish, ForStudyPanel) for _, wish in known) == kinds[STUDY]
     assert sum(isinstance(wish, ForArm) for _, wish in known) >= kinds[POSE] + kinds[METHOD]

@@ -7,7 +7,7 @@ import pytest
 
 from helicoide.studies.study import Chart, ChartLine
 from helicoide.text import untranslated
-from helicoide.view.chart_plot import POINTS, common, heights, turns_back
+from helicoide.view.chart_plot import POINTS, common, heights, runs_backwards
 
 AROUND = np.linspace(0, 2 * np.pi, 50)
 
@@ -21,7 +21,7 @@ def chart(*curves: tuple[object, object]) -> Chart:
     ("curve", "does"), [(([0, 1, 1, 2], [0, 1, 2, 3]), False), ((np.cos(AROUND), np.sin(AROUND)), True)]
 )
 def test_a_curve_that_closes_turns_back(curve: tuple[object, object], does: bool) -> None:
-    assert turns_back(chart(([0, 1], [0, 1]), curve)) is does
+    assert runs_backwards(chart(([0, 1], [0, 1]), curve)) is does
 
 
 def test_heights_hold_every_curve_and_pass_over_what_is_blank() -> None:

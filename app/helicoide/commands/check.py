@@ -18,7 +18,7 @@ def run(name: tyro.conf.Positional[str | None] = None) -> None:
     """Check a robot, a lesson, a method or a study, shipped or your own, and say in words what is wrong with it.
 
     Robots: whether screws, DH rows and URDF agree, poses lie inside the limits, meshes are there. Lessons are played by
-    their solutions, methods drive every arm, studies run in their short form. Ends with 0 when all is well, with 3
+    their solutions, methods drive every arm, studies do their quick run. Ends with 0 when all is well, with 3
     where something is wrong, and with 2 for wrong input.
 
     Args:

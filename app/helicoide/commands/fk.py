@@ -104,7 +104,7 @@ def run(
         values = np.where([joint.is_prismatic for joint in arm.variables], values, np.radians(values))
     if json:
         staged = {} if frames is None else {"frames": stage_table.stages_json(arm, values, frames, as_ == "source")}
-        print(json_format.dumps(_told(arm, values) | staged, indent=1))
+        print(json_format.dumps(_as_json(arm, values) | staged, indent=1))
         return
     spoken = language()
     for line in (
@@ -154,7 +154,7 @@ def motor_readings(robot: Robot, q: Array) -> list[Motor] | Text:
     return list(zip(actuators.labels, *(map(float, values) for values in numbers), strict=True))
 
 
-def _told(robot: Robot, q: Array) -> dict[str, Any]:
+def _as_json(robot: Robot, q: Array) -> dict[str, Any]:
     """What --json prints: poses by formulation, nearness to a singularity, motors, and joints outside limits."""
     here = singularity(robot, q)
     words = here.description(NEAR_SINGULAR)

@@ -17,7 +17,7 @@ from helicoide.confinement import Obstacles
 from helicoide.geometry import euler, rotation
 from helicoide.ik.postures import solvability
 from helicoide.ik.postures.answer import Answer
-from helicoide.ik.postures.choice import COLLIDES, Ranked, alike
+from helicoide.ik.postures.choice import COLLIDES, Ranked, equal_weights
 from helicoide.ik.postures.solve import answer_status, ranked_postures, reached, solve, solve_by
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
@@ -82,7 +82,7 @@ def run(
     asked = (arm, T, q, all or choosing, R is not None)
     answer = solve(*asked) if method is None else solve_by(method, *asked)
     ranking = ranked_postures(
-        arm, answer, q, alike(arm) if weights is None else weights, _sphere(obstacle), R is not None
+        arm, answer, q, equal_weights(arm) if weights is None else weights, _sphere(obstacle), R is not None
     )
     free = [row for row in ranking if row.dropped is not COLLIDES]
     shown = ranking if all else free[: 1 if choosing else None] or ranking
@@ -97,7 +97,7 @@ def run(
 
 
 def answer_json(
-    robot: Robot, answer: Answer, said: Text, shown: Sequence[Ranked], T_world_tool: Array, with_orientation: bool
+    robot: Robot, answer: Answer, words: Text, shown: Sequence[Ranked], T_world_tool: Array, with_orientation: bool
 ) -> dict[str, Any]:
     """An answer as JSON, in SI units, with texts in both languages.
 
@@ -119,7 +119,7 @@ def answer_json(
         "turned": answer.turned,
         "short": answer.short,
         "reached": reached(answer),
-        "status": _words(said),
+        "status": _words(words),
         "words": _words(answer.words),
         "branches": [_described(robot, row) for row in shown],
     }

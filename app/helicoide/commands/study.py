@@ -170,27 +170,27 @@ def _write(report: Path, text: str) -> None:
         raise HelicoideError(CANNOT_WRITE.format(report=report, why=os_error_reason(error))) from error
 
 
-def _work(asked: StudyRequest, progress: Progress) -> Result:
-    return studies.run_study(asked.name, asked.options, asked.short, progress)
+def _work(call: StudyRequest, progress: Progress) -> Result:
+    return studies.run_study(call.name, call.options, call.short, progress)
 
 
-def _run(asked: tuple[StudyRequest, ...], workers: int) -> list[Record]:
-    with _bar(len(asked)) as progress:
-        if len(asked) == 1:
-            outcomes = [run_timed(_work, asked[0], progress)]
+def _run(call: tuple[StudyRequest, ...], workers: int) -> list[Record]:
+    with _bar(len(call)) as progress:
+        if len(call) == 1:
+            outcomes = [run_timed(_work, call[0], progress)]
         else:
-            outcomes = run_parallel(_work, asked, workers, progress)
-    return [_record(one, outcome) for one, outcome in zip(asked, outcomes, strict=True)]
+            outcomes = run_parallel(_work, call, workers, progress)
+    return [_record(one, outcome) for one, outcome in zip(call, outcomes, strict=True)]
 
 
-def _record(asked: StudyRequest, outcome: JobOutcome[Result]) -> Record:
+def _record(call: StudyRequest, outcome: JobOutcome[Result]) -> Record:
     error, failure = outcome.failure, None
     if error is not None:
         failure = error.text if isinstance(error, HelicoideError) else CRASHED
     if failure is CRASHED:
-        log.error("the study %s stopped", asked.name, exc_info=error)
-    study = studies.study_named(asked.name)
-    return Record(asked.name, study, asked.options, asked.short, outcome.value, failure, outcome.seconds)
+        log.error("the study %s stopped", call.name, exc_info=error)
+    study = studies.study_named(call.name)
+    return Record(call.name, study, call.options, call.short, outcome.value, failure, outcome.seconds)
 
 
 @contextmanager

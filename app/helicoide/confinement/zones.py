@@ -27,7 +27,7 @@ class Zone(Enum):
 
 @dataclass(frozen=True)
 class Zones:
-    """Distances, m: no guarded point comes closer to a plane than `critical`; below `warning` people are warned.
+    """Distances, m: no monitored point comes closer to a plane than `critical`; below `warning` people are warned.
 
     body_clearance: least clearance between two bodies, from surface to surface.
     """

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
-from helicoide.contributions.words import untold
+from helicoide.contributions.words import missing_words
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import Lesson, Prose
 from helicoide.state import initial_state
@@ -48,7 +48,7 @@ NOT_SHOWN = Text(
 
 def word_faults(lesson: Lesson, robot: Robot) -> Iterator[Text]:
     """The faults of the texts of a lesson."""
-    yield from untold(TITLE, lesson.title)
+    yield from missing_words(TITLE, lesson.title)
     for step, prose in lesson.prose.items():
         for fault in _of_prose(prose, robot):
             yield OF_STEP.format(step=step, what=fault)
@@ -57,7 +57,7 @@ def word_faults(lesson: Lesson, robot: Robot) -> Iterator[Text]:
 def _of_prose(prose: Prose, robot: Robot) -> Iterator[Text]:
     for name, part in PARTS.items():
         text: Text = getattr(prose, name)
-        yield from untold(part, text, differ=True)
+        yield from missing_words(part, text, differ=True)
         if name != "title" and (unlike := [*_unlike(text)]):
             yield UNLIKE.format(part=part, what=join_texts(unlike, ", "))
     for language in LANGUAGES:

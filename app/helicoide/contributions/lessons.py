@@ -13,7 +13,7 @@ from helicoide import content, gate, lesson
 from helicoide.command import HoldPosition
 from helicoide.contributions.lesson_words import word_faults
 from helicoide.contributions.loading import collected_faults
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.kinematics.library import load_robot
 from helicoide.kinematics.robot import Robot
 from helicoide.lesson import AtSeat, Lesson, Step
@@ -70,7 +70,7 @@ def faults(name: str) -> tuple[Text, ...]:
 def played(state: State, seconds: float) -> State:
     """The state after a number of seconds without requests."""
     for _ in range(round(seconds / TICK)):
-        state = lived(state, TICK)
+        state = advance_with_search(state, TICK)
     return state
 
 

@@ -11,8 +11,8 @@ from helicoide import content
 from helicoide.contributions.loading import collected_faults, unusable
 from helicoide.contributions.options import option_faults
 from helicoide.contributions.promises import HELD, answers
-from helicoide.contributions.trials import asked, bare_state
-from helicoide.contributions.words import untold
+from helicoide.contributions.trials import bare_state, closed_loop_to
+from helicoide.contributions.words import missing_words
 from helicoide.ik import methods
 from helicoide.ik.method import Promise
 from helicoide.ik.methods import named
@@ -57,7 +57,7 @@ def pairs(name: str) -> tuple[tuple[Pair, ...], dict[Pair, Text]]:
     applying, refused = list[Pair](), dict[Pair, Text]()
     for pair in (Pair(robot, turned) for robot in sorted(robot_titles()) for turned in (True, False)):
         state = bare_state(pair.robot)
-        why = named(name).applies(asked(state, state.T_world_tool, pair.with_orientation))
+        why = named(name).applies(closed_loop_to(state, state.T_world_tool, pair.with_orientation))
         if why is None:
             applying.append(pair)
         else:
@@ -69,27 +69,33 @@ def faults(name: str) -> tuple[Text, ...]:
     """The faults of a method, by its name. It drives every arm, which takes a while."""
     if (why := unusable(methods, name)) is not None:
         return (why,)
-    return collected_faults(content.module_file(methods.__path__, name), chain(description_faults(name), _held(name)))
+    return collected_faults(
+        content.module_file(methods.__path__, name), chain(description_faults(name), _promise_faults(name))
+    )
 
 
 def description_faults(name: str) -> Iterator[Text]:
     """The faults of the description of a method."""
     method = named(name)
-    yield from untold(untranslated("TITLE"), method.TITLE)
+    yield from missing_words(untranslated("TITLE"), method.TITLE)
     if not method.SOURCE.strip():
         yield SOURCE
     if "<math" not in formula_html(method.EQUATION):
         yield NO_TEX
     if method.REMEMBERS is not None:
-        yield from untold(untranslated("REMEMBERS"), method.REMEMBERS)
-    yield from (fault for symbol, title in method.FIGURES.items() for fault in untold(untranslated(symbol), title))
+        yield from missing_words(untranslated("REMEMBERS"), method.REMEMBERS)
+    yield from (
+        fault for symbol, title in method.FIGURES.items() for fault in missing_words(untranslated(symbol), title)
+    )
     yield from _promised(name)
     yield from option_faults(method.Options)
     applying, refused = pairs(name)
     if not applying:
         yield NOWHERE
     yield from (
-        fault for why in dict.fromkeys(refused.values()) for fault in untold(untranslated("applies"), why, differ=True)
+        fault
+        for why in dict.fromkeys(refused.values())
+        for fault in missing_words(untranslated("applies"), why, differ=True)
     )
 
 
@@ -100,10 +106,10 @@ def _promised(name: str) -> Iterator[Text]:
     elif not method.PROMISES and why_none is None:
         yield NO_PROMISES.format(known=", ".join(promise.name for promise in Promise))
     elif why_none is not None:
-        yield from untold(untranslated("NO_PROMISES"), why_none, differ=True)
+        yield from missing_words(untranslated("NO_PROMISES"), why_none, differ=True)
 
 
-def _held(name: str) -> Iterator[Text]:
+def _promise_faults(name: str) -> Iterator[Text]:
     for pair in pairs(name)[0]:
         task = POSE if pair.with_orientation else POSITION
         promised = [HELD[promise] for promise in Promise if promise in named(name).PROMISES]

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from typing import Any
 
-from helicoide.contributions.words import untold
+from helicoide.contributions.words import missing_words
 from helicoide.ik.method import OneOf, changed, settings
 from helicoide.text import HelicoideError, Text, untranslated
 
@@ -25,7 +25,7 @@ def option_faults(options: type) -> Iterator[Text]:
             yield NO_SETTING.format(name=field.name)
     for name, setting in known.items():
         titles = [setting.title, *(setting.choices.values() if isinstance(setting, OneOf) else ())]
-        yield from (fault for title in titles for fault in untold(untranslated(name), title))
+        yield from (fault for title in titles for fault in missing_words(untranslated(name), title))
         yield from _default(default, name)
 
 

@@ -10,9 +10,9 @@ import numpy as np
 
 from helicoide.arrays import frozen
 from helicoide.contributions.trials import (
-    asked,
     bare_state,
     clear_of_singularities,
+    closed_loop_to,
     controller_step,
     far_poses,
     missing,
@@ -90,7 +90,7 @@ def exact(name: str, robot: str, with_orientation: bool) -> Text | None:
     state, rng = bare_state(robot), np.random.default_rng(4)
     for _ in range(10):
         q, _ = clear_of_singularities(state.robot, rng, with_orientation)
-        task = asked(with_joints(state, q), state.T_world_tool, with_orientation)
+        task = closed_loop_to(with_joints(state, q), state.T_world_tool, with_orientation)
         task = replace(task, rate=task.J @ rng.normal(size=len(q)))
         _, drive = step(state.problem, task, state.arm.poses, Controller().with_method(name))
         off = np.inf if drive.solution is None else float(np.abs(task.J @ drive.solution.rates - task.rate).max())
@@ -106,7 +106,7 @@ def bounded(name: str, robot: str, with_orientation: bool) -> Text | None:
         q, drive = start, Controller().with_method(name)
         T = tool_at(state.robot, start + 0.3 * rng.normal(size=len(start)))
         for _ in range(40):
-            task = asked(with_joints(state, q), T, with_orientation)
+            task = closed_loop_to(with_joints(state, q), T, with_orientation)
             wished, drive = step(state.problem, task, state.arm.poses, drive)
             rates = np.inf if drive.solution is None else float(np.linalg.norm(drive.solution.rates))
             size = float(np.linalg.norm(task.rate))
@@ -136,10 +136,12 @@ def moved_from_singular(name: str, robot: str) -> float:
     """The largest joint displacement, rad or m, of the stretched arm in 200 steps that ask for the lost direction."""
     state = bare_state(robot)
     start = singular_starts(state, with_orientation=False)[0]
-    lost = analyse_jacobian(asked(with_joints(state, start), state.T_world_tool, False).J).lost_velocities[:, -1]
+    lost = analyse_jacobian(closed_loop_to(with_joints(state, start), state.T_world_tool, False).J).lost_velocities[
+        :, -1
+    ]
     drive, q = Controller().with_method(name), start
     for _ in range(200):
-        task = asked(with_joints(state, q), state.T_world_tool, False)
+        task = closed_loop_to(with_joints(state, q), state.T_world_tool, False)
         wished, drive = step(state.problem, replace(task, rate=-0.1 * lost), state.arm.poses, drive)
         q = frozen(q + wished)
     return float(np.abs(q - start).max())

@@ -14,7 +14,7 @@ import trimesh
 
 from helicoide import content
 from helicoide.contributions.loading import where_raised
-from helicoide.contributions.words import untold
+from helicoide.contributions.words import missing_words
 from helicoide.kinematics.robot import Robot
 from helicoide.kinematics.robot_faults import remarks_and_faults
 from helicoide.kinematics.robot_folder import robot_from_folder
@@ -46,9 +46,9 @@ def faults(name: str) -> tuple[Text, ...]:
 
 
 def _titles(robot: Robot) -> Iterator[Text]:
-    yield from untold(untranslated("title"), robot.title)
+    yield from missing_words(untranslated("title"), robot.title)
     for title in (*robot.pose_titles.values(), *(joint.title for joint in robot.joints)):
-        yield from untold(untranslated("title"), title)
+        yield from missing_words(untranslated("title"), title)
     for folder in content.content_folders("robots").values():
         if folder.name != robot.name and _alike(_title_of(folder), robot.title):
             yield SAME_TITLE.format(other=folder.name)

@@ -10,7 +10,7 @@ import numpy as np
 from helicoide import content, studies
 from helicoide.contributions.loading import collected_faults, unusable
 from helicoide.contributions.options import option_faults
-from helicoide.contributions.words import untold
+from helicoide.contributions.words import missing_words
 from helicoide.export import errata
 from helicoide.kinematics.library import load_robot
 from helicoide.studies.study import Fitted, Motion, Result, Row, Statement, Study, Verdict
@@ -59,7 +59,7 @@ PROGRESS = Text(
 
 
 def faults(name: str) -> tuple[Text, ...]:
-    """The faults of a study, by its name. Its short form is run."""
+    """The faults of a study, by its name. Its quick run is done."""
     if (why := unusable(studies, name)) is not None:
         return (why,)
     return collected_faults(content.module_file(studies.__path__, name), _all(studies.study_named(name)))
@@ -76,8 +76,8 @@ def _all(study: Study) -> Iterator[Text]:
 
 def study_description_faults(study: Study) -> Iterator[Text]:
     """The faults of the description of a study. Raises HelicoideError for a robot that does not exist."""
-    yield from untold(untranslated("TITLE"), study.TITLE)
-    yield from untold(untranslated("ABOUT"), study.ABOUT, differ=True)
+    yield from missing_words(untranslated("TITLE"), study.TITLE)
+    yield from missing_words(untranslated("ABOUT"), study.ABOUT, differ=True)
     for language in LANGUAGES:
         if study.ABOUT[language].count(".") < 2:
             yield ABOUT.format(language=language)
@@ -108,7 +108,7 @@ def result_faults(result: Result) -> Iterator[Text]:
 
 
 def _of_row(row: Row, rows: tuple[Row, ...]) -> Iterator[Text]:
-    yield from untold(untranslated("quantity"), row.quantity)
+    yield from missing_words(untranslated("quantity"), row.quantity)
     if np.isnan(row.computed):
         yield NAN
     if [(other.quantity, other.unit) for other in rows].count((row.quantity, row.unit)) > 1:
@@ -135,9 +135,9 @@ def _charts(result: Result) -> Iterator[Text]:
         yield NO_CHARTS
     for chart in result.charts:
         for name in ("title", "x_label", "y_label"):
-            yield from untold(untranslated(name), getattr(chart, name))
+            yield from missing_words(untranslated(name), getattr(chart, name))
         for line in chart.lines:
-            yield from untold(untranslated("line.title"), line.title)
+            yield from missing_words(untranslated("line.title"), line.title)
             shaped = line.x.shape == line.y.shape and line.x.ndim == 1 and len(line.x) >= 2
             if not (shaped and np.isfinite([line.x, line.y]).all()):
                 yield CURVE.format(name=line.title)

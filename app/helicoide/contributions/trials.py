@@ -42,16 +42,16 @@ def with_joints(state: State, q: Array) -> State:
     return replace(state, arm=replace(state.arm, q=frozen(q), poses=frozen(link_poses(robot.chain, frozen(q)))))
 
 
-def asked(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:
+def closed_loop_to(state: State, T: Array, with_orientation: bool, dt: float = 0.01, gain: float = GAIN) -> Task:
     """The task of the closed loop towards a pose (4, 4), m."""
     return closed_loop_task(state.problem, state.arm.q, state.arm.poses, T, with_orientation, STILL, (gain,) * 4, dt)
 
 
 def controller_step(
-    state: State, T: Array, with_orientation: bool, drive: Controller, dt: float = 0.01
+    state: State, T: Array, with_orientation: bool, controller: Controller, dt: float = 0.01
 ) -> tuple[Array, Controller]:
     """The joint displacement (n,) of one step towards a pose (4, 4), m, and the controller after the step."""
-    return step(state.problem, asked(state, T, with_orientation, dt), state.arm.poses, drive)
+    return step(state.problem, closed_loop_to(state, T, with_orientation, dt), state.arm.poses, controller)
 
 
 def far_poses(robot: Robot, rng: np.random.Generator) -> Iterator[Array]:
@@ -65,7 +65,7 @@ def far_poses(robot: Robot, rng: np.random.Generator) -> Iterator[Array]:
 
 def missing(state: State, T: Array, with_orientation: bool) -> float:
     """The norm of the error to a pose (4, 4), m, with lengths divided by the reach, and angles in radians."""
-    return float(np.linalg.norm(asked(state, T, with_orientation, gain=1.0).rate))
+    return float(np.linalg.norm(closed_loop_to(state, T, with_orientation, gain=1.0).rate))
 
 
 def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientation: bool) -> tuple[Array, Array]:
@@ -85,7 +85,7 @@ def clear_of_singularities(robot: Robot, rng: np.random.Generator, with_orientat
 
 def least(state: State, with_orientation: bool) -> float:
     """The smallest of the singular values that are not zero at a generic posture."""
-    here = analyse_jacobian(asked(state, state.T_world_tool, with_orientation).J)
+    here = analyse_jacobian(closed_loop_to(state, state.T_world_tool, with_orientation).J)
     return float(here.sigma[usual(state.robot.name, with_orientation) - 1])
 
 
@@ -94,7 +94,7 @@ def usual(robot: str, with_orientation: bool) -> int:
     """The rank of the task's Jacobian at a generic posture."""
     state, rng = bare_state(robot), np.random.default_rng(3)
     q = frozen(rng.uniform(state.robot.lower, state.robot.upper))
-    return analyse_jacobian(asked(with_joints(state, q), state.T_world_tool, with_orientation).J).rank
+    return analyse_jacobian(closed_loop_to(with_joints(state, q), state.T_world_tool, with_orientation).J).rank
 
 
 def singular_starts(state: State, with_orientation: bool) -> list[Array]:
@@ -106,6 +106,7 @@ def singular_starts(state: State, with_orientation: bool) -> list[Array]:
     lost = [
         q
         for q in grid
-        if analyse_jacobian(asked(with_joints(state, q), state.T_world_tool, with_orientation).J).rank < expected
+        if analyse_jacobian(closed_loop_to(with_joints(state, q), state.T_world_tool, with_orientation).J).rank
+        < expected
     ]
     return [frozen(q) for q in lost[:4]]

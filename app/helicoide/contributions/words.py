@@ -11,7 +11,7 @@ EMPTY = Text(en="{what} is empty in {language}", pt_BR="{what} está vazio em {l
 ALIKE = Text(en="{what} is the same in English and Portuguese", pt_BR="{what} é igual em inglês e em português")
 
 
-def untold(what: Text, text: object, differ: bool = False) -> Iterator[Text]:
+def missing_words(what: Text, text: object, differ: bool = False) -> Iterator[Text]:
     """The faults of a text that must exist in both languages. differ: the two must not be the same."""
     if not isinstance(text, Text):
         yield NO_TEXT.format(what=what)

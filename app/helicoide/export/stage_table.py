@@ -128,7 +128,7 @@ def _named(stage: JointStage, decimals: int) -> Text:
     """The name of a joint with its angles, lengths and direction."""
     angles = {name: np.asarray(value) for name, value in stage.angles.items()}
     named = angles | stage.lengths | ({} if stage.direction is None else {"s": stage.direction})
-    said = [(name, _told(value, decimals)) for name, value in named.items()]
+    said = [(name, _in_words(value, decimals)) for name, value in named.items()]
     return Text(
         en=f"{stage.joint}: " + ", ".join(f"{name} = {text.en}" for name, text in said),
         pt_BR=f"{stage.joint}: " + "; ".join(f"{name} = {text.pt_BR}" for name, text in said),
@@ -140,7 +140,7 @@ def _numbers(values: Array, decimals: int) -> Text:
     return Text(en=", ".join(said), pt_BR="; ".join(said).replace(".", ","))
 
 
-def _told(value: Array, decimals: int) -> Text:
+def _in_words(value: Array, decimals: int) -> Text:
     """A number, or three in brackets."""
     text = _numbers(np.atleast_1d(value), decimals)
     return Text(en=f"({text.en})", pt_BR=f"({text.pt_BR})") if value.ndim else text

@@ -40,7 +40,7 @@ ABOUT_VERDICTS = Text(
     "unit; words are met as the row reads them. Values that the source does not give may have been fitted so "
     "that its statements hold: they are named, with the range in which they do. Where it allows two readings, or "
     "leaves the instant open, the one that was taken is named, with what comes out otherwise. What a source shows in "
-    "a figure only, what was put in, what holds by construction, and what nobody printed, stands apart.",
+    "a figure only, what was put in, what holds by construction, and what no source prints, stands apart.",
     pt_BR="Primeiro vem o que a fonte diz, com o lugar: um número como está impresso, o resto em palavras nossas. É "
     "disso que trata o veredito. Um número impresso confere até meia unidade do último algarismo; se vem com ≈, até "
     "uma unidade inteira; palavras conferem como a linha as lê. Valores que a fonte não informa podem ter "

@@ -92,10 +92,10 @@ def table_to_struct(found: object, kind: type[Struct]) -> Struct:
         raise HelicoideError(_translated(str(error))) from error
 
 
-def _translated(said: str) -> Text:
+def _translated(message: str) -> Text:
     """The translation of a library's message, with its place."""
-    place = next((match, words) for start, words in _PLACES.items() if (match := re.search(start, said)))
-    what = next((match, words) for start, words in _MESSAGES.items() if (match := re.match(start, said)))
+    place = next((match, words) for start, words in _PLACES.items() if (match := re.search(start, message)))
+    what = next((match, words) for start, words in _MESSAGES.items() if (match := re.match(start, message)))
     fields = {name: _KINDS.get(value, value) for name, value in what[0].groupdict().items() if value is not None}
     return Text(en="{what}{where}", pt_BR="{what}{where}").format(
         what=what[1].format(**fields), where=place[1].format(**place[0].groupdict())

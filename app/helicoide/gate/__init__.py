@@ -19,7 +19,7 @@ from helicoide.gate.enclosure import (
     take_planes,
     take_planes_of,
 )
-from helicoide.gate.entry import ENTRY, drag_entry, hold_entry, set_entry
+from helicoide.gate.entry import ENTRY, drag_entry, enforce_entry, set_entry
 from helicoide.gate.joints import NO_PARKING, get_ready, go_to, park, set_gripper, set_joint
 from helicoide.gate.mapping import choose_map, clear_map, cut_map, end_map, fail_map, show_map, start_map, tell_map
 from helicoide.gate.method import (
@@ -53,7 +53,7 @@ from helicoide.gate.postures import HEAVIEST_JOINT, go_to_posture, show_postures
 from helicoide.gate.presets import LAWS, LONGEST, SHORTEST, path_of, presets
 from helicoide.gate.replaying import replay, replay_motion
 from helicoide.gate.stopping import stop
-from helicoide.gate.target import Phase, drag_target, hold_orientation, let_go, set_target
+from helicoide.gate.target import Phase, drag_target, keep_orientation, let_go, set_target
 from helicoide.gate.teaching import (
     choose_leg_shape,
     delete_waypoint,
@@ -62,7 +62,7 @@ from helicoide.gate.teaching import (
     rename_waypoint,
     set_dwell,
     set_grip,
-    set_way,
+    set_move_type,
     take_waypoints,
     teach_again,
 )
@@ -103,14 +103,14 @@ __all__ = [
     "drag_plane",
     "drag_target",
     "end_map",
+    "enforce_entry",
     "fail_map",
     "get_ready",
     "go_beyond_singular",
     "go_to",
     "go_to_posture",
     "grow_weights",
-    "hold_entry",
-    "hold_orientation",
+    "keep_orientation",
     "let_go",
     "move_waypoint",
     "objective_as_row",
@@ -140,12 +140,12 @@ __all__ = [
     "set_grip",
     "set_gripper",
     "set_joint",
+    "set_move_type",
     "set_objective",
     "set_obstacle",
     "set_obstacle_radius",
     "set_option",
     "set_target",
-    "set_way",
     "set_zones",
     "show_cloud",
     "show_map",

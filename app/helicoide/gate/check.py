@@ -31,27 +31,27 @@ def finite(values: ArrayLike, shape: tuple[int, ...]) -> Array:
     return frozen(array)
 
 
-def checked(wish: Update) -> Update:
+def checked(update: Update) -> Update:
     """The update; if it raises HelicoideError, the state stays the same with the reason as its notice."""
 
-    def update(state: State) -> State:
+    def with_notice(state: State) -> State:
         try:
-            return wish(state)
+            return update(state)
         except HelicoideError as refusal:
             return replace(state, notice=refusal.text)
 
-    return update
+    return with_notice
 
 
-def driven(wish: Update) -> Update:
+def driven(update: Update) -> Update:
     """An update that moves the arm: as `checked`, and refused while the arm is parked."""
 
-    def update(state: State) -> State:
+    def unless_parked(state: State) -> State:
         if state.arm.parked:
             raise HelicoideError(PARKED)
-        return wish(state)
+        return update(state)
 
-    return checked(update)
+    return checked(unless_parked)
 
 
 def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
@@ -73,16 +73,16 @@ def pose(state: State, position: ArrayLike, wxyz: ArrayLike) -> Array:
     return frozen(T)
 
 
-def while_asked(before: State, wish: Update) -> Update:
+def while_asked(before: State, update: Update) -> Update:
     """The update; the state stays unchanged if the command or the robot is no longer that of `before`."""
 
-    def update(state: State) -> State:
+    def if_unchanged(state: State) -> State:
         unchanged = state.request.command is before.request.command and state.robot is before.robot
-        return wish(state) if unchanged else state
+        return update(state) if unchanged else state
 
-    return update
+    return if_unchanged
 
 
-def while_there(before: State, wish: Update) -> Update:
+def while_there(before: State, update: Update) -> Update:
     """The update; the state stays unchanged if the robot is no longer that of `before`."""
-    return lambda state: wish(state) if state.robot is before.robot else state
+    return lambda state: update(state) if state.robot is before.robot else state

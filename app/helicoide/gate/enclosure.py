@@ -154,7 +154,7 @@ def confined(state: State, panes: Sequence[PlanePane]) -> State:
             raise HelicoideError(
                 Text(en="There are {most} planes at most.", pt_BR="Há no máximo {most} planos.").format(most=MOST)
             )
-        centre = limited_plane_centre(pane.normal, pane.centre, state.guarded_points, state.problem.zones.critical)
+        centre = limited_plane_centre(pane.normal, pane.centre, state.monitored_points, state.problem.zones.critical)
         if not np.array_equal(centre, pane.centre):
             stopped.append(pane.name)
             pane = replace(pane, centre=frozen(centre), offset=float(pane.normal @ centre))

@@ -18,7 +18,7 @@ ENTRY = "entry"
 NONE_HELD = Text(en="No entry point is active.", pt_BR="Nenhum ponto de entrada está ativo.")
 
 
-def hold_entry(on: bool) -> Update:
+def enforce_entry(on: bool) -> Update:
     """Put an entry point on the shaft at its present position, or remove the entry point. Methods start anew."""
 
     def change(state: State) -> State:

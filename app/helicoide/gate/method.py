@@ -31,13 +31,13 @@ NOT_A_ROW = Text(
 def choose_method(name: str) -> Update:
     """Choose the method; the motion continues from the present posture."""
 
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         named(name)
         drive = state.request.controller.with_method(name)
         fresh = state.compared and replace(state.compared, trace=Trace())
         return replace(state, request=replace(state.request.renewed(), controller=drive), compared=fresh)
 
-    return checked(wish)
+    return checked(update)
 
 
 def compare_with(name: str | None) -> Update:
@@ -46,7 +46,7 @@ def compare_with(name: str | None) -> Update:
     A second arm that exists already keeps its posture.
     """
 
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         if name is None:
             return replace(state, compared=None)
         named(name)
@@ -54,7 +54,7 @@ def compare_with(name: str | None) -> Update:
         arm = state.arm if state.compared is None else state.compared.arm
         return replace(state, compared=ComparedArm(replace(arm, active_set=None), drive))
 
-    return checked(wish)
+    return checked(update)
 
 
 def go_beyond_singular(q: Array | None) -> Update:
@@ -76,17 +76,17 @@ def go_beyond_singular(q: Array | None) -> Update:
 def set_option(method: str, name: str, value: object) -> Update:
     """Set one option of a method, for both arms."""
 
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         options = changed(state.request.controller.options(method), name, value)
         return for_both_arms(state, lambda drive: drive.with_options(method, options))
 
-    return checked(wish)
+    return checked(update)
 
 
 def set_gain(index: int, value: float) -> Update:
     """Set a gain of the closed loop, 1/s: that of the tool's x, y, z (index 0 to 2) or of its orientation (3)."""
 
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         (gain,) = finite([value], (1,))
         if index not in range(4) or not LEAST_GAIN <= gain <= LARGEST_GAIN:
             raise HelicoideError(
@@ -97,13 +97,13 @@ def set_gain(index: int, value: float) -> Update:
             )
         return for_both_arms(state, lambda drive: replace(drive, gains=_with(drive.gains, index, float(gain))))
 
-    return checked(wish)
+    return checked(update)
 
 
 def choose_objective(name: str | None) -> Update:
     """Choose the secondary objective; None for none."""
 
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         if name is None:
             return for_both_arms(state, lambda drive: replace(drive, secondary=None))
         objective = objectives.named(name)
@@ -113,7 +113,7 @@ def choose_objective(name: str | None) -> Update:
             state, lambda drive: replace(drive, secondary=SecondaryObjective(name, objective.Options()))
         )
 
-    return checked(wish)
+    return checked(update)
 
 
 def set_objective(name: str, value: object) -> Update:
@@ -155,13 +155,13 @@ def grow_weights(on: bool) -> Update:
 
 
 def _objective_changed(change: Callable[[SecondaryObjective], SecondaryObjective]) -> Update:
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         if state.request.controller.secondary is None:
             raise HelicoideError(Text(en="Choose an objective first.", pt_BR="Escolha um objetivo primeiro."))
         second = change(state.request.controller.secondary)
         return for_both_arms(state, lambda drive: replace(drive, secondary=second))
 
-    return checked(wish)
+    return checked(update)
 
 
 def _with(gains: Gains, index: int, value: float) -> Gains:

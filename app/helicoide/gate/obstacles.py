@@ -139,11 +139,11 @@ def _place(state: State, index: int, position: ArrayLike) -> Array:
     return asked
 
 
-def _moved(state: State, index: int, asked: Array) -> State:
+def _moved(state: State, index: int, moved: Array) -> State:
     obstacles = state.problem.obstacles
     start, radius = obstacles.ends[index, 0], float(obstacles.radii[index])
-    centre = last_free_point(start, asked, _axes(state), _kept(state) + radius)
-    notice = None if np.array_equal(centre, asked) else _at_arm(state, index)
+    centre = last_free_point(start, moved, _axes(state), _kept(state) + radius)
+    notice = None if np.array_equal(centre, moved) else _at_arm(state, index)
     return replace(_with(state, obstacles.with_sphere_at(index, centre, radius)), notice=notice)
 
 

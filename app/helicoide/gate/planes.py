@@ -34,12 +34,12 @@ def drag_plane(seat: str, phase: Phase, index: int, position: ArrayLike, wxyz: A
     return driven(change)
 
 
-def _plane_moved(state: State, index: int, normal: Array, asked: Array) -> State:
+def _plane_moved(state: State, index: int, normal: Array, moved: Array) -> State:
     """The state with the plane as asked, or at the critical distance from the arm with a notice."""
     problem, critical = state.problem, state.problem.zones.critical
-    points = state.guarded_points
-    centre = limited_plane_centre(normal, asked, points, critical)
-    stopped = None if np.array_equal(centre, asked) else _stopped_plane(state, index, (points - centre) @ normal)
+    points = state.monitored_points
+    centre = limited_plane_centre(normal, moved, points, critical)
+    stopped = None if np.array_equal(centre, moved) else _stopped_plane(state, index, (points - centre) @ normal)
     problem = replace(problem, planes=problem.planes.with_plane(index, normal, centre))
     return with_problem(state, problem, stopped)
 

@@ -8,7 +8,7 @@ from helicoide.arrays import Array, frozen
 from helicoide.command import MoveToJoints
 from helicoide.gate.check import checked, driven, finite
 from helicoide.ik.postures.answer import Answer
-from helicoide.ik.postures.choice import OUT_OF_LIMITS, alike, barrier
+from helicoide.ik.postures.choice import OUT_OF_LIMITS, barrier, equal_weights
 from helicoide.ik.postures.solve import ranked_postures
 from helicoide.state import PostureList, State, Update, with_command
 from helicoide.text import HelicoideError, Text
@@ -64,7 +64,7 @@ def go_to_posture(place: int) -> Update:
 
 def _ordered(state: State, listed: PostureList) -> State:
     """The state with the list ordered by weighted motion; postures that are dropped or too near to something last."""
-    problem, weights = state.problem, state.postures.weights * alike(state.robot)
+    problem, weights = state.problem, state.postures.weights * equal_weights(state.robot)
     rows = ranked_postures(state.robot, listed.answer, listed.q, weights, problem.obstacles, listed.with_orientation)
     clear = sorted(rows, key=lambda row: row.dropped is not None or barrier(problem, row.q) is not None)
     return replace(state, postures=replace(state.postures, listing=replace(listed, rows=tuple(clear))))

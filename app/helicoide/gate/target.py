@@ -41,13 +41,13 @@ def _released(state: State, T_world_target: Array) -> State:
     return replace(state, request=request)
 
 
-def let_go(grasp: Drag) -> Update:
+def let_go(drag: Drag) -> Update:
     """End this drag at its present place; a later drag is not ended."""
 
     def update(state: State) -> State:
-        if state.request.drag is not grasp:
+        if state.request.drag is not drag:
             return state
-        if grasp.handle == "target" and isinstance(state.request.command, MoveToPose):
+        if drag.handle == "target" and isinstance(state.request.command, MoveToPose):
             return _released(state, state.request.command.T_world_target)
         return with_drag(state, None)
 
@@ -59,6 +59,6 @@ def set_target(position: ArrayLike, wxyz: ArrayLike) -> Update:
     return driven(lambda state: with_command(state, MoveToPose(pose(state, position, wxyz))))
 
 
-def hold_orientation(on: bool) -> Update:
+def keep_orientation(on: bool) -> Update:
     """Whether the orientation of the target counts, or only its position."""
     return lambda state: replace(state, request=replace(state.request.renewed(), with_orientation=bool(on)))

@@ -27,7 +27,7 @@ from helicoide.trajectory.waypoints import (
 MOST = 60
 
 
-def record(way: str = "joints") -> Update:
+def record(move_type: str = "joints") -> Update:
     """Record a waypoint at the present posture. way: one of `waypoints.MOVE_TYPES`, from the waypoint before."""
 
     def change(state: State) -> WaypointList:
@@ -37,7 +37,7 @@ def record(way: str = "joints") -> Update:
                 Text(en="At most {most} waypoints are allowed.", pt_BR="Há no máximo {most} pontos.").format(most=MOST)
             )
         name = next(name for k in range(1, MOST + 2) if (name := f"P{k}") not in taught.names)
-        return with_waypoint(taught, len(taught.waypoints), waypoint(state.robot, name, state.arm.q, way))
+        return with_waypoint(taught, len(taught.waypoints), waypoint(state.robot, name, state.arm.q, move_type))
 
     return _changed(change)
 
@@ -57,9 +57,9 @@ def delete_waypoint(name: str) -> Update:
     return _changed(lambda state: without_waypoint(state.taught, name))
 
 
-def set_way(name: str, way: str) -> Update:
+def set_move_type(name: str, move_type: str) -> Update:
     """Set how a waypoint is reached, one of `waypoints.MOVE_TYPES`."""
-    return _changed(lambda state: with_move_type(state.taught, name, way))
+    return _changed(lambda state: with_move_type(state.taught, name, move_type))
 
 
 def set_dwell(name: str, seconds: float) -> Update:
@@ -85,7 +85,7 @@ def teach_again(name: str) -> Update:
 def choose_leg_shape(shape: TimingShape) -> Update:
     """Choose the time scaling of the motion to each waypoint."""
 
-    def wish(state: State) -> State:
+    def update(state: State) -> State:
         if shape not in LAWS:
             raise HelicoideError(
                 Text(
@@ -95,7 +95,7 @@ def choose_leg_shape(shape: TimingShape) -> Update:
             )
         return replace(state, taught=replace(state.taught, shape=shape), notice=None)
 
-    return checked(wish)
+    return checked(update)
 
 
 def take_waypoints(content: bytes) -> Update:

@@ -119,7 +119,7 @@ class ActiveConstraint:
 
 @dataclass(frozen=True)
 class Contact(ActiveConstraint):
-    """A guarded point limited by a plane at the critical distance; numbers as in the robot and its planes."""
+    """A monitored point limited by a plane at the critical distance; numbers as in the robot and its planes."""
 
     plane: int
     point: int

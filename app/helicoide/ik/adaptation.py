@@ -89,20 +89,22 @@ def moved_away(target: Array, distance: float, normal: Array, critical: float, c
     return np.asarray(target + by * normal)
 
 
-def held_back(target: Array, former: Array, normal: Array) -> Array:
+def with_distances_kept(target: Array, former: Array, normal: Array) -> Array:
     """Eq. 37 for any plane: p − min(0, (p − p_former)·n) n. Args: (3,) each; normal: unit, to the allowed side."""
     return np.asarray(target - min(0.0, float((target - former) @ normal)) * normal)
 
 
 def moving_point_distances(problem: Problem, q: Array) -> Array:
-    """Distance of the nearest moving guarded point to each plane, (k,), m. Source: Cerbaro 2022, eq. 20."""
+    """Distance of the nearest moving monitored point to each plane, (k,), m. Source: Cerbaro 2022, eq. 20."""
     robot, moving = problem.robot, problem.robot.monitored_links > 0
     poses = link_poses(robot.chain, q)
     points = points_in_world(poses, robot.monitored_points[moving], robot.monitored_links[moving])
     return np.asarray(signed_distances(problem.planes.normals, frozen(problem.planes.offsets), points).min(axis=0))
 
 
-def given_way(target: Array, former: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule) -> Array:
+def with_target_moved(
+    target: Array, former: Array | None, near: Array, planes: Planes, zones: Zones, rule: Rule
+) -> Array:
     """The target after one application of the rule; the same array where the rule does not apply.
 
     Args: target and former point, (3,), m, former None for the first target; near (k,), m, of `moving_point_distances`.
@@ -118,7 +120,7 @@ def given_way(target: Array, former: Array | None, near: Array, planes: Planes, 
     back = target
     for i in watched:
         if near[i] < zones.warning:
-            back = held_back(back, former, -UP if rule.level else planes.normals[i])
+            back = with_distances_kept(back, former, -UP if rule.level else planes.normals[i])
     return target if np.abs(back - target).max() < STILL else back
 
 
@@ -127,7 +129,8 @@ class Track:
     """The results along a path of k points, a row for each.
 
     targets (k, 3), m, after their changes; q (k, n), rad or m; near (k, planes), m, of
-    `moving_point_distances`; errors (k,), m, between tool and target; moved (k,): how often the target was moved, at most the cap; memory: of the loop.
+    `moving_point_distances`; errors (k,), m, between tool and target; moved (k,): how often the target was moved, at
+    most the cap; memory: of the loop.
     """
 
     targets: Array
@@ -162,7 +165,7 @@ def adapted(
         report = converged(problem, run, aimed(target), q, tolerance, cap, 1, memory)
         near = moving_point_distances(problem, report.q)
         while moved < rule.cap:
-            other = given_way(target, former, near, problem.planes, problem.zones, rule)
+            other = with_target_moved(target, former, near, problem.planes, problem.zones, rule)
             if other is target:
                 break
             target, moved = other, moved + 1

@@ -1,4 +1,4 @@
-"""Points of an arm that objectives use, with their Jacobians: the tool, the guarded points, points along the links.
+"""Points of an arm that objectives use, with their Jacobians: the tool, the monitored points, points along the links.
 
 A link is here the straight segment between two consecutive corners. The corners are the joint origins, for a prismatic
 joint before and after its slide, and the tool point.
@@ -68,7 +68,7 @@ def tool(robot: Robot) -> ArmPoints:
 
 
 def guarded(robot: Robot) -> ArmPoints:
-    """The guarded points of the robot."""
+    """The monitored points of the robot."""
     links = tuple(robot.monitored_links.tolist())
     return ArmPoints(robot.monitored_points, links, np.eye(len(links)))
 

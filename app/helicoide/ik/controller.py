@@ -123,25 +123,25 @@ def closed_loop_task(
     return Task(q, aim.J[rows], reference_velocity(aim, gains)[rows], dt)
 
 
-def step(problem: Problem, task: Task, poses: Array, drive: Controller) -> tuple[Array, Controller]:
+def step(problem: Problem, task: Task, poses: Array, controller: Controller) -> tuple[Array, Controller]:
     """The joint displacement Δq (n,), rad or m, that the method gives for a task, and the controller after it.
 
     Where the method does not apply to the task, or the task has no rows, Δq = 0 and `refusal` says why.
     Args: poses (m + 1, 4, 4) at task.q.
     """
-    method, options = methods.named(drive.method), drive.options(drive.method)
-    task, push = with_secondary(problem, task, poses, drive)
+    method, options = methods.named(controller.method), controller.options(controller.method)
+    task, push = with_secondary(problem, task, poses, controller)
     why = method.applies(task) if len(task.J) > 0 else NO_ROWS
     if why is not None:
-        return np.zeros(len(task.q)), replace(drive, memory=None, solution=None, refusal=why)
-    memory = method.start(task, options) if drive.memory is None else drive.memory
+        return np.zeros(len(task.q)), replace(controller, memory=None, solution=None, refusal=why)
+    memory = method.start(task, options) if controller.memory is None else controller.memory
     solution, memory = solve_with_null_space(problem, method, task, memory, options, push)
-    return joint_displacement(problem, task, replace(drive, memory=memory, solution=solution, refusal=None))
+    return joint_displacement(problem, task, replace(controller, memory=memory, solution=solution, refusal=None))
 
 
-def with_secondary(problem: Problem, task: Task, poses: Array, drive: Controller) -> tuple[Task, Array | None]:
+def with_secondary(problem: Problem, task: Task, poses: Array, controller: Controller) -> tuple[Task, Array | None]:
     """The task with the row of the secondary objective and None, or the task and its q̇₀ (n,) for the null space."""
-    second = drive.secondary
+    second = controller.secondary
     if second is None:
         return task, None
     objective = objectives.named(second.objective)
@@ -152,36 +152,36 @@ def with_secondary(problem: Problem, task: Task, poses: Array, drive: Controller
     return task, -weights * cost.gradient
 
 
-def joint_displacement(problem: Problem, task: Task, drive: Controller) -> tuple[Array, Controller]:
+def joint_displacement(problem: Problem, task: Task, controller: Controller) -> tuple[Array, Controller]:
     """Δq (n,), rad or m, of the last solution, and the controller; with Algorithm 1 where the objective `adapts`."""
-    assert drive.solution is not None
-    wished = problem.joint_units * drive.solution.rates * task.dt
-    second = drive.secondary
+    assert controller.solution is not None
+    wished = problem.joint_units * controller.solution.rates * task.dt
+    second = controller.secondary
     if second is None or not second.adapts:
-        return wished, drive
+        return wished, controller
     weights = np.full(len(wished), second.weight) if second.weights is None else second.weights
     q, weights = clipped(task.q + wished, problem.limits.lower, problem.limits.upper, weights)
-    return q - task.q, replace(drive, secondary=replace(second, weights=weights))
+    return q - task.q, replace(controller, secondary=replace(second, weights=weights))
 
 
-def displacement_task(wished: Array) -> tuple[Array, Array, Array, Array]:
+def displacement_task(displacement: Array) -> tuple[Array, Array, Array, Array]:
     """A joint displacement Δq (n,) as a task of the guarded step: J = I, v = Δq, equal weights, no damping."""
-    n = len(wished)
-    return np.eye(n), np.asarray(wished), np.ones(n), np.zeros(n)
+    n = len(displacement)
+    return np.eye(n), np.asarray(displacement), np.ones(n), np.zeros(n)
 
 
-def packed_arm(problem: Problem, drive: Controller, with_orientation: bool = True) -> Array:
+def packed_arm(problem: Problem, controller: Controller, with_orientation: bool = True) -> Array:
     """The problem packed for the kernels, with the settings of the guarded step."""
-    if GUARDED not in drive.changed:
+    if GUARDED not in controller.changed:
         return packed(problem, turn=ORIENTATION_LENGTH if with_orientation else 0.0)
-    options = drive.options(GUARDED)
+    options = controller.options(GUARDED)
     turn = options.turn if with_orientation else 0.0
     return packed(problem, options.damping**2, turn, options.gain, options.levels)
 
 
-def level_starts(drive: Controller, with_orientation: bool) -> list[int]:
+def level_starts(controller: Controller, with_orientation: bool) -> list[int]:
     """The rows at which further levels of a pose task begin, by the settings of the guarded step."""
-    return [3] if with_orientation and drive.options(GUARDED).levels else []
+    return [3] if with_orientation and controller.options(GUARDED).levels else []
 
 
 def with_objective(

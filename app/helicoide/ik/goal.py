@@ -102,7 +102,7 @@ def _rest(
     """The goal where a packed arm comes to rest. Args: joints as in `roll_to_rest`; ticks as in `goal_at_pose`."""
     rest, work = q.copy(), work_for(arm)
     roll_to_rest(arm, rest, T_world_target, joints, *ticks, work.memory)
-    return _goal(problem, rest, T_world_target, work.held, ticks[0])
+    return _goal(problem, rest, T_world_target, work.multipliers, ticks[0])
 
 
 def _starts(problem: Problem, q: Array) -> list[Array]:

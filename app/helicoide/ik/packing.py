@@ -47,7 +47,7 @@ def packed(
 
 
 def _points(problem: Problem) -> Array:
-    """Points with their links, (p, 4): the guarded points, then, if there are pairs, the axis ends of all bodies.
+    """Points with their links, (p, 4): the monitored points, then, if there are pairs, the axis ends of all bodies.
 
     The ends of obstacles are on link 0.
     """

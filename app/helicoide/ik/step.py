@@ -32,7 +32,7 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
     update_poses(arm, at, q, room)
     table, law = room.table, room.task
     task = (table[JACOBIAN : JACOBIAN + 6], law[0], law[1], table[DAMPING])
-    pose_task(arm, at, room.frames[0], room.spots[: at.m], T_world_target, ahead, dt, task)
+    pose_task(arm, at, room.frames[0], room.points[: at.m], T_world_target, ahead, dt, task)
     if arm[SETTING, CARRIER] > 0.0 or (arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0):
         step_in_levels(arm, at, q, task, dt, room)
     else:
@@ -41,13 +41,13 @@ def step(arm: Array, q: Array, T_world_target: Array, ahead: Array, dt: float, m
 
 
 @kernel
-def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, room: StepBuffers) -> None:
+def step_in_levels(arm: Array, at: At, q: Array, task: Task, dt: float, buffers: StepBuffers) -> None:
     """The step of an arm with an instrument in an entry point, or with orientation as a second level."""
     split = arm[SETTING, POSITION_FIRST] > 0.0 and arm[SETTING, ORIENTATION] > 0.0
     begins = np.empty(1 if split else 0, dtype=np.int64)
     for k in range(begins.shape[0]):
         begins[k] = 3
-    tick_in_levels(arm, at, q, task, begins, dt, room)
+    tick_in_levels(arm, at, q, task, begins, dt, buffers)
 
 
 @kernel

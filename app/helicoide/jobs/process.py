@@ -125,11 +125,11 @@ def exit_with_parent() -> None:
     threading.Thread(target=end, daemon=True).start()
 
 
-def _call(sender: Connection, asked: bytes) -> None:
+def _call(sender: Connection, call: bytes) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl+C reaches every process of the terminal: the parent decides
     exit_with_parent()
     try:
-        work, arguments = pickle.loads(asked)
+        work, arguments = pickle.loads(call)
         result = work(throttled(lambda what: sender.send(("report", what))), *arguments)
         sender.send(("result", result))
     except Exception:

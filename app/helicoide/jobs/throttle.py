@@ -21,7 +21,7 @@ def throttled(tell: Tell, clock: Callable[[], float] = time.monotonic) -> Tell:
     """
     last, when = -inf, -inf
 
-    def told(what: Any) -> None:
+    def reported(what: Any) -> None:
         nonlocal last, when
         if isinstance(what, float):
             now = clock()
@@ -30,4 +30,4 @@ def throttled(tell: Tell, clock: Callable[[], float] = time.monotonic) -> Tell:
             last, when = what, now
         tell(what)
 
-    return told
+    return reported

@@ -19,7 +19,7 @@ class GearFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag_fiel
     pulses_per_deg: float
     zero_deg: float = 0
 
-    def drive(self) -> Gear:
+    def in_si(self) -> Gear:
         """The gear in rad."""
         return Gear(math.degrees(self.pulses_per_deg), math.radians(self.zero_deg))
 
@@ -41,7 +41,7 @@ class BallScrewFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True, tag
     length_at_zero_mm: float
     zero_deg: float
 
-    def drive(self) -> BallScrew:
+    def in_si(self) -> BallScrew:
         """The ball screw in m and rad."""
         a, b = self.sides_mm
         return BallScrew(
@@ -116,7 +116,7 @@ class ActuatorsFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     def actuators(self, joints: Sequence[str]) -> Actuators:
         """The actuators of an arm with these joints, in SI units."""
         coupling = np.eye(len(joints)) if self.coupling is None else self.coupling
-        return Actuators(tuple(joints), frozen(coupling), tuple(drive.drive() for drive in self.drives))
+        return Actuators(tuple(joints), frozen(coupling), tuple(drive.in_si() for drive in self.drives))
 
 
 def _error(en: str, pt_BR: str, **fields: object) -> HelicoideError:

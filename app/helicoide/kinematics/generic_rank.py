@@ -24,7 +24,7 @@ def generic_rank(robot: Robot, rows: int = 6) -> int:
 
 @lru_cache(maxsize=32)
 def largest_singular_value(robot: Robot, rows: int) -> float:
-    """The largest value that the least singular value has in any sampled posture, rows as for `generic_rank`."""
+    """The largest value that the smallest singular value has in any sampled posture, rows as for `generic_rank`."""
     rank = generic_rank(robot, rows)
     return max(singular_value(robot, J[:rows], rank) for J in _sampled(robot))
 

@@ -118,7 +118,7 @@ class Robot:
 
     @cached_property
     def bodies(self) -> tuple[Capsule, ...]:
-        """The capsules of the file; if it gives none, capsules between successive guarded points."""
+        """The capsules of the file; if it gives none, capsules between successive monitored points."""
         return self.capsules or _bodies_between_points(self)
 
     @cached_property
@@ -224,7 +224,7 @@ def in_link_frame(T_world_frame_0: Array, point: Array) -> Array:
 def default_monitored_points(
     joints: tuple[Joint, ...], T_world_tool_0: Array
 ) -> tuple[tuple[MonitoredPoint, ...], Array, NDArray[np.int64]]:
-    """The guarded points, if the file names none: the centre of every joint, and the tool."""
+    """The monitored points, if the file names none: the centre of every joint, and the tool."""
     centre = Text(en="joint {n}", pt_BR="junta {n}")
     points = [MonitoredPoint(joint.name, centre.format(n=i + 1)) for i, joint in enumerate(joints)]
     last = in_link_frame(T_world_tool_0, joints[-1].point)[:3, 3]

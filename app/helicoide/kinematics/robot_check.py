@@ -54,7 +54,7 @@ def _check_parts(file: RobotFile, names: Sequence[str]) -> None:
         point.joint == names[-1] and point.point_mm == file.tool.position_mm for point in file.guarded_points
     ):
         raise _error(
-            "no guarded point of joint {name} lies at the tool, {at} mm",
+            "no monitored point of joint {name} lies at the tool, {at} mm",
             "nenhum ponto vigiado da junta {name} fica no efetuador, {at} mm",
             name=names[-1],
             at=file.tool.position_mm,

@@ -72,7 +72,7 @@ def tried_postures(robot: Robot) -> list[Array]:
     return [frozen(np.zeros(len(robot.lower))), *robot.poses.values(), *map(frozen, random)]
 
 
-def apart(T: Array, other: Array) -> Text | None:
+def largest_difference(T: Array, other: Array) -> Text | None:
     """The distance and angle between two poses (4, 4), m, as a sentence; None if they agree."""
     if np.abs(T - other).max() <= AGREE:
         return None
@@ -88,7 +88,7 @@ def _dh(robot: Robot) -> Iterator[Text]:
     for q in tried_postures(robot):
         moved = zip(joints, dh_frames(robot, q), screw_displacements(robot, q), at_zero, strict=True)
         for joint, frame, H, frame_at_zero in moved:
-            if joint is not None and (far := apart(frame, H @ frame_at_zero)) is not None:
+            if joint is not None and (far := largest_difference(frame, H @ frame_at_zero)) is not None:
                 yield DH_JOINT.format(name=joint.name, apart=far)
                 return
 
@@ -102,7 +102,7 @@ def _tools(robot: Robot, urdf: yourdfpy.URDF | None) -> Iterator[Text]:
             urdf.update_cfg(dict(zip((joint.name for joint in robot.variables), q, strict=True)))
             tools.append((URDF, urdf.get_transform(robot.tool_link)))
         for name, tool in tools:
-            if name not in differ and (far := apart(tool_by_screws(robot, q), tool)) is not None:
+            if name not in differ and (far := largest_difference(tool_by_screws(robot, q), tool)) is not None:
                 differ.append(name)
                 yield TOOL.format(other=name, apart=far)
 

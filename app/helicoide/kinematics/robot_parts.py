@@ -1,4 +1,4 @@
-"""The parts of a robot other than its joints: frames, guarded points, bodies, planes of its file, gripper."""
+"""The parts of a robot other than its joints: frames, monitored points, bodies, planes of its file, gripper."""
 
 from __future__ import annotations
 

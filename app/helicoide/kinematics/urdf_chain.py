@@ -132,10 +132,10 @@ def _meeting_point(joints: tuple[Joint, ...]) -> Array:
 
 
 def _chain(
-    path: Path, way: Sequence[yourdfpy.Joint], beside: Sequence[yourdfpy.Joint], tip: str
+    path: Path, way: Sequence[yourdfpy.Joint], sibling: Sequence[yourdfpy.Joint], tip: str
 ) -> tuple[tuple[Joint, ...], tuple[JointVariable, ...], Array]:
     """The moving joints up to a link, the leaders outside the chain, and the pose of the link at zero, base frame."""
-    free = [joint.name for joint in (*way, *beside) if joint.type in MOVING and joint.mimic is None]
+    free = [joint.name for joint in (*way, *sibling) if joint.type in MOVING and joint.mimic is None]
     if not 0 < (count := len(free)) <= MOST_JOINTS:
         raise urdf_error(
             path,
@@ -150,7 +150,7 @@ def _chain(
         T = T @ joint.origin
         if joint.type in MOVING:
             joints.append(_joint(path, joint, T, size, free))
-    led_by = [_variable(path, joint, size) for joint in beside]
+    led_by = [_variable(path, joint, size) for joint in sibling]
     return tuple(joints), tuple(led_by), frozen(T)
 
 

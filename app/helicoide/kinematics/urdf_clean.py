@@ -60,7 +60,7 @@ def _joint(part: Element) -> Element:
     joint = Element("joint", name=part.get("name", ""), type=kind)
     for tag in ("parent", "child"):
         SubElement(joint, tag, link=part.find(tag).get("link", ""))  # type: ignore[union-attr]  # it was checked
-    joint.append(_placed(part))
+    joint.append(_with_origin(part))
     if kind == "fixed":
         return joint
     if (axis := part.find("axis")) is not None:
@@ -83,7 +83,7 @@ def _unit(axis: NDArray[np.float64]) -> list[float]:
     return [float(x) for x in scaled / np.linalg.norm(scaled)]
 
 
-def _placed(part: Element) -> Element:
+def _with_origin(part: Element) -> Element:
     """The origin of a joint or a visual; zero if none is given."""
     given = part.find("origin")
     found = {
@@ -99,7 +99,7 @@ def _visuals(visual: Element) -> Iterator[Element]:
     geometry = visual.find("geometry")
     if geometry is None or len(geometry) == 0:
         raise NotDrawn(NO_GEOMETRY)
-    solid, origin = geometry[0], _placed(visual)
+    solid, origin = geometry[0], _with_origin(visual)
     if solid.tag == "capsule":
         yield from _capsule(visual, origin, solid)
     elif solid.tag == "mesh":

@@ -44,7 +44,7 @@ def is_moving(joint: yourdfpy.Joint) -> bool:
     return joint.type not in RIGID
 
 
-def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str]) -> str:
+def default_tip(path: Path, robot: yourdfpy.Robot, base: str, grippers: Sequence[str]) -> str:
     """The link where the arm ends: the longest moving branch is followed until two are equally long, such as fingers.
 
     held: joints that would move if their limits were not equal. Raises HelicoideError if the end is ambiguous or
@@ -53,21 +53,23 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
     joints_below = child_joints(robot)
     beyond = _moving_beyond(base, joints_below)
     if not beyond[base]:
-        raise urdf_error(path, NONE_MOVES.format(joints=", ".join(held)) if held else NOTHING_MOVES.format(base=base))
+        raise urdf_error(
+            path, NONE_MOVES.format(joints=", ".join(grippers)) if grippers else NOTHING_MOVES.format(base=base)
+        )
 
     def count(joint: yourdfpy.Joint) -> int:
         return is_moving(joint) + beyond[joint.child]
 
-    link, above, held, free = base, base, base, 0
+    link, above, grippers, free = base, base, base, 0
     while branches := [joint for joint in joints_below.get(link, []) if count(joint)]:
         best = max(branches, key=count)
-        if free and count(best) == 1 and _is_gripper_joint(best, above, held, joints_below):
+        if free and count(best) == 1 and _is_gripper_joint(best, above, grippers, joints_below):
             break
         if sum(count(joint) == count(best) for joint in branches) > 1:
             break
         free += is_moving(best) and best.mimic is None
         link = best.child
-        above, held = (held, link) if best.type != "fixed" else (above, held)
+        above, grippers = (grippers, link) if best.type != "fixed" else (above, grippers)
     if not free:
         ends = ", ".join(link.name for link in robot.links if link.name not in joints_below)
         raise urdf_error(
@@ -77,10 +79,10 @@ def default_tip(path: Path, robot: yourdfpy.Robot, base: str, held: Sequence[str
                 pt_BR=f"escolha com --tip o elo onde o braço termina; as pontas são: {ends}",
             ),
         )
-    return _tool_of(link, held, joints_below)
+    return _tool_of(link, grippers, joints_below)
 
 
-def _is_gripper_joint(joint: yourdfpy.Joint, above: str, held: str, joints_below: ChildJoints) -> bool:
+def _is_gripper_joint(joint: yourdfpy.Joint, above: str, grippers: str, joints_below: ChildJoints) -> bool:
     """Whether the last moving joint closes a gripper and so does not belong to the arm.
 
     It must slide or rotate by at most half a turn, and the tool must begin at the link that the joint before it moves:
@@ -88,7 +90,7 @@ def _is_gripper_joint(joint: yourdfpy.Joint, above: str, held: str, joints_below
     """
     limit = joint.limit
     half = joint.type == "revolute" and limit is not None and (limit.upper or 0.0) - (limit.lower or 0.0) <= np.pi
-    before, here, beyond = (_rank(_fixed_to(start, joints_below)) for start in (above, held, joint.child))
+    before, here, beyond = (_rank(_fixed_to(start, joints_below)) for start in (above, grippers, joint.child))
     return (half or joint.type == "prismatic") and before > here <= beyond
 
 
@@ -109,10 +111,10 @@ def _moving_beyond(root: str, joints_below: ChildJoints) -> dict[str, int]:
     return beyond
 
 
-def _tool_of(link: str, held: str, joints_below: ChildJoints) -> str:
+def _tool_of(link: str, grippers: str, joints_below: ChildJoints) -> str:
     """The link named as a tool that is fixed beyond a link, else one fixed to the last joint, else the link itself."""
     for names in TOOL_NAMES:
-        for start in (link, held):
+        for start in (link, grippers):
             if named := [name for name in _fixed_to(start, joints_below) if _words(name) & names]:
                 return named[-1]
     return link

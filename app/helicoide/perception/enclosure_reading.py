@@ -65,7 +65,9 @@ def plane_in_cloud(
     found = find_plane(cloud.points, reading.normal, inside, seed=seed)
     if isinstance(found, Text):
         none = np.zeros(len(cloud.points), dtype=bool)
-        return FittedCloud(cloud.points, none, _told(NOT_FOUND.format(title=reading.title, why=found), cloud)), None
+        return FittedCloud(
+            cloud.points, none, _found_in_words(NOT_FOUND.format(title=reading.title, why=found), cloud)
+        ), None
     words = FOUND.format(
         title=reading.title,
         share=100 * found.share,
@@ -73,10 +75,10 @@ def plane_in_cloud(
         rms=1000 * found.rms,
         angle=np.degrees(found.angle),
     )
-    return FittedCloud(cloud.points, found.on_plane, _told(words, cloud)), _pane(found, cloud, reading)
+    return FittedCloud(cloud.points, found.on_plane, _found_in_words(words, cloud)), _pane(found, cloud, reading)
 
 
-def _told(words: Text, cloud: PointCloud) -> Text:
+def _found_in_words(words: Text, cloud: PointCloud) -> Text:
     """The result, with the notes of the cloud."""
     if not cloud.notes:
         return words

@@ -34,9 +34,9 @@ LOOKS = Text(
 )
 
 
-def detect_unit(rows: Array, chosen: Unit | None, said: Unit | None) -> tuple[Unit, Text]:
+def detect_unit(rows: Array, chosen: Unit | None, stated: Unit | None) -> tuple[Unit, Text]:
     """The unit of rows (k, 3), and the reason; raises BrokenFile if it is ambiguous, or the points are too far away."""
-    unit, why = (chosen, CHOSEN) if chosen else (said, SAYS) if said else (None, LOOKS)
+    unit, why = (chosen, CHOSEN) if chosen else (stated, SAYS) if stated else (None, LOOKS)
     some = _finite(rows)
     if unit is None:
         unit = _looks(some)

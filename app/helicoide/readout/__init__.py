@@ -4,15 +4,15 @@ from helicoide.readout.distances import nearest_point_and_plane, plane_distances
 from helicoide.readout.instruments import (
     Instrument,
     counted_names,
-    held_by,
     instruments,
+    limited_by,
     method_modes,
     near_singular,
     target_pose,
 )
 from helicoide.readout.multivectors import Reading, chosen_reading, distance_product, readings
 from helicoide.readout.printed_planes import WHY_PRINTED_DIFFERS, printed_planes
-from helicoide.readout.status import SHORT, TURNED, Status, Tone, holding, status, too_near
+from helicoide.readout.status import SHORT, TURNED, Status, Tone, limiting, status, too_near
 
 __all__ = [
     "SHORT",
@@ -25,9 +25,9 @@ __all__ = [
     "chosen_reading",
     "counted_names",
     "distance_product",
-    "held_by",
-    "holding",
     "instruments",
+    "limited_by",
+    "limiting",
     "method_modes",
     "near_singular",
     "nearest_point_and_plane",

@@ -1,4 +1,4 @@
-"""Distances of the guarded points to the planes."""
+"""Distances of the monitored points to the planes."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from helicoide.state import State
 
 
 def plane_distances(state: State) -> Array:
-    """Distance of every guarded point to every plane, (m, k), m."""
-    return distances_of(state, state.guarded_points)
+    """Distance of every monitored point to every plane, (m, k), m."""
+    return distances_of(state, state.monitored_points)
 
 
 def distances_of(state: State, points: Array) -> Array:
@@ -22,12 +22,12 @@ def distances_of(state: State, points: Array) -> Array:
 
 
 def nearest_point_and_plane(state: State) -> Contact:
-    """The guarded point and the plane with the smallest distance to each other."""
+    """The monitored point and the plane with the smallest distance to each other."""
     table = plane_distances(state)
     point, plane = np.unravel_index(np.argmin(table), table.shape)
     return Contact(int(plane), int(point))
 
 
 def zones(state: State) -> tuple[Zone, ...]:
-    """The zone of each plane, given by the guarded point nearest to it."""
+    """The zone of each plane, given by the monitored point nearest to it."""
     return tuple(state.problem.zones.zone_of(float(least)) for least in plane_distances(state).min(axis=0))

@@ -124,7 +124,7 @@ def method_modes(state: State) -> Diagnosis | None:
     )
 
 
-def held_by(state: State) -> tuple[Reason, ...]:
+def limited_by(state: State) -> tuple[Reason, ...]:
     """The constraints that limited the last guarded step, in the order of `ik.reasons`."""
     if state.arm.active_set is None or state.arm.active_set.pull == 0.0:
         return ()

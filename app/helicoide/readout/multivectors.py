@@ -33,7 +33,7 @@ class Reading:
 
 
 def readings(state: State) -> tuple[Reading, ...]:
-    """Tool motor, joint lines, planes and guarded points as multivectors of Cl(0,3,1)."""
+    """Tool motor, joint lines, planes and monitored points as multivectors of Cl(0,3,1)."""
     return _readings(state.robot, state.problem.planes.panes)
 
 
@@ -78,14 +78,14 @@ def _points(robot: Robot) -> Iterator[Reading]:
     title = Text(en="point: {point}", pt_BR="ponto: {point}")
 
     def point(j: int, state: State) -> Array:
-        return rigid.point(state.guarded_points[j])
+        return rigid.point(state.monitored_points[j])
 
     for j, guarded in enumerate(robot.monitored):
         yield Reading(f"point {j}", title.format(point=guarded.title), rf"p_{j + 1}", partial(point, j))
 
 
 def distance_product(state: State, point: int, plane: int) -> Array:
-    """πp − pπ = 2 l e1e2e3e of a guarded point and a plane, (16,), m. Source: Cerbaro 2022, eq. 19."""
+    """πp − pπ = 2 l e1e2e3e of a monitored point and a plane, (16,), m. Source: Cerbaro 2022, eq. 19."""
     pi = rigid.plane(state.problem.planes.normals[plane], state.problem.planes.offsets[plane])
-    p = rigid.point(state.guarded_points[point])
+    p = rigid.point(state.monitored_points[point])
     return np.subtract(CL031.product(pi, p), CL031.product(p, pi))

@@ -25,7 +25,7 @@ from helicoide.ik.controller import GUARDED
 from helicoide.ik.goal import Goal
 from helicoide.ik.postures.choice import barrier
 from helicoide.readout.distances import distances_of
-from helicoide.readout.instruments import errors, held_by, near_singular
+from helicoide.readout.instruments import errors, limited_by, near_singular
 from helicoide.state import State, points_on
 from helicoide.text import Text, join_texts
 
@@ -90,7 +90,7 @@ def _replaying(state: State, command: Replay) -> Text:
     """The progress of a replay, and the constraint that limits it."""
     if not command.arrived:
         return Text(en="Moving to the start.", pt_BR="Indo ao início.")
-    held = holding(state)
+    held = limiting(state)
     where = Text(en="{title}: {s:.1f} of {end:.1f} s", pt_BR="{title}: {s:.1f} de {end:.1f} s").format(
         title=command.title, s=command.s, end=command.path.duration
     )
@@ -111,7 +111,7 @@ def _parking(state: State) -> Status:
             "warn",
         )
     if not state.arm.parked and state.request.goal is not None and state.request.goal.position_error > SHORT:
-        return Status(_held_back(state, state.request.goal), "blocked")
+        return Status(_out_of_reach(state, state.request.goal), "blocked")
     if isinstance(state.request.command, Park):
         if not state.arm.parked and not state.arm.moving and state.request.unchanged > 1.0:
             return Status(
@@ -136,7 +136,7 @@ def _towards(state: State, goal: Goal) -> Status:
             "ok",
         )
     if goal.position_error > SHORT:
-        return Status(_held_back(state, goal), "blocked")
+        return Status(_out_of_reach(state, goal), "blocked")
     if state.request.with_orientation and goal.orientation_error > TURNED:
         return Status(_misaligned(state, goal), "warn")
     if isinstance(state.request.command, FollowPath) and state.request.command.playing:
@@ -171,7 +171,7 @@ def _by_method(state: State) -> Status:
 def _rests(state: State, way: float) -> Text:
     """That the arm has stopped away from the target, and the constraint that limits it, if any."""
     method = methods.named(state.request.controller.method).TITLE
-    held = holding(state)
+    held = limiting(state)
     if not held:
         return Text(
             en="Stopped {way:.0f} mm from the target: the method “{method}” cannot get closer.",
@@ -183,7 +183,7 @@ def _rests(state: State, way: float) -> Text:
     ).format(way=1000 * way, held=held[0])
 
 
-def _held_back(state: State, goal: Goal) -> Text:
+def _out_of_reach(state: State, goal: Goal) -> Text:
     """Why the target is not reached: a contact, a joint limit, the entry point or the reach."""
     reason = goal.reasons[0] if goal.reasons else None
     short = f"{1000 * goal.position_error:.0f}"
@@ -244,9 +244,9 @@ def _misaligned(state: State, goal: Goal) -> Text:
     ).format(turned=np.degrees(goal.orientation_error), why=why)
 
 
-def holding(state: State) -> list[Text]:
+def limiting(state: State) -> list[Text]:
     """The constraints that limited the last step, each in a few words, in the order of `held_by`."""
-    return [_named(state.problem, reason) for reason in held_by(state)]
+    return [_named(state.problem, reason) for reason in limited_by(state)]
 
 
 def too_near(problem: Problem, q: Array) -> Text | None:

@@ -66,9 +66,9 @@ class Bay:
                 self.display.close()
                 self.display = None
 
-    def do(self, wish: PageRequest) -> None:
+    def do(self, request: PageRequest) -> None:
         """Carry out a request about the arm or its scene."""
-        match wish:
+        match request:
             case rows.ForArm(update):
                 self.workcell.ask(update)
             case rows.ForLab(robot):

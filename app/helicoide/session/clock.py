@@ -34,7 +34,7 @@ class Clock(Thread):
         self._turn = 0
 
     @property
-    def rests(self) -> bool:
+    def idle(self) -> bool:
         """Whether no arm is advanced at the moment."""
         return not self._awake()
 
@@ -72,7 +72,7 @@ class Clock(Thread):
             self.changed()
         Kernel.interpret(False)
 
-    def live(self, plain: bool = False, halted: bool = False) -> None:
+    def start_ticking(self, plain: bool = False, halted: bool = False) -> None:
         """Set `plain` and `halted` from the next round on. The first call starts the thread."""
         self.plain, self.halted = plain, halted
         if not (self._ended or self.is_alive()):

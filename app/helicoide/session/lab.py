@@ -24,7 +24,7 @@ from helicoide.session.workcell import FAILED, Workcell
 from helicoide.text import HelicoideError, Language, Text
 from helicoide.view import rows
 from helicoide.view.channel import PATH, ControlChannel, Hello, Notice, WindowChannel, introduce
-from helicoide.view.link import HelicoideFence, HelicoideMadeAt, heard_from
+from helicoide.view.link import HelicoideFence, HelicoideMadeAt, connection_of
 from helicoide.view.rows import PageRequest, View
 from helicoide.view.scene import light_scene
 from helicoide.view.serve import serve
@@ -85,7 +85,7 @@ class Lab:
 
     def _begin(self) -> None:
         light_scene(self.server)
-        heard_from(self.server, self._heard)
+        connection_of(self.server, self._on_message)
         self.server.on_client_connect(self._enter)
         self.server.on_client_disconnect(self._leave)
         self._furniture = self.loop.run_in_executor(None, preload, self.shared.workcell.state.robot)
@@ -101,12 +101,12 @@ class Lab:
             self._say(FAILED)
             return
         self.ready = True
-        self.clock.live()
+        self.clock.start_ticking()
         self._news()
 
     def _meanwhile(self, alive: bool) -> None:
         """Until the kernels are compiled, run the arms with kernels as Python, or halt them."""
-        self.clock.live(plain=True, halted=not alive)
+        self.clock.start_ticking(plain=True, halted=not alive)
 
     def _say(self, text: Text) -> None:
         """Show a text in every window, also in those that open later, until the kernels are compiled."""
@@ -122,7 +122,7 @@ class Lab:
     def _tidy(self) -> None:
         self.seats.tidy(monotonic())
         self.bays.keep(self.seats.places.values())
-        self._untidy = 0 if self.clock.rests else self._untidy + 1
+        self._untidy = 0 if self.clock.idle else self._untidy + 1
         if self._untidy in (0, UNTIDY):
             self._untidy = 0
             gc.collect()
@@ -134,9 +134,9 @@ class Lab:
         """Called after each round of the clock, in its thread."""
         if self.visitors and not self._signalled:
             self._signalled = True
-            self.loop.call_soon_threadsafe(self._told)
+            self.loop.call_soon_threadsafe(self._on_news)
 
-    def _told(self) -> None:
+    def _on_news(self) -> None:
         self._signalled = False
         for bay in self.bays:
             if bay.display is not None:
@@ -174,7 +174,9 @@ class Lab:
 
     async def _furnish(self, client: Client, line: WindowChannel, place: Place) -> None:
         bay = self.bays.of(place)
-        window = Window(client, line.link, View(bay.workcell.state, place.seat, place.desk, self.ready), self.act)
+        window = Window(
+            client, line.link, View(bay.workcell.state, place.seat, place.study_panel, self.ready), self.act
+        )
         visitor = self.visitors[client.client_id] = Visitor(window, place, bay)
         if not self.ready:
             self._say_to(visitor)
@@ -201,39 +203,39 @@ class Lab:
 
     # Messages from windows.
 
-    def _heard(self, client_id: int, message: HelicoideFence | HelicoideMadeAt) -> None:
+    def _on_message(self, client_id: int, message: HelicoideFence | HelicoideMadeAt) -> None:
         line, visitor = self.lines.get(client_id), self.visitors.get(client_id)
         if line is not None and line.link.hear(message) and visitor is not None:
             visitor.window.restore()
             visitor.write()
 
-    def act(self, window: Window, wish: PageRequest) -> None:
+    def act(self, window: Window, request: PageRequest) -> None:
         """Carry out a request if it is accepted. The rows of the window are written again in any case."""
         visitor = self.visitors.get(window.client.client_id)
         if visitor is None:
             return
         visitor.write()
         self.loop.call_later(PUT_RIGHT, visitor.rewrite)
-        if isinstance(wish, rows.Stop):
+        if isinstance(request, rows.Stop):
             self._stopped(window.link.key)
-        elif window.link.drives:
-            self._act(visitor, wish)
+        elif window.link.has_control:
+            self._act(visitor, request)
         elif window.link.late:
             window.tell_late()
 
-    def _act(self, visitor: Visitor, wish: PageRequest) -> None:
-        match wish:
+    def _act(self, visitor: Visitor, request: PageRequest) -> None:
+        match request:
             case rows.ForSeat(update):
                 visitor.reseat(update)
                 self._news()
-            case rows.ForDesk(update):
-                self.studies.redesk(visitor.place, update)
+            case rows.ForStudyPanel(update):
+                self.studies.change(visitor.place, update)
             case rows.OwnArm(on):
                 self._move(visitor, on)
             case rows.Save(name, content):
                 visitor.window.client.send_file_download(name, content)
             case _:
-                visitor.bay.do(wish)
+                visitor.bay.do(request)
 
     def _stopped(self, key: str | None, closing: bool = False) -> None:
         """Stop the workcell of a window, or the shared one if the window is unknown, and all with a real arm.
@@ -254,7 +256,7 @@ class Lab:
     def _released(self, key: str) -> None:
         """A pointer was released: its drag ends soon, even if the message that ends it is lost."""
         visitor = self._with(key)
-        if visitor is not None and (grasp := visitor.grasp) is not None:
+        if visitor is not None and (grasp := visitor.drag) is not None:
             self.loop.call_later(LET_GO, visitor.bay.workcell.tell, gate.let_go(grasp))
 
     def _turned(self, key: str, tab: int) -> None:

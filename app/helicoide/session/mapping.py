@@ -45,9 +45,9 @@ class MapJob:
     """
 
     def __init__(
-        self, state: Callable[[], State], post: Callable[[Update], None], turns: asyncio.Semaphore | None = None
+        self, state: Callable[[], State], post: Callable[[Update], None], limit: asyncio.Semaphore | None = None
     ) -> None:
-        self.state, self.post, self.turns = state, post, turns or asyncio.Semaphore(1)
+        self.state, self.post, self.turns = state, post, limit or asyncio.Semaphore(1)
         self._job: ProcessJob | None = None
         self._task: asyncio.Task[None] | None = None
 

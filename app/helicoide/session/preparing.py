@@ -70,11 +70,11 @@ Meanwhile = Callable[[bool], None]
 def exercise(robot_name: str = "movemaster") -> None:
     """Call every kernel of the lab, so that each is compiled or loaded. The kernels are the same for every robot."""
     state = initial_state(load_robot(robot_name))
-    _drive(state)
+    _exercise(state)
     _look(state)
 
 
-def _drive(state: State) -> None:
+def _exercise(state: State) -> None:
     """Calls that occur while an arm moves."""
     asked = with_command(state, MoveToPose(state.T_world_tool))
     asked = gate.drag_target("", "start", asked.T_world_tool[:3, 3] + 0.01, [1.0, 0, 0, 0])(asked)
@@ -90,7 +90,7 @@ def _look(state: State) -> None:
     robot, T, q = state.robot, state.T_world_tool, state.arm.q
     CL031.sandwich(rigid.motor_from_pose(T), rigid.point(T[:3, 3]))
     CL031.outer(rigid.point(T[:3, 3]), rigid.point(T[:3, 3]))
-    signed_distances(*state.problem.plane_arrays[:2], state.guarded_points)
+    signed_distances(*state.problem.plane_arrays[:2], state.monitored_points)
     numeric.first_posture(robot, T, q)
     left(robot, q, T)
     nearest_posture(robot, T, q, with_orientation=True)
@@ -121,12 +121,12 @@ def compiled(report: Callable[[int], None]) -> None:
     This runs in another process, whose only result is the kernels on disk.
     """
 
-    def told(done: int) -> None:
+    def reported(done: int) -> None:
         report(done)
         if kernels.KernelCache.refusal is not None:
             raise kernels.NotCached
 
-    with suppress(kernels.NotCached), kernels.count_compiled(told):
+    with suppress(kernels.NotCached), kernels.count_compiled(reported):
         exercise()
 
 
@@ -161,7 +161,7 @@ async def prepare(robot: Robot, compilation: ProcessJob, say: Say, meanwhile: Me
 def _prepare(robot: Robot, compilation: ProcessJob, say: Say, live: Meanwhile) -> None:
     live(True)
     if not _loaded():
-        _compile_apart(compilation, say)
+        _compile_in_process(compilation, say)
         if compilation.stopped:
             return
         if not _loaded():
@@ -181,7 +181,7 @@ def _loaded() -> bool:
     return True
 
 
-def _compile_apart(compilation: ProcessJob, say: Say) -> None:
+def _compile_in_process(compilation: ProcessJob, say: Say) -> None:
     """Compile the kernels in another process; once more if that is killed."""
     for words in (AGAIN, HERE):
         try:
@@ -199,10 +199,10 @@ def _compile_apart(compilation: ProcessJob, say: Say) -> None:
 def _compile_here(say: Say) -> None:
     """Compile here what the other process did not compile or could not keep on disk."""
 
-    def told(done: int) -> None:
+    def reported(done: int) -> None:
         say(compiling(done, HERE if kernels.KernelCache.refusal is None else NOT_KEPT))
 
-    with kernels.run_compiled(), kernels.count_compiled(told):
+    with kernels.run_compiled(), kernels.count_compiled(reported):
         exercise()
     if kernels.KernelCache.refusal is not None:
         log.warning("the kernels cannot be kept: %s", kernels.KernelCache.refusal)

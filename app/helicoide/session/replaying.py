@@ -10,7 +10,7 @@ import numpy as np
 from helicoide import gate
 from helicoide.arrays import Array
 from helicoide.command import FollowPath
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.ik.controller import Controller
 from helicoide.ik.joints_along import joints_along
 from helicoide.kinematics.robot import Robot
@@ -66,7 +66,7 @@ def along_fastest(state: State) -> Update:
     """
     if state.arm.parked:  # a parked arm would not move, and never reach the end
         return gate.say(gate.PARKED)
-    rows, beside = _followed(state)
+    rows, beside = _along(state)
     shape = "trapezoid" if state.request.path_choice.shape == "constant speed" else state.request.path_choice.shape
     along = JointSpline(np.linspace(0.0, SLOWLY, len(rows)), rows)
     try:
@@ -76,7 +76,7 @@ def along_fastest(state: State) -> Update:
     return gate.replay(path, FASTEST.format(mm=1000 * beside))
 
 
-def _followed(state: State) -> tuple[Array, float]:
+def _along(state: State) -> tuple[Array, float]:
     """Joint values (k, n), rad or m, at equal steps of the path, and the largest distance of the tool from it, m.
 
     The arm first moves to the start of the path, or as near to it as it can.
@@ -87,12 +87,12 @@ def _followed(state: State) -> tuple[Array, float]:
         FollowPath(path, 0.0, playing=False),
     )
     for _ in range(COMING):
-        state = lived(state, STEP)
+        state = advance_with_search(state, STEP)
     state = replace(state, request=replace(state.request, command=FollowPath(path, 0.0, playing=True, arrived=True)))
     rows, beside = [state.arm.q], 0.0
     while isinstance(state.request.command, FollowPath) and state.request.command.playing:
         s = state.request.command.s
-        state = lived(state, STEP)
+        state = advance_with_search(state, STEP)
         if state.request.path_s < s:  # a closed path begins again
             break
         rows.append(state.arm.q)

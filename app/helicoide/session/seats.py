@@ -25,7 +25,7 @@ class Place:
     """
 
     seat: Seat
-    desk: StudyPanelState = NO_STUDY
+    study_panel: StudyPanelState = NO_STUDY
     own: Workcell | None = None
     at_own: bool = False
     windows: int = 0

@@ -97,7 +97,7 @@ class Surveying:
                 return
         self.post(gate.while_asked(state, gate.get_ready()))
 
-    async def _done(self, wish: Update) -> None:
+    async def _done(self, update: Update) -> None:
         """Post an update, and wait until it has been applied, since the arm's thread may be late."""
         loop, done = asyncio.get_running_loop(), asyncio.Event()
 
@@ -105,7 +105,7 @@ class Surveying:
             loop.call_soon_threadsafe(done.set)
             return state
 
-        self.post(wish)
+        self.post(update)
         self.post(tell)
         await done.wait()
 

@@ -32,7 +32,7 @@ class Visitor:
     def view(self, ready: bool) -> View:
         """What the window shows now. ready: whether the kernels are compiled."""
         place = self.place
-        return View(self.bay.workcell.state, place.seat, place.desk, ready, self.bay.workcell is place.own)
+        return View(self.bay.workcell.state, place.seat, place.study_panel, ready, self.bay.workcell is place.own)
 
     async def attach(self, bay: Bay) -> None:
         """Show a workcell in the window."""
@@ -46,7 +46,7 @@ class Visitor:
     def detach(self) -> None:
         """Remove the window from its workcell, and end its drag there."""
         self.bay.leave(self.window)
-        if (grasp := self.grasp) is not None:
+        if (grasp := self.drag) is not None:
             self.bay.workcell.tell(gate.let_go(grasp))
 
     async def settle(self, bays: Bays, view: Callable[[Window], View]) -> None:
@@ -79,7 +79,7 @@ class Visitor:
         self.write()
 
     @property
-    def grasp(self) -> Drag | None:
+    def drag(self) -> Drag | None:
         """The drag of this window's pointer, or None."""
         grasp = self.bay.workcell.state.request.drag
         return grasp if grasp is not None and grasp.seat == str(self.window.client.client_id) else None

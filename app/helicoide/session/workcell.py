@@ -12,7 +12,7 @@ from threading import Lock
 from helicoide import gate
 from helicoide.advance import advance
 from helicoide.command import FollowPath
-from helicoide.foresight import foreseen, leads_elsewhere, rests, search_posture, wants_search
+from helicoide.foresight import at_rest, foreseen, leads_elsewhere, search_posture, wants_search
 from helicoide.state import State, Update
 from helicoide.text import Text
 
@@ -47,11 +47,11 @@ class Workcell:
 
     def ask(self, update: Update) -> None:
         """Queue a request of a user. A stop discards it if it is not applied yet."""
-        self._post(update, asked=True)
+        self._post(update, is_request=True)
 
     def tell(self, update: Update) -> None:
         """Queue the result of a job. A stop leaves it in the inbox."""
-        self._post(update, asked=False)
+        self._post(update, is_request=False)
 
     def stop(self, closing: bool = False) -> None:
         """Discard all queued requests, and stop the arm before the next tick.
@@ -59,8 +59,8 @@ class Workcell:
         closing: whether the same keystroke also closes something on the page.
         """
         with self._lock:
-            told = [entry for entry in self._inbox if not entry[1]]
-            self._inbox = deque([(gate.stop(closing), False), *told])
+            results = [entry for entry in self._inbox if not entry[1]]
+            self._inbox = deque([(gate.stop(closing), False), *results])
         self._rise()
 
     def pause(self, paused: bool) -> None:
@@ -68,9 +68,9 @@ class Workcell:
         self.paused = paused
         self._rise()
 
-    def _post(self, update: Update, asked: bool) -> None:
+    def _post(self, update: Update, is_request: bool) -> None:
         with self._lock:
-            self._inbox.append((update, asked))
+            self._inbox.append((update, is_request))
         self._rise()
 
     def _rise(self) -> None:
@@ -95,7 +95,7 @@ class Workcell:
         if wants_search(self.state) and not self._searching:
             self._searching = True
             self.searcher.submit(self._search, self.state)
-        self.resting = rests(before, self.state)
+        self.resting = at_rest(before, self.state)
 
     def foresee(self) -> None:
         """Compute the goal if it may have changed; less often while a path plays, since its goal is not drawn."""

@@ -107,7 +107,7 @@ def stacked(
     caps = [manifold3d.triangulate([layers[-1][0]]) + len(rings[0]) * (len(rings) - 1)]
     if bottom:
         caps.append(manifold3d.triangulate([layers[0][0]])[:, ::-1])
-    return _placed(rings, caps, axis, at)
+    return _moved_to(rings, caps, axis, at)
 
 
 def prism(
@@ -173,7 +173,7 @@ def cable(path: ArrayLike, radius: float, sides: int = 8, samples: int = 16) -> 
         side /= np.linalg.norm(side)
         rings.append(point + circle(radius, sides) @ np.array([side, np.cross(along, side)]))
     top = manifold3d.triangulate([circle(radius, sides)])
-    return _placed(rings, [top[:, ::-1], top + sides * (len(rings) - 1)], "z", ORIGIN)
+    return _moved_to(rings, [top[:, ::-1], top + sides * (len(rings) - 1)], "z", ORIGIN)
 
 
 def letters(strokes: Iterable[ArrayLike], thickness: float, depth: float, axis: Axis, at: ArrayLike) -> trimesh.Trimesh:
@@ -193,7 +193,7 @@ def _catmull_rom(points: Array, samples: int) -> Array:
     return curve
 
 
-def _placed(rings: Sequence[Array], caps: Sequence[NDArray[np.int32]], axis: Axis, at: ArrayLike) -> trimesh.Trimesh:
+def _moved_to(rings: Sequence[Array], caps: Sequence[NDArray[np.int32]], axis: Axis, at: ArrayLike) -> trimesh.Trimesh:
     count, here = len(rings[0]), np.arange(len(rings[0]))
     there = np.roll(here, -1)
     sides = [

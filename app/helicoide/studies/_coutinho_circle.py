@@ -39,7 +39,7 @@ def scene() -> tuple[Array, Array, Array]:
     return T, T[:3, 3] - DEPTH * T[:3, 1], T[:3, 1]
 
 
-def tip_reference(t: float) -> rod.TipWish:
+def tip_reference(t: float) -> rod.TipTask:
     """p_d = p₀ + 0.03 [(cos ωt − 1) e₁ + sin ωt e₂], e₁ = unit(d × z), e₂ = d × e₁. Args: t, s."""
     T, entry, d = scene()
     e1 = np.cross(d, [0.0, 0.0, 1.0])
@@ -47,7 +47,7 @@ def tip_reference(t: float) -> rod.TipWish:
     e2, w = np.cross(d, e1), 2 * np.pi / PERIOD
     target = T[:3, 3] + RADIUS * ((np.cos(w * t) - 1) * e1 + np.sin(w * t) * e2)
     ahead = RADIUS * w * (np.cos(w * t) * e2 - np.sin(w * t) * e1)
-    return rod.TipWish(target, ahead, entry, np.zeros(2))
+    return rod.TipTask(target, ahead, entry, np.zeros(2))
 
 
 def _figures(moment: clik.LoopStep) -> dict[str, float]:

@@ -130,7 +130,7 @@ def measure_rows(
 def leaving_rate_row(
     run: Run,
     dt: float,
-    said: Statement | None = None,
+    stated: Statement | None = None,
     fitted: tuple[Fitted | Interpretation, ...] = (),
     which: Text | None = None,
 ) -> Row:
@@ -140,7 +140,7 @@ def leaving_rate_row(
     """
     title = LEAVES.format(step=1e3 * dt)
     title = title if which is None else OF.format(what=title, which=which)
-    return Row(title, float(run["moved_mm_s"].max()), "mm/s", said, fitted)
+    return Row(title, float(run["moved_mm_s"].max()), "mm/s", stated, fitted)
 
 
 TIME = Text(en="time, s", pt_BR="tempo, s")

@@ -156,7 +156,7 @@ def path_steps(name: str, control: RcmControl, dt: float, insertion: RunStart = 
     problem, passage = problem_without_planes(robot), through(robot, LINK, path.across)
     entry = entry_on(robot, start, depth)
     memory = initial_memory(problem, passage, control, start, entry)
-    return rcm_loop(problem, passage, control, path.wished(tool_at(robot, start)), start, entry, dt, memory)
+    return rcm_loop(problem, passage, control, path.task(tool_at(robot, start)), start, entry, dt, memory)
 
 
 def initial_memory(

@@ -43,16 +43,16 @@ class Options:
     l3: Annotated[float, HAND] = 0.2
 
 
-def orientation_share(r: float, l3: float, turns: int) -> float:
+def orientation_share(r: float, l3: float, rotations: int) -> float:
     """The fraction of orientations in which the tool reaches a point at the distance r, m, from trials."""
     links = Annulus(L1, L2)
-    phis = 2 * np.pi * (np.arange(turns) + 0.5) / turns
+    phis = 2 * np.pi * (np.arange(rotations) + 0.5) / rotations
     return float(np.mean([bool(links.elbows(hypot(r - l3 * np.cos(phi), l3 * np.sin(phi)))) for phi in phis]))
 
 
-def two_link_share(r: float, l1: float, l2: float, turns: int) -> float:
+def two_link_share(r: float, l1: float, l2: float, rotations: int) -> float:
     """The same of two links: those orientations of the second with which it begins where the first one ends."""
-    phi = 2 * np.pi * np.arange(turns) / turns
+    phi = 2 * np.pi * np.arange(rotations) / rotations
     return float(np.mean(np.abs(np.hypot(r - l2 * np.cos(phi), l2 * np.sin(phi)) - l1) < THERE))
 
 

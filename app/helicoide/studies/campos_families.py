@@ -158,7 +158,7 @@ def family_tallies(robot: Robot, count: int, progress: Progress) -> dict[Text, T
             first = found if first is None else first
             postures[family] = postures.get(family, 0) + len(found)
             residuals.setdefault(family, []).append(max((max(left(robot, one, T)) for one in found), default=np.inf))
-            apart[family] = max(apart.get(family, 0.0), _apart(first, found))
+            apart[family] = max(apart.get(family, 0.0), _largest_difference(first, found))
         progress(done / count)
     return {family: Tally(postures[family], np.array(residuals[family]), apart[family]) for family in postures}
 
@@ -182,7 +182,7 @@ def _of(robot: Robot, family: Text, q: Array) -> Answer:
     )
 
 
-def _apart(one: Array, other: Array) -> float:
+def _largest_difference(one: Array, other: Array) -> float:
     """The largest distance, rad, from a posture of one set to the nearest of the other; infinite if a set is empty."""
     if not (len(one) and len(other)):
         return np.inf

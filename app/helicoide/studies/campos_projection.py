@@ -148,13 +148,13 @@ def polar_frame(robot: Robot, goals: list[Array]) -> tuple[float, float, float]:
     draw = np.random.default_rng(31).uniform([-np.pi, 0.1], [np.pi, 1.0], (len(goals), 2))
     poses = [tool_at(robot, q) for q in draw]
     poses += [subspace.project_to_subspace(robot, T, np.zeros(2)).T_world_goal for T in goals]
-    ahead = max(_apart(T[:3, 2], T[:3, 3] * [1, 1, 0]) for T in poses)
-    down = max(_apart(T[:3, 1], -Z) for T in poses)
+    ahead = max(_largest_difference(T[:3, 2], T[:3, 3] * [1, 1, 0]) for T in poses)
+    down = max(_largest_difference(T[:3, 1], -Z) for T in poses)
     across = max(float(np.abs(np.cross(T[:3, 1], T[:3, 2]) - T[:3, 0]).max()) for T in poses)
     return ahead, down, across
 
 
-def _apart(a: Array, b: Array) -> float:
+def _largest_difference(a: Array, b: Array) -> float:
     """The angle between two directions, rad."""
     return float(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b))
 

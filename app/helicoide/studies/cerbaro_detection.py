@@ -82,7 +82,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     found = _found(options.noise / 1000)
     progress(1.0)
     here, bracket = read[:3], read[3:]
-    rows = (eq_25_row(), *_search(found), *_ours(here, bracket))
+    rows = (eq_25_row(), *_search(found), *_computed_rows(here, bracket))
     charts = (_tilts(here), _by_angle(found), _places(here, bracket))
     return Result(rows, charts, (_tour(),))
 
@@ -172,7 +172,7 @@ def _search(found: Array) -> list[Row]:
     ]
 
 
-def _ours(here: list[CloudReadings], bracket: list[CloudReadings]) -> list[Row]:
+def _computed_rows(here: list[CloudReadings], bracket: list[CloudReadings]) -> list[Row]:
     kinds = (
         (Text(en="fit to all points, median tilt", pt_BR="ajuste a todos os pontos, inclinação mediana"), 50, "tilts"),
         (Text(en="three random points, median tilt", pt_BR="três pontos ao acaso, inclinação mediana"), 50, "of_three"),

@@ -126,7 +126,7 @@ def _of_movemaster(movemaster: Robot) -> tuple[Row, ...]:
         *(x, truncated_row(y), replace(z, fitted=(FIRST_OFFSET,))),
         row_by_table(z, 6, movemaster, (replace(first, d=0.0), *others), 2),
         _entries("Movemaster, DH", by_dh, R_DH, "eq. 4"),
-        *_turns("Movemaster, DH", turns, ("−1,047", "0,000", "−2,618"), "eq. 6"),
+        *_rotation_rows("Movemaster, DH", turns, ("−1,047", "0,000", "−2,618"), "eq. 6"),
         *(u, truncated_row(v), truncated_row(w)),
         _entries("Movemaster, H", by_screws, R_SCREWS, "eq. 8", (SINES,)),
     )
@@ -148,8 +148,8 @@ def _entries(name: str, H: Array, R: Array, where: str, taken: tuple[Interpretat
     return Row(quantity, float(np.abs(H[:3, :3] - R).max()), "", Statement(said, where, 0.0, "=", 5e-4), taken)
 
 
-def _turns(name: str, turns: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
-    told = zip(("Roll", "Pitch", "Yaw"), np.round(turns, 12) + 0.0, words, strict=True)
+def _rotation_rows(name: str, rotations: Array, words: tuple[str, ...], where: str) -> tuple[Row, ...]:
+    told = zip(("Roll", "Pitch", "Yaw"), np.round(rotations, 12) + 0.0, words, strict=True)
     return tuple(
         Row(untranslated(f"{name}: {axis}"), float(ours), "rad", printed_statement(said, where))
         for axis, ours, said in told

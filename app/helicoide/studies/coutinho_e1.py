@@ -156,7 +156,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     titled = {INVERSES[name][0]: got for name, got in runs.items()}
     rows = (
         *(() if short else _crossed(runs)),
-        *_followed(runs),
+        *_followed_path(runs),
         *_put_in(runs["plain"]),
         *(one for name, got in runs.items() for one in _measured(name, got, short)),
     )
@@ -176,7 +176,7 @@ def _put_in(got: Run) -> list[Row]:
 
 
 def _measured(name: str, got: Run, short: bool) -> list[Row]:
-    """What nobody printed; the ends of the way of θ₇ only where the whole of it was run."""
+    """What the source does not print; the ends of the way of θ₇ only where the whole of it was run."""
     names = MEASURED if short or name == "plain" else (*MEASURED, "q7_min", "q7_max")
     return measure_rows(got, INVERSES[name][0], STEP, FIGURES, names, MEASURED)
 
@@ -202,7 +202,7 @@ def _crossed(runs: Mapping[str, Run]) -> list[Row]:
     ]
 
 
-def _followed(runs: Mapping[str, Run]) -> list[Row]:
+def _followed_path(runs: Mapping[str, Run]) -> list[Row]:
     """Whether the joints race, and how the shaft follows its entry point: at each instant, and over steps."""
     raced = Statement(NOT_VIABLE, "§4.2.1", 1.0, ">")
     fastest = float(runs["plain"]["of_speed"].max())

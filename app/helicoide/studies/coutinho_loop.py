@@ -150,9 +150,9 @@ def _arrived(t: Array, position: Array, angle: Array) -> list[Row]:
     ]
 
 
-def _turned(turns: dict[Text, Array]) -> list[Row]:
+def _turned(rotations: dict[Text, Array]) -> list[Row]:
     """The remaining rotation angle of the body alone, for each definition of the orientation error."""
-    return [Row(ANGLE_LEFT.format(which=which), float(left[-1]), "°") for which, left in turns.items()]
+    return [Row(ANGLE_LEFT.format(which=which), float(left[-1]), "°") for which, left in rotations.items()]
 
 
 def _missed() -> list[Row]:
@@ -195,9 +195,9 @@ def _falling(angle: float) -> float:
     return (V(angle - 10 * np.sin(angle / 2) * step) - V(angle)) / step
 
 
-def _charts(t: Array, position: Array, angle: Array, turns: dict[Text, Array]) -> tuple[Chart, ...]:
+def _charts(t: Array, position: Array, angle: Array, rotations: dict[Text, Array]) -> tuple[Chart, ...]:
     own = np.linspace(0.0, BODY_SECONDS, round(BODY_SECONDS / BODY_STEP) + 1)
-    of_body = tuple(ChartLine(which, own[::10], left[::10]) for which, left in turns.items())
+    of_body = tuple(ChartLine(which, own[::10], left[::10]) for which, left in rotations.items())
     return (
         Chart(TIP, TIME, untranslated("|e_p|, mm"), (ChartLine(TIP, t[::10], 1e3 * position[::10]),), log=True),
         Chart(ANGLE, TIME, untranslated("°"), (ChartLine(ANGLE, t[::10], angle[::10]),), log=True),

@@ -58,7 +58,7 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     found = []
     every = islice(path_steps("S2", source_control(options.feedback), STEP), 0, (count - 1) * EVERY + 1, EVERY)
     for done, moment in enumerate(every):
-        found.append((moment.t, moment.q, *_apart(moment)))
+        found.append((moment.t, moment.q, *_largest_difference(moment)))
         progress((done + 1) / count)
     t, q, stacked, first, second, determinant = (np.array(column) for column in zip(*found, strict=True))
     ways = {STACKED: stacked, FIRST: first}
@@ -81,12 +81,12 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     )
 
 
-def _apart(moment: RcmStep) -> tuple[float, float, float, float]:
+def _largest_difference(moment: RcmStep) -> tuple[float, float, float, float]:
     """How far the older ways are from θ̇, as a part of it, and the determinant of the stack from its factors.
 
     The last way takes the tool first and the entry point as its obstacle, which is the stack by eq. 1.3.
     """
-    at, nu, asked = moment.at, moment.command, moment.asked
+    at, nu, asked = moment.at, moment.command, moment.task
     J_e, J_c = older_tool_jacobian(at), entry_jacobian(at)
     stack = np.vstack([J_e, J_c])
     inverted = np.linalg.solve(stack, np.concatenate([nu, asked]))

@@ -62,39 +62,39 @@ def with_study(name: str) -> StudyPanelUpdate:
     """Select another study and end the current run; raises HelicoideError for an unknown name."""
     if name:
         studies.study_named(name)
-    return lambda desk: replace(desk, study=name, progress=None, failure=None)
+    return lambda panel: replace(panel, study=name, progress=None, failure=None)
 
 
 def with_study_option(name: str, value: object) -> StudyPanelUpdate:
     """Set one option of the selected study; raises HelicoideError, which lists the valid values."""
 
-    def update(desk: StudyPanelState) -> StudyPanelState:
-        options = changed(desk.current_options(), name, value)
-        return replace(desk, options=MappingProxyType({**desk.options, desk.study: options}))
+    def update(panel: StudyPanelState) -> StudyPanelState:
+        options = changed(panel.current_options(), name, value)
+        return replace(panel, options=MappingProxyType({**panel.options, panel.study: options}))
 
     return update
 
 
-def with_run_started(desk: StudyPanelState) -> StudyPanelState:
+def with_run_started(panel: StudyPanelState) -> StudyPanelState:
     """Start the selected study, unless one is running."""
-    return desk if desk.progress is not None or not desk.study else replace(desk, progress=0.0, failure=None)
+    return panel if panel.progress is not None or not panel.study else replace(panel, progress=0.0, failure=None)
 
 
-def with_run_ended(desk: StudyPanelState) -> StudyPanelState:
+def with_run_ended(panel: StudyPanelState) -> StudyPanelState:
     """End the current run."""
-    return replace(desk, progress=None)
+    return replace(panel, progress=None)
 
 
 def with_progress(share: float) -> StudyPanelUpdate:
     """Update the progress of the current run."""
-    return lambda desk: desk if desk.progress is None else replace(desk, progress=share)
+    return lambda panel: panel if panel.progress is None else replace(panel, progress=share)
 
 
 def with_result(run: CompletedRun) -> StudyPanelUpdate:
     """Store a completed run as the last one."""
-    return lambda desk: replace(desk, progress=None, last=run, previous=desk.last)
+    return lambda panel: replace(panel, progress=None, last=run, previous=panel.last)
 
 
 def with_failure(why: Text) -> StudyPanelUpdate:
     """End the current run without a result."""
-    return lambda desk: replace(desk, progress=None, failure=why)
+    return lambda panel: replace(panel, progress=None, failure=why)

@@ -95,8 +95,8 @@ def run(options: Options, short: bool, progress: Progress) -> Result:
     distances: dict[Key, float] = {}
 
     def one(key: Key) -> Callable[[Progress], MethodRun]:
-        def go(told: Progress) -> MethodRun:
-            found, distances[key] = obstacle_near_links(*key, options.gain, dt, seconds, told)
+        def go(reported: Progress) -> MethodRun:
+            found, distances[key] = obstacle_near_links(*key, options.gain, dt, seconds, reported)
             return found
 
         return go

@@ -31,7 +31,7 @@ ABOUT = Text(
     en="""Θ is on its way to the inverse of a Jacobian K that stands still, begun anywhere. In the axes of K it is a \
 diagonal, dᵢ, which comes to 1/σᵢ, with the singular values σᵢ of K, and residuals rᵢⱼ, which come to zero. Look at \
 what is left when only one of the two inversion errors acts, S_r = KΘ − I or S_ℓ = ΘK − I: a redundant joint keeps a \
-motion that nobody asked for, a coordinate too many keeps a reaction. Where σ is zero nothing is learnt, and nothing \
+motion that was not asked for, a coordinate too many keeps a reaction. Where σ is zero nothing is learnt, and nothing \
 is forgotten.""",
     pt_BR="""Θ vai para a inversa de um Jacobiano constante K, partindo de qualquer valor. Nos eixos de K ela é uma \
 diagonal, dᵢ, que chega a 1/σᵢ, com os valores singulares σᵢ de K, e resíduos rᵢⱼ, que chegam a zero. Observe o que \

@@ -101,14 +101,14 @@ def _slope(s: Array, q: Array) -> Array:
     return np.asarray(np.linalg.solve(powers, q)[1])
 
 
-def _tridiagonal(half_diagonal: Array, beside: Array, right: Array) -> Array:
+def _tridiagonal(half_diagonal: Array, off_diagonal: Array, right: Array) -> Array:
     """Solve a symmetric system for (k, n): diagonal 2 · half_diagonal (k,), off-diagonal `beside` (k − 1,) (Thomas)."""
     diagonal, right = 2 * half_diagonal, right.copy()
     for i in range(1, len(diagonal)):
-        share = beside[i - 1] / diagonal[i - 1]
-        diagonal[i] -= share * beside[i - 1]
+        share = off_diagonal[i - 1] / diagonal[i - 1]
+        diagonal[i] -= share * off_diagonal[i - 1]
         right[i] -= share * right[i - 1]
     right[-1] /= diagonal[-1]
     for i in reversed(range(len(diagonal) - 1)):
-        right[i] = (right[i] - beside[i] * right[i + 1]) / diagonal[i]
+        right[i] = (right[i] - off_diagonal[i] * right[i + 1]) / diagonal[i]
     return right

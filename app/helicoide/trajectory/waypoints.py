@@ -101,7 +101,7 @@ def waypoint(
             Text(
                 en="Waypoint {name!r} cannot be reached by {way!r}; the move types are: {ways}.",
                 pt_BR="Não se chega ao ponto {name!r} por {way!r}; os tipos de movimento são: {ways}.",
-            ).format(name=name, way=move_type, ways=_told(MOVE_TYPES))
+            ).format(name=name, way=move_type, ways=_in_words(MOVE_TYPES))
         )
     if not (isfinite(dwell) and 0 <= dwell <= LONGEST_DWELL):
         raise HelicoideError(
@@ -122,7 +122,9 @@ def _gripping(robot: Robot, name: str, gripper: str) -> GripperAction:
                 en="The gripper cannot be {gripper!r} at waypoint {name!r}; it may be: {grips}.",
                 pt_BR="A garra não pode ficar {gripper!r} no ponto {name!r}; pode ficar: {grips}.",
             ).format(
-                name=name, gripper=gripper, grips=_told({grip: told for grip, told in GRIPPER_ACTIONS.items() if grip})
+                name=name,
+                gripper=gripper,
+                grips=_in_words({grip: told for grip, told in GRIPPER_ACTIONS.items() if grip}),
             )
         )
     if gripper and robot.gripper is None:
@@ -135,7 +137,7 @@ def _gripping(robot: Robot, name: str, gripper: str) -> GripperAction:
     return cast(GripperAction, gripper)
 
 
-def _told(known: Mapping[Any, Text]) -> Text:
+def _in_words(known: Mapping[Any, Text]) -> Text:
     """Keys with their meanings."""
     return Text(
         en=", ".join(f"{key} ({words.en})" if key != words.en else key for key, words in known.items()),

@@ -33,7 +33,7 @@ def common(chart: Chart) -> tuple[Array, ...]:
     return x, *ys
 
 
-def turns_back(chart: Chart) -> bool:
+def runs_backwards(chart: Chart) -> bool:
     """Whether x decreases somewhere along a curve, as on a closed one; uPlot cannot draw such a curve."""
     return any((np.diff(line.x) < 0).any() for line in chart.lines)
 
@@ -72,7 +72,7 @@ class ChartPlot:
     def _draw(self, chart: Chart, language: Language) -> None:
         """Give the existing plot new data, or replace it by another plot or figure."""
         labels = (chart.title, chart.x_label, chart.y_label, *(line.title for line in chart.lines))
-        if self.handle is not None and labels == self.labels and not turns_back(chart):
+        if self.handle is not None and labels == self.labels and not runs_backwards(chart):
             self._reach(chart)
             self.handle.data = common(chart)
             return
@@ -82,7 +82,7 @@ class ChartPlot:
                 handle.remove()
         self.handle = None
         with self.place:
-            if turns_back(chart):
+            if runs_backwards(chart):
                 self.words = html.put_html(self.gui, CHART.format(figure(chart, language, SIZE)))
                 return
             self.words = html.put_html(self.gui, CHART.format(CAPTION.format(caption(chart, language))))

@@ -45,7 +45,7 @@ class ValueControl:
         self,
         handle: Any,
         value: Callable[[View], Any],
-        wish: Callable[[Any], PageRequest | None],
+        request: Callable[[Any], PageRequest | None],
         ask: Ask,
         view: View,
         enabled: Callable[[View], bool] = always,
@@ -56,7 +56,7 @@ class ValueControl:
 
         def touched(given: Any) -> None:
             self.touched = monotonic()
-            ask(lambda: wish(given) if self.enabled(self.view) else None)
+            ask(lambda: request(given) if self.enabled(self.view) else None)
 
         bind.on_value(handle, touched)
 
@@ -84,10 +84,10 @@ class ButtonControl:
         self.row, self.view = row, view
         self.handle = gui.add_button(icon=row.icon, color=COLOURS[row.weight], **self._shown(view))
 
-        def wished() -> PageRequest | None:
+        def pressed() -> PageRequest | None:
             return row.request(self.view) if row.enabled(self.view) and row.shown(self.view) else None
 
-        bind.on_press(self.handle, lambda: ask(wished))
+        bind.on_press(self.handle, lambda: ask(pressed))
 
     def _shown(self, view: View) -> dict[str, Any]:
         row = self.row
@@ -140,7 +140,7 @@ class ChoiceControl(ValueControl):
         handle = gui.add_dropdown(
             row.label[view.seat.language], tuple(words.values()), initial_value=words[row.value(view)]
         )
-        super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._wish, ask, view)
+        super().__init__(handle, lambda view: self._words(view)[row.value(view)], self._request, ask, view)
 
     def _words(self, view: View) -> dict[str, str]:
         """The text of each key; equal texts get a number."""
@@ -152,7 +152,7 @@ class ChoiceControl(ValueControl):
             for k, ((key, _), word) in enumerate(zip(known, words, strict=True))
         }
 
-    def _wish(self, word: str) -> PageRequest | None:
+    def _request(self, word: str) -> PageRequest | None:
         keys = {word: key for key, word in self._words(self.view).items()}
         return self.row.request(keys[word]) if word in keys else None
 

@@ -6,7 +6,7 @@ import viser
 
 from helicoide.lesson import load_lesson
 from helicoide.view.panels.lesson import step_rows
-from helicoide.view.placed_rows import PlacedRow, place_rows
+from helicoide.view.placed_rows import WindowRow, place_rows
 from helicoide.view.rows import Act, View
 
 WIDTH, LARGE = 320.0, 480.0  # px; LARGE on a projector
@@ -17,7 +17,7 @@ class DockedLesson:
 
     def __init__(self, gui: viser.GuiApi, act: Act) -> None:
         self.gui, self.act = gui, act
-        self.rows: list[PlacedRow] = []
+        self.rows: list[WindowRow] = []
         self.panel: viser.PanelHandle | None = None
         self.key: tuple[object, ...] = ()
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from markupsafe import Markup
 
 from helicoide.ik.methods import named
-from helicoide.readout import Instrument, counted_names, holding, instruments, near_singular
+from helicoide.readout import Instrument, counted_names, instruments, limiting, near_singular
 from helicoide.state import State
 from helicoide.text import Language, Text, number_text
 from helicoide.view import html
@@ -33,7 +33,7 @@ def instrument_table(view: View) -> Markup:
         for symbol, instrument in lines.items()
     )
     table = Markup("<table class='helicoide-instruments'><tr><th></th>{}</tr>{}<tr><td>{}</td>{}</tr></table>{}")
-    held = _cells(VALUE, (_held(state, view) for state in arms))
+    held = _cells(VALUE, (_limited_by(state, view) for state in arms))
     notes = Markup("").join([_counted(view), *_singular(view)])
     return formula_html(named(view.state.request.controller.method).EQUATION) + table.format(
         head, body, HELD[view.seat.language], held, notes
@@ -84,5 +84,5 @@ def _read(instrument: Instrument | None, language: Language) -> str:
     return f"{shown} {instrument.unit}"
 
 
-def _held(state: State, view: View) -> str:
-    return Markup("<br>").join(text[view.seat.language] for text in holding(state)) or "–"
+def _limited_by(state: State, view: View) -> str:
+    return Markup("<br>").join(text[view.seat.language] for text in limiting(state)) or "–"

@@ -48,17 +48,17 @@ class Link:
     made_at: float = field(default=float("-inf"))
 
     @property
-    def drives(self) -> bool:
+    def has_control(self) -> bool:
         """Whether the current message is accepted."""
-        return self._may_drive and self._fresh
+        return self._is_in_control and self._fresh
 
     @property
     def late(self) -> bool:
         """Whether the current message is rejected only because it is too old."""
-        return self._may_drive and not self._fresh
+        return self._is_in_control and not self._fresh
 
     @property
-    def _may_drive(self) -> bool:
+    def _is_in_control(self) -> bool:
         return self.channels > 0 and self.passed == self.fence
 
     @property
@@ -81,12 +81,12 @@ class Link:
         return False
 
 
-def heard_from(server: viser.ViserServer, hear: Callable[[int, HelicoideFence | HelicoideMadeAt], None]) -> None:
+def connection_of(server: viser.ViserServer, hear: Callable[[int, HelicoideFence | HelicoideMadeAt], None]) -> None:
     """Call `hear` with the client number and each of these messages, in the order in which the client sends them."""
 
-    def heard(client_id: int, message: Message) -> None:
+    def received(client_id: int, message: Message) -> None:
         assert isinstance(message, HelicoideFence | HelicoideMadeAt)
         hear(client_id, message)
 
     for kind in (HelicoideFence, HelicoideMadeAt):
-        server._websock_server.register_handler(kind, heard)
+        server._websock_server.register_handler(kind, received)

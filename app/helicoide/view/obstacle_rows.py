@@ -80,23 +80,23 @@ def entry_point_rows() -> Folder:
         Text(
             en="Entry point (remote centre of motion, RCM)", pt_BR="Ponto de entrada (centro remoto de movimento, RCM)"
         ),
-        DependentRows(_held, _entry),
+        DependentRows(_is_enforced, _entry),
         open=False,
     )
 
 
-def _held(view: View) -> bool:
+def _is_enforced(view: View) -> bool:
     return view.state.problem.entry is not None
 
 
-def _entry(held: bool) -> list[Row]:
+def _entry(enforced: bool) -> list[Row]:
     hold = Checkbox(
         Text(en="Enforce the RCM", pt_BR="Impor o centro remoto (RCM)"),
-        _held,
-        lambda on: ForArm(gate.hold_entry(on)),
+        _is_enforced,
+        lambda on: ForArm(gate.enforce_entry(on)),
     )
     where = VectorRow(Text(en="entry point x y z [mm]", pt_BR="ponto de entrada x y z [mm]"), 1.0, _point, _set_point)
-    return [hold, where] if held else [hold]
+    return [hold, where] if enforced else [hold]
 
 
 def _point(view: View) -> tuple[float, float, float]:

@@ -18,7 +18,7 @@ from helicoide.view.page import STOP
 from helicoide.view.panels.lesson import lessons
 from helicoide.view.panels.robot import PARK, READY
 from helicoide.view.panels.study import studies_by_source
-from helicoide.view.rows import ForArm, ForDesk, ForLab, ForSeat, OwnArm, PageRequest, ShowTab, Stop
+from helicoide.view.rows import ForArm, ForLab, ForSeat, ForStudyPanel, OwnArm, PageRequest, ShowTab, Stop
 from helicoide.view.top_rows import OWN, PROJECTOR, SHARED, with_projector
 
 NO_PROJECTOR = Text(en="Projector off", pt_BR="Sem projetor")
@@ -54,7 +54,7 @@ def palette(robot: Robot) -> Iterator[tuple[Text, PageRequest]]:
     for lesson in lessons():
         yield LESSON.format(title=lesson.title), ForSeat(partial(entered, name=lesson.id))
     for name, title in studies_by_source():
-        yield STUDY.format(title=title), ForDesk(panel_state.with_study(name))
+        yield STUDY.format(title=title), ForStudyPanel(panel_state.with_study(name))
     for name, title in robot_titles().items():
         yield ARM.format(title=title), ForLab(name)
 

@@ -40,7 +40,7 @@ Done = TypeVar("Done")
 log = logging.getLogger("helicoide")
 
 
-class PlacedRow(Protocol):
+class WindowRow(Protocol):
     """A row in a window."""
 
     def refresh(self, view: View) -> None:
@@ -56,7 +56,7 @@ class _IsolatedRow:
     def __init__(self, gui: viser.GuiApi, row: Row, view: View, act: Act) -> None:
         self.row, self.act, self.failed = row, act, False
         self.mark: viser.GuiHtmlHandle | None = None
-        self.placed = self._try(lambda: _placed(gui, row, view, act, self._ask))
+        self.placed = self._try(lambda: _pose_rows(gui, row, view, act, self._ask))
         self.mark = html.put_html(gui, html.note(FAILED[view.seat.language]), visible=self.failed)
 
     def _try(self, do: Callable[[], Done]) -> Done | None:
@@ -157,12 +157,12 @@ class _Bar:
         self.handle.remove()
 
 
-def place_rows(gui: viser.GuiApi, rows: Iterable[Row], view: View, act: Act) -> list[PlacedRow]:
+def place_rows(gui: viser.GuiApi, rows: Iterable[Row], view: View, act: Act) -> list[WindowRow]:
     """Build rows in the current container of the GUI, in the language of the view's seat."""
     return [_IsolatedRow(gui, row, view, act) for row in rows]
 
 
-def _placed(gui: viser.GuiApi, row: Row, view: View, act: Act, ask: Ask) -> PlacedRow:
+def _pose_rows(gui: viser.GuiApi, row: Row, view: View, act: Act, ask: Ask) -> WindowRow:
     match row:
         case HtmlRow():
             return _Words(gui, row, view)

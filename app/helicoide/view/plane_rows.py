@@ -142,10 +142,10 @@ def numbers(text: str, count: int) -> list[float] | None:
     return found if len(found) == count else None
 
 
-def _typed(count: int, wish: Callable[[Array], Update]) -> Callable[[str], PageRequest]:
+def _typed(count: int, request: Callable[[Array], Update]) -> Callable[[str], PageRequest]:
     def act(text: str) -> PageRequest:
         found = numbers(text, count)
-        return ForArm(gate.say(NUMBERS.format(n=count)) if found is None else wish(np.array(found)))
+        return ForArm(gate.say(NUMBERS.format(n=count)) if found is None else request(np.array(found)))
 
     return act
 
@@ -200,12 +200,12 @@ def _units() -> Dropdown:
 
 
 def _upload(reading: PlaneReading) -> Upload:
-    def wish(view: View, name: str, content: bytes) -> PageRequest:
+    def request(view: View, name: str, content: bytes) -> PageRequest:
         unit = next((unit for unit in UNITS if unit == view.seat.cloud_unit), None)
         return ReadCloud(name, content, reading.name, unit)
 
     return Upload(
-        Text(en="Fit to a cloud: {title}", pt_BR="Ajustar a uma nuvem: {title}").format(title=reading.title), wish
+        Text(en="Fit to a cloud: {title}", pt_BR="Ajustar a uma nuvem: {title}").format(title=reading.title), request
     )
 
 

@@ -29,7 +29,7 @@ class View:
 
     state: State
     seat: Seat
-    desk: StudyPanelState = NO_STUDY
+    study_panel: StudyPanelState = NO_STUDY
     ready: bool = True
     own: bool = False
 
@@ -61,7 +61,7 @@ class ForLab:
 
 
 @dataclass(frozen=True)
-class ForDesk:
+class ForStudyPanel:
     """A request to change the study panel."""
 
     update: StudyPanelUpdate
@@ -149,7 +149,7 @@ PageRequest = (
     ForArm
     | ForSeat
     | ForLab
-    | ForDesk
+    | ForStudyPanel
     | Play
     | Tour
     | ReadCloud

@@ -25,7 +25,7 @@ def outlook(robot: Robot, upright: bool = False) -> tuple[Array, Array]:
     """
     if robot.camera is not None and not upright:
         return robot.camera
-    points = np.array([[0, 0, robot.floor], *initial_state(robot).guarded_points])
+    points = np.array([[0, 0, robot.floor], *initial_state(robot).monitored_points])
     low, high = points.min(axis=0), points.max(axis=0)
     size = max(robot.reach, float(np.linalg.norm(high - low)))
     if upright:

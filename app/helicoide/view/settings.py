@@ -26,7 +26,7 @@ def setting_rows(kind: type, length: float, options: Options, change: Change) ->
     """
     rows: list[Row] = []
     for name, setting in settings(kind).items():
-        value, wish = _value(options, name), _wish(change, name)
+        value, wish = _value(options, name), _request(change, name)
         match setting:
             case Quantity():
                 rows.append(_quantity(setting, length, value, wish))
@@ -41,17 +41,17 @@ def _value(options: Options, name: str) -> Callable[[View], Any]:
     return lambda view: getattr(options(view), name)
 
 
-def _wish(change: Change, name: str) -> Callable[[object], PageRequest]:
+def _request(change: Change, name: str) -> Callable[[object], PageRequest]:
     return lambda value: change(name, value)
 
 
 def _quantity(
-    setting: Quantity, length: float, value: Callable[[View], float], wish: Callable[[object], PageRequest]
+    setting: Quantity, length: float, value: Callable[[View], float], request: Callable[[object], PageRequest]
 ) -> Row:
     """A slider in the unit on the screen, with steps of a power of ten."""
     unit = (1000 * length) ** setting.lengths
     if setting.decades:
-        return _decades(setting, unit, value, wish)
+        return _decades(setting, unit, value, request)
     lower, upper = setting.lower * unit, setting.upper * unit
     step = 10 ** floor(log10((upper - lower) / STEPS))
     return Slider(
@@ -60,12 +60,12 @@ def _quantity(
         floor(upper / step) * step,
         step,
         lambda view: value(view) * unit,
-        lambda shown: wish(_within(setting, shown / unit)),
+        lambda shown: request(_within(setting, shown / unit)),
     )
 
 
 def _decades(
-    setting: Quantity, unit: float, value: Callable[[View], float], wish: Callable[[object], PageRequest]
+    setting: Quantity, unit: float, value: Callable[[View], float], request: Callable[[object], PageRequest]
 ) -> Row:
     """A logarithmic slider. Its label shows the value; the page hides the exponent that viser shows."""
 
@@ -80,7 +80,7 @@ def _decades(
         floor(log10(setting.upper * unit) * PER_DECADE) / PER_DECADE,
         1 / PER_DECADE,
         lambda view: log10(value(view) * unit),
-        lambda exponent: wish(_within(setting, 10.0**exponent / unit)),
+        lambda exponent: request(_within(setting, 10.0**exponent / unit)),
     )
 
 

@@ -42,10 +42,10 @@ def teaching_rows(robot: Robot) -> Folder:
         Dropdown(
             Text(en="move type", pt_BR="tipo de movimento"),
             list(MOVE_TYPES.items()),
-            lambda view: view.seat.way,
-            lambda way: ForSeat(lambda seat: replace(seat, way=way)),
+            lambda view: view.seat.move_type,
+            lambda move_type: ForSeat(lambda seat: replace(seat, move_type=move_type)),
         ),
-        Button(lambda _: ADD, lambda view: ForArm(gate.record(view.seat.way)), Icon.PLUS),
+        Button(lambda _: ADD, lambda view: ForArm(gate.record(view.seat.move_type)), Icon.PLUS),
         Folder(
             Text(en="Waypoints", pt_BR="Pontos"), DependentRows(_names, partial(_points, robot.gripper is not None))
         ),
@@ -97,7 +97,7 @@ def _point(place: int, name: str, grips: bool) -> list[Row]:
             Text(en="move type", pt_BR="tipo de movimento"),
             list(MOVE_TYPES.items()),
             lambda view: here(view).move_type,
-            lambda way: ForArm(gate.set_way(name, way)),
+            lambda way: ForArm(gate.set_move_type(name, way)),
         ),
         Slider(
             Text(en="dwell [s]", pt_BR="espera [s]"),

@@ -21,7 +21,7 @@ from helicoide.view.docked import DockedLesson
 from helicoide.view.layers import Layers, Stage
 from helicoide.view.link import Link
 from helicoide.view.palette import palette
-from helicoide.view.placed_rows import PlacedRow, place_rows
+from helicoide.view.placed_rows import WindowRow, place_rows
 from helicoide.view.rows import (
     PageRequest,
     ShowTab,
@@ -71,10 +71,10 @@ class Window:
         self.client, self.link, self.view, self.hand_on = client, link, view, hand_on
         self.written: View | None = None
         self.layers: Layers | None = None
-        self.placed: list[list[PlacedRow]] = []
+        self.placed: list[list[WindowRow]] = []
         self.tab: int | None = None
         self.robot = view.state.robot  # the robot of the rows
-        self.top: list[PlacedRow] = []
+        self.top: list[WindowRow] = []
         self.commands: list[viser.CommandHandle] = []
         self.gone = False
         self.shapes: list[Shape] = []
@@ -104,13 +104,13 @@ class Window:
         """The language of the seat."""
         return self.view.seat.language
 
-    def act(self, wish: PageRequest) -> None:
+    def act(self, request: PageRequest) -> None:
         """Pass a request on. The page is then written again, whether or not the request is granted."""
-        if isinstance(wish, ShowTab):
-            show_tab(self.client, wish.index)
+        if isinstance(request, ShowTab):
+            show_tab(self.client, request.index)
         else:
             self.written = None
-            self.hand_on(self, wish)
+            self.hand_on(self, request)
 
     def stage(self, view: View, shapes: list[Shape]) -> None:
         """Add this window's own layers for the arm of a view, and point the camera at a new arm."""
@@ -207,7 +207,7 @@ class Window:
                 took, began = took + since, perf_counter()
         return took + perf_counter() - began
 
-    def _in_front(self) -> list[PlacedRow]:
+    def _in_front(self) -> list[WindowRow]:
         """The rows of the tab in front, or of all tabs until the page has said which one is in front."""
         known = self.tab is not None and 0 <= self.tab < len(self.placed)
         return self.placed[self.tab or 0] if known else [*chain.from_iterable(self.placed)]
@@ -225,9 +225,9 @@ class Window:
                 self.client.gui._websock_interface.queue_message(message)
         self.written = None
 
-    def _command(self, text: Text, wish: PageRequest) -> viser.CommandHandle:
+    def _command(self, text: Text, request: PageRequest) -> viser.CommandHandle:
         command = self.client.gui.add_command(text[self.view.seat.language])
-        bind.on_trigger(command, partial(self.act, wish))
+        bind.on_trigger(command, partial(self.act, request))
         return command
 
 
@@ -238,5 +238,8 @@ def _weight(seat: Seat) -> float:
 def _same(old: View, new: View) -> bool:
     """Whether two views of a window are the same."""
     return (
-        old.state is new.state and old.seat is new.seat and old.desk is new.desk and old.ready == new.ready
+        old.state is new.state
+        and old.seat is new.seat
+        and old.study_panel is new.study_panel
+        and old.ready == new.ready
     ) and old.own == new.own

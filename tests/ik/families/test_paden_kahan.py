@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from helicoide.arrays import Array
 from helicoide.geometry import rotation
-from helicoide.ik.families.paden_kahan import Axis, turn_to, turns_to, turns_to_distance
+from helicoide.ik.families.paden_kahan import Axis, angles_to_distance, angles_to_point, turn_to
 from helicoide.ik.postures.branch import wrap
 
 seeds = st.integers(0, 2**32 - 1)
@@ -41,7 +41,7 @@ def test_2_both_solutions_come_to_the_point_and_one_is_that_which_made_it(seed: 
     assume(np.linalg.norm(np.cross(first.direction, second.direction)) > 0.1)
     p, theta = rng.normal(size=3), rng.uniform(-np.pi, np.pi, 2)
     goal = turned(first, theta[0], turned(second, theta[1], p))
-    found = turns_to(first, second, p, goal, (0.0, 0.0))
+    found = angles_to_point(first, second, p, goal, (0.0, 0.0))
     assert len(found) in (1, 2)
     for one, other in found:
         np.testing.assert_allclose(turned(first, one, turned(second, other, p)), goal, atol=1e-6)
@@ -54,7 +54,7 @@ def test_3_both_solutions_have_the_distance_and_one_is_that_which_made_it(seed: 
     rng = np.random.default_rng(seed)
     axis, p, q, theta = some_axis(rng), rng.normal(size=3), rng.normal(size=3), rng.uniform(-np.pi, np.pi)
     far = float(np.linalg.norm(q - turned(axis, theta, p)))
-    found = turns_to_distance(axis, p, q, far, 0.0)
+    found = angles_to_distance(axis, p, q, far, 0.0)
     assert len(found) in (1, 2)
     assert [np.linalg.norm(q - turned(axis, angle, p)) for angle in found] == pytest.approx(
         [far] * len(found), abs=1e-6
@@ -68,24 +68,24 @@ WAIST = Axis(Z, np.zeros(3))
 
 def test_what_lies_on_the_axis_keeps_its_angle() -> None:
     assert turn_to(WAIST, 2 * Z, 2 * Z, 0.7) == 0.7
-    assert turns_to_distance(WAIST, 2 * Z, X, 5**0.5, 0.7) == [0.7]
-    assert turns_to(WAIST, Axis(X, np.zeros(3)), Z, Z, (0.7, 0.0)) == [(0.7, 0.0)]
+    assert angles_to_distance(WAIST, 2 * Z, X, 5**0.5, 0.7) == [0.7]
+    assert angles_to_point(WAIST, Axis(X, np.zeros(3)), Z, Z, (0.7, 0.0)) == [(0.7, 0.0)]
 
 
 def test_on_the_edge_there_is_one_and_beyond_it_none() -> None:
-    assert turns_to_distance(WAIST, X, 2 * X, 1.0, 0.0) == pytest.approx([0.0])
-    assert turns_to_distance(WAIST, X, 2 * X, 3.0, 0.0) == pytest.approx([np.pi])
+    assert angles_to_distance(WAIST, X, 2 * X, 1.0, 0.0) == pytest.approx([0.0])
+    assert angles_to_distance(WAIST, X, 2 * X, 3.0, 0.0) == pytest.approx([np.pi])
     for distance in (0.999, 3.001):
-        assert turns_to_distance(WAIST, X, 2 * X, distance, 0.0) == []
+        assert angles_to_distance(WAIST, X, 2 * X, distance, 0.0) == []
     # the tip of a link that leans 45° from its axis cannot be brought upright over that axis but from one side
     lean = Axis(np.asarray(rotation.unit_vector(X + Z)), np.zeros(3))
-    assert len(turns_to(WAIST, lean, X, Z, (0.0, 0.0))) == 1
-    assert turns_to(WAIST, lean, X, 1.001 * Z, (0.0, 0.0)) == []
+    assert len(angles_to_point(WAIST, lean, X, Z, (0.0, 0.0))) == 1
+    assert angles_to_point(WAIST, lean, X, 1.001 * Z, (0.0, 0.0)) == []
 
 
 def test_the_example_of_the_book_by_hand() -> None:
     """From x about x̂ nothing moves; about z and y a point at x comes to z by θ₂ = −90°, where θ₁ is free."""
     lift = Axis(np.eye(3)[1], np.zeros(3))
-    assert turns_to(WAIST, lift, X, Z, (0.3, 0.0)) == [(0.3, pytest.approx(-np.pi / 2))]
-    for angles in turns_to(WAIST, lift, X, np.array([0, 0.6, 0.8]), (0.0, 0.0)):
+    assert angles_to_point(WAIST, lift, X, Z, (0.3, 0.0)) == [(0.3, pytest.approx(-np.pi / 2))]
+    for angles in angles_to_point(WAIST, lift, X, np.array([0, 0.6, 0.8]), (0.0, 0.0)):
         assert abs(np.sin(angles[0])) == pytest.approx(1)

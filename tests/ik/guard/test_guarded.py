@@ -63,7 +63,7 @@ def ticked(
     after, work = q.copy(), work_for(packed(problem))
     work.rates[:] = 0.0 if rates is None else rates
     step_task(packed(problem), after, *task, begins, dt, work.memory)
-    return after, work.held, work.share
+    return after, work.multipliers, work.share
 
 
 def turned(q: Array, angle: float) -> Array:

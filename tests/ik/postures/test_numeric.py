@@ -255,7 +255,7 @@ def test_the_columns_are_those_of_the_jacobian(name: str) -> None:
     of = packed.search_of(robot, packed.limited(robot), 0.2, (1e-6, 1e-6), 30, 1)
     R_last_tool, units = of.table[packed.HAND, :9].reshape(3, 3), np.diag(packed.limited(robot)[:, packed.UNIT])
     for q in postures(robot, 5):
-        T, room = tool_pose(tool_kernels.arm_array(robot), q), np.zeros(of.room)
+        T, room = tool_pose(tool_kernels.arm_array(robot), q), np.zeros(of.buffers)
         e = errors.linearised(of.table, errors.goal_of(of.table, T), q.copy(), room)
         np.testing.assert_allclose(e, 0, atol=1e-14)
         J, R = tool_jacobian(tool_kernels.arm_array(robot), q.copy()) @ units, R_last_tool @ T[:3, :3].T
@@ -269,7 +269,7 @@ def test_the_error_is_the_way_to_the_goal(name: str) -> None:
     robot = arm(name)
     of = packed.search_of(robot, packed.limited(robot), 0.2, (1e-6, 1e-6), 30, 1)
     for q, other in pairwise(postures(robot, 6)):
-        T, room = tool_at(robot, other), np.zeros(of.room)
+        T, room = tool_at(robot, other), np.zeros(of.buffers)
         goal = errors.goal_of(of.table, T)
         e = np.array(errors.linearised(of.table, goal, q.copy(), room))
         missed, turned = between(tool_at(robot, q), T)
@@ -298,7 +298,7 @@ def test_axes_that_are_nearly_parallel_lose_nothing(sine: float) -> None:
     of = packed.search_of(robot, packed.limited(robot), 1.0, (1e-6, 1e-6), 30, 1)
     for q in postures(robot, 5):
         goal = errors.goal_of(of.table, tool_at(robot, q))
-        np.testing.assert_allclose(errors.linearised(of.table, goal, q.copy(), np.zeros(of.room)), 0, atol=1e-14)
+        np.testing.assert_allclose(errors.linearised(of.table, goal, q.copy(), np.zeros(of.buffers)), 0, atol=1e-14)
 
 
 directions = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1)

@@ -219,7 +219,7 @@ def test_what_a_method_remembers_is_carried_along() -> None:
     for one in moments:
         task = one.at.task(
             body_velocity(one.at.T_world_tool[:3, :3], STILL, one.error, control.position, control.orientation),
-            one.asked,
+            one.task,
             0.002,
         )
         solution, memory = filtered.answered(problem, task, memory)

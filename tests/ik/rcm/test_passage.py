@@ -90,7 +90,7 @@ def test_seven_joints_are_refused_in_words() -> None:
     assert "7 juntas" in said.pt_BR
     assert "n − r = 5" in said.pt_BR
     q = START[:7]
-    wished = PATHS["S2"].wished(tool_at(robot, q))
+    wished = PATHS["S2"].task(tool_at(robot, q))
     with pytest.raises(HelicoideError, match="at least 8 joints"):
         next(
             islice(

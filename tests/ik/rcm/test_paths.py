@@ -17,7 +17,7 @@ from helicoide.trajectory import Path
 
 @pytest.mark.parametrize("name", PATHS)
 def test_velocities_are_derivatives(name: str) -> None:
-    wished = PATHS[name].wished(tool_at(dia10(), START))
+    wished = PATHS[name].task(tool_at(dia10(), START))
 
     def pose(t: Array) -> Array:
         return wished(float(t[0])).T_world_target
@@ -30,12 +30,12 @@ def test_velocities_are_derivatives(name: str) -> None:
 @pytest.mark.parametrize("name", PATHS)
 def test_they_start_at_the_tool(name: str) -> None:
     T = tool_at(dia10(), START)
-    np.testing.assert_allclose(PATHS[name].wished(T)(0.0).T_world_target, T, atol=1e-15)
+    np.testing.assert_allclose(PATHS[name].task(T)(0.0).T_world_target, T, atol=1e-15)
 
 
 @pytest.mark.parametrize("name", ["S1", "S2", "S3", "S4"])
 def test_simulations_take_one_period(name: str) -> None:
-    wished, duration = PATHS[name].wished(tool_at(dia10(), START)), PATHS[name].duration
+    wished, duration = PATHS[name].task(tool_at(dia10(), START)), PATHS[name].duration
     np.testing.assert_allclose(wished(duration).T_world_target, wished(0.0).T_world_target, atol=1e-15)
     assert duration == 200.0
 
@@ -75,7 +75,7 @@ def test_the_experiment() -> None:
 def test_the_turn_is_about_the_tool_s_own_x() -> None:
     """R_d = R_0 Rot(x, φ)."""
     T = tool_at(dia10(), START)
-    R = T[:3, :3].T @ PATHS["S3"].wished(T)(50.0).T_world_target[:3, :3]
+    R = T[:3, :3].T @ PATHS["S3"].task(T)(50.0).T_world_target[:3, :3]
     np.testing.assert_allclose(rotation.logarithm(R), [-np.pi / 8, 0, 0], atol=1e-12)
 
 
@@ -85,6 +85,6 @@ def test_they_are_paths_of_the_target(name: str) -> None:
     path: Path = source.of(T)
     assert path.duration == source.duration
     assert path.is_closed == (name != "E1")
-    np.testing.assert_array_equal(path.pose(0.3 * path.duration), source.wished(T)(0.3 * path.duration).T_world_target)
+    np.testing.assert_array_equal(path.pose(0.3 * path.duration), source.task(T)(0.3 * path.duration).T_world_target)
     expected = twist_by_differences(lambda t: path.pose(float(t[0])), np.array([17.0]))[:, 0]
     np.testing.assert_allclose(path.twist(17.0), expected, atol=1e-12)

@@ -12,7 +12,7 @@ from helicoide.ik.families import elbow
 from helicoide.ik.families.elbow_turret import ElbowTurret, elbow_turret
 from helicoide.ik.families.pointing import Pointing
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said, stacked_postures
+from helicoide.ik.postures.answer import Found, Words, stacked_postures
 from helicoide.ik.postures.branch import check_pose, sentences, wrap
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -89,7 +89,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     found = [(side, steps) for side in (0, 1) for steps in _steps(arm.links, T, heading + side * pi, kept)]
     p_x, p_y, p_z = map(float, T[:3, 3])
     start = {"θ": pointed(robot, T_world_tool, q).angle, "p_x": p_x, "p_y": p_y, "p_z": p_z}
-    told = Said(
+    told = Words(
         names=[_name(arm, side, steps) for side, steps in found],
         words=sentences(
             goal.words, arm.links.words(r) or (_TWO if arm.links.on_edge(r) else _FOUR), _FREE if free else None

@@ -10,7 +10,7 @@ from helicoide.arrays import Array
 from helicoide.ik.families import elbow
 from helicoide.ik.families.planar import planar
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said, stacked_postures
+from helicoide.ik.postures.answer import Found, Words, stacked_postures
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -52,7 +52,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     thetas = [_with_wrist(one.algebraic, phi) for one in found]
     start = {"x": x, "y": y, "φ": phi}
     r = hypot(x, y)
-    told = Said(
+    told = Words(
         names=[one.name for one in found],
         words=sentences(goal.words, arm.links.words(r) or elbow.free_or_edge(x, y, arm.links) or _TWO),
         values=[{**start, **one.values, "θ₃": float(theta[2])} for one, theta in zip(found, thetas, strict=True)]

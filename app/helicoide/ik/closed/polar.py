@@ -9,7 +9,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.ik.families.polar_arm import polar_arm
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said
+from helicoide.ik.postures.answer import Found, Words
 from helicoide.ik.postures.branch import sentences
 from helicoide.kinematics.robot import Robot
 from helicoide.text import HelicoideError, Text
@@ -67,7 +67,7 @@ def find(robot: Robot, T_world_tool: Array, q: Array) -> Found:
     slide = rho - arm.stretch
     beyond = max(slide - robot.upper[1], robot.lower[1] - slide)
     stroke = _STROKE.format(far=1000 * beyond) if beyond > ON_AXIS else None
-    told = Said(
+    told = Words(
         names=(_DRAWN_IN if on_axis else _NAME,),
         words=sentences(goal.words, _UNDEFINED if on_axis else _ONE, stroke),
         values=({"x": x, "y": y, "ρ": rho, "θ₁": theta1, "d₂": rho},),

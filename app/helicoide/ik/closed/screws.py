@@ -14,7 +14,7 @@ from helicoide.arrays import Array
 from helicoide.geometry import rotation
 from helicoide.ik.families.elbow_wrist import ElbowWrist
 from helicoide.ik.families.listed import Steps, theta
-from helicoide.ik.families.paden_kahan import Axis, axis_of, turn_to, turns_to, turns_to_distance
+from helicoide.ik.families.paden_kahan import Axis, angles_to_distance, angles_to_point, axis_of, turn_to
 from helicoide.ik.families.six_or_five import neither_kind, postures_by_kind
 from helicoide.ik.families.turret import Turret
 from helicoide.ik.postures.answer import Found
@@ -59,12 +59,12 @@ def _six(robot: Robot, arm: ElbowWrist, T: Array, q: Array) -> Iterator[Steps]:
     """
     axes, g, W = [axis_of(joint) for joint in robot.joints], T @ np.linalg.inv(robot.T_world_tool_0), arm.wrist
     s5, s6, there = axes[4].direction, axes[5].direction, _moved(g, W)
-    waist, roll, far = Axis(axes[0].direction, arm.shoulder), Axis(axes[3].direction, W), _apart(there, arm.shoulder)
-    for theta3 in turns_to_distance(axes[2], W, arm.shoulder, far, q[2]):
+    waist, roll, far = Axis(axes[0].direction, arm.shoulder), Axis(axes[3].direction, W), _distance(there, arm.shoulder)
+    for theta3 in angles_to_distance(axes[2], W, arm.shoulder, far, q[2]):
         bent = _moved(screw_transform(robot.joints[2], theta3), W)
-        for theta1, theta2 in turns_to(waist, axes[1], bent, there, (q[0], q[1])):
+        for theta1, theta2 in angles_to_point(waist, axes[1], bent, there, (q[0], q[1])):
             wrist = _undone(robot, (theta1, theta2, theta3), 0) @ g
-            for theta4, theta5 in turns_to(roll, axes[4], W + s6, _moved(wrist, W + s6), (q[3], q[4])):
+            for theta4, theta5 in angles_to_point(roll, axes[4], W + s6, _moved(wrist, W + s6), (q[3], q[4])):
                 last = _undone(robot, (theta4, theta5), 3) @ wrist
                 theta6 = turn_to(axes[5], W + s5, _moved(last, W + s5), q[5])
                 yield theta(theta1, theta2, theta3, theta4, theta5, theta6, δ=far)
@@ -82,8 +82,8 @@ def _five(robot: Robot, arm: Turret, T: Array, q: Array) -> Iterator[Steps]:
         theta5 = _turned(s[4], s[1], rotation.exponential(-alpha * s[1]) @ plane[:3, :3] @ s[1], q[4])
         hand = plane @ screw_transform(robot.joints[4], -theta5)
         p = _moved(hand, p4)
-        far = _apart(p, p2)
-        for theta3 in turns_to_distance(axes[2], p4, p2, far, q[2]):
+        far = _distance(p, p2)
+        for theta3 in angles_to_distance(axes[2], p4, p2, far, q[2]):
             bent = _moved(screw_transform(robot.joints[2], theta3), p4)
             theta2 = turn_to(axes[1], bent, p, q[1])
             bend = _undone(robot, (theta2, theta3), 1) @ hand
@@ -100,7 +100,7 @@ def _moved(T: Array, p: Array) -> Array:
     return np.asarray(T[:3, :3] @ p + T[:3, 3])
 
 
-def _apart(p: Array, q: Array) -> float:
+def _distance(p: Array, q: Array) -> float:
     return float(np.linalg.norm(p - q))
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.postures import subspace
-from helicoide.ik.postures.answer import Found, Said, stacked_postures
+from helicoide.ik.postures.answer import Found, Words, stacked_postures
 from helicoide.ik.postures.branch import sentences, wrap
 from helicoide.ik.postures.numeric import POSTURE
 from helicoide.kinematics.robot import Robot
@@ -23,7 +23,7 @@ OUTSIDE = Text(en="Out of reach by {short:.3g} mm.", pt_BR="Fora do alcance por 
 
 
 def distinct_branches(
-    robot: Robot, T_world_tool: Array, q: Array, road: Callable[[Array, Array], Iterable[Steps]]
+    robot: Robot, T_world_tool: Array, q: Array, formulation: Callable[[Array, Array], Iterable[Steps]]
 ) -> Found:
     """The postures that `road` yields for a tool pose, each once.
 
@@ -33,11 +33,11 @@ def distinct_branches(
     now = robot.check_joints(q)
     goal = subspace.project_to_subspace(robot, T_world_tool, now)
     found: list[Steps] = []
-    for theta, values in road(goal.T_world_goal, now):
+    for theta, values in formulation(goal.T_world_goal, now):
         if not any(np.abs(wrap(theta - other)).max() < MERGED for other, _ in found):
             found.append((theta, values))
     short = 0.0 if found else subspace.distance_beyond(robot, goal.T_world_goal, now)
-    told = Said(
+    told = Words(
         names=[POSTURE.format(n=n + 1) for n in range(len(found))],
         words=sentences(goal.words, COUNTED.format(n=len(found)) if found else OUTSIDE.format(short=1000 * short)),
         values=[values for _, values in found],

@@ -51,7 +51,9 @@ def turn_to(axis: Axis, p: Array, q: Array, kept: float) -> float:
     return atan2(axis.direction @ np.cross(u, v), u @ v)
 
 
-def turns_to(first: Axis, second: Axis, p: Array, q: Array, kept: tuple[float, float]) -> list[tuple[float, float]]:
+def angles_to_point(
+    first: Axis, second: Axis, p: Array, q: Array, kept: tuple[float, float]
+) -> list[tuple[float, float]]:
     """Subproblem 2, e^(ξ̂₁θ₁) e^(ξ̂₂θ₂) p = q, for axes that cross at the point r of the first: no, one or two solutions.
 
     Both circles pass through c = r + α w₁ + β w₂ ± γ w₁ × w₂: α = (w₁ᵀw₂ w₂ᵀu − w₁ᵀv) / ((w₁ᵀw₂)² − 1),
@@ -71,7 +73,7 @@ def turns_to(first: Axis, second: Axis, p: Array, q: Array, kept: tuple[float, f
     ]
 
 
-def turns_to_distance(axis: Axis, p: Array, q: Array, distance: float, kept: float) -> list[float]:
+def angles_to_distance(axis: Axis, p: Array, q: Array, distance: float, kept: float) -> list[float]:
     """Subproblem 3, ‖q − e^(ξ̂θ) p‖ = δ: θ = θ₀ ± acos((‖u'‖² + ‖v'‖² − δ'²) / (2 ‖u'‖ ‖v'‖)), no, one or two.
 
     θ₀ is the angle from u' to v' as in subproblem 1, and δ'² = δ² − (wᵀ(p − q))².

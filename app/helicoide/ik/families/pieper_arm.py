@@ -110,7 +110,9 @@ def arm_of(robot: Robot) -> Arm | Text:
         return JOINTS
     ends = {False: (3, 4, 5), True: (0, 1, 2)}
     arms = [_rows(robot, backwards) for backwards, axes in ends.items() if meeting_point(robot, axes) is not None]
-    return next((arm for arm in arms if _turns_everywhere(arm) and _moves_everywhere(arm)), PLACES if arms else WRIST)
+    return next(
+        (arm for arm in arms if _reaches_every_angle(arm) and _moves_everywhere(arm)), PLACES if arms else WRIST
+    )
 
 
 def _rows(robot: Robot, backwards: bool) -> Arm:
@@ -141,7 +143,7 @@ def _seen(joint: Joint, T_tool_world: Array) -> Joint:
     return replace(joint, direction=frozen(-R @ joint.direction), point=frozen(R @ joint.point + p))
 
 
-def _turns_everywhere(arm: Arm) -> bool:
+def _reaches_every_angle(arm: Arm) -> bool:
     return min(abs(sin(arm.alpha[3])), abs(sin(arm.alpha[4]))) > NONE
 
 

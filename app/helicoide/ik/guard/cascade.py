@@ -183,7 +183,9 @@ def solve_cascade(
     """
     (r, n), count = task[0].shape, begins.shape[0]
     end = begins[0] if count > 0 else r
-    verdict = first_level(task, end, A, lower, upper, np.empty((n + 1, n)), x, multipliers[0], np.empty(qp.room(n)))
+    verdict = first_level(
+        task, end, A, lower, upper, np.empty((n + 1, n)), x, multipliers[0], np.empty(qp.buffer_size(n))
+    )
     for k in range(1, count + 1):
         multipliers[k] = 0.0
     if count > 0 and verdict == qp.SOLVED:

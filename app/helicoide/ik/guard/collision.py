@@ -1,4 +1,4 @@
-"""Clearances: the distances left between guarded points and planes, and between pairs of capsules.
+"""Clearances: the distances left between monitored points and planes, and between pairs of capsules.
 
 Capsules are the bodies of the arm and the obstacles. The distance of two capsules is that of their axes less both
 radii. The closest points of the two axes are the witnesses; with q the distance changes as between these,
@@ -107,7 +107,7 @@ def height(arm: Array, plane: int, points: Array, point: int) -> float:
 
 @kernel
 def clearances(arm: Array, q: Array) -> Array:
-    """All clearances of a posture: guarded points to planes, point after point, then the pairs of bodies.
+    """All clearances of a posture: monitored points to planes, point after point, then the pairs of bodies.
 
     Args: arm of `packing.packed`; q (n,), rad or m. Returns (g k + b,), m.
     """

@@ -43,7 +43,7 @@ from helicoide.ik.guard.work import (
     SOLUTION,
     STOOD,
     StepBuffers,
-    parts_of_spots,
+    parts_of_points,
 )
 from helicoide.kernels import kernel, kernel_into
 
@@ -103,27 +103,29 @@ def relax_bounds(
 
 @kernel_into
 def attribute_multipliers(
-    at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, held: Array
+    at: At, multipliers: Array, own: int, box: Array, near: Array, pull: float, attributed: Array
 ) -> None:
-    """Write the multiplier of each constraint into `held`, as in `work.Work`; last `pull`, that of the entry point.
+    """Write the multiplier of each constraint into `attributed`, as in `work.Work.multipliers`.
+
+    Last is `pull`, that of the entry point.
 
     Args: multipliers (levels, n + w + b), read from level `own` on, 1 if there is an entry point, else 0; box of
     `motion_box`; near (w, 4) of `collision.watch`.
     """
     n, w = at.n, near.shape[0]
     spare = multipliers.shape[1] - n - w
-    held[:] = 0.0
+    attributed[:] = 0.0
     for k in range(own, multipliers.shape[0]):
         for i in range(n):
             side = 0 if multipliers[k, i] > 0.0 else 1
             by = int(box[DOWN_BY + side, i])
             start = at.clearances + 2 * n * by if by != BY_POSITION else 0
-            held[start + side * n + i] += abs(multipliers[k, i])
+            attributed[start + side * n + i] += abs(multipliers[k, i])
         for j in range(w):
-            held[2 * n + int(near[j, NUMBER])] += multipliers[k, n + j]
+            attributed[2 * n + int(near[j, NUMBER])] += multipliers[k, n + j]
         for j in range(spare):
-            held[2 * n + int(near[w - spare + j, NUMBER])] += multipliers[k, n + w + j]
-    held[-1] = pull
+            attributed[2 * n + int(near[w - spare + j, NUMBER])] += multipliers[k, n + w + j]
+    attributed[-1] = pull
 
 
 @kernel_into
@@ -136,59 +138,59 @@ def pulled(task: Task) -> float:
 
 
 @kernel_into
-def prepare_step(arm: Array, at: At, q: Array, dt: float, room: StepBuffers) -> tuple[int, int]:
+def prepare_step(arm: Array, at: At, q: Array, dt: float, buffers: StepBuffers) -> tuple[int, int]:
     """Write all bounds of a step from q into a work space, which has the link poses at q.
 
     Returns the number of watched clearances, and the number of rows besides the joint bounds.
     """
-    poses, spots, box = room.frames[0], room.spots, room.table[:BOX]
-    a, b, c, d = parts_of_spots(at)
+    poses, spots, box = buffers.frames[0], buffers.points, buffers.table[:BOX]
+    a, b, c, d = parts_of_points(at)
     axes, points, near, rest = spots[: at.m], spots[a:b], spots[b:c], spots[d:]
     w = collision.watch(arm, at, poses, points, dt, near, rest) if at.clearances > 0 else 0
     near = near[:w]
     rows = w + collision.between_bodies(at, near)
-    lower, upper = room.bounds[0, : at.n + rows], room.bounds[1, : at.n + rows]
-    A = room.table[ROWS : ROWS + rows]
+    lower, upper = buffers.bounds[0, : at.n + rows], buffers.bounds[1, : at.n + rows]
+    A = buffers.table[ROWS : ROWS + rows]
     for j in range(w, rows):
         for i in range(at.n):
             A[j, i] = 0.0
-    motion_box(arm, at, q, room.rates, dt, box)
+    motion_box(arm, at, q, buffers.rates, dt, box)
     hard_rows(arm, at, poses, axes, near, points, box, dt, A, lower, upper, rest)
     return w, rows
 
 
 @kernel_into
-def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, room: StepBuffers) -> bool:
+def try_step(arm: Array, at: At, q: Array, x: Array, share: float, dt: float, w: int, buffers: StepBuffers) -> bool:
     """Compute the posture after a share of a step; returns whether no clearance is violated there."""
-    reached, spots = room.table[REACHED], room.spots
+    reached, spots = buffers.table[REACHED], buffers.points
     within(arm, at, q, x, share, dt, reached)
-    place_links(arm, at.m, reached, room.frames[1], spots[at.m : 2 * at.m])
-    a, b, c, _ = parts_of_spots(at)
+    place_links(arm, at.m, reached, buffers.frames[1], spots[at.m : 2 * at.m])
+    a, b, c, _ = parts_of_points(at)
     near, after = spots[b : b + w], spots[c : c + w]
     if w > 0:
-        collision.measure_clearances(arm, at, room.frames[1], spots[a:b], near, after)
+        collision.measure_clearances(arm, at, buffers.frames[1], spots[a:b], near, after)
     return shortfall(near, after) <= 0.0
 
 
 @kernel_into
-def add_contact_rows(arm: Array, at: At, x: Array, w: int, rows: int, room: StepBuffers) -> None:
+def add_contact_rows(arm: Array, at: At, x: Array, w: int, rows: int, buffers: StepBuffers) -> None:
     """Raise the bounds of the clearances that the tried step x violates, by `raise_bounds`."""
-    a, b, c, _ = parts_of_spots(at)
-    poses, spots, points = room.frames[0], room.spots, room.spots[a:b]
+    a, b, c, _ = parts_of_points(at)
+    poses, spots, points = buffers.frames[0], buffers.points, buffers.points[a:b]
     near, after = spots[b : b + w], spots[c : c + w]
-    A, lower = room.table[ROWS : ROWS + rows], room.bounds[0, : at.n + rows]
+    A, lower = buffers.table[ROWS : ROWS + rows], buffers.bounds[0, : at.n + rows]
     collision.place_bodies(arm, at, poses, points)
     raise_bounds(arm, at, A, lower, x, near, after, points, poses, spots[: at.m])
 
 
 @kernel_into
-def accept_step(at: At, q: Array, share: float, dt: float, room: StepBuffers) -> None:
+def accept_step(at: At, q: Array, share: float, dt: float, buffers: StepBuffers) -> None:
     """Take the tried step, or none if the share is 0: update q, the joint velocities, the link poses and the axes."""
-    table, frames, axes = room.table, room.frames, room.spots
-    room.report[SHARE] = share
+    table, frames, axes = buffers.table, buffers.frames, buffers.points
+    buffers.report[SHARE] = share
     for i in range(at.n):
         now = table[REACHED, i] if share > 0.0 else q[i]
-        room.rates[i], q[i], table[STOOD, i] = (now - q[i]) / dt, now, now
+        buffers.rates[i], q[i], table[STOOD, i] = (now - q[i]) / dt, now, now
     for i in range(at.m + 1 if share > 0.0 else 0):
         for a in range(3):
             for b in range(4):
@@ -199,13 +201,13 @@ def accept_step(at: At, q: Array, share: float, dt: float, room: StepBuffers) ->
 
 
 @kernel_into
-def update_poses(arm: Array, at: At, q: Array, room: StepBuffers) -> None:
+def update_poses(arm: Array, at: At, q: Array, buffers: StepBuffers) -> None:
     """Write the link poses at q (n,), unless those of the last step are for the same q."""
     stood = True
     for i in range(at.n):
-        stood = stood and room.table[STOOD, i] == q[i]
+        stood = stood and buffers.table[STOOD, i] == q[i]
     if not stood:
-        place_links(arm, at.m, q, room.frames[0], room.spots[: at.m])
+        place_links(arm, at.m, q, buffers.frames[0], buffers.points[: at.m])
 
 
 @kernel_into
@@ -245,23 +247,27 @@ def solve_again(
 
 
 @kernel_into
-def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: StepBuffers) -> None:
+def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, buffers: StepBuffers) -> None:
     """One guarded tick from q for a task of one level; q and the work space are changed in place.
 
     Args: q (n,), rad or m; task: J (r, n), v (r,) the displacement asked for, weights (r,), damping d (n,); dt, s;
     room: after `update_poses` at q, with the joint velocities of the tick before.
     """
-    n, table, rates, spare = at.n, room.table, room.rates, room.spare
-    w, rows = prepare_step(arm, at, q, dt, room)
-    lower, upper, multipliers = room.bounds[0, : n + rows], room.bounds[1, : n + rows], room.bounds[2, : n + rows]
+    n, table, rates, spare = at.n, buffers.table, buffers.rates, buffers.spare
+    w, rows = prepare_step(arm, at, q, dt, buffers)
+    lower, upper, multipliers = (
+        buffers.bounds[0, : n + rows],
+        buffers.bounds[1, : n + rows],
+        buffers.bounds[2, : n + rows],
+    )
     A, H, x, box = table[ROWS : ROWS + rows], table[table.shape[0] - n - 1 :], table[SOLUTION], table[:BOX]
-    room.report[PULL] = pulled(task)
+    buffers.report[PULL] = pulled(task)
     solve_one(task, A, lower, upper, box, rates, dt, H, x, multipliers, spare)
     share, is_new = 1.0, True
-    while share > SMALLEST_SHARE and not try_step(arm, at, q, x, share, dt, w, room):
+    while share > SMALLEST_SHARE and not try_step(arm, at, q, x, share, dt, w, buffers):
         if is_new:
-            add_contact_rows(arm, at, x, w, rows, room)
-            before, multipliers_before = table[BEFORE], room.bounds[3, : n + rows]
+            add_contact_rows(arm, at, x, w, rows, buffers)
+            before, multipliers_before = table[BEFORE], buffers.bounds[3, : n + rows]
             if not solve_again(
                 task, A, lower, upper, box, rates, dt, H, x, multipliers, before, multipliers_before, spare
             ):
@@ -269,7 +275,7 @@ def guarded_tick(arm: Array, at: At, q: Array, task: Task, dt: float, room: Step
             is_new = False
         else:
             share *= 0.5
-    first = parts_of_spots(at)[1]
-    near = room.spots[first : first + w]
-    attribute_multipliers(at, multipliers.reshape(1, n + rows), 0, box, near, 0.0, room.held)
-    accept_step(at, q, share if share > SMALLEST_SHARE else 0.0, dt, room)
+    first = parts_of_points(at)[1]
+    near = buffers.points[first : first + w]
+    attribute_multipliers(at, multipliers.reshape(1, n + rows), 0, box, near, 0.0, buffers.multipliers)
+    accept_step(at, q, share if share > SMALLEST_SHARE else 0.0, dt, buffers)

@@ -23,7 +23,7 @@ from helicoide.ik.guard.guarded import (
 )
 from helicoide.ik.guard.packed import CARRIER, SETTING, At
 from helicoide.ik.guard.rows import BOX, Indices, Task
-from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, StepBuffers, parts_of_spots
+from helicoide.ik.guard.work import PULL, ROWS, SOLUTION, StepBuffers, parts_of_points
 from helicoide.kernels import kernel
 
 # The tolerance of this correction, m; how often it is tried before the task is halved, and how often it is halved.
@@ -32,7 +32,7 @@ LEAST_DAMPING = 1e-9
 
 
 @kernel
-def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[Task, Indices]:
+def with_entry(task: Task, begins: Indices, rows: Array, displacement: Array) -> tuple[Task, Indices]:
     """The task with a new first level of two rows (2, n) that ask for a displacement (2,), m; and its `begins`.
 
     Two rows do not determine all joints, so each joint has at least `LEAST_DAMPING`.
@@ -45,7 +45,7 @@ def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[
         levels[k + 1] = begins[k] + 2
     stacked, wished, firm = np.empty((r + 2, J.shape[1])), np.empty(r + 2), np.full(r + 2, FIRM)
     for i in range(r + 2):
-        wished[i] = asked[i] if i < 2 else v[i - 2]
+        wished[i] = displacement[i] if i < 2 else v[i - 2]
         for k in range(J.shape[1]):
             stacked[i, k] = rows[i, k] if i < 2 else J[i - 2, k]
         if i >= 2:
@@ -54,7 +54,7 @@ def with_entry(task: Task, begins: Indices, rows: Array, asked: Array) -> tuple[
 
 
 @kernel
-def linearise_entry(task: Task, step: Array, asked: Array, away: Array, after: Array) -> bool:
+def linearise_entry(task: Task, step: Array, displacement: Array, away: Array, after: Array) -> bool:
     """Add the second-order error ℓ of a step to the first two rows; returns whether they change by less than `SETTLED`.
 
     ℓ = e' − e + J Δq. Args: step: Δq (n,); asked: the displacement without ℓ, away: e, both of `entry_rows`, and after:
@@ -63,7 +63,7 @@ def linearise_entry(task: Task, step: Array, asked: Array, away: Array, after: A
     J, v, _, _ = task
     settled = True
     for i in range(2):
-        bent = asked[i] + after[i] - away[i] + qp.inner_product(J[i], step)
+        bent = displacement[i] + after[i] - away[i] + qp.inner_product(J[i], step)
         settled = settled and abs(bent - v[i]) < SETTLED
         v[i] = bent
     return settled
@@ -100,16 +100,16 @@ def solve_levels(
 
 
 @kernel
-def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, room: StepBuffers) -> None:
+def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt: float, buffers: StepBuffers) -> None:
     """`guarded.guarded_tick` for a task of several levels, or for an arm with an instrument in an entry point.
 
     Args: begins: the rows at which further levels begin. Other arguments as there.
     """
-    n, rates, box, through = at.n, room.rates, room.table[:BOX], arm[SETTING, CARRIER] > 0.0
-    poses, axes, x = room.frames[0], room.spots[: at.m], room.table[SOLUTION]
-    w, rows = prepare_step(arm, at, q, dt, room)
-    lower, upper, A = room.bounds[0, : n + rows], room.bounds[1, : n + rows], room.table[ROWS : ROWS + rows]
-    room.report[PULL] = pulled(task)
+    n, rates, box, through = at.n, buffers.rates, buffers.table[:BOX], arm[SETTING, CARRIER] > 0.0
+    poses, axes, x = buffers.frames[0], buffers.points[: at.m], buffers.table[SOLUTION]
+    w, rows = prepare_step(arm, at, q, dt, buffers)
+    lower, upper, A = buffers.bounds[0, : n + rows], buffers.bounds[1, : n + rows], buffers.table[ROWS : ROWS + rows]
+    buffers.report[PULL] = pulled(task)
     levels, asked, pair, away = begins, rates, box, rates
     if through:
         shaft, asked, pair, away = entry_rows(arm, n, poses, axes, dt)
@@ -118,9 +118,9 @@ def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt
     solve_levels(task, levels, A, lower, upper, box, rates, dt, x, multipliers)
     share, tries, halvings, done = 1.0, 0, 0, False
     while share > SMALLEST_SHARE:
-        clear, straight = try_step(arm, at, q, x, share, dt, w, room), True
+        clear, straight = try_step(arm, at, q, x, share, dt, w, buffers), True
         if through and share == 1.0:
-            straight = linearise_entry(task, x, asked, away, miss(arm, room.frames[1], pair))
+            straight = linearise_entry(task, x, asked, away, miss(arm, buffers.frames[1], pair))
         if clear and not straight and tries == TRIES and halvings < HALVINGS:
             tries, halvings = 0, halvings + 1
             for i in range(task[1].shape[0]):
@@ -131,14 +131,14 @@ def tick_in_levels(arm: Array, at: At, q: Array, task: Task, begins: Indices, dt
         if tries < (TRIES if through else 1):
             tries += 1
             if not clear:
-                add_contact_rows(arm, at, x, w, rows, room)
+                add_contact_rows(arm, at, x, w, rows, buffers)
             again, multipliers_again = np.empty(n), np.empty((levels.shape[0] + 1, n + rows))
             if solve_levels(task, levels, A, lower, upper, box, rates, dt, again, multipliers_again) == qp.SOLVED:
                 x[:], multipliers[:] = again, multipliers_again
                 continue
         share *= 0.5
     pull = entry_pull(task, levels, A, x, multipliers) if through and done else 0.0
-    first = parts_of_spots(at)[1]
-    near = room.spots[first : first + w]
-    attribute_multipliers(at, multipliers, 1 if through else 0, box, near, pull, room.held)
-    accept_step(at, q, share if done else 0.0, dt, room)
+    first = parts_of_points(at)[1]
+    near = buffers.points[first : first + w]
+    attribute_multipliers(at, multipliers, 1 if through else 0, box, near, pull, buffers.multipliers)
+    accept_step(at, q, share if done else 0.0, dt, buffers)

@@ -32,7 +32,7 @@ from helicoide.kinematics.trigonometry import cosine_and_sine
 WIDTH = 16
 # The first rows; from FIRST on the joints, with the columns of `tool_kernels.arm_array`, then the other parts.
 SETTING, TOOL, INSTRUMENT, FIRST = range(4)
-# Columns of the setting: the numbers of joints, variables, points, guarded points (the first ones), planes and pairs;
+# Columns of the setting: the numbers of joints, variables, points, monitored points (the first ones), planes and pairs;
 # the critical distance, m; κ of the dampers, 1/s; the reach ℓ, m; λ² and the weight of orientation, for lengths divided
 # by ℓ; whether orientation is solved in the null space of the position; the link with an instrument, 0 for none.
 (
@@ -54,7 +54,7 @@ LEAST = 4
 class At(NamedTuple):
     """The numbers of joints m and variables n of a packed arm, and the first row of each part.
 
-    by_planes: number of distances between guarded points and planes; clearances: number of all distances, those of the
+    by_planes: number of distances from monitored points to planes; clearances: number of all distances, those of the
     pairs of bodies last.
     """
 

@@ -166,7 +166,7 @@ def drop(C: Array, Q: Array, R: Array, force: Array, active: Array, out: int, co
 
 
 @kernel_into
-def room(n: int) -> int:
+def buffer_size(n: int) -> int:
     """The size of the array `spare` of `solve_into`."""
     return 4 * n * n + 8 * n + 4
 
@@ -231,7 +231,7 @@ def active_set(
 def project_into_limits(A: Array, lower: Array, upper: Array, x: Array) -> tuple[Array, Array, int]:
     """The point nearest to x (n,) where lower ≤ [I; A] x ≤ upper; arguments and results as in `solve_qp`."""
     y, nearest, multipliers = x.copy(), x.copy(), np.zeros(lower.shape[0])
-    spare = np.empty(room(x.shape[0]))
+    spare = np.empty(buffer_size(x.shape[0]))
     verdict = active_set(np.eye(x.shape[0]), y, nearest, A, lower, upper, multipliers, spare)
     return nearest, multipliers, verdict
 
@@ -258,5 +258,5 @@ def solve_into(
 @kernel
 def solve_qp(H: Array, g: Array, A: Array, lower: Array, upper: Array) -> tuple[Array, Array, int]:
     """`solve_into` with new arrays and H and g unchanged: x, the multipliers and the verdict."""
-    x, multipliers, spare = np.empty(g.shape[0]), np.empty(lower.shape[0]), np.empty(room(g.shape[0]))
+    x, multipliers, spare = np.empty(g.shape[0]), np.empty(lower.shape[0]), np.empty(buffer_size(g.shape[0]))
     return x, multipliers, solve_into(H.copy(), g.copy(), A, lower, upper, x, multipliers, spare)

@@ -35,12 +35,12 @@ FAR = 3
 
 
 @kernel_into
-def braking(room: float, deceleration: float, dt: float) -> float:
+def braking(distance: float, deceleration: float, dt: float) -> float:
     """The largest displacement of one tick after which the rest of `room` suffices to stop: v dt + v²/2a = room.
 
     v²/2a suffices whatever the duration of later ticks. Args: room, rad or m; deceleration: a, per s²; dt, s.
     """
-    v = deceleration * (np.sqrt(dt * dt + 2.0 * room / deceleration) - dt)
+    v = deceleration * (np.sqrt(dt * dt + 2.0 * distance / deceleration) - dt)
     return float(v * dt)
 
 
@@ -147,14 +147,14 @@ def unmoved_rows(arm: Array, at: At, poses: Array, points: Array, dt: float, way
 
 
 @kernel_into
-def damper(room: float, rows: Array, which: int, arm: Array, at: At, dt: float) -> float:
+def damper(distance: float, rows: Array, which: int, arm: Array, at: At, dt: float) -> float:
     """The velocity damper of one of rows (r, n), its lower bound in a tick: −κ dt room, less where it must brake; m.
 
     Args: room: the clearance, m; without any the bound is 0.
     """
-    if room <= 0.0:
+    if distance <= 0.0:
         return 0.0
-    way = min(1.0, arm[SETTING, GAIN] * dt) * room
+    way = min(1.0, arm[SETTING, GAIN] * dt) * distance
     deceleration = 0.0
     for i in range(at.n):
         if rows[which, i] != 0.0:
@@ -162,5 +162,5 @@ def damper(room: float, rows: Array, which: int, arm: Array, at: At, dt: float) 
         if deceleration == np.inf:
             return float(-way)
     if deceleration > 0.0:
-        way = min(way, braking(room, deceleration, dt))
+        way = min(way, braking(distance, deceleration, dt))
     return float(-way)

@@ -32,12 +32,12 @@ class StepBuffers(NamedTuple):
 
     report: Array
     rates: Array
-    held: Array
+    multipliers: Array
     task: Array
     bounds: Array
     spare: Array
     frames: Array
-    spots: Array
+    points: Array
     table: Array
 
 
@@ -53,7 +53,7 @@ class Work:
     memory: Array
     rates: Array
     poses: Array
-    held: Array
+    multipliers: Array
 
     @property
     def share(self) -> float:
@@ -78,7 +78,7 @@ def row_counts(at: At) -> tuple[int, int, int, int, int, int, int, int, int]:
     m, n, rows, points = at.m, at.n, most_rows(at), at.planes - at.points
     spots = 2 * m + points + 2 * at.clearances + max(m + 1, n)
     held, table = 6 * n + at.clearances + 1, ROWS + rows + n + 1
-    return REPORT, n, held, 12, 4 * (n + rows), qp.room(n), 32 * (m + 1), WATCHED * spots, n * table
+    return REPORT, n, held, 12, 4 * (n + rows), qp.buffer_size(n), 32 * (m + 1), WATCHED * spots, n * table
 
 
 @kernel_into
@@ -127,7 +127,7 @@ def _blank(counts: tuple[float, ...]) -> tuple[Array, At, int, int]:
 
 
 @kernel_into
-def parts_of_spots(at: At) -> tuple[int, int, int, int]:
+def parts_of_points(at: At) -> tuple[int, int, int, int]:
     """The first rows of the parts of `spots`: points, watched clearances, the same after the step, temporary rows.
 
     Before them are the joint axes, m before the step and m after it. A point has its position and `rows.FAR`. There is

@@ -20,7 +20,7 @@ from helicoide.text import Text
 NO_VALUES: Mapping[str, float] = MappingProxyType({})
 
 
-class Told(Protocol):
+class Explanation(Protocol):
     """Texts and values about postures, in the order in which these were found."""
 
     @property
@@ -41,7 +41,7 @@ class Told(Protocol):
 
 
 @dataclass(frozen=True)
-class Said:
+class Words:
     """`Told` with all texts given at the start."""
 
     names: Sequence[Text]
@@ -60,7 +60,7 @@ class Found(NamedTuple):
 
     q: Array
     T_world_goal: Array
-    told: Told
+    explanation: Explanation
     moved: float = 0.0
     turned: float = 0.0
     short: float = 0.0
@@ -116,17 +116,17 @@ class Answer:
     @property
     def free(self) -> tuple[int, ...]:
         """Joints that may take any value here; the current one was kept."""
-        return self.found.told.free
+        return self.found.explanation.free
 
     @cached_property
     def words(self) -> Text:
         """The sentences about the postures."""
-        return self.found.told.words
+        return self.found.explanation.words
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
         """The postures with their names."""
-        names, said = self.found.told.names, self.rows[:, -1 - listing.COST :]
+        names, said = self.found.explanation.names, self.rows[:, -1 - listing.COST :]
         return tuple(
             Branch(names[int(row[listing.NUMBER])], frozen(q), float(row[0]), float(row[1]), bool(row[listing.WITHIN]))
             for q, row in zip(self.q, said, strict=True)
@@ -135,7 +135,7 @@ class Answer:
     @cached_property
     def values(self) -> tuple[Mapping[str, float], ...]:
         """Intermediate values of the closed form by symbol: one mapping for each posture, or a single one."""
-        values = tuple(self.found.told.values)
+        values = tuple(self.found.explanation.values)
         if len(values) != len(self.found.q):
             return values
         return tuple(values[int(number)] for number in listing.column(self.rows, listing.NUMBER))

@@ -78,7 +78,7 @@ def barrier(problem: Problem, q: Array) -> Reason | None:
     return reason_of(problem, 2 * len(q) + int(left.argmin())) if left.size and left.min() < -NEAR else None
 
 
-def alike(robot: Robot) -> Array:
+def equal_weights(robot: Robot) -> Array:
     """Equal weights (n,): 1 per rad, and for a prismatic joint 1 per reach, 1/m."""
     return frozen([1.0 / robot.reach if joint.is_prismatic else 1.0 for joint in robot.variables])
 

@@ -58,7 +58,7 @@ def leave_out(table: Array, q: Array, e: Error, columns: Array) -> None:
 
 
 @kernel_into
-def held(range_of: Array, x: float) -> float:
+def joints_at_limits(range_of: Array, x: float) -> float:
     """A value of a variable, clipped to its limits if the search keeps them."""
     return min(max(x, range_of[LOWER]), range_of[UPPER]) if range_of[HELD] > 0.0 else x
 
@@ -68,7 +68,7 @@ def step_to(table: Array, q: Array, columns: Array, y: Error, there: Array) -> N
     """Write q + Jᵀ y, within the limits."""
     ranges = table[behind_joints(table) :]
     for i in range(q.shape[0]):
-        there[i] = held(ranges[i], q[i] + ranges[i, UNIT] * by(columns[i], y))
+        there[i] = joints_at_limits(ranges[i], q[i] + ranges[i, UNIT] * by(columns[i], y))
 
 
 @kernel_into
@@ -82,17 +82,17 @@ def unwind(table: Array, q: Array) -> None:
 
 
 @kernel_into
-def descend(table: Array, goal: Goal, q: Array, room: Array) -> tuple[int, float, float]:
+def descend(table: Array, goal: Goal, q: Array, buffers: Array) -> tuple[int, float, float]:
     """One search from q, in place, with λ = 0.1 e².
 
     Args: q (n,), rad or m; room of `packed.room_for`. Returns the number of steps, negative after a failure, and the
     errors of position, m, and orientation, rad, infinite after a failure.
     """
-    setting, columns = table[SETTING], room[COLUMNS:]
+    setting, columns = table[SETTING], buffers[COLUMNS:]
     near, far = (setting[WITHIN] / setting[REACH]) ** 2, (setting[TURNING] * setting[WITHIN_TURN]) ** 2
     steps = int(setting[STEPS])
     for step in range(steps):
-        e = linearised(table, goal, q, room)
+        e = linearised(table, goal, q, buffers)
         p, r = squares(e)
         if p <= near and r <= far:
             unwind(table, q)
@@ -116,14 +116,14 @@ def promised(columns: Array, e: Error, y: Error) -> float:
 
 
 @kernel_into
-def minimise_error(table: Array, goal: Goal, q: Array, trial: Array, room: Array) -> float:
+def minimise_error(table: Array, goal: Goal, q: Array, trial: Array, buffers: Array) -> float:
     """One search from q, in place, for the minimum of e², which is returned; only steps that reduce e² are taken.
 
     Args: as in `descend`; trial (n,): temporary posture.
     Source: Marquardt 1963: λ decreases after a step that is taken and increases after one that is not.
     """
-    columns = room[COLUMNS:]
-    e = linearised(table, goal, q, room)
+    columns = buffers[COLUMNS:]
+    e = linearised(table, goal, q, buffers)
     least = sum(squares(e))
     damping = DAMPING * least + LEAST
     for _ in range(int(table[SETTING, STEPS])):
@@ -132,11 +132,11 @@ def minimise_error(table: Array, goal: Goal, q: Array, trial: Array, room: Array
         if promised(columns, e, y) <= SETTLED * least:
             break
         step_to(table, q, columns, y, trial)
-        tried = sum(squares(linearised(table, goal, trial, room)))
+        tried = sum(squares(linearised(table, goal, trial, buffers)))
         if tried < least:
             copy_into(trial, q)
             least, damping = tried, max(damping / 3.0, SLACK)
         else:
             damping *= 4.0
-        e = linearised(table, goal, q, room)
+        e = linearised(table, goal, q, buffers)
     return least

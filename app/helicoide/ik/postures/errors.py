@@ -43,7 +43,7 @@ def rotation(a: Array) -> Rows:
 
 
 @kernel_into
-def rotated(R: Rows, v: Triple) -> Triple:
+def rotated_vector(R: Rows, v: Triple) -> Triple:
     """R v."""
     return dot(R[0], v), dot(R[1], v), dot(R[2], v)
 
@@ -55,7 +55,11 @@ def goal_of(table: Array, T: Array) -> Goal:
     R = (T[0, 0], T[0, 1], T[0, 2]), (T[1, 0], T[1, 1], T[1, 2]), (T[2, 0], T[2, 1], T[2, 2])
     scale = 1.0 / table[SETTING, REACH]
     p = (scale * T[0, 3], scale * T[1, 3], scale * T[2, 3])
-    return (rotated(base, rotated(R, x)), rotated(base, rotated(R, y)), rotated(base, rotated(R, z))), rotated(base, p)
+    return (
+        rotated_vector(base, rotated_vector(R, x)),
+        rotated_vector(base, rotated_vector(R, y)),
+        rotated_vector(base, rotated_vector(R, z)),
+    ), rotated_vector(base, p)
 
 
 @kernel_into
@@ -68,14 +72,14 @@ def before(row: Row, joint: Array, slid: float, c: float, s: float) -> Row:
 
 
 @kernel_into
-def linearised(table: Array, goal: Goal, q: Array, room: Array) -> Error:
+def linearised(table: Array, goal: Goal, q: Array, buffers: Array) -> Error:
     """The error e of a posture; the columns −∂e/∂q are written into `room`.
 
     For a joint at p, from the tool, with axis z the column is (p × z, z), or (z, 0) if prismatic. It is per unit of the
     variable: 1 rad, or ℓ. Args: table of `packed`; q (n,), rad or m; room of `packed.room_for`.
     """
-    m, columns = int(table[SETTING, JOINTS]), room[COLUMNS:]
-    angles, cosines, sines = room[ANGLES], room[COSINES], room[SINES]
+    m, columns = int(table[SETTING, JOINTS]), buffers[COLUMNS:]
+    angles, cosines, sines = buffers[ANGLES], buffers[COSINES], buffers[SINES]
     for i in range(m):
         joint = table[FIRST + i]
         angles[i] = joint[TURN] * q[int(joint[DRIVER])] + joint[TURN_SHIFT]

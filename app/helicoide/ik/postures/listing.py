@@ -33,7 +33,9 @@ def listing_table(robot: Robot) -> Array:
     return np.concatenate([measured(robot), joints])
 
 
-def listed_in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: Array, with_orientation: bool) -> Array:
+def listed_in_order(
+    robot: Robot, found: Array, T_asked: Array, solved: Array, q: Array, with_orientation: bool
+) -> Array:
     """Postures in order: those that reach the solved pose first, among them those within the limits, then by cost.
 
     Each periodic joint takes the shorter way from q where its limits allow it.
@@ -41,18 +43,18 @@ def listed_in_order(robot: Robot, found: Array, asked: Array, solved: Array, q: 
     m. Returns (k, n + 7), with the columns above.
     """
     rows = empty((len(found), len(q) + 7))
-    list_into(listing_table(robot), found, asked, solved, q, with_orientation, True, rows)
+    list_into(listing_table(robot), found, T_asked, solved, q, with_orientation, True, rows)
     return rows
 
 
-def listed_as_found(robot: Robot, found: Array, asked: Array, solved: Array, with_orientation: bool) -> Array:
+def listed_as_found(robot: Robot, found: Array, T_asked: Array, solved: Array, with_orientation: bool) -> Array:
     """Postures in the order in which they were found, with angles in (−π, π] where the limits allow it.
 
     Arguments and result as in `listed_in_order`.
     """
     still = np.zeros(len(robot.variables))
     rows = empty((len(found), len(still) + 7))
-    list_into(listing_table(robot), found, asked, solved, still, with_orientation, False, rows)
+    list_into(listing_table(robot), found, T_asked, solved, still, with_orientation, False, rows)
     return rows
 
 
@@ -109,7 +111,7 @@ def follows(one: Array, other: Array) -> bool:
 def list_into(
     robot: Array,
     found: Array,
-    asked: Array,
+    T_asked: Array,
     solved: Array,
     now: Array,
     with_orientation: bool,
@@ -122,7 +124,7 @@ def list_into(
     """
     n, k = now.shape[0], found.shape[0]
     arm, joints = robot[: robot.shape[0] - n], robot[robot.shape[0] - n :]
-    wished, goal = stand_of(asked), stand_of(solved)
+    wished, goal = stand_of(T_asked), stand_of(solved)
     as_asked = wished == goal
     turns = 1.0 if with_orientation else 0.0
     for i in range(k):

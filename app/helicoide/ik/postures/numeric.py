@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from helicoide.arrays import Array
 from helicoide.ik.postures import listing
-from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Said, answer_in_order
+from helicoide.ik.postures.answer import NO_VALUES, Answer, Found, Words, answer_in_order
 from helicoide.ik.postures.branch import check_pose
 from helicoide.ik.postures.measure import left
 from helicoide.ik.postures.packed import PERIOD, UNIT, Search, behind_joints, limited, search_of, wide
@@ -81,7 +81,7 @@ def first_posture(robot: Robot, T_world_tool: Array, q: Array, with_orientation:
     of = _within_limits(robot, with_orientation)
     answer = np.empty(of.answer)
     # numba would compile the kernel again for arrays that are not contiguous
-    search(of.table, np.ascontiguousarray(T_world_tool), np.ascontiguousarray(q), np.zeros(of.room), answer)
+    search(of.table, np.ascontiguousarray(T_world_tool), np.ascontiguousarray(q), np.zeros(of.buffers), answer)
     return answer
 
 
@@ -122,7 +122,7 @@ def every(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Fo
     words = (ENDLESS if endless else FOUND).format(n=len(rows), s="s"[: len(rows) > 1], searches=searches)
     ordered = listing.listed_in_order(robot, rows, goal, goal, start, with_orientation)
     rows = rows[listing.column(ordered, listing.NUMBER).astype(int)]
-    return Found(rows, goal, Said([POSTURE.format(n=n + 1) for n in range(len(rows))], words))
+    return Found(rows, goal, Words([POSTURE.format(n=n + 1) for n in range(len(rows))], words))
 
 
 @dataclass(frozen=True)
@@ -166,15 +166,15 @@ def distinct_postures(robot: Robot, goal: Array, start: Array, with_orientation:
 def _fine(of: Search, goal: Array, q: Array) -> Array | None:
     """The posture that one search from q finds, within the limits or not; None after a failure."""
     found = np.empty(of.answer)
-    search(of.table, goal, q, np.zeros(of.room), found)
+    search(of.table, goal, q, np.zeros(of.buffers), found)
     return found[:-4] if found[-4] < np.inf else None
 
 
-def _is_known(of: Search, q: Array, found: Array, apart: float = APART) -> bool:
+def _is_known(of: Search, q: Array, found: Array, difference: float = APART) -> bool:
     """Whether q is a row of found (k, n): every joint differs by less than `apart`, rad or ℓ, full turns removed."""
     ranges, ways = of.table[behind_joints(of.table) :], found - q
     ways -= ranges[:, PERIOD] * np.round(ways / np.where(ranges[:, PERIOD] > 0, ranges[:, PERIOD], np.inf))
-    return bool((np.abs(ways) < apart * ranges[:, UNIT]).all(axis=1).any())
+    return bool((np.abs(ways) < difference * ranges[:, UNIT]).all(axis=1).any())
 
 
 def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) -> Found:
@@ -183,13 +183,13 @@ def _nearest(robot: Robot, goal: Array, start: Array, with_orientation: bool) ->
     missed, turned = left(robot, q, goal, with_orientation)
     beyond_limits = len(distinct_postures(robot, goal, start, with_orientation, 1)[0]) > 0
     words = (LIMITED if beyond_limits else MISSED).format(mm=1000 * missed, degrees=np.degrees(turned))
-    return Found(q[None], goal, Said((POSTURE.format(n=1),), words), short=missed)
+    return Found(q[None], goal, Words((POSTURE.format(n=1),), words), short=missed)
 
 
 def approached(of: Search, goal: Array, start: Array) -> Array:
     """The posture (n,) of `restarts.approach`."""
     answer = np.empty((3, start.size))
-    approach(of.table, goal, start, np.zeros(of.room), answer)
+    approach(of.table, goal, start, np.zeros(of.buffers), answer)
     return np.asarray(answer[0])
 
 

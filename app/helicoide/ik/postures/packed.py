@@ -40,7 +40,7 @@ class Search(NamedTuple):
 
     table: Array
     answer: int
-    room: tuple[int, int]
+    buffers: tuple[int, int]
 
 
 @kernel_into
@@ -61,10 +61,10 @@ def search_of(
     table[HAND, PLACE:] = frames[-1].T @ (robot.T_world_tool_0[:3, 3] - robot.points[-1]) / robot.reach
     _write_joints(robot, frames, ranges[:, UNIT], table[FIRST : FIRST + m])
     table[FIRST + m :, : UNIT + 1] = ranges
-    return Search(table, n + 4, room_for(m, n))
+    return Search(table, n + 4, buffer_sizes(m, n))
 
 
-def room_for(m: int, n: int) -> tuple[int, int]:
+def buffer_sizes(m: int, n: int) -> tuple[int, int]:
     """The shape of `room`: three rows for the angles of m joints, and a row for each of n variables."""
     return 3 + n, -(-m // LANES) * LANES
 

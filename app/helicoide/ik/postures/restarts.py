@@ -9,7 +9,7 @@ import numpy as np
 
 from helicoide.arrays import Array
 from helicoide.ik.guard.qp import copy_into
-from helicoide.ik.postures.descent import descend, held, minimise_error
+from helicoide.ik.postures.descent import descend, joints_at_limits, minimise_error
 from helicoide.ik.postures.errors import goal_of
 from helicoide.ik.postures.packed import LOWER, SEARCHES, SETTING, STRIDE, UPPER, behind_joints
 from helicoide.kernels import kernel_into
@@ -32,11 +32,11 @@ def begin(table: Array, start: Array, q: Array) -> None:
     """Write the posture nearest to `start` within the limits that the search keeps."""
     ranges = table[behind_joints(table) :]
     for i in range(q.shape[0]):
-        q[i] = held(ranges[i], start[i])
+        q[i] = joints_at_limits(ranges[i], start[i])
 
 
 @kernel_into
-def search(table: Array, T_world_tool: Array, start: Array, room: Array, answer: Array) -> None:
+def search(table: Array, T_world_tool: Array, start: Array, buffers: Array, answer: Array) -> None:
     """Write the first posture found: the first search starts at `start`, the others at the postures of `draw`.
 
     Args: table and room of `packed`; T_world_tool (4, 4), m; start (n,), rad or m. Writes answer (n + 4,): q, rad or m;
@@ -47,7 +47,7 @@ def search(table: Array, T_world_tool: Array, start: Array, room: Array, answer:
     q, total, searches = answer[:n], 0, int(table[SETTING, SEARCHES])
     begin(table, start, q)
     for number in range(1, searches + 1):
-        steps, missed, turned = descend(table, goal, q, room)
+        steps, missed, turned = descend(table, goal, q, buffers)
         total += abs(steps)
         if missed < np.inf or number == searches:
             answer[n], answer[n + 1], answer[n + 2], answer[n + 3] = missed, turned, total, number
@@ -56,7 +56,7 @@ def search(table: Array, T_world_tool: Array, start: Array, room: Array, answer:
 
 
 @kernel_into
-def approach(table: Array, T_world_tool: Array, start: Array, room: Array, answer: Array) -> None:
+def approach(table: Array, T_world_tool: Array, start: Array, buffers: Array, answer: Array) -> None:
     """Write the posture (n,) with the smallest e² of several searches, with starts as in `search`.
 
     Args: answer (3, n): the first row is the posture, the others are temporary.
@@ -65,7 +65,7 @@ def approach(table: Array, T_world_tool: Array, start: Array, room: Array, answe
     goal, least = goal_of(table, T_world_tool), np.inf
     begin(table, start, q)
     for number in range(1, int(table[SETTING, SEARCHES]) + 1):
-        left = minimise_error(table, goal, q, trial, room)
+        left = minimise_error(table, goal, q, trial, buffers)
         if left < 0.999999 * least:
             copy_into(q, best)
             least = left

@@ -12,7 +12,7 @@ from helicoide.ik.clik import TaskFunction, task_from, to_pose
 from helicoide.ik.converge import Tolerance, converged, loop_of
 from helicoide.ik.method import Method, Task
 from helicoide.ik.postures import listing, numeric, subspace
-from helicoide.ik.postures.answer import Answer, Form, Found, Said, answer_as_found, answer_in_order
+from helicoide.ik.postures.answer import Answer, Form, Found, Words, answer_as_found, answer_in_order
 from helicoide.ik.postures.branch import check_pose, pose_of, sentences
 from helicoide.ik.postures.choice import Ranked, ranked, touching
 from helicoide.ik.postures.measure import left
@@ -115,8 +115,10 @@ def _by_form(robot: Robot, form: Form, T: Array, q: Array, every: bool, with_ori
     if answer.is_solved:
         return answer.nearest
     one = numeric.one(robot, found.T_world_goal, q, with_orientation)
-    told = Said(one.told.names, sentences(found.told.words, one.told.words), free=found.told.free)
-    one = one._replace(told=told, moved=found.moved, turned=found.turned, short=max(found.short, one.short))
+    told = Words(
+        one.explanation.names, sentences(found.explanation.words, one.explanation.words), free=found.explanation.free
+    )
+    one = one._replace(explanation=told, moved=found.moved, turned=found.turned, short=max(found.short, one.short))
     return answer_in_order(robot, one, T, q, with_orientation)
 
 
@@ -130,8 +132,8 @@ def _searched(robot: Robot, T: Array, q: Array, every: bool, with_orientation: b
     if goal.words is None:
         return answer
     found = find(robot, goal.T_world_goal, q, with_orientation)
-    told = Said(found.told.names, sentences(goal.words, found.told.words))
-    found = found._replace(told=told, moved=goal.moved, turned=goal.turned)
+    told = Words(found.explanation.names, sentences(goal.words, found.explanation.words))
+    found = found._replace(explanation=told, moved=goal.moved, turned=goal.turned)
     return answer_in_order(robot, found, T, q, with_orientation)
 
 
@@ -144,7 +146,7 @@ def _iterated(robot: Robot, method: Method, T: Array, q: Array, with_orientation
         raise _refused(robot, why, with_orientation)
     run = loop_of(problem, method, method.Options(), FACTOR, dt=PERIOD)
     report = converged(problem, run, aiming, q, EXACT, STEPS)
-    told = Said((method.TITLE,), sentences(goal.words, report.words))
+    told = Words((method.TITLE,), sentences(goal.words, report.words))
     found = Found(report.q[None], goal.T_world_goal, told, goal.moved, goal.turned)
     return answer_as_found(robot, found, T, with_orientation)
 

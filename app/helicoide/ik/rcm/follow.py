@@ -89,7 +89,7 @@ class RcmStep:
     entry_world: Array
     at: Constrained
     error: Array
-    asked: Array
+    task: Array
     command: Array
     tool: Solution
     arm: Solution
@@ -99,7 +99,7 @@ class RcmStep:
     @property
     def entry_slip(self) -> Array:
         """Λ J_i θ̇ − v (r,), m/s: error of the shaft's velocity at the entry point."""
-        return self.at.at_entry(self.rates) - self.asked
+        return self.at.at_entry(self.rates) - self.task
 
 
 def pose_error(T_world_target: Array, T_world_tool: Array) -> Array:
@@ -125,11 +125,11 @@ def body_velocity(R_world_tool: Array, ahead: Array, error: Array, position: flo
 
 
 def loop_pass(
-    at: Constrained, control: RcmControl, wish: RcmReference, error: Array, dt: float, memory: tuple[Any, Any]
+    at: Constrained, control: RcmControl, task: RcmReference, error: Array, dt: float, memory: tuple[Any, Any]
 ) -> tuple[Array, Array, Solution, Solution, Array, tuple[Any, Any]]:
     """One pass of the loop of fig. 3.3: v_rd + Kr e_r, ν, the solutions for u and for the arm, θ̇, and both memories."""
-    asked = wish.entry_rate + control.entry * at.place.lateral
-    nu = body_velocity(at.T_world_tool[:3, :3], wish.feedforward, error, control.position, control.orientation)
+    asked = task.entry_rate + control.entry * at.place.lateral
+    nu = body_velocity(at.T_world_tool[:3, :3], task.feedforward, error, control.position, control.orientation)
     tool, of_tool = control.of_tool.answered(at.problem, at.task(nu, asked, dt), memory[0])
     velocity = at.shaft_velocity(tool.rates, asked)
     arm, of_arm = control.of_arm.answered(at.problem, at.arm_task(velocity, dt), memory[1])
@@ -140,7 +140,7 @@ def rcm_loop(
     problem: Problem,
     passage: Passage,
     control: RcmControl,
-    wished: Callable[[float], RcmReference],
+    task_at: Callable[[float], RcmReference],
     q: Array,
     entry_world: Array,
     dt: float,
@@ -157,7 +157,7 @@ def rcm_loop(
     t = 0.0
     while True:
         at = constrained(problem, passage, q, entry_world, control.basis)
-        wish = wished(t)
+        wish = task_at(t)
         error = pose_error(wish.T_world_target, at.T_world_tool)
         asked, nu, tool, arm, rates, memory = loop_pass(at, control, wish, error, dt, memory)
         yield RcmStep(t, q, entry_world, at, error, asked, nu, tool, arm, rates, memory)

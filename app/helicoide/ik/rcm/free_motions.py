@@ -43,7 +43,7 @@ def null_basis(place: Insertion, basis: Basis) -> Array:
         null[:3, 3 - r :] = l_a * ALONG_CROSS
         null[3:, 3 - r :] = np.eye(3)
         return null
-    turn, free_turns = _turns(N)
+    turn, free_turns = _rotations(N)
     null[:3, :3] = np.eye(3)
     null[3:, :3] = turn / l_a
     null[3:, 3:] = free_turns
@@ -59,7 +59,7 @@ def _free_directions(N: Array) -> Array:
     return np.column_stack([inward, np.cross(N[0], inward)])
 
 
-def _turns(N: Array) -> tuple[Array, Array]:
+def _rotations(N: Array) -> tuple[Array, Array]:
     """The matrix (3, 3) from v to l_a ω, and the free angular velocities, (3, 3 − r), of which y is the last."""
     if len(N) == 2:
         return -ALONG_CROSS, ALONG[:, None]

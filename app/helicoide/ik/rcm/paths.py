@@ -44,7 +44,7 @@ class RcmPath:
     duration: float
     across: Array
 
-    def wished(self, T_world_start: Array) -> Callable[[float], RcmReference]:
+    def task(self, T_world_start: Array) -> Callable[[float], RcmReference]:
         """The reference as a function of time, s, for a tool that starts at T_0 (4, 4), m."""
         R, p = T_world_start[:3, :3], T_world_start[:3, 3]
 
@@ -82,11 +82,11 @@ class OfTool:
 
     def pose(self, s: float) -> Array:
         """T_world_target (4, 4), m."""
-        return self.path.wished(self.T_world_start)(s).T_world_target
+        return self.path.task(self.T_world_start)(s).T_world_target
 
     def twist(self, s: float) -> Array:
         """(v, ω) of the target's point (6,), m/s and rad/s, world axes."""
-        return self.path.wished(self.T_world_start)(s).feedforward
+        return self.path.task(self.T_world_start)(s).feedforward
 
 
 def _about_x(angle: float) -> Array:

@@ -22,7 +22,7 @@ from helicoide.text import HelicoideError, Text
 
 
 @dataclass(frozen=True, eq=False)
-class TipWish:
+class TipTask:
     """The target of the tip and the entry point at one instant.
 
     target: p_d (3,), m; ahead: ṗ_d (3,), m/s; entry: p_rcm (3,), m; entry_rate: v_rd (r,), m/s, along the forbidden
@@ -46,7 +46,7 @@ def rod_refusal(robot: Robot, passage: Passage) -> Text | None:
     ).format(robot=robot.title, n=n, rows=rows)
 
 
-def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> TaskError:
+def aim(problem: Problem, passage: Passage, q: Array, task: TipTask) -> TaskError:
     """J_a = [J_p(tip); Pᵀ J_p(p_c)], e = [p_d − p; Pᵀ(p_rcm − p_c)], p_c the shaft's point nearest to the entry point.
 
     The columns of P are the forbidden directions in world axes. Rows are divided by ℓ. Args: q (n,), rad or m.
@@ -57,22 +57,22 @@ def aim(problem: Problem, passage: Passage, q: Array, wish: TipWish) -> TaskErro
     axes = jacobian.joint_axes(poses, chain)
     tip = (poses[-1] @ problem.robot.T_link_tool)[:3, 3].copy()
     T_shaft = poses[passage.link] @ passage.T_link_shaft
-    place = insertion(passage, T_shaft, wish.entry)
+    place = insertion(passage, T_shaft, task.entry)
     nearest = T_shaft[:3, 3] + place.outside * T_shaft[:3, 1]
     across = place.forbidden @ T_shaft[:3, :3].T
     of_tip = jacobian.geometric_jacobian(poses, chain, axes, tip, len(chain))[:3]
     of_entry = jacobian.geometric_jacobian(poses, chain, axes, nearest, passage.link)[:3]
     J = np.vstack([of_tip, across @ of_entry]) * problem.joint_units / length
-    error = np.concatenate([wish.target - tip, place.lateral]) / length
-    return TaskError(J, error, np.concatenate([wish.ahead, wish.entry_rate]) / length)
+    error = np.concatenate([task.target - tip, place.lateral]) / length
+    return TaskError(J, error, np.concatenate([task.ahead, task.entry_rate]) / length)
 
 
-def to_points(problem: Problem, passage: Passage, wished: Callable[[float], TipWish]) -> TaskFunction:
+def to_points(problem: Problem, passage: Passage, targets: Callable[[float], TipTask]) -> TaskFunction:
     """The task function for `clik.followed`. Raises HelicoideError if the arm has too few joints."""
     refused = rod_refusal(problem.robot, passage)
     if refused:
         raise HelicoideError(refused)
-    return lambda q, t: aim(problem, passage, q, wished(t))
+    return lambda q, t: aim(problem, passage, q, targets(t))
 
 
 def gains(passage: Passage, position: float, entry: float) -> Array:

@@ -20,7 +20,7 @@ from helicoide.ik.rcm import rod
 from helicoide.ik.rcm.constrained import Constrained, constrained
 from helicoide.ik.rcm.follow import PSEUDOINVERSE, pose_error
 from helicoide.ik.rcm.passage import Passage, passage_refusal, through
-from helicoide.ik.rcm.rod import TipWish
+from helicoide.ik.rcm.rod import TipTask
 from helicoide.kinematics.robot import Robot
 from helicoide.text import Text
 
@@ -35,13 +35,13 @@ def passage_of(robot: Robot, entry: EntryPoint) -> Passage:
     return through(robot, entry.link)
 
 
-def refused(problem: Problem, with_orientation: bool, drive: Controller) -> Text | None:
+def refused(problem: Problem, with_orientation: bool, controller: Controller) -> Text | None:
     """Why the task with an entry point cannot be solved; None if it can."""
     assert problem.entry is not None
     passage = passage_of(problem.robot, problem.entry)
     if not with_orientation:
         return rod.rod_refusal(problem.robot, passage)
-    return passage_refusal(problem.robot, passage) or (NOTHING_FREE if drive.secondary is not None else None)
+    return passage_refusal(problem.robot, passage) or (NOTHING_FREE if controller.secondary is not None else None)
 
 
 def tip_task(
@@ -51,7 +51,7 @@ def tip_task(
 
     Args: q (n,), rad or m; T_world_target (4, 4), m; ahead: velocity of its point, (3,), m/s; dt, s.
     """
-    wish = TipWish(T_world_target[:3, 3], ahead, entry.point, np.zeros(2))
+    wish = TipTask(T_world_target[:3, 3], ahead, entry.point, np.zeros(2))
     aim = rod.aim(problem, passage_of(problem.robot, entry), q, wish)
     nu = reference_velocity(replace(aim, error=aim.error[:3], feedforward=aim.feedforward[:3]), gains)
     return Task(q, aim.J, np.concatenate([nu, GAIN * aim.error[3:]]), dt)
@@ -76,7 +76,7 @@ def rcm_step(
     T_world_target: Array,
     with_orientation: bool,
     ahead: Array,
-    drive: Controller,
+    controller: Controller,
     dt: float,
 ) -> tuple[Array, Controller]:
     """The joint displacement Δq (n,), rad or m, that the method asks for, and the controller after it.
@@ -85,17 +85,19 @@ def rcm_step(
     """
     entry = problem.entry
     assert entry is not None
-    if (why := refused(problem, with_orientation, drive)) is not None:
-        return np.zeros(len(q)), replace(drive, memory=None, solution=None, refusal=why)
+    if (why := refused(problem, with_orientation, controller)) is not None:
+        return np.zeros(len(q)), replace(controller, memory=None, solution=None, refusal=why)
     if not with_orientation:
-        return step(problem, tip_task(problem, entry, q, T_world_target, ahead, drive.gains, dt), poses, drive)
+        return step(
+            problem, tip_task(problem, entry, q, T_world_target, ahead, controller.gains, dt), poses, controller
+        )
     at = constrained(problem, passage_of(problem.robot, entry), q, entry.point)
     asked = GAIN * at.place.lateral
-    task = at.task(tool_velocity(at, T_world_target, ahead, drive.gains), asked, dt)
-    method, options = methods.named(drive.method), drive.options(drive.method)
+    task = at.task(tool_velocity(at, T_world_target, ahead, controller.gains), asked, dt)
+    method, options = methods.named(controller.method), controller.options(controller.method)
     if (why := method.applies(task)) is not None:
-        return np.zeros(len(q)), replace(drive, memory=None, solution=None, refusal=why)
-    memory = method.start(task, options) if drive.memory is None else drive.memory
+        return np.zeros(len(q)), replace(controller, memory=None, solution=None, refusal=why)
+    memory = method.start(task, options) if controller.memory is None else controller.memory
     tool, memory = method.step(problem, task, memory, options)
     arm, _ = PSEUDOINVERSE.answered(problem, at.arm_task(at.shaft_velocity(tool.rates, asked), dt), None)
-    return at.rates(arm.rates, tool.rates) * dt, replace(drive, memory=memory, solution=tool, refusal=None)
+    return at.rates(arm.rates, tool.rates) * dt, replace(controller, memory=memory, solution=tool, refusal=None)

@@ -33,11 +33,11 @@ def guessed_columns(sample: Array, spread: Array) -> tuple[Places, tuple[Text, .
     first, others = sample[:, columns[0]], sample[:, columns[1:]]
     if is_row_number(first):
         if len(columns) == 4:
-            return _told(columns[1:], COUNTED)
+            return _in_words(columns[1:], COUNTED)
         raise BrokenFile(DOUBT.format(n=columns[0] + 1, why=COUNTS))
     if len(columns) == 4 and (why := _doubt(first, others, spread[:, columns[0]])) is not None:
         raise BrokenFile(DOUBT.format(n=columns[0] + 1, why=why))
-    return _told(columns[:3], TAKEN) if columns[2] != 2 else ((0, 1, 2), ())
+    return _in_words(columns[:3], TAKEN) if columns[2] != 2 else ((0, 1, 2), ())
 
 
 def is_row_number(column: Array) -> bool:
@@ -66,7 +66,7 @@ def _size(numbers: Array) -> float:
     return float(np.median(np.abs(known))) if len(known) else 0.0
 
 
-def _told(columns: list[int], words: Text) -> tuple[Places, tuple[Text, ...]]:
+def _in_words(columns: list[int], words: Text) -> tuple[Places, tuple[Text, ...]]:
     x, y, z = columns[:3]
     return (x, y, z), (words.format(x=x + 1, y=y + 1, z=z + 1),)
 

@@ -15,7 +15,7 @@ import numpy as np
 from helicoide.arrays import Array
 from helicoide.command import FollowPath
 from helicoide.confinement import planes_of
-from helicoide.foresight import lived
+from helicoide.foresight import advance_with_search
 from helicoide.ik import Limits, Problem, limit_gains, objectives
 from helicoide.ik.adaptation import Rule, Track, adapted, moving_point_distances, trimmed
 from helicoide.ik.clik import TaskFunction
@@ -151,7 +151,7 @@ def run_constrained(path: Ellipse, k0: float, seconds: float, progress: Progress
     state, turn = _on_the_path(path, k0), round(seconds / CONTROL_PERIOD)
     points, q, near = [], [], []
     for step in range(turn):
-        state = lived(state, CONTROL_PERIOD)
+        state = advance_with_search(state, CONTROL_PERIOD)
         points.append(path.point(state.request.path_s))
         q.append(state.arm.q)
         near.append(moving_point_distances(state.problem, state.arm.q.copy()))
@@ -172,5 +172,5 @@ def _on_the_path(path: Ellipse, k0: float) -> State:
     for _ in range(round(LONGEST / CONTROL_PERIOD)):
         if isinstance(state.request.command, FollowPath) and state.request.command.arrived:
             break
-        state = lived(state, CONTROL_PERIOD)
+        state = advance_with_search(state, CONTROL_PERIOD)
     return state

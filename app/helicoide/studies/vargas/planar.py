@@ -141,12 +141,12 @@ def run_on_planar(
 
 
 def rows_of_both(
-    quantity: Text, ours: Mapping[str, float], unit: str, source: Statement, *more: Fitted | Interpretation
+    quantity: Text, computed: Mapping[str, float], unit: str, source: Statement, *more: Fitted | Interpretation
 ) -> list[Row]:
     """A row for each of the two methods, with the values chosen for it; more: further chosen values."""
     return [
         run_row(quantity, VALUES.methods[key].title, value, unit, source, fitted=(*FITTED[key], *more))
-        for key, value in ours.items()
+        for key, value in computed.items()
     ]
 
 

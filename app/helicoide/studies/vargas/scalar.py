@@ -57,19 +57,19 @@ def scalar_closed_loop(law: Law, beta: float, dt: float, seconds: float, rate: f
     Args: rate: λ, 1/s.
     """
 
-    def wish(t: float, y: float) -> float:
+    def target(t: float, y: float) -> float:
         return -0.2 * pi * sin(0.2 * pi * t) + rate * (4 + cos(0.2 * pi * t) - y)
 
     def slope(t: float, y: float, theta: float) -> tuple[float, float]:
         k = sine_gain(t)
-        return k * law(k, theta) * wish(t, y), scalar_filter.scalar_slope(k, theta, beta)
+        return k * law(k, theta) * target(t, y), scalar_filter.scalar_slope(k, theta, beta)
 
     y, theta, steps, half = 5.0, 0.0, round(seconds / dt), dt / 2
     columns = []
     for i in range(steps + 1):
         t = i * dt
         k = sine_gain(t)
-        columns.append((t, k, theta, 4 + cos(0.2 * pi * t) - y, law(k, theta) * wish(t, y)))
+        columns.append((t, k, theta, 4 + cos(0.2 * pi * t) - y, law(k, theta) * target(t, y)))
         a, b = slope(t, y, theta)
         c, d = slope(t + half, y + half * a, theta + half * b)
         e, f = slope(t + half, y + half * c, theta + half * d)

@@ -48,11 +48,16 @@ def transient_end(rate: float) -> float:
 
 
 def run_row(
-    quantity: Text, of: Text | None, ours: float, unit: str = "", source: Statement | Figure | None = None, **more: Any
+    quantity: Text,
+    of: Text | None,
+    computed: float,
+    unit: str = "",
+    source: Statement | Figure | None = None,
+    **more: Any,
 ) -> Row:
     """A row about one run; more: further fields of the row."""
     title = quantity if of is None else Text(en=f"{quantity.en}: {of.en}", pt_BR=f"{quantity.pt_BR}: {of.pt_BR}")
-    return Row(title, ours, unit, source, **more)
+    return Row(title, computed, unit, source, **more)
 
 
 def with_step(what: Text, dt: float) -> Text:

@@ -47,8 +47,8 @@ class LinkNodes:
 class ArmLayer:
     """The solid arm's frames."""
 
-    def __init__(self, placed: LinkNodes) -> None:
-        self.placed = placed
+    def __init__(self, placement: LinkNodes) -> None:
+        self.placed = placement
 
     def update(self, old: View | None, new: View) -> None:
         """Follow joints and gripper."""

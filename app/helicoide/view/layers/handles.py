@@ -21,7 +21,7 @@ SHOWN = True
 
 def build(stage: Stage) -> Handles:
     """The layer, without handles at first."""
-    return Handles(stage, NAME, turns=False)
+    return Handles(stage, NAME, rotates=False)
 
 
 class Handles:
@@ -30,8 +30,8 @@ class Handles:
     rotates: whether the gizmos are rings that rotate the planes, and not arrows that move them.
     """
 
-    def __init__(self, stage: Stage, name: str, turns: bool) -> None:
-        self.stage, self.name, self.rotates = stage, name, turns
+    def __init__(self, stage: Stage, name: str, rotates: bool) -> None:
+        self.stage, self.name, self.rotates = stage, name, rotates
         self.gizmos: dict[int, viser.TransformControlsHandle] = {}
 
     def update(self, old: View | None, new: View) -> None:

@@ -75,4 +75,4 @@ class Highlight:
         elif kind in ("joint", "plane"):
             self.lines.points = lines_of(state, kind, int(number)).astype(np.float32)
         elif kind == "point":
-            self.ball.position = state.guarded_points[int(number)]
+            self.ball.position = state.monitored_points[int(number)]

@@ -6,7 +6,7 @@ import numpy as np
 import viser
 
 from helicoide.ik import ObstacleContact
-from helicoide.readout import held_by
+from helicoide.readout import limited_by
 from helicoide.view.layers import Stage
 from helicoide.view.rows import View
 
@@ -35,7 +35,7 @@ class ObstacleLayer:
         if old is None or old.state.problem.obstacles is not state.problem.obstacles:
             self._place(state.problem.obstacles.ends[:, 0], state.problem.obstacles.radii)
         if len(state.problem.obstacles.radii) and (old is None or old.state.arm.active_set is not state.arm.active_set):
-            holding = {reason.obstacle for reason in held_by(state) if isinstance(reason, ObstacleContact)}
+            holding = {reason.obstacle for reason in limited_by(state) if isinstance(reason, ObstacleContact)}
             self._paint(holding)
 
     def _place(self, centres: np.ndarray, radii: np.ndarray) -> None:
@@ -48,8 +48,8 @@ class ObstacleLayer:
             if sphere.visible:
                 sphere.position, sphere.scale = centres[index], float(radii[index])
 
-    def _paint(self, holding: set[int]) -> None:
+    def _paint(self, limiting: set[int]) -> None:
         for index, sphere in enumerate(self.spheres):
-            colour = HOLDS if index in holding else FREE
+            colour = HOLDS if index in limiting else FREE
             if colour != self.colours[index]:
                 sphere.color = self.colours[index] = colour

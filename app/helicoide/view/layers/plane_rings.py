@@ -14,4 +14,4 @@ SHOWN = False
 
 def build(stage: Stage) -> Handles:
     """The layer, without rings at first."""
-    return Handles(stage, NAME, turns=True)
+    return Handles(stage, NAME, rotates=True)

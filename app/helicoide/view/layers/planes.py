@@ -1,4 +1,4 @@
-"""The planes: tinted panes with their normals, coloured by the zone of the nearest guarded point, grey when off."""
+"""The planes: tinted panes with their normals, coloured by the zone of the nearest monitored point, grey when off."""
 
 from __future__ import annotations
 

@@ -30,8 +30,8 @@ def build(stage: Stage) -> Trail:
 class Trail:
     """The last points of the tool, a few millimetres apart."""
 
-    def __init__(self, line: viser.LineSegmentsHandle, apart: float) -> None:
-        self.line, self.apart = line, apart
+    def __init__(self, line: viser.LineSegmentsHandle, spacing: float) -> None:
+        self.line, self.apart = line, spacing
         self.points: list[np.ndarray] = []
 
     def update(self, old: View | None, new: View) -> None:

@@ -88,10 +88,10 @@ def _reset(view: View) -> PageRequest:
 
 
 def _turn(by: int) -> Callable[[View], PageRequest]:
-    def wish(view: View) -> PageRequest:
+    def request(view: View) -> PageRequest:
         return ForSeat(lambda seat: replace(seat, step=seat.step + by, hint_open=False))
 
-    return wish
+    return request
 
 
 def _free(view: View) -> Markup:

@@ -53,7 +53,7 @@ def rows(robot: Robot) -> list[Row]:
         Dropdown(
             Text(en="Compare with", pt_BR="Comparar com"),
             [("", NONE), *((name, named(name).TITLE) for name in names())],
-            _beside,
+            _compared,
             lambda name: ForArm(gate.compare_with(name or None)),
         ),
         Button(lambda _: SINGULAR, lambda _: TrySingular(), Icon.TRENDING_UP, lambda view: view.ready),
@@ -67,7 +67,7 @@ def rows(robot: Robot) -> list[Row]:
         Folder(MODES, [HtmlRow(mode_table, computed=True)], open=False),
         Folder(
             Text(en="Settings of the compared method", pt_BR="Ajustes do método comparado"),
-            DependentRows(_beside, partial(_settings, robot)),
+            DependentRows(_compared, partial(_settings, robot)),
             open=False,
         ),
         Folder(Text(en="Gains", pt_BR="Ganhos"), [*map(_gain, range(4))], open=False),
@@ -79,7 +79,7 @@ def rows(robot: Robot) -> list[Row]:
 SINGULAR = Text(en="Try a singular posture", pt_BR="Testar uma postura singular")
 
 
-def _beside(view: View) -> str:
+def _compared(view: View) -> str:
     return "" if view.state.compared is None else view.state.compared.controller.method
 
 

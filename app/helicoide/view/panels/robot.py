@@ -142,7 +142,7 @@ def _target() -> list[Row]:
         Checkbox(
             Text(en="Keep orientation", pt_BR="Manter a orientação"),
             lambda view: view.state.request.with_orientation,
-            lambda on: ForArm(gate.hold_orientation(on)),
+            lambda on: ForArm(gate.keep_orientation(on)),
         ),
     ]
 

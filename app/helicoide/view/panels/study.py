@@ -25,7 +25,7 @@ from helicoide.export.study_table import (
 )
 from helicoide.ik.method import settings
 from helicoide.kinematics.robot import Robot
-from helicoide.studies import panel_state as desks
+from helicoide.studies import panel_state
 from helicoide.studies.panel_state import CompletedRun, StudyPanelState
 from helicoide.studies.study import Chart, ChartLine, Motion, Verdict
 from helicoide.studies.study import Row as Quantity
@@ -38,7 +38,7 @@ from helicoide.view.rows import (
     DependentRows,
     Dropdown,
     Folder,
-    ForDesk,
+    ForStudyPanel,
     HtmlRow,
     Play,
     Plot,
@@ -72,26 +72,30 @@ def rows(robot: Robot) -> list[Row]:
         Dropdown(
             Text(en="Study", pt_BR="Estudo"),
             [("", NONE), *studies_by_source()],
-            lambda view: view.desk.study,
-            lambda name: ForDesk(desks.with_study(name)),
+            lambda view: view.study_panel.study,
+            lambda name: ForStudyPanel(panel_state.with_study(name)),
         ),
         HtmlRow(_about),
         Folder(
-            Text(en="Settings", pt_BR="Ajustes"), DependentRows(lambda view: view.desk.study, _settings), open=False
+            Text(en="Settings", pt_BR="Ajustes"),
+            DependentRows(lambda view: view.study_panel.study, _settings),
+            open=False,
         ),
         Checkbox(
             Text(en="Quick run", pt_BR="Execução rápida"),
-            lambda view: view.desk.short,
-            lambda on: ForDesk(lambda desk: replace(desk, short=bool(on))),
+            lambda view: view.study_panel.short,
+            lambda on: ForStudyPanel(lambda panel: replace(panel, short=bool(on))),
         ),
         Button(
-            lambda view: RUN if view.desk.progress is None else STOP,
-            lambda view: ForDesk(desks.with_run_started if view.desk.progress is None else desks.with_run_ended),
+            lambda view: RUN if view.study_panel.progress is None else STOP,
+            lambda view: ForStudyPanel(
+                panel_state.with_run_started if view.study_panel.progress is None else panel_state.with_run_ended
+            ),
             Icon.FLASK,
-            lambda view: bool(view.desk.study),
+            lambda view: bool(view.study_panel.study),
             weight="primary",
         ),
-        Bar(lambda view: view.desk.progress),
+        Bar(lambda view: view.study_panel.progress),
         *(Plot(shown_charts, index) for index in range(MOST_CHARTS)),
         Folder(
             Text(en="Play on the arm", pt_BR="Reproduzir no braço"),
@@ -99,8 +103,8 @@ def rows(robot: Robot) -> list[Row]:
         ),
         Checkbox(
             Text(en="Compare with previous run", pt_BR="Comparar com a execução anterior"),
-            lambda view: view.desk.compares_previous,
-            lambda on: ForDesk(lambda desk: replace(desk, compares_previous=bool(on))),
+            lambda view: view.study_panel.compares_previous,
+            lambda on: ForStudyPanel(lambda panel: replace(panel, compares_previous=bool(on))),
         ),
         HtmlRow(_table),
     ]
@@ -118,17 +122,17 @@ def studies_by_source() -> list[tuple[str, Text]]:
 
 def _about(view: View) -> Markup:
     """What the study is about, and why it failed, if it did."""
-    desk, language = view.desk, view.seat.language
-    if not desk.study:
+    panel, language = view.study_panel, view.seat.language
+    if not panel.study:
         return html.note(CHOOSE[language])
-    study = studies.study_named(desk.study)
+    study = studies.study_named(panel.study)
     anchor = study.SOURCE.partition(",")[0].lower().replace(" ", "-")
     has_page = f'id="{anchor}"' in errata.sources_page(language)
     of_source = PAGE.format(language, anchor, OPEN[language]) if has_page else Markup("")
     about = Markup("<div class='helicoide-note'><p>{}</p><p>{}. {}</p></div>").format(
         study.ABOUT[language], study.SOURCE, of_source
     )
-    return about if desk.failure is None else about + html.note(desk.failure[language])
+    return about if panel.failure is None else about + html.note(panel.failure[language])
 
 
 OPEN = Text(en="Errors and open points of the source", pt_BR="Erros e pontos em aberto da fonte")
@@ -144,13 +148,15 @@ def _settings(name: str) -> Sequence[Row]:
     options = studies.study_named(name).Options
 
     def chosen(view: View) -> object:
-        return view.desk.options.get(name) or options()
+        return view.study_panel.options.get(name) or options()
 
-    return setting_rows(options, 1.0, chosen, lambda setting, value: ForDesk(desks.with_study_option(setting, value)))
+    return setting_rows(
+        options, 1.0, chosen, lambda setting, value: ForStudyPanel(panel_state.with_study_option(setting, value))
+    )
 
 
 def _motions(view: View) -> tuple[Motion, ...]:
-    return view.desk.shown_runs[0].result.motions if view.desk.shown_runs else ()
+    return view.study_panel.shown_runs[0].result.motions if view.study_panel.shown_runs else ()
 
 
 def _players(titles: tuple[Text, ...]) -> Sequence[Row]:
@@ -169,7 +175,7 @@ NO_MOTION = Text(en="This study has no motion to play.", pt_BR="Este estudo não
 
 def _table(view: View) -> Markup:
     """The table of the runs shown: printed and computed numbers."""
-    runs, language = view.desk.shown_runs, view.seat.language
+    runs, language = view.study_panel.shown_runs, view.seat.language
     if not runs:
         return Markup("")
     return _written(runs, language)
@@ -215,15 +221,15 @@ def _lines(row: Quantity, others: list[Quantity | None], language: Language) -> 
 
 def shown_charts(view: View) -> Sequence[Chart]:
     """The charts of the runs shown; those over time end at the current time of the motion that is played."""
-    desk, command = view.desk, view.state.request.command
-    merged = _merged(desk.shown_runs)[:MOST_CHARTS]
-    if not (isinstance(command, Replay) and command.arrived and _is_played(desk, command)):
+    panel, command = view.study_panel, view.state.request.command
+    merged = _merged(panel.shown_runs)[:MOST_CHARTS]
+    if not (isinstance(command, Replay) and command.arrived and _is_played(panel, command)):
         return merged
     return tuple(_until(chart, round(command.s, 1)) if _is_timed(chart) else chart for chart in merged)
 
 
-def _is_played(desk: StudyPanelState, command: Replay) -> bool:
-    motions = desk.shown_runs[0].result.motions if desk.shown_runs else ()
+def _is_played(panel: StudyPanelState, command: Replay) -> bool:
+    motions = panel.shown_runs[0].result.motions if panel.shown_runs else ()
     return any(abs(motion.times[-1] - motion.times[0] - command.path.duration) < 1e-9 for motion in motions)
 
 

@@ -21,8 +21,8 @@ print(kernels.CACHE_FOLDER)
 print("" if kernels.CACHE_NOTE is None else kernels.CACHE_NOTE.en)
 print("" if kernels.CACHE_NOTE is None else kernels.CACHE_NOTE.pt_BR)
 print(kernels.is_cached("helicoide.ik.guard.qp.inner_product"))
-assert qp.dot(np.ones(3), np.ones(3)) == 3.0
-print(sum(qp.dot.stats.cache_misses.values()))
+assert qp.inner_product(np.ones(3), np.ones(3)) == 3.0
+print(sum(qp.inner_product.stats.cache_misses.values()))
 print(kernels.is_cached("helicoide.ik.guard.qp.inner_product"))
 print("helicoide.ik.guard.qp.inner_product" in kernels.KERNELS)
 """

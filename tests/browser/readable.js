@@ -1,4 +1,4 @@
-// What on the page cannot be read or pressed: each finding is a line.
+// What on the page cannot be read, pressed, named or reached by keyboard: each finding is a line.
 (touch) => {
   const findings = [];
   const LEAST_CONTRAST = 4.5;
@@ -63,6 +63,17 @@
       const around = parseFloat(getComputedStyle(thumb, "::after").top) || 0;
       if (width > 0 && height - 2 * around < FINGERTIP) told("thumb", height - 2 * around, "slider");
     }
+  }
+  const controls = "input:not([type=hidden]), [role=slider], [role=tab], [role=button], button, canvas[role]";
+  for (const one of document.querySelectorAll(controls)) {
+    if (!one.checkVisibility() || one.closest("[aria-hidden=true]") || one.type === "file") continue;
+    if (!(one.ariaLabel || one.textContent.trim() || one.labels?.length || one.title || one.placeholder)) told("nameless", 0, one.outerHTML);
+    const among = one.closest("[role=tablist], [role=radiogroup], .mantine-NumberInput-root, .mantine-InputWrapper-root");
+    if (one.tabIndex < 0 && !one.disabled && !among) told("no tab stop", 0, one.outerHTML);
+  }
+  for (const heading of document.querySelectorAll('.mantine-Paper-root[style*="cursor: pointer"]')) {
+    const opens = heading.tabIndex >= 0 && heading.role === "button" && heading.ariaExpanded;
+    if (heading.checkVisibility() && !opens) told("no tab stop", 0, heading.textContent);
   }
   return findings;
 }

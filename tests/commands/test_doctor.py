@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 APP = Path(__file__).parents[2] / "app"
-COMPILE = "from helicoide.ik.guard.qp import dot; import numpy as np; dot(np.ones(3), np.ones(3))"
+COMPILE = "from helicoide.ik.guard.qp import inner_product; import numpy as np; inner_product(np.ones(3), np.ones(3))"
 BY_ANOTHER_PYTHON = 'from helicoide.kernels import cache; cache.VERSIONS = ("cpython-399", "0.1"); '
 DOCTOR = "from helicoide.commands import doctor; doctor.run()"
 

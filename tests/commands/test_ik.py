@@ -197,7 +197,7 @@ def test_the_answer_is_there_in_portuguese(monkeypatch: pytest.MonkeyPatch, caps
             ["panda", "--position", "0.4", "0", "0.3", "--quat", "1", "0", "0", "0", "--method", "puma560"],
             ["puma560 does not apply", "numeric", "pseudoinverse"],
         ),
-        (["planar2r", "--position", "1", "0", "0", "--weights", "1", "2", "3"], ["2 weights", "1, 2, 3"]),
+        (["planar2r", "--position", "1", "0", "0", "--weights", "1", "2", "3"], ["2 finite numbers", "1, 2, 3"]),
         (["planar2r", "--position", "1", "0", "0", "--obstacle", "1", "2", "3"], ["--obstacle", "4 finite numbers"]),
         (["planar2r", "--position", "1", "0", "0", "--obstacle", "1", "2", "3", "0"], ["--obstacle", "positive"]),
         (["puma", "--position", "0.4", "0", "0.3"], ["'puma'", "movemaster"]),

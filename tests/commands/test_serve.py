@@ -40,7 +40,7 @@ opened, place = Lab.open, Place(Seat("", "en"))
 def opened_with_a_study(session, *address):
     port = opened(session, *address)
     for update in (panel_state.with_study(study_names()[0]), panel_state.with_run_started):
-        session.loop.call_soon_threadsafe(session.studies.redesk, place, update)
+        session.loop.call_soon_threadsafe(session.studies.change, place, update)
     return port
 
 def lasting(report, *_):

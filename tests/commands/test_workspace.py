@@ -207,7 +207,7 @@ def test_the_command_prints_numbers_and_writes_the_map(
         assert int((written["hits"] > 0).sum()) == said["reached"]
         assert written["shape"].tolist() == said["shape"]
         assert written["size"] == said["cell"]
-    assert "area 8.7" in printed(monkeypatch, capsys, *arguments)
+    assert "area of 8.7" in printed(monkeypatch, capsys, *arguments)
 
 
 @pytest.mark.parametrize(

@@ -61,10 +61,10 @@ BROKEN = {
     "two numbers": (ONE.replace("[0, 0, -1]", "[0, 0]"), "normal"),
     "a word": (ONE.replace("-1]", '"up"]'), "normal"),
     "a zero normal": (ONE.replace("-1", "-0.0"), "normal of '\\+z' is zero"),
-    "nan": (ONE.replace("0.6", "nan"), "nowhere"),
-    "inf": (ONE.replace("-1", "-inf"), "nowhere"),
+    "nan": (ONE.replace("0.6", "nan"), "no position"),
+    "inf": (ONE.replace("-1", "-inf"), "no position"),
     "beyond numbers": (ONE.replace("-1", "1" + "0" * 400), ""),
-    "far away": (ONE.replace("0.6", "2e3"), "nowhere"),
+    "far away": (ONE.replace("0.6", "2e3"), "no position"),
     "one name twice": (ONE + ONE, "two are named '\\+z'"),
     "deep": ("a = " + "[" * 20000, ""),
 }

@@ -91,7 +91,7 @@ def with_mesh(folder: Path, filename: str) -> Path:
         ('<geometry><mesh filename="upper.stl" scale="0 1 1"/></geometry>', ["upper", "mesh", "size"]),
         ('<geometry><cylinder radius="1"/></geometry>', ["upper", "cylinder", "size"]),
         ('<geometry><box size="1 nan 1"/></geometry>', ["upper", "box", "size"]),
-        ('<origin rpy="nan 0 0"/><geometry><box size="1 1 1"/></geometry>', ["upper", "place"]),
+        ('<origin rpy="nan 0 0"/><geometry><box size="1 1 1"/></geometry>', ["upper", "pose"]),
         ("<geometry><torus/></geometry>", ["upper", "torus", "unknown"]),
         ("<geometry/>", ["upper", "no geometry"]),
         ("", ["upper", "no geometry"]),

@@ -275,7 +275,7 @@ def test_columns_that_were_guessed_are_said() -> None:
         return " ".join(note.en for note in cloud_file.read_cloud("c.csv", text.encode()).notes)
 
     assert "x, y and z are columns 2, 3 and 4" in said(rows(COUNT, X, Y, Z))
-    assert "Columns 2, 3 and 4 were taken" in said(rows(["a"] * N, X, Y, Z))
+    assert "Columns 2, 3 and 4 were read" in said(rows(["a"] * N, X, Y, Z))
     assert "olumn" not in said(rows(X, Y, Z, BRIGHT))
 
 

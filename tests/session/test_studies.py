@@ -1,4 +1,4 @@
-"""Studies that people run: however a run ends, the desk says so, and another one may begin."""
+"""Studies that people run: however a run ends, the panel says so, and another one may begin."""
 
 from __future__ import annotations
 
@@ -56,20 +56,20 @@ def running(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
 
 
 class Person:
-    """A person with a desk, and what they see there."""
+    """A person with a panel, and what they see there."""
 
     def __init__(self) -> None:
         self.studies = Studies(lambda: None)
         self.place = Place(Seat("token", "en"))
 
     @property
-    def desk(self) -> StudyPanelState:
+    def panel(self) -> StudyPanelState:
         return self.place.study_panel
 
     def begin(self) -> None:
         self.studies.change(self.place, panel_state.with_study(NAME))
         self.studies.change(self.place, panel_state.with_run_started)
-        assert self.desk.progress == 0
+        assert self.panel.progress == 0
 
     async def until(self, condition: Callable[[], object]) -> None:
         while not condition():
@@ -102,7 +102,7 @@ def live(run: Callable[[Person], Coroutine[object, object, None]]) -> Person:
 
 def is_free(person: Person) -> bool:
     """Whether nothing runs and nothing seems to."""
-    return person.desk.progress is None and not person.studies._running
+    return person.panel.progress is None and not person.studies._running
 
 
 def test_a_study_comes_to_its_result() -> None:
@@ -111,11 +111,11 @@ def test_a_study_comes_to_its_result() -> None:
         await person.over()
 
     person = live(run)
-    assert person.desk.failure is None
-    assert person.desk.last is not None
-    assert person.desk.last.study == NAME
-    assert len(person.desk.last.result.rows) == len(
-        all_studies.study_named(NAME).run(person.desk.last.options, True, lambda share: None).rows
+    assert person.panel.failure is None
+    assert person.panel.last is not None
+    assert person.panel.last.study == NAME
+    assert len(person.panel.last.result.rows) == len(
+        all_studies.study_named(NAME).run(person.panel.last.options, True, lambda share: None).rows
     )
     assert is_free(person)
 
@@ -128,10 +128,10 @@ def test_a_killed_process_is_said_and_another_run_may_begin(
     async def run(person: Person) -> None:
         for _ in range(studies.MOST + 1):
             person.begin()
-            await person.until(lambda: person.desk.progress == 0.5)
+            await person.until(lambda: person.panel.progress == 0.5)
             await person.killed()
             await person.over()
-            assert person.desk.failure == FAILED
+            assert person.panel.failure == FAILED
             assert is_free(person)
 
     live(run)
@@ -148,7 +148,7 @@ def test_a_process_that_is_killed_before_it_says_anything_is_said(running: Calla
         await person.over()
 
     person = live(run)
-    assert person.desk.failure == FAILED
+    assert person.panel.failure == FAILED
     assert is_free(person)
 
 
@@ -165,7 +165,7 @@ def test_a_pipe_that_breaks_and_a_process_that_does_not_start_are_said(
         await person.over()
 
     person = live(run)
-    assert person.desk.failure == FAILED
+    assert person.panel.failure == FAILED
     assert is_free(person)
     assert words in caplog.text
 
@@ -180,7 +180,7 @@ def test_a_study_that_breaks_is_said_with_its_traceback_in_the_log(
         await person.over()
 
     person = live(run)
-    assert person.desk.failure == FAILED
+    assert person.panel.failure == FAILED
     assert is_free(person)
     assert "no such study" in caplog.text
 
@@ -202,12 +202,12 @@ def test_what_is_ended_on_purpose_has_not_failed(
 
     async def run(person: Person) -> None:
         person.begin()
-        await person.until(lambda: person.desk.progress == 0.5)
+        await person.until(lambda: person.panel.progress == 0.5)
         end(person)
         await person.over()
 
     with caplog.at_level(logging.WARNING):
         person = live(run)
-    assert person.desk.failure is None
+    assert person.panel.failure is None
     assert caplog.records == []
     assert not person.studies._running

@@ -114,9 +114,9 @@ SCALED, SLOPE = scalar_filter.scalar_step, scalar_filter.scalar_slope
 EXACT = filtered_inverse.filter_step
 # study, what is changed in which module, and what it becomes
 MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
-    "vargas_08": (scalar_filter, "slope", lambda k, theta, beta: SLOPE(k, theta, 2 * beta)),
-    "vargas_scalar": (scalar_filter, "stepped", lambda k, theta, beta, dt: SCALED(k, theta, 2 * beta, dt)),
-    "vargas_matrix": (filtered_inverse, "slope", without_left),
+    "vargas_08": (scalar_filter, "scalar_slope", lambda k, theta, beta: SLOPE(k, theta, 2 * beta)),
+    "vargas_scalar": (scalar_filter, "scalar_step", lambda k, theta, beta, dt: SCALED(k, theta, 2 * beta, dt)),
+    "vargas_matrix": (filtered_inverse, "filter_slope", without_left),
     "vargas_05": (damped_by_manipulability, "damping", lambda w, options: 0.0),
     "vargas_14": (clik, "task_from", one_gain_for_all),
     "vargas_15": (joint_barrier, "cost", dropped(joint_barrier.cost)),
@@ -128,9 +128,9 @@ SLOW_MUTATIONS: dict[str, tuple[Any, str, Callable[..., Any]]] = {
     "vargas_04": (damped_by_manipulability, "damping", lambda w, options: 0.1),
     "vargas_06": (feedback, "compensator", lambda rows, options: options.gain * np.eye(rows)),
     "vargas_07": (damped_by_manipulability, "damping", lambda w, options: 0.0),
-    "vargas_09": (scalar_filter, "slope", lambda k, theta, beta: SLOPE(k, theta, 1e3 / beta)),
-    "vargas_10": (filtered_inverse, "stepped", lambda J, Theta, gain, *more: EXACT(J, Theta, gain / 1e4, *more)),
-    "vargas_11": (filtered_inverse, "stepped", lambda J, Theta, gain, *more: EXACT(J, Theta, gain / 1e4, *more)),
+    "vargas_09": (scalar_filter, "scalar_slope", lambda k, theta, beta: SLOPE(k, theta, 1e3 / beta)),
+    "vargas_10": (filtered_inverse, "filter_step", lambda J, Theta, gain, *more: EXACT(J, Theta, gain / 1e4, *more)),
+    "vargas_11": (filtered_inverse, "filter_step", lambda J, Theta, gain, *more: EXACT(J, Theta, gain / 1e4, *more)),
     "vargas_11b": (damped_by_manipulability, "damping", lambda w, options: 0.0),
     "vargas_12": (filtered, "step", filtered_modified.step),
     "vargas_13": (filtered_modified, "step", filtered.step),

@@ -57,7 +57,7 @@ def robot_planes(robot: Robot) -> Any:
     return replace(planes, normals=planes.normals[:2], centres=planes.centres[:2])
 
 
-def desk_named(name: str) -> StudyPanelState:
+def panel_named(name: str) -> StudyPanelState:
     run = CompletedRun("a study", None, True, result_named(name))
     return StudyPanelState("a study", last=run, previous=run, failure=untranslated(name))
 
@@ -85,7 +85,7 @@ def elements(gui: viser.GuiApi) -> list[Any]:
 def test_every_panel_shows_a_name_as_it_is(server: viser.ViserServer, named: State, language: Language) -> None:
     (seen,) = named.clouds
     seat = Seat("", language, lesson="drive_the_arm", hint_open=True, selected="plane 1", visible_layers=SHOWS)
-    view = View(named, seat, desk_named(seen))
+    view = View(named, seat, panel_named(seen))
     server.gui.reset()
     placed = [
         row for panel in panels.all_panels() for row in place_rows(server.gui, panel.rows(named.robot), view, print)

@@ -159,7 +159,7 @@ class RobotFile(msgspec.Struct, forbid_unknown_fields=True, frozen=True):
     poses: dict[str, PoseFile]
     parameters: dict[str, float] = {}
     assumed: tuple[Assumed, ...] = ()
-    assumed_by_old_key: tuple[Assumed, ...] = ()
+    ours: tuple[Assumed, ...] = ()
     convention: Literal["standard", "modified"] = "standard"
     floor_mm: float = 0
     camera: CameraFile | None = None

@@ -21,7 +21,7 @@ SOLIDS = {"box": {"size": 3}, "cylinder": {"radius": 1, "length": 1}, "sphere": 
 ROUND = {"radius": 1, "length": 1}
 ZERO_NUMBER = format_numbers([0.0])
 NO_GEOMETRY = Text(en="no geometry", pt_BR="sem geometria")
-WRONG_PLACE = Text(en="its position is not made of finite numbers", pt_BR="a posição não é de números finitos")
+WRONG_PLACE = Text(en="its pose is not made of finite numbers", pt_BR="a pose não é de números finitos")
 WRONG_SIZE = Text(en="its {tag} has no size in finite numbers", pt_BR="o {tag} não tem tamanho em números finitos")
 UNKNOWN = Text(en="{tag} is unknown", pt_BR="{tag} é desconhecido")
 

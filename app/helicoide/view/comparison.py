@@ -20,7 +20,7 @@ TIME = Text(en="time in motion [s]", pt_BR="tempo em movimento [s]")
 ASKED = Text(en="Joint velocity that the method asks for", pt_BR="Velocidade de junta que o método pede")
 ERROR = Text(en="Position error", pt_BR="Erro de posição")
 SPEED_AXIS, ERROR_AXIS = Text(en="‖q̇‖ [rad/s]", pt_BR="‖q̇‖ [rad/s]"), Text(en="e_p [mm]", pt_BR="e_p [mm]")
-LEAST_SPEED = 1e-4  # rad/s, the lower end of the logarithmic axis
+LEAST_SPEED = 1e-2  # rad/s, the lower end of the logarithmic axis
 LARGEST = Text(
     en="Largest, {method}: asked {asked:.3g} rad/s, moved at {speed:.3g} rad/s, position error {error:.3g} mm.",
     pt_BR="Máximos, {method}: pediu {asked:.3g} rad/s, moveu-se a {speed:.3g} rad/s, erro de posição {error:.3g} mm.",

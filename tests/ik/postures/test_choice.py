@@ -140,7 +140,7 @@ def load_l3() -> Robot:
 
 @pytest.mark.parametrize("weights", [(1, 1), (1, 1, -1), (1, np.nan, 1), (1, 1, np.inf), 1])
 def test_wrong_weights_are_refused(weights: object) -> None:
-    with pytest.raises(HelicoideError, match="3 weights"):
+    with pytest.raises(HelicoideError, match="3 finite numbers"):
         choice.ranked(ROBOT, example(), NOW, weights)  # type: ignore[arg-type]
 
 

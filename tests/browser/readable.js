@@ -52,6 +52,11 @@
   for (const input of document.querySelectorAll("input")) {
     if (input.clientWidth > 0 && input.inputMode === "decimal" && input.scrollWidth > input.clientWidth + 1) told("cut", input.scrollWidth - input.clientWidth, input.value);
   }
+  for (const canvas of document.querySelectorAll(".uplot canvas")) {
+    const [inner, outer] = [canvas, canvas.closest(".uplot")].map((one) => one.getBoundingClientRect());
+    const out = Math.max(outer.left - inner.left, outer.top - inner.top, inner.right - outer.right, inner.bottom - outer.bottom);
+    if (inner.width > 0 && out > 1) told("chart outside its box", out, canvas.closest(".uplot").textContent);
+  }
   if (document.documentElement.scrollWidth > innerWidth) told("page", document.documentElement.scrollWidth, "wider than the window");
   if (touch) {
     for (const control of document.querySelectorAll("button:not([aria-hidden=true]), [role=tab], input:not([type=checkbox]), a")) {

@@ -11,6 +11,7 @@ from tests.browser.conftest import window
 from tests.browser.lab import Lab, pixels, speak, tab, until
 
 from helicoide import gate
+from helicoide.session.postures import to_singular_posture
 from helicoide.text import LANGUAGES
 from helicoide.view import panels
 from helicoide.view.top_rows import PROJECTOR
@@ -41,7 +42,11 @@ def remaining(page: Page, touch: bool) -> list[str]:
 
 
 def test_every_tab_can_be_read_and_pressed(lab: Lab, page: Page) -> None:
+    lab.reset(page)
+    lab.post(gate.choose_method("pseudoinverse"))
     lab.post(gate.compare_with("damped"))
+    lab.post(to_singular_posture(lab.state))
+    until(page, lambda: lab.state.compared is not None and len(lab.state.compared.trace.times) > 1)
     touch = page.viewport_size is not None and page.viewport_size["width"] < 400
     found = {}
     for language in LANGUAGES:
